@@ -1,0 +1,88 @@
+#pragma once
+
+#include <opal/feature.hpp>
+#include <opal/plugin/scan_matcher.hpp>
+#include <opal/scan.hpp>
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace opal {
+
+/// One detection of a local feature: the measurement set of a feature is a list of these (thesis 3.4.1).
+struct Measurement {
+  int keyframe = 0;   ///< LocalMap::Keyframe::id
+  Feature feature;    ///< as detected, in the base_link frame at that keyframe
+};
+
+/// A feature of the local map, with its measurement set. Frame: `local`.
+struct LocalFeature {
+  int id = 0;  ///< unique over a run; never reused
+  Feature feature;
+  std::vector<Measurement> measurements;
+  int distinct_poses = 0;   ///< measurements from poses that differ by the configured distance or angle
+  bool stable = false;      ///< distinct_poses >= the configured number
+  int last_keyframe = 0;
+};
+
+/// A pose of the robot that the horizon still holds, with the raw points seen from it.
+struct Keyframe {
+  int id = 0;
+  double stamp_s = 0;
+  Pose2 T_local_base;
+  Pose2 T_odom_base;
+  std::vector<Point> points;  ///< in base_link [m], by increasing bearing
+};
+
+struct LocalMapOptions {
+  double horizon_m = 6.0;             ///< keyframes older than this much driving are forgotten
+  double association_distance_m = 0.3;
+  double association_angle_rad = 0.2;
+  double association_radius_m = 0.1;  ///< circles: difference of radii
+  int stable_after = 3;               ///< detections from different poses that make a feature stable
+  double pose_change_m = 0.05;        ///< poses that differ by this much, or
+  double pose_change_rad = 0.05;      ///< by this much, are different
+  int optimize_every = 3;             ///< keyframes between two runs of the factor graph; 0: never
+  double robust_scale = 1.0;          ///< Cauchy loss, in standard deviations
+  double odometry_sigma_per_m = 0.1;  ///< one-sigma translation error per metre driven [m]
+  double odometry_heading_sigma_per_rad = 0.1;
+  double odometry_heading_sigma_per_m = 0.04;
+};
+
+/// A small, locally consistent map of the features seen lately (thesis 3.3.1, Algorithm 1, Appendix A). Its frame,
+/// `local`, starts at the robot's first pose and follows dead reckoning as improved by scan matching and a factor
+/// graph; it is consistent over the horizon, not over a building.
+class OPAL_EXPORT LocalMap {
+ public:
+  LocalMap(LocalMapOptions options, std::shared_ptr<const ScanMatcher> matcher);
+  ~LocalMap();
+  LocalMap(LocalMap&&) noexcept;
+  LocalMap& operator=(LocalMap&&) noexcept;
+
+  /// Adds one keyframe (Algorithm 1).
+  /// @param scan      in the sensor frame.
+  /// @param features  detected in it, in the sensor frame.
+  /// @param T_odom_base  odometry at the scan's stamp.
+  void add(const Scan& scan, const std::vector<Feature>& features, const Pose2& T_odom_base,
+           const Pose2& T_base_laser);
+
+  /// Forgets everything; ids go on.
+  void clear();
+
+  const std::vector<LocalFeature>& features() const;   ///< by increasing id
+  const std::deque<Keyframe>& keyframes() const;       ///< oldest first
+  const Pose2& T_local_base() const;                   ///< newest pose
+  /// Where the newest pose would be at odometry reading `T_odom_base` (between keyframes).
+  Pose2 T_local_base_at(const Pose2& T_odom_base) const;
+  /// For each feature of the last scan, by its position in `features` given to add: the id of its local feature.
+  const std::vector<int>& last_associations() const;
+  /// Quality of the last scan match; converged = false if there was none.
+  const ScanMatch& last_match() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace opal

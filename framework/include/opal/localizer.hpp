@@ -1,0 +1,114 @@
+#pragma once
+
+#include <opal/event_stream.hpp>
+#include <opal/hypothesis.hpp>
+#include <opal/local_map.hpp>
+#include <opal/map_view.hpp>
+#include <opal/plugin/feature_detector.hpp>
+#include <opal/plugin/hypothesis_scorer.hpp>
+#include <opal/plugin/pattern_template.hpp>
+#include <opal/score.hpp>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+enum class Status { searching, ambiguous, localized, lost };
+OPAL_EXPORT const char* name_of(Status status);
+
+/// Where the robot is, as far as known.
+struct PoseEstimate {
+  double stamp_s = 0;
+  Status status = Status::searching;
+  Pose2 T_map_base;         ///< of the best hypothesis; meaningless while searching without hypotheses
+  bool has_pose = false;
+  double probability = 0;   ///< that the best hypothesis is right, "none of these" included
+  int hypotheses = 0;
+  int best = -1;            ///< Hypothesis::id
+  struct Rival {
+    int hypothesis = -1;
+    Pose2 T_map_base;
+    double probability = 0;
+  };
+  std::vector<Rival> rivals;  ///< at other places, most probable first
+};
+
+/// CPU time per stage of one update [s], in pipeline order.
+struct StageTimes {
+  double detect_s = 0, local_map_s = 0, associate_s = 0, verify_s = 0, track_s = 0, status_s = 0;
+  double total_s() const { return detect_s + local_map_s + associate_s + verify_s + track_s + status_s; }
+};
+
+struct KeyframeOptions {
+  double distance_m = 0.1;
+  double angle_rad = 0.2;
+};
+
+/// A replaceable part with its name, so that errors, counts and scores can name it.
+template <class T>
+struct Named {
+  std::string name;
+  std::shared_ptr<const T> part;
+};
+
+struct ActiveScorer {
+  std::string name;
+  std::shared_ptr<const HypothesisScorer> part;
+  bool decides = true;   ///< false: observes, its scores are recorded and change nothing
+  double weight = 1;
+};
+
+struct AssociationOptions;  // association.hpp
+
+/// Everything a localizer is made of. `Deployment` (deployment.hpp) builds it from files.
+struct LocalizerParts {
+  std::shared_ptr<const MapView> map;
+  LaserModel laser;
+  KeyframeOptions keyframes;
+  LocalMapOptions local_map;
+  std::shared_ptr<const ScanMatcher> matcher;                ///< may be null: odometry alone
+  std::vector<Named<FeatureDetector>> detectors;
+  std::vector<Named<PatternTemplate>> patterns;
+  std::vector<ActiveScorer> scorers;
+  nlohmann::json association = nlohmann::json::object();     ///< options of association.hpp, by name
+};
+
+/// The pipeline: scan -> features -> local map -> patterns -> association tree -> scores -> pose. One object per
+/// robot and run; `update` is called in time order from one thread.
+class OPAL_EXPORT Localizer {
+ public:
+  explicit Localizer(LocalizerParts parts, EventSink* events = nullptr);
+  ~Localizer();
+
+  /// Takes one scan. Never throws for a poor scan: that is a status.
+  /// @param scan  in the sensor frame.
+  /// @param T_odom_base  odometry at the scan's stamp.
+  /// @return the estimate if the scan became a keyframe (the robot has moved or turned enough), else nullopt.
+  std::optional<PoseEstimate> update(const Scan& scan, const Pose2& T_odom_base);
+
+  /// The newest estimate carried on by odometry to now.
+  PoseEstimate estimate_at(double stamp_s, const Pose2& T_odom_base) const;
+
+  /// Forgets hypotheses and local map: the next scan is the first one.
+  void reset();
+
+  const LocalMap& local_map() const;
+  const MapView& map() const;
+  /// Alive, best first.
+  const std::vector<Hypothesis>& hypotheses() const;
+  /// Latest opinions on a hypothesis, by scorer name; empty if there is no such hypothesis.
+  std::map<std::string, Score> scores_of(int hypothesis) const;
+  const StageTimes& last_times() const;
+  /// Calls into plugins that threw and were skipped, by type name.
+  const std::map<std::string, int>& plugin_failures() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace opal

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <opal/feature.hpp>
+
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// How a mapped invariant has to compare with an observed one for the two patterns to be the same.
+enum class Comparison { equal, mapped_at_most, mapped_at_least };
+
+/// A number that a rigid motion of the features leaves unchanged: a distance, an angle, a radius, an extent.
+struct Invariant {
+  double value = 0;
+  /// Slack of the comparison, from the measurement's uncertainty (on the observed side; ignored on the map side).
+  double tolerance = 0;
+  Comparison comparison = Comparison::equal;
+};
+
+/// Features in a certain geometric relation, described by invariants. The instance on the map and the instance in
+/// the local map come from the same template code.
+struct PatternInstance {
+  /// For member slot k, the position of that feature in the span given to `match`.
+  std::vector<int> members;
+  std::vector<Invariant> invariants;
+  /// Where the pattern sits: a pose, in the features' own frame, that moves rigidly with them, so that
+  /// T_map_local = mapped.frame * observed.frame.inverse().
+  Pose2 frame;
+  /// The frame may be moved along its own x axis by this much, and the pattern still matches: the range of a
+  /// pattern with a free parameter (a single wall). Both zero for patterns that fix the pose.
+  double slide_min_m = 0;
+  double slide_max_m = 0;
+  /// True if turning the frame by pi gives the same pattern (two equal columns): both are tried.
+  bool symmetric = false;
+};
+
+}  // namespace opal

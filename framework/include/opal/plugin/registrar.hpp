@@ -1,0 +1,43 @@
+#pragma once
+
+#include <opal/plugin/feature_detector.hpp>
+#include <opal/plugin/hypothesis_scorer.hpp>
+#include <opal/plugin/log_source.hpp>
+#include <opal/plugin/map_importer.hpp>
+#include <opal/plugin/pattern_template.hpp>
+#include <opal/plugin/scan_matcher.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// What a type is called, and which feature types it works on. Detectors produce, patterns consume.
+struct TypeInfo {
+  std::string name;                   ///< prefixed IRI: "opal:LineDetector"
+  std::vector<std::string> consumes;  ///< feature types; empty: any
+  std::vector<std::string> produces;  ///< feature types
+};
+
+/// Makes one object from its options. All options are present, in range, and of the right type when it is called:
+/// the registry has checked them against plugin.jsonld and filled in the defaults.
+template <class T>
+using Factory = std::function<std::unique_ptr<T>(const nlohmann::json& options)>;
+
+/// What a plugin sees while it is loaded: one overload per kind.
+class OPAL_EXPORT Registrar {
+ public:
+  virtual ~Registrar();
+  virtual void add(TypeInfo type, Factory<FeatureDetector> make) = 0;
+  virtual void add(TypeInfo type, Factory<PatternTemplate> make) = 0;
+  virtual void add(TypeInfo type, Factory<HypothesisScorer> make) = 0;
+  virtual void add(TypeInfo type, Factory<LogSource> make) = 0;
+  virtual void add(TypeInfo type, Factory<MapImporter> make) = 0;
+  virtual void add(TypeInfo type, Factory<ScanMatcher> make) = 0;
+};
+
+}  // namespace opal

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <opal/local_map.hpp>
+
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// A scorer's opinion of one hypothesis. Opinions of several scorers add up; score and veto are separate.
+struct Score {
+  double log_likelihood = 0;  ///< contribution of this scan [nat]; > 0 speaks for the hypothesis
+  std::string veto;           ///< not empty: the hypothesis must not survive, and this is why
+  struct Term {
+    std::string name;
+    double value = 0;
+  };
+  std::vector<Term> breakdown;  ///< what it is made of, for people and for A/B records
+};
+
+/// What hypotheses are judged against: what the robot sees now.
+struct Observation {
+  const LocalMap& local_map;
+  /// Returns of the newest scan, thinned evenly in space by the framework; base_link frame [m].
+  std::vector<Point> points;
+  /// Directions [rad, base_link] that returned nothing up to range_max_m, thinned.
+  std::vector<double> free_bearings_rad;
+  double range_max_m = 0;
+  Point laser_position = Point::Zero();  ///< where beams start, base_link frame
+  /// Features of the newest scan, base_link frame.
+  std::vector<Feature> features;
+};
+
+}  // namespace opal

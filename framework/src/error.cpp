@@ -1,0 +1,12 @@
+#include <opal/error.hpp>
+
+namespace opal {
+
+// Out of line: one vtable and one typeinfo, in libopal.so, for all plugins.
+Error::~Error() = default;
+ConfigError::~ConfigError() = default;
+MapError::~MapError() = default;
+LogError::~LogError() = default;
+PluginError::~PluginError() = default;
+
+}  // namespace opal

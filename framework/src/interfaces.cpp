@@ -1,0 +1,21 @@
+// The key functions of the plugin interfaces: one vtable and one typeinfo each, in libopal.so.
+#include <opal/plugin/feature_detector.hpp>
+#include <opal/plugin/hypothesis_scorer.hpp>
+#include <opal/plugin/log_source.hpp>
+#include <opal/plugin/map_importer.hpp>
+#include <opal/plugin/pattern_template.hpp>
+#include <opal/plugin/registrar.hpp>
+#include <opal/plugin/scan_matcher.hpp>
+
+namespace opal {
+
+FeatureDetector::~FeatureDetector() = default;
+PatternTemplate::~PatternTemplate() = default;
+HypothesisScorer::~HypothesisScorer() = default;
+LogReader::~LogReader() = default;
+LogSource::~LogSource() = default;
+MapImporter::~MapImporter() = default;
+ScanMatcher::~ScanMatcher() = default;
+Registrar::~Registrar() = default;
+
+}  // namespace opal
