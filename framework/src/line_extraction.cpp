@@ -1,5 +1,7 @@
 #include <opal/line_extraction.hpp>
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -25,7 +27,7 @@ class Extraction {
     for (Line& line : lines) set_true_ends(line);
     meet_at_junctions(lines);
     std::erase_if(lines, [&](const Line& line) {
-      return line.points() < options_.min_points || line.support_m < options_.min_length_m;
+      return line.points() < options_.min_points || line.support_m < options_.min_length_m || is_bent(line);
     });
     return lines;
   }
@@ -54,6 +56,7 @@ class Extraction {
   void join_hidden(std::vector<Line>& lines) const;
   bool ends_beyond(const Line& line, int hit, int step) const;
   void set_true_ends(Line& line) const;
+  bool is_bent(const Line& line) const;
   void meet_at_junctions(std::vector<Line>& lines) const;
 
   const ScanChains& chains_;
@@ -250,6 +253,35 @@ bool Extraction::ends_beyond(const Line& line, int hit, int step) const {
 void Extraction::set_true_ends(Line& line) const {
   line.true_end[0] = ends_beyond(line, line.runs.front().first, -1);
   line.true_end[1] = ends_beyond(line, line.runs.back().last, +1);
+}
+
+/// Whether a short line is really part of something round: a parabola v = c0 + c1 u + c2 u^2 over its points
+/// bends with a radius below 1 m and explains them significantly better (F test on the one parameter more).
+bool Extraction::is_bent(const Line& line) const {
+  constexpr double kMaxRadius = 1.0;
+  constexpr double kMinF = 12;  // 0.5 % by chance at 10 points
+  if (line.segment.length_m() > kMaxRadius || line.points() < 6) return false;
+  const Point along = line.segment.direction();
+  const Point normal = left_of(along);
+  const Point middle = line.segment.midpoint();
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d product = Eigen::Vector3d::Zero();
+  double squares = 0;
+  for (const Run& run : line.runs) {
+    for (int i = run.first; i <= run.last; ++i) {
+      const double u = along.dot(position(i) - middle);
+      const double v = normal.dot(position(i) - middle);
+      const Eigen::Vector3d powers(1, u, u * u);
+      moments += powers * powers.transpose();
+      product += powers * v;
+      squares += v * v;
+    }
+  }
+  const Eigen::Vector3d parabola = moments.ldlt().solve(product);
+  const Eigen::Vector2d straight = moments.topLeftCorner<2, 2>().ldlt().solve(product.head<2>());
+  const double rest = std::max(squares - product.dot(parabola), 1e-9);
+  const double gain = squares - product.head<2>().dot(straight) - rest;
+  return 2 * std::abs(parabola.z()) * kMaxRadius > 1 && gain * (line.points() - 3) > kMinF * rest;
 }
 
 /// Lines that meet end truly there; the small gap that beam spacing leaves at the corner is closed.
