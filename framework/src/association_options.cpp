@@ -30,6 +30,7 @@ const std::vector<Field>& fields() {
       {"seed_every_rad", &O::seed_every_rad, 0, 1000},
       {"seed_every_when_localized", &O::seed_every_when_localized, 1, kMany},
       {"loose_below_nat", &O::loose_below_nat, -kMany, kMany},
+      {"loose_until_nat", &O::loose_until_nat, -kMany, kMany},
       {"slide_step_m", &O::slide_step_m, 0.01, 10},
       {"birth_nat", &O::birth_nat, -kMany, kMany},
       {"seed_from_stable", &O::seed_from_stable},

@@ -61,6 +61,7 @@ struct Localizer::State {
   bool time_to_seed();
   void seed(const Observation& observation, const Scan& scan);
   std::vector<SeedFeature> seed_features(const Observation& observation) const;
+  bool worth_loose_search(const std::vector<Candidate>& found) const;
   void verify(std::vector<Candidate>& candidates, const Observation& observation, const Scan& scan,
               std::size_t keep) const;
   void grow();
@@ -226,6 +227,16 @@ void Localizer::State::verify(std::vector<Candidate>& candidates, const Observat
   }
 }
 
+/// Patterns with a free parameter have many candidates: they are looked up where those that fix the pose found
+/// nothing good, and no hypothesis has gathered evidence yet.
+bool Localizer::State::worth_loose_search(const std::vector<Candidate>& found) const {
+  const bool found_good = !found.empty() && found.front().nearness >= options.loose_below_nat;
+  const auto& alive_now = hypotheses.alive();
+  const bool tracked_good =
+      !alive_now.empty() && alive_now.front().hypothesis.log_likelihood >= options.loose_until_nat;
+  return !found_good && !tracked_good;
+}
+
 void Localizer::State::seed(const Observation& observation, const Scan& scan) {
   constexpr std::size_t kFewestPoints = 15;
   if (observation.points.size() < kFewestPoints) return;
@@ -233,6 +244,7 @@ void Localizer::State::seed(const Observation& observation, const Scan& scan) {
   const std::vector<SeedFeature> features = seed_features(observation);
   std::vector<Candidate> candidates;
   for (const bool loose : {false, true}) {
+    if (loose && !worth_loose_search(candidates)) break;
     std::vector<Candidate> proposed;
     {
       StageClock clock(times.associate_s);
@@ -241,7 +253,6 @@ void Localizer::State::seed(const Observation& observation, const Scan& scan) {
     StageClock clock(times.verify_s);
     verify(proposed, observation, scan, options.seed_hypotheses);
     for (Candidate& candidate : proposed) candidates.push_back(std::move(candidate));
-    if (!candidates.empty() && candidates.front().nearness >= options.loose_below_nat) break;
   }
   StageClock clock(times.verify_s);
   std::stable_sort(candidates.begin(), candidates.end(),

@@ -29,6 +29,7 @@ struct AssociationOptions {
   double seed_every_rad = 1.0;      ///< turning, between searches for new hypotheses
   int seed_every_when_localized = 6; ///< only every n-th search while localized
   double loose_below_nat = 5.4;     ///< patterns with a free parameter are tried if no candidate scores this
+  double loose_until_nat = 15;      ///< and only while no hypothesis has gathered this much
   double slide_step_m = 0.2;        ///< step along a pattern's free parameter
   double birth_nat = -3.0;          ///< log prior of a new hypothesis against clutter
   bool seed_from_stable = false;    ///< only stable local features may seed (thesis)
