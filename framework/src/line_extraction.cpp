@@ -287,9 +287,11 @@ bool Extraction::is_bent(const Line& line) const {
 /// Lines that meet end truly there; the small gap that beam spacing leaves at the corner is closed.
 void Extraction::meet_at_junctions(std::vector<Line>& lines) const {
   constexpr double kMaxSnap = 0.15;
+  constexpr double kMinArm = 0.15;  // shorter ones are mostly clutter at a wall [m]
   for (const Junction& junction : find_junctions(chains_, lines, {})) {
     Line& before = lines[junction.before];
     Line& after = lines[junction.after];
+    if (std::min(before.support_m, after.support_m) < kMinArm) continue;
     before.true_end[1] = after.true_end[0] = true;
     if ((before.segment.end - junction.position).norm() < kMaxSnap) before.segment.end = junction.position;
     if ((after.segment.begin - junction.position).norm() < kMaxSnap) after.segment.begin = junction.position;

@@ -6,10 +6,6 @@
 namespace opal {
 namespace {
 
-// Standing apart from the speed limits: stamps of one clock tick, and the rounding of recorded poses.
-constexpr double kJumpSlackM = 0.2;
-constexpr double kJumpSlackRad = 0.2;
-
 Pose2 interpolated(const Pose2& a, const Pose2& b, double share) {
   return {a.position() + share * (b.position() - a.position()),
           a.heading_rad() + share * wrap_angle(b.heading_rad() - a.heading_rad())};
@@ -20,9 +16,8 @@ Pose2 interpolated(const Pose2& a, const Pose2& b, double share) {
 bool OdometryTrack::is_jump(double stamp_s, const Pose2& T_track_base) const {
   if (!last_) return false;
   const double elapsed_s = clock_restarted_ ? 0 : std::max(stamp_s - last_->stamp_s, 0.0);
-  return distance_m(last_->T_track_base, T_track_base) > kJumpSlackM + limits_.max_speed_mps * elapsed_s ||
-         angle_between_rad(last_->T_track_base, T_track_base) >
-             kJumpSlackRad + limits_.max_turn_radps * elapsed_s;
+  return distance_m(last_->T_track_base, T_track_base) > limits_.jump_m + limits_.max_speed_mps * elapsed_s ||
+         angle_between_rad(last_->T_track_base, T_track_base) > limits_.jump_rad + limits_.max_turn_radps * elapsed_s;
 }
 
 OdometryTrack::Added OdometryTrack::step_to(double stamp_s, const Pose2& T_odom_base) {

@@ -54,7 +54,7 @@ struct Replay::State {
       : records(std::move(log)),
         laser(model),
         options(limits),
-        track({limits.max_speed_mps, limits.max_turn_radps, limits.bridge_jumps}) {}
+        track({limits.max_speed_mps, limits.max_turn_radps, limits.jump_m, limits.jump_rad, limits.bridge_jumps}) {}
 
   Records records;
   LaserModel laser;

@@ -5,10 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-namespace carmen_log {
+namespace opal::carmen_log {
 namespace {
-
-using opal::Pose2;
 
 constexpr int kMostReadings = 100'000;
 constexpr double kFarthestM = 1e7;
@@ -83,7 +81,7 @@ const char* finish(Words& words, double& stamp_s) {
 }
 
 ParsedLine parse_odometry(Words words) {
-  opal::OdometryRecord odometry;
+  OdometryRecord odometry;
   odometry.T_odom_base = words.pose();
   words.skip(3);  // tv rv accel
   if (const char* defect = finish(words, odometry.stamp_s)) return {{}, defect};
@@ -102,7 +100,7 @@ bool read_ranges(Words& words, std::vector<float>& ranges_m) {
   return true;
 }
 
-ParsedLine finish_scan(Words& words, opal::RawScan scan, std::optional<Pose2> T_odom_base) {
+ParsedLine finish_scan(Words& words, RawScan scan, std::optional<Pose2> T_odom_base) {
   if (const char* defect = finish(words, scan.stamp_s)) return {{}, defect};
   if (!words.pose_ok()) return {std::move(scan), kBadPose};
   scan.T_odom_base = T_odom_base;
@@ -111,7 +109,7 @@ ParsedLine finish_scan(Words& words, opal::RawScan scan, std::optional<Pose2> T_
 
 /// FLASER n r1 .. rn x y theta odom_x odom_y odom_theta stamp host logger_stamp
 ParsedLine parse_old_laser(Words words, std::string_view message) {
-  opal::RawScan scan;
+  RawScan scan;
   scan.frame = message;
   if (!read_ranges(words, scan.ranges_m)) return {{}, words.defect()};
   words.skip(3);  // the laser's pose
@@ -123,7 +121,7 @@ ParsedLine parse_old_laser(Words words, std::string_view message) {
 ///   laser_x laser_y laser_theta x y theta tv rv safety_front safety_side turn_axis stamp host logger_stamp
 /// RAWLASER1 is the same without what is between e_m and the stamp.
 ParsedLine parse_new_laser(Words words, std::string_view message) {
-  opal::RawScan scan;
+  RawScan scan;
   scan.frame = message;
   words.skip(1);
   scan.angle_min_rad = words.number<double>();
@@ -173,4 +171,4 @@ bool is_carmen_message(std::string_view message) {
   return is_laser_message(message) || std::find(kOthers.begin(), kOthers.end(), message) != kOthers.end();
 }
 
-}  // namespace carmen_log
+}  // namespace opal::carmen_log

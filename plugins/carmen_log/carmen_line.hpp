@@ -5,11 +5,11 @@
 #include <optional>
 #include <string_view>
 
-namespace carmen_log {
+namespace opal::carmen_log {
 
 /// What one line of a CARMEN log turned out to be.
 struct ParsedLine {
-  std::optional<opal::LogRecord> record;
+  std::optional<LogRecord> record;
   const char* defect = nullptr;  ///< why there is none, or what the record lacks; null for lines of no interest
 };
 
@@ -24,4 +24,4 @@ bool is_laser_message(std::string_view message);
 /// True for any message that CARMEN's logger writes.
 bool is_carmen_message(std::string_view message);
 
-}  // namespace carmen_log
+}  // namespace opal::carmen_log

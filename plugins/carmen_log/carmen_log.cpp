@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-namespace carmen_log {
+namespace opal::carmen_log {
 namespace {
 
 /// The CARMEN messages at the starts of lines.
@@ -29,12 +29,12 @@ std::string main_laser(const std::set<std::string, std::less<>>& messages) {
   return "FLASER";
 }
 
-class CarmenReader final : public opal::LogReader {
+class CarmenReader final : public LogReader {
  public:
   CarmenReader(GzLines lines, std::string laser_message)
       : lines_(std::move(lines)), laser_message_(std::move(laser_message)) {}
 
-  std::optional<opal::LogRecord> next() override {
+  std::optional<LogRecord> next() override {
     while (const std::optional<Line> line = lines_.next()) {
       ParsedLine parsed = parse_line(line->text, line->terminated, laser_message_);
       if (parsed.defect) ++defects_[parsed.defect];
@@ -60,7 +60,7 @@ class CarmenReader final : public opal::LogReader {
 
 CarmenLog::CarmenLog(std::string laser_message) : laser_message_(std::move(laser_message)) {
   if (!laser_message_.empty() && !is_laser_message(laser_message_))
-    throw opal::ConfigError("option laser_message: \"" + laser_message_ +
+    throw ConfigError("option laser_message: \"" + laser_message_ +
                             "\", expected FLASER, RLASER, LASERn, ROBOTLASERn, RAWLASERn or nothing");
 }
 
@@ -73,14 +73,14 @@ bool CarmenLog::recognizes(const std::string& path) const {
   }
 }
 
-std::unique_ptr<opal::LogReader> CarmenLog::open(const std::string& path) const {
+std::unique_ptr<LogReader> CarmenLog::open(const std::string& path) const {
   GzLines lines(path);
   const auto messages = messages_in(lines.peek());
   if (messages.empty())
-    throw opal::LogError(path + ": no line at its start begins with a CARMEN message such as ODOM or FLASER" +
+    throw LogError(path + ": no line at its start begins with a CARMEN message such as ODOM or FLASER" +
                          (lines.damage() ? std::string(" (") + lines.damage() + ")" : ""));
   return std::make_unique<CarmenReader>(std::move(lines),
                                         laser_message_.empty() ? main_laser(messages) : laser_message_);
 }
 
-}  // namespace carmen_log
+}  // namespace opal::carmen_log

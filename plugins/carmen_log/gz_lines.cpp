@@ -9,7 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace carmen_log {
+namespace opal::carmen_log {
 namespace {
 
 constexpr std::size_t kBlockBytes = 1u << 18;
@@ -18,9 +18,9 @@ constexpr std::size_t kLongestLineBytes = 1u << 22;  // 100,000 readings of 40 c
 std::uintmax_t size_of_regular_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw opal::LogError(path + ": no such file, expected a CARMEN log");
+  if (!std::filesystem::exists(status)) throw LogError(path + ": no such file, expected a CARMEN log");
   if (!std::filesystem::is_regular_file(status))
-    throw opal::LogError(path + ": is no regular file, expected a CARMEN log");
+    throw LogError(path + ": is no regular file, expected a CARMEN log");
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   return error ? 0 : bytes;
 }
@@ -31,7 +31,7 @@ void GzLines::Close::operator()(gzFile_s* file) const { gzclose(file); }
 
 GzLines::GzLines(const std::string& path) : file_bytes_(size_of_regular_file(path)) {
   file_.reset(gzopen(path.c_str(), "rb"));
-  if (!file_) throw opal::LogError(path + ": cannot be opened: " + std::strerror(errno));
+  if (!file_) throw LogError(path + ": cannot be opened: " + std::strerror(errno));
   gzbuffer(file_.get(), kBlockBytes);
 }
 
@@ -96,4 +96,4 @@ double GzLines::progress() const {
   return file_bytes_ == 0 ? 1 : std::min(1.0, offset / static_cast<double>(file_bytes_));
 }
 
-}  // namespace carmen_log
+}  // namespace opal::carmen_log

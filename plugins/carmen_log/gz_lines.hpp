@@ -9,7 +9,7 @@
 
 struct gzFile_s;
 
-namespace carmen_log {
+namespace opal::carmen_log {
 
 struct Line {
   std::string_view text;     ///< without its end; valid until the next line is read
@@ -19,7 +19,7 @@ struct Line {
 /// The lines of a text file, plain or gzip-compressed, one after the other.
 class GzLines {
  public:
-  /// @throws opal::LogError if the file cannot be opened.
+  /// @throws LogError if the file cannot be opened.
   explicit GzLines(const std::string& path);
 
   std::optional<Line> next();
@@ -50,4 +50,4 @@ class GzLines {
   const char* damage_ = nullptr;
 };
 
-}  // namespace carmen_log
+}  // namespace opal::carmen_log

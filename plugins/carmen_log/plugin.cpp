@@ -5,9 +5,10 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add(opal::TypeInfo{"opal:CarmenLog", {}, {}}, opal::Factory<opal::LogSource>([](const nlohmann::json& options) {
-                  return std::make_unique<carmen_log::CarmenLog>(options.at("laser_message").get<std::string>());
-                }));
+  registrar.add({"opal:CarmenLog", /*consumes*/ {}, /*produces*/ {}},
+                [](const nlohmann::json& options) -> std::unique_ptr<opal::LogSource> {
+                  return std::make_unique<opal::carmen_log::CarmenLog>(options.at("laser_message"));
+                });
 }
 
 }  // namespace

@@ -25,8 +25,10 @@ struct ReplayOptions {
   double odometry_wait_s = 1.0;    ///< a scan takes odometry that is at most this much older or newer, if it is
                                    ///< not between two odometry records of the log
   double clock_reset_s = 1.0;      ///< a stamp that steps back by more than this starts a new timeline
-  double max_speed_mps = 3.0;      ///< odometry that moves faster
-  double max_turn_radps = 6.0;     ///< or turns faster has jumped
+  double max_speed_mps = 3.0;      ///< odometry that moves farther than this speed makes plausible,
+  double max_turn_radps = 6.0;     ///< or turns more,
+  double jump_m = 1.0;             ///< by more than this, has jumped. Lost records and coarse stamps look like jumps:
+  double jump_rad = 1.5;           ///< in the csail and belgioioso logs true motion exceeds the speeds by 0.4 m, 0.6 rad
   bool bridge_jumps = true;        ///< a jump is taken for a new odometry frame in which the robot stands still
 };
 
