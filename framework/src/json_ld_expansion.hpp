@@ -64,7 +64,6 @@ class Expander {
                       const Place& place);
   void expand_nested(Object& object, const ContextPtr& active, const std::string& key, const Json& nested,
                      const Place& place);
-  void refuse_unknown(const ActiveContext& active, const std::string& key, const Place& place) const;
   void expand_property(Object& object, const ContextPtr& active, const std::string& key, const std::string& iri,
                        const Json& value, const Place& place);
   Json expand_property_value(const ContextPtr& active, const std::string& key, const Json& value,
@@ -97,6 +96,9 @@ class Expander {
   // json_ld_value.cpp: scalars
   Json expand_value(const ActiveContext& active, const TermDefinition* definition, const Json& value,
                     const Place& place) const;
+  /// JSON-LD drops, or takes for an IRI, what the context does not define.
+  void refuse_unknown(const ActiveContext& active, const std::string& word, const std::optional<std::string>& iri,
+                      const Place& place) const;
   /// The IRI that a vocabulary word (a type, a value of an @vocab-typed term) stands for.
   Json expand_word(const ActiveContext& active, const std::string& word, const Place& place) const;
 

@@ -13,19 +13,13 @@ void Expander::expand_entries(Object& object, const ContextPtr& active, Property
     if (key == "@context") continue;
     const auto iri = expand_iri(*active, key, {true, false});
     const Place here = place.at(std::string_view(key));
-    if (!iri || (iri->find(':') == std::string::npos && !is_keyword(*iri))) refuse_unknown(*active, key, here);
-    else if (iri == "@nest") nests[key] = &value;
+    refuse_unknown(*active, key, iri, here);
+    if (!iri || (iri->find(':') == std::string::npos && !is_keyword(*iri))) continue;  // 13.3
+    if (iri == "@nest") nests[key] = &value;
     else if (is_keyword(*iri)) expand_keyword(object, active, property, *iri, value, here);
     else expand_property(object, active, key, *iri, value, here);
   }
   for (const auto& [key, nested] : nests) expand_nested(object, active, key, *nested, place.at(std::string_view(key)));
-}
-
-/// JSON-LD drops what maps to nothing. A term that the context maps to null is dropped on purpose.
-void Expander::refuse_unknown(const ActiveContext& active, const std::string& key, const Place& place) const {
-  const TermDefinition* definition = active.find(key);
-  if (options_.reject_unknown_terms && !(definition && !definition->iri))
-    throw JsonLdError("unknown term", place.pointer(), "the key maps to no IRI");
 }
 
 /// 14.2: nested entries count as if they stood in the object itself.

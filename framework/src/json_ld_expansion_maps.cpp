@@ -31,8 +31,9 @@ Json Expander::expand_index_map(const ContextPtr& active, const TermDefinition& 
   for (const auto& [index, entry] : value.items()) {
     const Place here = place.at(std::string_view(index));
     const ContextPtr context = map_context(active, definition, index, here);
-    Json items = entry.is_array() ? expand(context, &key, entry, here, true)
-                                  : expand(context, &key, Json::array({entry}), here, true);
+    Json items = expand(context, &key, entry, here, true);
+    if (items.is_null()) continue;
+    items = as_array(std::move(items));
     for (Json& item : items) {
       if (definition.contains("@graph") && !is_graph(item))
         item = mark(Json{{"@graph", as_array(std::move(item))}}, here);

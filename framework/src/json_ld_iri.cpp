@@ -114,6 +114,11 @@ bool is_absolute_iri(string_view text) {
 
 bool is_blank_node(string_view text) { return text.substr(0, 2) == "_:"; }
 
+bool is_spelled_out(string_view iri) {
+  const auto scheme = take_scheme(iri);
+  return scheme && (iri.substr(0, 2) == "//" || *scheme == "urn" || *scheme == "tag");
+}
+
 bool ends_with_delimiter(string_view iri) {
   return !iri.empty() && string_view(":/?#[]@").find(iri.back()) != string_view::npos;
 }

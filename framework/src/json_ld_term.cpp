@@ -188,7 +188,7 @@ void TermReader::derive_iri(TermDefinition& definition, const std::string& term,
     const TermDefinition* known = result_.find(prefix);
     definition.iri = known && known->iri ? *known->iri + term.substr(colon + 1) : term;
   } else if (term.find('/') != std::string::npos) {
-    definition.iri = expand(term);
+    definition.iri = expand_iri(result_, term, {true, false});
     if (!definition.iri || !is_absolute_iri(*definition.iri)) refuse("invalid IRI mapping", place, "the term maps to no IRI");
   } else if (term == "@type") {
     definition.iri = "@type";
