@@ -29,6 +29,8 @@ struct Options {
   std::string base;  ///< IRI that relative references resolve against; empty: they stay relative
   /// Contexts that may be named by IRI; nothing is ever fetched.
   std::map<std::string, nlohmann::json> contexts;
+  /// Taken in before the document's own context, as if it came first; null: none.
+  nlohmann::json expand_context = nullptr;
   /// Keep, in every node and value object, where it came from: "@pointer": "/objects/3/geometry". Not JSON-LD; for
   /// error messages of the caller.
   bool keep_pointers = false;
