@@ -2,11 +2,28 @@
 
 #include <opal/semantic_map.hpp>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace opal {
+
+/// A face or a round column, prepared for fast geometry: the numbers that every beam needs, computed once.
+struct Surface {
+  Point origin = Point::Zero();     ///< a face's begin; a circle's centre
+  Point direction = Point::Zero();  ///< a face's unit direction, visible side on the left; zero for a circle
+  double size_m = 0;                ///< a face's length; a circle's radius
+
+  bool is_circle() const { return direction.x() == 0 && direction.y() == 0; }
+  Point normal() const { return left_of(direction); }
+  double distance_m(const Point& p) const {
+    const Point from = p - origin;
+    if (is_circle()) return std::abs(from.norm() - size_m);
+    return (from - std::clamp(direction.dot(from), 0.0, size_m) * direction).norm();
+  }
+};
 
 /// What one sensor can perceive of a map, with indices that answer spatial questions in microseconds. Immutable and
 /// shared. Frame: `map`. Feature numbers are positions in SemanticMap::features().
@@ -22,32 +39,34 @@ class OPAL_EXPORT MapView {
   const MapFeature& feature(int number) const;
   /// All perceivable features.
   std::span<const int> features() const;
+  /// The surface of a feature that is a segment or a circle.
+  const Surface& surface(int number) const;
   /// Features with some point within radius_m of p, in no order (R-tree, exact).
   std::vector<int> within(const Point& p, double radius_m) const;
 
-  /// The surface nearest to a point, if it is nearer than `reach_m()`: a lookup in a grid of `cell_m()` cells,
-  /// so that the answer may be a surface that is farther by up to one cell.
+  /// The surface (segment or circle) nearest to `p` that faces a viewer who looks along `view_direction`, among those
+  /// within reach_m(). A lookup in a grid of 0.1 m cells, so a surface up to one cell farther may be named.
+  /// @param view_direction  any length; from the viewer to p.
   /// @return feature number, or -1.
-  int nearest(const Point& p) const;
-  /// Lower bound on the distance [m] from p to any surface, from the same grid; at most `clearance_cap_m()`.
+  int nearest_facing(const Point& p, const Point& view_direction) const;
+  /// Distance [m] from p to the nearest surface whatever its side, by grid lookup (within one cell's diagonal), capped
+  /// at clearance_cap_m().
   double clearance_m(const Point& p) const;
-  double reach_m() const;
-  double cell_m() const;
-  double clearance_cap_m() const;
+  static constexpr double reach_m() { return 0.8; }
+  static constexpr double clearance_cap_m() { return 2.5; }
+  static constexpr double cell_m() { return 0.1; }
 
-  /// Smoothed nearness to a surface in [0, 1] (1 on it), by grid lookup: for coarse, fast judgements.
-  double nearness(const Point& p) const;
+  /// exp(-d^2 / (2 * 0.2^2)) of the distance d to the nearest surface, by grid lookup: for coarse, fast judgements.
+  float nearness(const Point& p) const;
 
-  /// First surface that a ray from `origin` to `target` crosses from its visible side or from behind.
+  /// First surface that a ray from `origin` crosses on its way to `target`.
   struct Crossing {
-    int feature = -1;
-    double range_m = 0;        ///< from origin
-    double incidence_cos = 0;  ///< cosine between ray and normal; near 0 is grazing
-    bool from_behind = false;
+    int feature = -1;         ///< -1: the way is free
+    double range_m = 0;       ///< from origin
+    bool from_behind = false; ///< crossed from the side on which it is not visible
   };
-  /// @param min_penetration_m  ignore surfaces that the target overshoots by less than this, measured
-  ///                           perpendicular to the surface.
-  /// @return feature -1 if the way is free.
+  /// @param min_penetration_m  surfaces that the target overshoots by less, measured perpendicular to them, do not
+  ///                           count.
   Crossing first_crossing(const Point& origin, const Point& target, double min_penetration_m) const;
 
   /// Smallest rectangle around all features, min and max corner [m].

@@ -27,10 +27,12 @@ struct PatternInstance {
   /// Where the pattern sits: a pose, in the features' own frame, that moves rigidly with them, so that
   /// T_map_local = mapped.frame * observed.frame.inverse().
   Pose2 frame;
-  /// The frame may be moved along its own x axis by this much, and the pattern still matches: the range of a
-  /// pattern with a free parameter (a single wall). Both zero for patterns that fix the pose.
-  double slide_min_m = 0;
-  double slide_max_m = 0;
+  /// What the pattern leaves free: it extends along the frame's x axis from extent_min_m to extent_max_m, and may be
+  /// seen anywhere within a mapped pattern's extent, overhanging it by up to overhang_m (a piece of a wall). All
+  /// zero for patterns that fix the pose.
+  double extent_min_m = 0;
+  double extent_max_m = 0;
+  double overhang_m = 0;
   /// True if turning the frame by pi gives the same pattern (two equal columns): both are tried.
   bool symmetric = false;
 };

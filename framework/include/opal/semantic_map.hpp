@@ -11,25 +11,31 @@
 
 namespace opal {
 
+struct MapDraft;
+
 /// A thing in the building that the map names: a wall, a column, a door.
 struct MapObject {
   std::string id;    ///< IRI or local name, unique in the map (for imported buildings the IFC GlobalId)
-  std::string type;  ///< open: "opal:Wall", "opal:Column", ...
-  std::vector<int> features;  ///< positions in SemanticMap::features(), all sensors
+  std::string type;  ///< open: "opal:Wall", "opal:Column", "acme:Kiosk"; "Wall" is taken as "opal:Wall"
+  /// Positions in SemanticMap::features(), all sensors; may be empty. `make` fills it in.
+  std::vector<int> features = {};
 };
 
 /// One geometric primitive through which an object can be perceived, in the `map` frame.
 struct MapFeature {
-  std::string id;
+  std::string id;           ///< of the geometry; unique in the map for one sensor
   int object = -1;          ///< position in SemanticMap::objects()
   std::string type;         ///< what a detector must produce to see it: "opal:Wall", "opal:Corner", "opal:Column"
-  std::string sensor;       ///< id of the sensor that can perceive it
+  std::string sensor;       ///< id of the sensor that can perceive it; empty: none does
   Geometry geometry;
   double position_sigma_m = 0;  ///< how far the building may be from the map here; 0: the map does not say
   double existence = 1;         ///< probability that it is really there
-  /// Topology: ids of the points that make the geometry (a segment's begin and end, a corner's point). Features
-  /// that share a point share its id.
-  std::vector<std::string> points;
+  /// Topology: ids of the points that make the geometry (a segment's begin and end, a corner's point, a circle's
+  /// centre; a point feature's own id). Features that share a point share its id. Left empty, `make` names points
+  /// after the feature: "w1/begin", "w1/end", "k1/point", "c1/center".
+  std::vector<std::string> points = {};
+  /// Id of the ObjectFeatureRepresentation node, which the features of one object and sensor may share; may be empty.
+  std::string representation = {};
 };
 
 /// A relation between features that the map itself names (thesis 4.4.1).
@@ -37,18 +43,24 @@ struct MapPattern {
   std::string id;
   std::string pattern_template;        ///< the template's type name
   std::vector<int> features;           ///< positions in SemanticMap::features(), in the template's slot order
-  std::vector<std::string> subpatterns;
-  std::vector<double> dimensions;      ///< the template's invariants
+  std::vector<std::string> subpatterns = {};
+  std::vector<double> dimensions = {};  ///< the template's invariants
 };
 
 /// The static building, as a typed immutable view of a JSON-LD graph. Frame: `map`; units: metres, radians.
+///
+/// A graph has no order, so objects and patterns stand in order of id and features in order of id and sensor,
+/// whatever the order in which they were given: the same building gives the same map, positions included. Numbers
+/// inside ids count as numbers ("wall-2" before "wall-10").
 class OPAL_EXPORT SemanticMap {
  public:
   /// Reads and checks a whole document; all of it or an error, never less map than the document holds.
   /// @throws MapError naming the file, the JSON pointer, what was found and what was expected.
   static std::shared_ptr<const SemanticMap> read(const std::string& path);
+  /// @param name  stands for the file in error messages, and names the map if the document does not.
   static std::shared_ptr<const SemanticMap> parse(const std::string& text, const std::string& name);
-  /// Takes a map that was built in memory (an importer, a test); same checks.
+  /// Takes a map that was built in memory (an importer, a test); same checks. Objects and features come in any
+  /// order and refer to each other by their position in the arguments.
   static std::shared_ptr<const SemanticMap> make(std::string name, std::vector<MapObject> objects,
                                                  std::vector<MapFeature> features,
                                                  std::vector<MapPattern> patterns = {});
@@ -58,15 +70,22 @@ class OPAL_EXPORT SemanticMap {
   const std::vector<MapFeature>& features() const { return features_; }
   const std::vector<MapPattern>& patterns() const { return patterns_; }
 
+  /// What the document says in other vocabularies, or about geometry that no representation uses: an array of node
+  /// objects in expanded JSON-LD. Opal makes no use of it, reports it (map_check.hpp) and writes it back.
+  const nlohmann::json& unused() const { return unused_; }
+
   /// The map as a JSON-LD document (compact terms of maps/context/opal.jsonld); reading it back gives this map.
   nlohmann::ordered_json to_json_ld() const;
 
  private:
-  SemanticMap() = default;
+  explicit SemanticMap(MapDraft&& checked);
+  static std::shared_ptr<const SemanticMap> finish(MapDraft draft);
+
   std::string name_;
   std::vector<MapObject> objects_;
   std::vector<MapFeature> features_;
   std::vector<MapPattern> patterns_;
+  nlohmann::json unused_;
 };
 
 }  // namespace opal

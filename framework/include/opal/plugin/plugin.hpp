@@ -17,12 +17,13 @@ namespace opal {
 #define OPAL_DETAIL_DEBUG_STL "0"
 #endif
 
-/// Everything that changes the layout of what crosses between framework and plugin. Compared before any plugin
-/// function is called.
+/// Everything that changes the layout of what crosses between framework and plugin. Compared before any
+/// plugin function is called.
 inline constexpr const char* kAbiTag =
     "api=1 gxx_abi=" OPAL_DETAIL_TEXT(__GXX_ABI_VERSION) " cxx11_abi=" OPAL_DETAIL_TEXT(
-        _GLIBCXX_USE_CXX11_ABI) " debug_stl=" OPAL_DETAIL_DEBUG_STL " eigen=" OPAL_DETAIL_TEXT(
-        EIGEN_WORLD_VERSION) "." OPAL_DETAIL_TEXT(EIGEN_MAJOR_VERSION) "." OPAL_DETAIL_TEXT(EIGEN_MINOR_VERSION);
+        _GLIBCXX_USE_CXX11_ABI) " debug_stl=" OPAL_DETAIL_DEBUG_STL
+                                " eigen=" OPAL_DETAIL_TEXT(EIGEN_WORLD_VERSION) "." OPAL_DETAIL_TEXT(
+                                    EIGEN_MAJOR_VERSION) "." OPAL_DETAIL_TEXT(EIGEN_MINOR_VERSION);
 
 /// The one symbol of a plugin: plain data and one function.
 struct PluginDescriptor {
@@ -36,9 +37,9 @@ struct PluginDescriptor {
 }  // namespace opal
 
 /// At the end of a plugin's plugin.cpp: its name, its version, and the function that registers its types.
-#define OPAL_PLUGIN(NAME, VERSION, REGISTER)                                                                \
-  namespace {                                                                                               \
-  const ::opal::PluginDescriptor opal_descriptor_{::opal::kAbiTag, EIGEN_MAX_ALIGN_BYTES, NAME, VERSION,     \
-                                                  REGISTER};                                                \
-  }                                                                                                         \
+#define OPAL_PLUGIN(NAME, VERSION, REGISTER)                                                             \
+  namespace {                                                                                            \
+  const ::opal::PluginDescriptor opal_descriptor_{::opal::kAbiTag, EIGEN_MAX_ALIGN_BYTES, NAME, VERSION, \
+                                                  REGISTER};                                             \
+  }                                                                                                      \
   BOOST_DLL_ALIAS_SECTIONED(opal_descriptor_, opal_plugin_v1, opal_v1)

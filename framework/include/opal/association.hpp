@@ -1,0 +1,99 @@
+#pragma once
+
+#include <opal/hypothesis.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// Where the search may look, if the robot's whereabouts are known roughly. Frame: `map`.
+struct RegionPrior {
+  Point center = Point::Zero();
+  double radius_m = 0;
+};
+
+/// How hypotheses are born, grown, tracked and ended. Defaults are the best known; configs/thesis.jsonld sets those of
+/// Hendrikx (2023), table 3.1.
+struct AssociationOptions {
+  // Birth: which patterns are looked up, and how many candidates survive each sieve.
+  int seed_features = 8;            ///< best supported features per geometry that templates are offered
+  int seed_patterns = 10;           ///< patterns looked up per scan, fewest expected candidates first
+  int seed_lookup_limit = 30000;    ///< candidates per scan and template
+  int seed_candidates = 150;        ///< kept by nearness of the scan to the map, one per place
+  int seed_hypotheses = 60;         ///< kept by the scorers
+  double seed_every_m = 0.5;        ///< driving, or
+  double seed_every_rad = 1.0;      ///< turning, between searches for new hypotheses
+  int seed_every_when_localized = 6; ///< only every n-th search while localized
+  double loose_below_nat = 5.4;     ///< patterns with a free parameter are tried if no candidate scores this
+  double loose_until_nat = 15;      ///< and only while no hypothesis has gathered this much
+  double slide_step_m = 0.2;        ///< step along a pattern's free parameter
+  double birth_nat = -3.0;          ///< log prior of a new hypothesis against clutter
+  bool seed_from_stable = false;    ///< only stable local features may seed (thesis)
+
+  // Growth: the association tree.
+  int max_branches = 1;             ///< mapped features tried per local feature and hypothesis, nearest first
+  bool branch_not_on_map = false;   ///< also branch "not on the map" when there is a mapped feature (thesis)
+  int max_consecutive_not_on_map = 0; ///< gamma_*; 0: no limit
+  int similar_depth = 0;            ///< N_sim: leaves that share their last associations are one; 0: off
+  bool register_by_associations = false; ///< pose from associations (eq. 3.11) instead of scan and surfaces
+  int registration_horizon = 5;     ///< N_d
+  double gate_m = 0.4;              ///< distance of a local feature from its mapped counterpart
+  double gate_rad = 0.2;
+  double outlier_m = 0.5;           ///< delta: an association that is this far off rejects the hypothesis
+  double outlier_rad = 0.5;         ///< alpha_c
+
+  // Life.
+  double memory = 0.98;             ///< share of gathered evidence kept per update
+  double novelty_m = 0.4;           ///< driving that makes a scan a whole new piece of evidence
+  double novelty_rad = 0.8;
+  double least_novelty = 0.15;
+  int track_search = 15;            ///< hypotheses that get an alignment search when odometry is uncertain
+  double merge_m = 0.3;             ///< hypotheses nearer than this
+  double merge_rad = 0.1;           ///< and this are one
+  double prune_nat = 30;            ///< worse than the best by this: ended
+  int max_hypotheses = 120;
+
+  // Status.
+  double none_nat = 0;              ///< log weight of "none of these"
+  double localized_probability = 0.99;
+  int localized_updates = 3;        ///< this many updates in a row
+  double localized_scan_nat = 2.4;  ///< and the newest scan speaks for it by this much
+  double lost_scan_nat = -0.5;      ///< mean of the newest scans below this: lost
+
+  std::optional<RegionPrior> region;
+};
+
+/// Reads options by name; unknown names, wrong types and values out of range are errors.
+/// @param where  file and JSON pointer of the object, for the message. @throws ConfigError.
+OPAL_EXPORT AssociationOptions read_association_options(const nlohmann::json& options, const std::string& where);
+
+/// The tree of Algorithm 2 (Hendrikx 2023, 3.4): a node pairs a set of local features with a set of map features, or
+/// with nothing on the map; a leaf is a hypothesis. Nodes live in one arena, and those that no leaf needs are reused.
+class OPAL_EXPORT AssociationTree {
+ public:
+  struct Node {
+    int parent = -1;
+    std::vector<Association> pairs;
+    int users = 0;  ///< children, plus one if it is a leaf; 0: free
+  };
+
+  /// @return number of the new leaf under `parent` (-1: a root). `parent` stays a leaf until released.
+  int add(int parent, std::vector<Association> pairs);
+  /// The hypothesis at this leaf is over, or has grown children: forget nodes that nobody needs any more.
+  void release(int leaf);
+  const Node& node(int number) const { return nodes_[number]; }
+  /// Pairs along the branch, root first.
+  std::vector<Association> branch(int leaf) const;
+  std::size_t size() const { return nodes_.size() - free_.size(); }
+  void clear();
+
+ private:
+  std::vector<Node> nodes_;
+  std::vector<int> free_;
+};
+
+}  // namespace opal

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <opal/error.hpp>
+#include <opal/plugin/registrar.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace opal {
+
+enum class PluginKind {
+  feature_detector,
+  pattern_template,
+  hypothesis_scorer,
+  log_source,
+  map_importer,
+  scan_matcher
+};
+
+/// The kind as plugin.jsonld writes it: "FeatureDetector".
+OPAL_EXPORT const char* name_of(PluginKind kind);
+
+/// One option of a type.
+struct OptionInfo {
+  std::string name;
+  std::string type;  ///< "number", "integer", "boolean", "string"
+  std::string unit;  ///< "m", "rad", "s"; empty: dimensionless
+  nlohmann::json default_value;
+  nlohmann::json minimum;  ///< null: none
+  nlohmann::json maximum;  ///< null: none
+  std::string description;
+};
+
+/// One type as plugin.jsonld promises it.
+struct DescribedType {
+  TypeInfo info;
+  PluginKind kind = PluginKind::feature_detector;
+  std::string description;
+  std::vector<OptionInfo> options;
+};
+
+/// The description that stands beside every plugin: known, and checked, before any code of the plugin runs.
+/// docs/write_a_plugin.md gives the format.
+struct PluginDescription {
+  std::string name;
+  std::string version;
+  std::vector<DescribedType> types;
+};
+
+/// Strict: unknown keys, missing keys, names given twice and defaults out of range are errors.
+/// @throws PluginError "FILE: POINTER: what was found, expected what".
+OPAL_EXPORT PluginDescription read_plugin_description(const std::string& path);
+/// @param file  how messages name the document.
+OPAL_EXPORT PluginDescription parse_plugin_description(const nlohmann::json& document,
+                                                       const std::string& file);
+
+/// "an integer from 2 to 1000", "a number >= 0 [m]": what the option accepts, in words.
+OPAL_EXPORT std::string accepted_values(const OptionInfo& option);
+
+/// Checks options against their description and fills in the defaults. Numbers come out as floating point
+/// where the description says "number".
+/// @param type_name  how messages name the type.
+/// @throws PluginError "TYPE: option NAME: what was found, expected what".
+OPAL_EXPORT nlohmann::json complete_options(const std::string& type_name,
+                                            const std::vector<OptionInfo>& described,
+                                            const nlohmann::json& given);
+
+}  // namespace opal

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <opal/geometry.hpp>
+#include <opal/map_view.hpp>
+
+#include <span>
+#include <vector>
+
+namespace opal {
+
+/// One local geometry and the mapped geometry it is said to be (of the same kind).
+struct GeometryPair {
+  Geometry local;
+  Geometry mapped;
+};
+
+/// The rigid transform that lays local over mapped geometry.
+struct Registration {
+  Pose2 T_map_local;
+  /// 3: the pairs fix the pose; 2: they leave a shift along parallel lines free; 1 or 0: hardly anything is fixed.
+  int fixed = 0;
+  /// Per pair, in order, after alignment: distance of points [m]; for segments the larger distance of the two local
+  /// end points to the mapped line. Where the pose is not fixed, distances along the free direction do not count.
+  std::vector<double> errors_m;
+};
+
+/// Minimises the squared distances of eq. 3.12 (Hendrikx 2023): points to points, segments' end points to infinite
+/// lines. Pre-aligned in closed form by headings and line intersections (thesis 3.4.4), then Gauss-Newton.
+OPAL_EXPORT Registration register_geometry(std::span<const GeometryPair> pairs);
+
+struct RefinementOptions {
+  int iterations = 5;
+  double sigma_m = 0.12;        ///< scale of the robust weight 1 / (1 + (e / sigma)^2)^2
+  double prior_position = 0.003; ///< weight of the guess per point, position [1/m^2 relative to a point's]
+  double prior_heading = 0.02;
+};
+
+/// Slides a scan onto the mapped surfaces near it: robust point-to-surface Gauss-Newton (Censi 2008 for the metric;
+/// weights after Geman and McClure). Surfaces that would be seen from behind are not used.
+/// @param points  in the base frame [m].
+/// @param laser   where the beams start, base frame.
+/// @return T_map_base near `guess`.
+OPAL_EXPORT Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Point& laser,
+                                const Pose2& guess, const RefinementOptions& options);
+
+/// Mean nearness of points to mapped surfaces at a pose, in [0, 1].
+OPAL_EXPORT double mean_nearness(const MapView& map, std::span<const Point> points, const Pose2& T_map_base);
+
+}  // namespace opal

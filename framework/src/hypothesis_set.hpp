@@ -1,0 +1,72 @@
+#pragma once
+
+#include "judge.hpp"
+#include "seeding.hpp"
+
+#include <opal/association.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace opal {
+
+/// A hypothesis that is alive: a leaf of the association tree.
+struct Live {
+  Hypothesis hypothesis;
+  int leaf = -1;                ///< in the tree
+  double scan_nat = 0;          ///< what the newest scan said
+  int updates = 0;              ///< scans judged since birth
+  int consecutive_not_on_map = 0;
+  std::vector<Score> scores;    ///< of the newest scan, in the judge's order
+};
+
+/// Why a hypothesis ended, for the event stream.
+using PruneReport = std::function<void(const Live& ended, const std::string& reason)>;
+
+/// All hypotheses that are alive, and the tree that they are the leaves of. Best first after every public call.
+class HypothesisSet {
+ public:
+  HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge, const AssociationOptions& options,
+                PruneReport report);
+
+  /// Carries every hypothesis to the newest scan, aligns it with the map, and takes the scan's evidence.
+  /// @param novelty  how much of a new piece of evidence the scan is, in (0, 1].
+  /// @param coarse   a few dozen points for the alignment search.
+  /// @param window   half widths of that search (x and y [m], heading [rad]); zero: none.
+  void track(const Observation& observation, double novelty, std::span<const Point> coarse,
+             const Eigen::Vector2d& window);
+
+  /// Takes candidates that the sieves let pass as new hypotheses; those at the place of an old one renew it.
+  /// @return ids of the newborn.
+  std::vector<int> adopt(std::vector<Candidate> candidates, const Observation& observation);
+
+  /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not.
+  void grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map);
+
+  /// Forgets associations whose local feature the local map has forgotten.
+  void forget(const LocalMap& local_map);
+
+  void clear();
+  const std::vector<Live>& alive() const { return alive_; }
+  const AssociationTree& tree() const { return tree_; }
+
+ private:
+  std::vector<Association> choices_for(const Live& live, const LocalFeature& feature) const;
+  void branch(const LocalFeature& feature, const LocalMap& local_map);
+  bool register_anew(Live& live, const LocalMap& local_map) const;
+  Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
+  void end(Live& live, const std::string& reason);
+  void merge(const Pose2& T_local_base);
+  void merge_similar();
+  void prune();
+
+  std::shared_ptr<const MapView> map_;
+  const Judge& judge_;
+  AssociationOptions options_;
+  PruneReport report_;
+  AssociationTree tree_;
+  std::vector<Live> alive_;
+  int next_id_ = 0;
+};
+
+}  // namespace opal

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <opal/localizer.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// Asks the scorers. A scorer that throws contributes nothing to that scan and is counted.
+class Judge {
+ public:
+  Judge(std::vector<ActiveScorer> scorers, std::shared_ptr<const MapView> map,
+        std::map<std::string, int>& failures)
+      : scorers_(std::move(scorers)), map_(std::move(map)), failures_(failures) {}
+
+  /// Sum of the deciding scorers' contributions [nat].
+  double decide(const Hypothesis& hypothesis, const Observation& observation) const;
+
+  struct Verdict {
+    double nat = 0;             ///< sum over deciding scorers
+    std::string veto;           ///< first veto of a deciding scorer, with its name; empty: none
+    std::vector<Score> scores;  ///< all scorers, in the order of `scorers()`
+  };
+  Verdict judge(const Hypothesis& hypothesis, const Observation& observation) const;
+
+  const std::vector<ActiveScorer>& scorers() const { return scorers_; }
+
+ private:
+  Score ask(const ActiveScorer& scorer, const Hypothesis& hypothesis, const Observation& observation) const;
+
+  std::vector<ActiveScorer> scorers_;
+  std::shared_ptr<const MapView> map_;
+  std::map<std::string, int>& failures_;
+};
+
+}  // namespace opal

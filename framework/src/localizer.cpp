@@ -1,0 +1,385 @@
+#include <opal/localizer.hpp>
+
+#include "hypothesis_set.hpp"
+#include "judge.hpp"
+#include "observation.hpp"
+#include "seeding.hpp"
+#include "status.hpp"
+
+#include <opal/registration.hpp>
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <ctime>
+
+namespace opal {
+namespace {
+
+constexpr std::size_t kPoints = 100, kCoarsePoints = 40, kFreeBeams = 25;
+
+/// Adds the CPU time of a scope to a stage.
+class StageClock {
+ public:
+  explicit StageClock(double& stage_s) : stage_s_(stage_s), start_s_(now_s()) {}
+  ~StageClock() { stage_s_ += now_s() - start_s_; }
+  StageClock(const StageClock&) = delete;
+  StageClock& operator=(const StageClock&) = delete;
+
+ private:
+  static double now_s() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+  double& stage_s_;
+  double start_s_;
+};
+
+nlohmann::ordered_json pose_json(const Pose2& pose) {
+  return nlohmann::ordered_json::array({pose.x(), pose.y(), pose.heading_rad()});
+}
+
+}  // namespace
+
+struct Localizer::State {
+  State(LocalizerParts parts_given, EventSink* sink)
+      : parts(std::move(parts_given)),
+        options(read_association_options(parts.association, "association")),
+        events(sink ? *sink : nobody),
+        local_map(parts.local_map, parts.matcher),
+        judge(parts.scorers, parts.map, failures),
+        seeder(parts.map, parts.patterns, options),
+        hypotheses(parts.map, judge, options,
+                   [this](const Live& live, const std::string& reason) { report_end(live, reason); }),
+        status(options) {}
+
+  bool moved_enough(const Pose2& T_odom_base) const;
+  std::vector<Feature> detect(const Scan& scan);
+  Observation observe(const Scan& scan, const std::vector<Feature>& features) const;
+  void track(const Observation& observation, const Scan& scan);
+  bool time_to_seed();
+  void seed(const Observation& observation, const Scan& scan);
+  std::vector<SeedFeature> seed_features(const Observation& observation) const;
+  bool worth_loose_search(const std::vector<Candidate>& found) const;
+  void verify(std::vector<Candidate>& candidates, const Observation& observation, const Scan& scan,
+              std::size_t keep) const;
+  void grow();
+  void report_end(const Live& live, const std::string& reason);
+  void report_keyframe(const Observation& observation);
+  void report_born(const std::vector<int>& ids);
+  void report_scores();
+  nlohmann::ordered_json event(const char* kind) const;
+
+  NullEventSink nobody;
+  LocalizerParts parts;
+  AssociationOptions options;
+  EventSink& events;
+  std::map<std::string, int> failures;
+  LocalMap local_map;
+  Judge judge;
+  Seeder seeder;
+  HypothesisSet hypotheses;
+  StatusEstimator status;
+  std::vector<Hypothesis> alive;  ///< what hypotheses() shows
+
+  bool started = false;
+  double stamp_s = 0;
+  int keyframe = 0;
+  Pose2 T_odom_base;        ///< at the newest keyframe
+  Pose2 T_odom_base_seed;   ///< at the last search for new hypotheses
+  double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
+  int searches_skipped = 0;
+  std::vector<int> stable_known;  ///< local features that were stable before, sorted
+  StageTimes times;
+};
+
+// ---------------------------------------------------------------------------------------------- the pipeline
+
+std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_odom_base) {
+  State& s = *state_;
+  if (!s.moved_enough(T_odom_base)) return std::nullopt;
+  s.times = {};
+  s.stamp_s = scan.stamp_s;
+  const std::vector<Feature> features = s.detect(scan);  // sensor frame
+  {
+    StageClock clock(s.times.local_map_s);
+    s.local_map.add(scan, features, T_odom_base, s.parts.laser.T_base_laser);  // local frame
+  }
+  s.step_m = s.started ? distance_m(s.T_odom_base, T_odom_base) : 0;
+  s.turn_rad = s.started ? angle_between_rad(s.T_odom_base, T_odom_base) : 0;
+  s.T_odom_base = T_odom_base;
+  const Observation observation = s.observe(scan, features);  // base_link frame
+  s.report_keyframe(observation);
+  s.track(observation, scan);                              // map frame from here on
+  if (s.time_to_seed()) s.seed(observation, scan);
+  s.grow();
+  s.started = true;
+  ++s.keyframe;
+  return s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s);
+}
+
+// ---------------------------------------------------------------------------------------------- its stages
+
+bool Localizer::State::moved_enough(const Pose2& now) const {
+  return !started || distance_m(T_odom_base, now) > parts.keyframes.distance_m ||
+         angle_between_rad(T_odom_base, now) > parts.keyframes.angle_rad;
+}
+
+std::vector<Feature> Localizer::State::detect(const Scan& scan) {
+  StageClock clock(times.detect_s);
+  std::vector<Feature> features;
+  for (const auto& detector : parts.detectors) {
+    std::string cause;
+    try {
+      for (Feature& feature : detector.part->detect(scan)) features.push_back(std::move(feature));
+      continue;
+    } catch (const std::exception& error) {
+      cause = error.what();
+    } catch (...) {
+      cause = "threw something that is no std::exception";
+    }
+    if (failures[detector.name]++ == 0) spdlog::warn("{}: skipped: {}", detector.name, cause);
+  }
+  return features;
+}
+
+Observation Localizer::State::observe(const Scan& scan, const std::vector<Feature>& features) const {
+  const Pose2& T_base_laser = parts.laser.T_base_laser;
+  Observation observation{local_map, thinned(scan.points, T_base_laser, 0.1, kPoints),
+                          thinned_bearings(scan.free_bearings_rad, T_base_laser, kFreeBeams),
+                          scan.range_max_m, T_base_laser.position(), {}};
+  for (const Feature& feature : features) observation.features.push_back(transformed(T_base_laser, feature));
+  return observation;
+}
+
+void Localizer::State::track(const Observation& observation, const Scan& scan) {
+  StageClock clock(times.track_s);
+  const double novelty = std::clamp(step_m / options.novelty_m + turn_rad / options.novelty_rad,
+                                    options.least_novelty, 1.0);
+  // Where the scan matcher could not tell, odometry may be wrong by its usual share.
+  Eigen::Vector2d window(0, 0);
+  if (started && !local_map.last_match().converged && (step_m > 0.2 || turn_rad > 0.1))
+    window = {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
+  const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints);
+  hypotheses.track(observation, started ? novelty : 1.0, coarse, window);
+  report_scores();
+}
+
+bool Localizer::State::time_to_seed() {
+  const bool due = !started || hypotheses.alive().empty() ||
+                   distance_m(T_odom_base_seed, T_odom_base) > options.seed_every_m ||
+                   angle_between_rad(T_odom_base_seed, T_odom_base) > options.seed_every_rad;
+  if (!due) return false;
+  T_odom_base_seed = T_odom_base;
+  if (status.localized() && ++searches_skipped < options.seed_every_when_localized) return false;
+  searches_skipped = 0;
+  return true;
+}
+
+std::vector<SeedFeature> Localizer::State::seed_features(const Observation& observation) const {
+  std::vector<SeedFeature> seeds;
+  if (options.seed_from_stable) {
+    const Pose2 T_base_local = local_map.T_local_base().inverse();
+    for (const LocalFeature& local : local_map.features())
+      if (local.stable) seeds.push_back({transformed(T_base_local, local.feature), local.id});
+    return seeds;
+  }
+  for (std::size_t k = 0; k < observation.features.size(); ++k)
+    seeds.push_back({observation.features[k], local_map.last_associations()[k]});
+  return seeds;
+}
+
+void Localizer::State::verify(std::vector<Candidate>& candidates, const Observation& full, const Scan& scan,
+                              std::size_t keep) const {
+  // Two sieves: a few beams for all candidates, all beams for those that look good.
+  const Pose2 T_base_local = local_map.T_local_base().inverse();
+  const Observation few{local_map, thinned(scan.points, parts.laser.T_base_laser, 0.1, kCoarsePoints), {},
+                        full.range_max_m, full.laser_position, full.features};
+  struct Sieve {
+    const Observation& observation;
+    double sigma_m;
+    double distance_m;
+  };
+  for (const Sieve& sieve : {Sieve{few, 0.15, 0.2}, Sieve{full, 0.12, 0.2}}) {
+    RefinementOptions refinement;
+    refinement.iterations = 4;
+    refinement.sigma_m = sieve.sigma_m;
+    refinement.prior_position = 0.01;
+    refinement.prior_heading = 0.05;
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      Pose2& pose = candidates[k].T_map_base;
+      pose = refine_on_map(*parts.map, sieve.observation.points, full.laser_position, pose, refinement);
+      Hypothesis trial;
+      trial.T_map_local = pose * T_base_local;
+      trial.associations = candidates[k].pairs;
+      candidates[k].nearness = judge.decide(trial, sieve.observation);
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.nearness > b.nearness; });
+    std::vector<Pose2> poses;
+    for (const Candidate& candidate : candidates) poses.push_back(candidate.T_map_base);
+    std::vector<Candidate> kept;
+    for (std::size_t k : distinct_places(poses, sieve.distance_m, 0.06, keep))
+      kept.push_back(std::move(candidates[k]));
+    candidates = std::move(kept);
+  }
+}
+
+/// Patterns with a free parameter have many candidates: they are looked up where those that fix the pose found
+/// nothing good, and no hypothesis has gathered evidence yet.
+bool Localizer::State::worth_loose_search(const std::vector<Candidate>& found) const {
+  const bool found_good = !found.empty() && found.front().nearness >= options.loose_below_nat;
+  const auto& alive_now = hypotheses.alive();
+  const bool tracked_good =
+      !alive_now.empty() && alive_now.front().hypothesis.log_likelihood >= options.loose_until_nat;
+  return !found_good && !tracked_good;
+}
+
+void Localizer::State::seed(const Observation& observation, const Scan& scan) {
+  constexpr std::size_t kFewestPoints = 15;
+  if (observation.points.size() < kFewestPoints) return;
+  const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints);
+  const std::vector<SeedFeature> features = seed_features(observation);
+  std::vector<Candidate> candidates;
+  for (const bool loose : {false, true}) {
+    if (loose && !worth_loose_search(candidates)) break;
+    std::vector<Candidate> proposed;
+    {
+      StageClock clock(times.associate_s);
+      proposed = seeder.propose(features, coarse, loose);
+    }
+    StageClock clock(times.verify_s);
+    verify(proposed, observation, scan, options.seed_hypotheses);
+    for (Candidate& candidate : proposed) candidates.push_back(std::move(candidate));
+  }
+  StageClock clock(times.verify_s);
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.nearness > b.nearness; });
+  if (candidates.size() > static_cast<std::size_t>(options.seed_hypotheses))
+    candidates.resize(options.seed_hypotheses);
+  report_born(hypotheses.adopt(std::move(candidates), observation));
+}
+
+void Localizer::State::grow() {
+  StageClock clock(times.associate_s);
+  std::vector<const LocalFeature*> stable;
+  for (const LocalFeature& feature : local_map.features())
+    if (feature.stable) stable.push_back(&feature);
+  hypotheses.forget(local_map);
+  hypotheses.grow(stable, local_map);
+  std::vector<int> known;
+  for (const LocalFeature* feature : stable) {
+    known.push_back(feature->id);
+    if (!events.listening() || std::binary_search(stable_known.begin(), stable_known.end(), feature->id)) continue;
+    auto e = event("stable");
+    e["local_feature"] = feature->id;
+    e["type"] = feature->feature.type;
+    events.write(e);
+  }
+  stable_known = std::move(known);
+}
+
+// ---------------------------------------------------------------------------------------------- its events
+
+nlohmann::ordered_json Localizer::State::event(const char* kind) const {
+  return {{"event", kind}, {"stamp_s", stamp_s}, {"keyframe", keyframe}};
+}
+
+void Localizer::State::report_end(const Live& live, const std::string& reason) {
+  if (!events.listening()) return;
+  auto e = event("pruned");
+  e["hypothesis"] = live.hypothesis.id;
+  e["reason"] = reason;
+  e["log_likelihood"] = live.hypothesis.log_likelihood;
+  events.write(e);
+}
+
+void Localizer::State::report_keyframe(const Observation& observation) {
+  if (!events.listening()) return;
+  auto e = event("keyframe");
+  e["T_local_base"] = pose_json(local_map.T_local_base());
+  e["points"] = observation.points.size();
+  e["features"] = observation.features.size();
+  e["local_features"] = local_map.features().size();
+  e["scan_match"] = local_map.last_match().converged;
+  events.write(e);
+}
+
+void Localizer::State::report_born(const std::vector<int>& ids) {
+  if (!events.listening()) return;
+  for (const Live& live : hypotheses.alive()) {
+    const Hypothesis& hypothesis = live.hypothesis;
+    if (std::find(ids.begin(), ids.end(), hypothesis.id) == ids.end()) continue;
+    auto e = event("born");
+    e["hypothesis"] = hypothesis.id;
+    e["T_map_base"] = pose_json(hypothesis.T_map_local * local_map.T_local_base());
+    e["log_likelihood"] = hypothesis.log_likelihood;
+    for (const Association& pair : hypothesis.associations)
+      e["pairs"].push_back({pair.local_feature,
+                            pair.map_feature < 0 ? nlohmann::ordered_json(nullptr)
+                                                 : nlohmann::ordered_json(parts.map->feature(pair.map_feature).id)});
+    events.write(e);
+  }
+}
+
+void Localizer::State::report_scores() {
+  if (!events.listening()) return;
+  auto e = event("scored");
+  auto& rows = e["hypotheses"] = nlohmann::ordered_json::array();
+  for (const Live& live : hypotheses.alive()) {
+    nlohmann::ordered_json row{{"hypothesis", live.hypothesis.id},
+                               {"T_map_base", pose_json(live.hypothesis.T_map_local * local_map.T_local_base())},
+                               {"log_likelihood", live.hypothesis.log_likelihood},
+                               {"scan_nat", live.scan_nat}};
+    for (std::size_t k = 0; k < live.scores.size(); ++k)
+      for (const Score::Term& term : live.scores[k].breakdown)
+        row["scores"][judge.scorers()[k].name][term.name] = term.value;
+    rows.push_back(std::move(row));
+  }
+  events.write(e);
+}
+
+// ---------------------------------------------------------------------------------------------- the rest
+
+Localizer::Localizer(LocalizerParts parts, EventSink* events)
+    : state_(std::make_unique<State>(std::move(parts), events)) {}
+Localizer::~Localizer() = default;
+
+PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) const {
+  return state_->status.at(stamp_s, state_->local_map.T_local_base_at(T_odom_base));
+}
+
+void Localizer::reset() {
+  State& s = *state_;
+  s.local_map.clear();
+  s.hypotheses.clear();
+  s.status.reset();
+  s.started = false;
+  s.searches_skipped = 0;
+  s.stable_known.clear();
+}
+
+const LocalMap& Localizer::local_map() const { return state_->local_map; }
+const MapView& Localizer::map() const { return *state_->parts.map; }
+
+const std::vector<Hypothesis>& Localizer::hypotheses() const {
+  state_->alive.clear();
+  for (const Live& live : state_->hypotheses.alive()) state_->alive.push_back(live.hypothesis);
+  return state_->alive;
+}
+
+std::map<std::string, Score> Localizer::scores_of(int hypothesis) const {
+  std::map<std::string, Score> scores;
+  for (const Live& live : state_->hypotheses.alive())
+    if (live.hypothesis.id == hypothesis)
+      for (std::size_t k = 0; k < live.scores.size(); ++k)
+        scores[state_->judge.scorers()[k].name] = live.scores[k];
+  return scores;
+}
+
+const StageTimes& Localizer::last_times() const { return state_->times; }
+const std::map<std::string, int>& Localizer::plugin_failures() const { return state_->failures; }
+
+}  // namespace opal

@@ -1,0 +1,201 @@
+#include <opal/map_view.hpp>
+
+#include "surface_grid.hpp"
+
+#include <opal/error.hpp>
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+namespace bg = boost::geometry;
+using BoostPoint = bg::model::point<double, 2, bg::cs::cartesian>;
+using Box = bg::model::box<BoostPoint>;
+using Entry = std::pair<Box, int>;
+using RTree = bg::index::rtree<Entry, bg::index::quadratic<16>>;
+
+struct Extent {
+  Point low, high;
+};
+
+struct ExtentOf {
+  Extent operator()(const Point& p) const { return {p, p}; }
+  Extent operator()(const OrientedPoint& p) const { return {p.position, p.position}; }
+  Extent operator()(const Segment& s) const { return {s.begin.cwiseMin(s.end), s.begin.cwiseMax(s.end)}; }
+  Extent operator()(const Circle& c) const {
+    const Point radius = Point::Constant(c.radius_m);
+    return {c.center - radius, c.center + radius};
+  }
+};
+
+Extent extent_of(const Geometry& geometry) { return std::visit(ExtentOf{}, geometry); }
+
+Box box_of(const Extent& extent) {
+  return {{extent.low.x(), extent.low.y()}, {extent.high.x(), extent.high.y()}};
+}
+
+std::vector<int> features_of(const SemanticMap& map, const std::string& sensor) {
+  std::vector<int> numbers;
+  for (std::size_t k = 0; k < map.features().size(); ++k)
+    if (map.features()[k].sensor == sensor) numbers.push_back(static_cast<int>(k));
+  if (numbers.empty())
+    throw ConfigError(map.name() + ": holds no feature that sensor '" + sensor + "' can perceive");
+  return numbers;
+}
+
+Extent bounds_of(const SemanticMap& map, const std::vector<int>& numbers) {
+  Extent all = extent_of(map.features()[numbers.front()].geometry);
+  for (int number : numbers) {
+    const Extent one = extent_of(map.features()[number].geometry);
+    all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
+  }
+  return all;
+}
+
+std::array<float, 256> nearness_by_cm() {
+  constexpr double sigma_cm = 20;
+  std::array<float, 256> table{};
+  for (int cm = 0; cm < 255; ++cm)
+    table[cm] = static_cast<float>(std::exp(-0.5 * cm * cm / (sigma_cm * sigma_cm)));
+  return table;
+}
+
+Surface surface_of(const Geometry& geometry) {
+  if (const auto* s = std::get_if<Segment>(&geometry)) return {s->begin, s->direction(), s->length_m()};
+  if (const auto* c = std::get_if<Circle>(&geometry)) return {c->center, Point::Zero(), c->radius_m};
+  return {};
+}
+
+struct Ray {
+  Point origin;
+  Point direction;  ///< unit
+  double range_m;   ///< to the target
+  double min_penetration_m;
+};
+
+/// Range at which the ray passes through a face by more than the margin, or -1.
+double meets_face(const Ray& ray, const Surface& face, bool& from_behind) {
+  const double slope = face.normal().dot(ray.direction);
+  if (std::abs(slope) < 0.02) return -1;  // grazing: the range is not defined well enough
+  const double range = face.normal().dot(face.origin - ray.origin) / slope;
+  if (range <= 0 || (ray.range_m - range) * std::abs(slope) < ray.min_penetration_m) return -1;
+  const double along = face.direction.dot(ray.origin + range * ray.direction - face.origin);
+  constexpr double kOvershoot_m = 0.03;
+  if (along < -kOvershoot_m || along > face.size_m + kOvershoot_m) return -1;
+  from_behind = slope > 0;
+  return range;
+}
+
+/// The same for a circle; a beam that ends inside it, or merely scratches it, does not count.
+double meets_circle(const Ray& ray, const Surface& circle) {
+  const Point to_center = circle.origin - ray.origin;
+  const double along = to_center.dot(ray.direction), aside = cross(ray.direction, to_center);
+  if (along <= 0 || std::abs(aside) >= circle.size_m) return -1;
+  const double half_chord = std::sqrt(circle.size_m * circle.size_m - aside * aside);
+  const double range = along - half_chord;
+  if (range <= 0 || ray.range_m - range < std::max(ray.min_penetration_m, half_chord)) return -1;
+  return range;
+}
+
+}  // namespace
+
+struct MapView::Index {
+  Index(const SemanticMap& map, const std::string& sensor)
+      : numbers(features_of(map, sensor)), bounds(bounds_of(map, numbers)), surfaces(bounds.low, bounds.high) {
+    std::vector<Entry> entries;
+    by_number.resize(map.features().size());
+    for (int number : numbers) {
+      const Geometry& geometry = map.features()[number].geometry;
+      by_number[number] = surface_of(geometry);
+      entries.emplace_back(box_of(extent_of(geometry)), number);
+      if (const auto* segment = std::get_if<Segment>(&geometry)) surfaces.add(number, *segment);
+      if (const auto* circle = std::get_if<Circle>(&geometry)) surfaces.add(number, *circle);
+    }
+    tree = RTree(entries);
+  }
+
+  std::vector<int> numbers;
+  Extent bounds;
+  SurfaceGrid surfaces;
+  std::vector<Surface> by_number;
+  RTree tree;
+  std::array<float, 256> nearness = nearness_by_cm();
+};
+
+MapView::MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor)
+    : map_(std::move(map)), index_(std::make_unique<const Index>(*map_, sensor)) {}
+MapView::~MapView() = default;
+
+const SemanticMap& MapView::map() const { return *map_; }
+const MapFeature& MapView::feature(int number) const { return map_->features()[number]; }
+const Surface& MapView::surface(int number) const { return index_->by_number[number]; }
+std::span<const int> MapView::features() const { return index_->numbers; }
+std::array<Point, 2> MapView::bounds() const { return {index_->bounds.low, index_->bounds.high}; }
+
+std::vector<int> MapView::within(const Point& p, double radius_m) const {
+  const Point radius = Point::Constant(radius_m);
+  std::vector<int> found;
+  const auto near_enough = [&](const Entry& e) {
+    return distance_m(feature(e.second).geometry, p) <= radius_m;
+  };
+  const auto query =
+      bg::index::intersects(box_of({p - radius, p + radius})) && bg::index::satisfies(near_enough);
+  for (auto it = index_->tree.qbegin(query); it != index_->tree.qend(); ++it) found.push_back(it->second);
+  return found;
+}
+
+int MapView::nearest_facing(const Point& p, const Point& view_direction) const {
+  int best = -1;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (int number : index_->surfaces.nearest(p)) {
+    if (number < 0 || number == best) continue;
+    const Surface& surface = index_->by_number[number];
+    if (!surface.is_circle() && surface.normal().dot(view_direction) >= 0) continue;
+    const double distance = surface.distance_m(p);
+    if (distance >= best_distance) continue;
+    best = number;
+    best_distance = distance;
+  }
+  return best;
+}
+
+double MapView::clearance_m(const Point& p) const {
+  const auto cm = index_->surfaces.distance_cm(p);
+  return cm == 255 ? clearance_cap_m() : 0.01 * cm;
+}
+
+float MapView::nearness(const Point& p) const { return index_->nearness[index_->surfaces.distance_cm(p)]; }
+
+MapView::Crossing MapView::first_crossing(const Point& origin, const Point& target,
+                                          double min_penetration_m) const {
+  const Point way = target - origin;
+  const double length = way.norm();
+  if (!(length > 0)) return {};
+  const Ray ray{origin, way / length, length, min_penetration_m};
+  constexpr double kStep_m = 0.09;     // just below a cell
+  constexpr double kInCell_m = 0.071;  // half a cell's diagonal: how far the grid's distance may be off
+  for (double range = 0; range < length;) {
+    const Point p = origin + range * ray.direction;
+    const double clearance = clearance_m(p);
+    if (clearance > kInCell_m + kStep_m / 2) {
+      range += std::max(kStep_m, clearance - kInCell_m);
+      continue;
+    }
+    for (int number : index_->surfaces.nearest(p)) {
+      if (number < 0) continue;
+      const Surface& surface = index_->by_number[number];
+      bool from_behind = false;
+      const double meets =
+          surface.is_circle() ? meets_circle(ray, surface) : meets_face(ray, surface, from_behind);
+      if (meets > 0) return {number, meets, from_behind};
+    }
+    range += kStep_m;
+  }
+  return {};
+}
+
+}  // namespace opal

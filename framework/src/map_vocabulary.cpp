@@ -1,0 +1,88 @@
+#include "map_vocabulary.hpp"
+
+#include <array>
+#include <unordered_map>
+
+namespace opal::vocabulary {
+namespace {
+
+using Names = std::unordered_map<std::string, std::string>;
+
+struct Terms {
+  Names prefixes;      // "opal" -> "urn:opal:v1#"
+  Names iri_of_term;   // "Wall" -> "urn:opal:v1#Wall"
+  Names term_of_iri;
+};
+
+bool ends_like_a_namespace(const std::string& iri) { return iri.ends_with('#') || iri.ends_with('/'); }
+
+std::string with_prefix_replaced(const std::string& name, const Names& prefixes) {
+  const std::size_t colon = name.find(':');
+  if (colon == std::string::npos || name.compare(colon + 1, 2, "//") == 0) return name;
+  const auto found = prefixes.find(name.substr(0, colon));
+  return found == prefixes.end() ? name : found->second + name.substr(colon + 1);
+}
+
+Terms terms_of(const nlohmann::json& context) {
+  Terms terms;
+  for (const auto& [term, definition] : context.items())
+    if (definition.is_string() && ends_like_a_namespace(definition)) terms.prefixes[term] = definition;
+  for (const auto& [term, definition] : context.items()) {
+    if (term.starts_with('@') || terms.prefixes.contains(term)) continue;
+    const std::string written = definition.is_string() ? definition : definition.at("@id");
+    const std::string iri = with_prefix_replaced(written, terms.prefixes);
+    terms.iri_of_term[term] = iri;
+    terms.term_of_iri[iri] = term;
+  }
+  return terms;
+}
+
+const Terms& terms() {
+  static const Terms built_in = terms_of(context_document().at("@context"));
+  return built_in;
+}
+
+}  // namespace
+
+const nlohmann::json& context_document() {
+  static const nlohmann::json document = nlohmann::json::parse(kContextText);
+  return document;
+}
+
+std::string compact_name(const std::string& name) {
+  for (const auto& [prefix, iri] : terms().prefixes)
+    if (name.starts_with(iri) && name.compare(iri.size(), 2, "//") != 0)
+      return prefix + ":" + name.substr(iri.size());
+  return name;
+}
+
+std::string full_iri(const std::string& name) {
+  const auto term = terms().iri_of_term.find(name);
+  return term != terms().iri_of_term.end() ? term->second : with_prefix_replaced(name, terms().prefixes);
+}
+
+std::string short_term(const std::string& name) {
+  const auto term = terms().term_of_iri.find(full_iri(name));
+  return term != terms().term_of_iri.end() ? term->second : compact_name(name);
+}
+
+bool is_own_term(const std::string& iri) { return is_own(iri) && terms().term_of_iri.contains(iri); }
+
+bool is_reserved_type(const std::string& iri) {
+  return iri == iri::kSemanticMap || iri == iri::kRepresentation || iri == iri::kPattern;
+}
+
+bool is_geometry_type(const std::string& iri) {
+  return iri == iri::kPoint || iri == iri::kLineSegment || iri == iri::kCorner || iri == iri::kCircle;
+}
+
+bool is_object_type(const std::string& iri) {
+  return iri == iri::kElement || (is_own(iri) && !is_reserved_type(iri) && !is_geometry_type(iri));
+}
+
+std::string default_feature_type(const Geometry& geometry) {
+  static const std::array<std::string, 4> by_kind{"opal:Point", "opal:Corner", "opal:Wall", "opal:Column"};
+  return by_kind[geometry.index()];
+}
+
+}  // namespace opal::vocabulary

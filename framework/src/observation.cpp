@@ -1,0 +1,27 @@
+#include "observation.hpp"
+
+namespace opal {
+
+std::vector<Point> thinned(const std::vector<ScanPoint>& points, const Pose2& T_base_laser, double spacing_m,
+                           std::size_t most) {
+  std::vector<const ScanPoint*> spaced;
+  for (const ScanPoint& point : points)
+    if (spaced.empty() || (point.position - spaced.back()->position).norm() >= spacing_m)
+      spaced.push_back(&point);
+  const std::size_t n = std::min(most, spaced.size());
+  std::vector<Point> chosen;
+  for (std::size_t k = 0; k < n; ++k)
+    chosen.push_back(T_base_laser * spaced[(2 * k + 1) * spaced.size() / (2 * n)]->position);
+  return chosen;
+}
+
+std::vector<double> thinned_bearings(const std::vector<double>& bearings_rad, const Pose2& T_base_laser,
+                                     std::size_t most) {
+  const std::size_t n = std::min(most, bearings_rad.size());
+  std::vector<double> chosen;
+  for (std::size_t k = 0; k < n; ++k)
+    chosen.push_back(bearings_rad[(2 * k + 1) * bearings_rad.size() / (2 * n)] + T_base_laser.heading_rad());
+  return chosen;
+}
+
+}  // namespace opal

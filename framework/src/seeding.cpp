@@ -1,0 +1,192 @@
+#include "seeding.hpp"
+
+#include <opal/registration.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace opal {
+namespace {
+
+bool is_loose(const PatternInstance& instance) { return instance.extent_max_m > instance.extent_min_m; }
+
+/// How much of a building a feature fixes; orders features of one kind.
+double weight_of(const Feature& feature) {
+  if (const auto* segment = std::get_if<Segment>(&feature.geometry))
+    return feature.support_m > 0 ? feature.support_m : segment->length_m();
+  return -anchor_of(feature.geometry).norm();  // nearer points are known better
+}
+
+/// The `most` best features of each geometry.
+std::vector<SeedFeature> best_per_geometry(std::span<const SeedFeature> features, int most) {
+  std::vector<SeedFeature> sorted(features.begin(), features.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const SeedFeature& a, const SeedFeature& b) {
+    return weight_of(a.feature) > weight_of(b.feature);
+  });
+  std::array<int, 4> taken{};
+  std::vector<SeedFeature> best;
+  for (SeedFeature& seed : sorted)
+    if (taken[seed.feature.geometry.index()]++ < most) best.push_back(std::move(seed));
+  return best;
+}
+
+double support_of(const PatternInstance& observed, std::span<const Feature> features) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int member : observed.members) least = std::min(least, weight_of(features[member]));
+  return least;
+}
+
+}  // namespace
+
+Seeder::Seeder(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
+               const AssociationOptions& options)
+    : map_(std::move(map)), options_(options), mapped_(mapped_features(map_->map(), map_->features())) {
+  std::vector<Feature> features;
+  for (const MappedFeature& mapped : mapped_) features.push_back(mapped.feature);
+  for (auto& each : templates)
+    tables_.push_back({each.name, each.part, PatternIndex(find_patterns(*each.part, features))});
+}
+
+std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bool loose) const {
+  std::vector<Feature> features;
+  for (const SeedFeature& seed : best) features.push_back(seed.feature);
+  std::vector<Lookup> chosen;
+  for (std::size_t t = 0; t < tables_.size(); ++t) {
+    std::vector<Lookup> lookups;
+    for (PatternInstance& observed : find_patterns(*tables_[t].part, features)) {
+      if (is_loose(observed) != loose) continue;
+      lookups.push_back({static_cast<int>(t), std::move(observed), 0});
+    }
+    // Well supported patterns first; among those, the ones that the index expects least often.
+    std::stable_sort(lookups.begin(), lookups.end(), [&](const Lookup& a, const Lookup& b) {
+      return support_of(a.observed, features) > support_of(b.observed, features);
+    });
+    const auto limit = static_cast<std::size_t>(options_.seed_lookup_limit);
+    const auto shortlist = static_cast<std::size_t>(options_.seed_patterns);
+    if (lookups.size() > shortlist) lookups.resize(shortlist);
+    for (Lookup& lookup : lookups) lookup.expected = tables_[t].index.count(lookup.observed, limit);
+    std::stable_sort(lookups.begin(), lookups.end(),
+                     [](const Lookup& a, const Lookup& b) { return a.expected < b.expected; });
+    std::size_t total = 0;
+    for (Lookup& lookup : lookups) {
+      if (lookup.expected == 0) continue;
+      if (total > 0 && total + lookup.expected > limit) break;
+      total += lookup.expected;
+      chosen.push_back(std::move(lookup));
+    }
+  }
+  return chosen;
+}
+
+namespace {
+
+/// Mean nearness of points that are already turned into the map's heading, at a position.
+double nearness_at(const MapView& map, std::span<const Point> turned, const Point& position) {
+  float sum = 0;
+  for (const Point& point : turned) sum += map.nearness(position + point);
+  return turned.empty() ? 0 : sum / static_cast<double>(turned.size());
+}
+
+}  // namespace
+
+void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
+                   std::vector<Point>& positions) const {
+  if (!is_loose(observed)) {
+    positions.push_back(T_map_base.position());
+    return;
+  }
+  const double from = mapped.extent_min_m - observed.extent_min_m - observed.overhang_m;
+  const double to = mapped.extent_max_m - observed.extent_max_m + observed.overhang_m;
+  const Point along = unit_vector(mapped.frame.heading_rad());
+  for (double u = from; u <= to + 1e-9; u += options_.slide_step_m)
+    positions.push_back(T_map_base.position() + u * along);
+}
+
+void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse,
+                     std::vector<Place>& places) const {
+  const Table& table = tables_[lookup.table];
+  const Pose2 from_frame = lookup.observed.frame.inverse();
+  std::vector<Point> turned, positions;
+  for (int k : table.index.find(lookup.observed)) {
+    const PatternInstance& mapped = table.index.patterns()[k];
+    for (int side = 0; side < (lookup.observed.symmetric ? 2 : 1); ++side) {
+      const Pose2 pose = mapped.frame * Pose2(0, 0, side * std::numbers::pi) * from_frame;
+      positions.clear();
+      slide(lookup.observed, mapped, pose, positions);
+      turned.clear();
+      for (const Point& point : coarse) turned.push_back(pose.rotate(point));
+      for (const Point& position : positions)
+        if (!options_.region || (position - options_.region->center).norm() <= options_.region->radius_m)
+          places.push_back({position, pose.heading_rad(), nearness_at(*map_, turned, position), number, k});
+    }
+  }
+}
+
+std::vector<Association> Seeder::pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
+                                         std::span<const SeedFeature> features) const {
+  const PatternInstance& pattern = tables_[lookup.table].index.patterns()[mapped];
+  std::vector<Association> pairs;
+  for (std::size_t slot = 0; slot < lookup.observed.members.size(); ++slot) {
+    const SeedFeature& seed = features[lookup.observed.members[slot]];
+    const std::vector<int>& numbers = mapped_[pattern.members[slot]].numbers;
+    const Point place = T_map_base * anchor_of(seed.feature.geometry);
+    const int nearest = *std::min_element(numbers.begin(), numbers.end(), [&](int a, int b) {
+      return distance_m(map_->feature(a).geometry, place) < distance_m(map_->feature(b).geometry, place);
+    });
+    pairs.push_back({seed.local, nearest});
+  }
+  return pairs;
+}
+
+std::vector<Candidate> Seeder::propose(std::span<const SeedFeature> features, std::span<const Point> coarse,
+                                       bool loose) const {
+  const std::vector<SeedFeature> best = best_per_geometry(features, options_.seed_features);
+  const std::vector<Lookup> lookups = choose(best, loose);
+  std::vector<Place> places;
+  for (std::size_t k = 0; k < lookups.size(); ++k) look_up(lookups[k], static_cast<int>(k), coarse, places);
+
+  constexpr std::size_t kSorted = 6000;
+  const auto nearer = [](const Place& a, const Place& b) { return a.nearness > b.nearness; };
+  if (places.size() > kSorted) {
+    std::nth_element(places.begin(), places.begin() + kSorted, places.end(), nearer);
+    places.resize(kSorted);
+  }
+  std::stable_sort(places.begin(), places.end(), nearer);
+  std::vector<Pose2> poses;
+  for (const Place& place : places) poses.emplace_back(place.position, place.heading_rad);
+  std::vector<Candidate> candidates;
+  for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.seed_candidates)) {
+    const Place& place = places[k];
+    const Lookup& lookup = lookups[place.lookup];
+    candidates.push_back(
+        {poses[k], place.nearness, lookup.table, pair_up(lookup, place.mapped, poses[k], best)});
+  }
+  return candidates;
+}
+
+std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, double distance, double angle,
+                                         std::size_t most) {
+  std::unordered_map<std::int64_t, std::vector<std::size_t>> kept_by_cell;
+  const auto cell = [&](double v) { return static_cast<std::int64_t>(std::floor(v / distance)); };
+  const auto key = [](std::int64_t i, std::int64_t j) { return i * 73856093 ^ j * 19349663; };
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < poses.size() && kept.size() < most; ++k) {
+    const std::int64_t i = cell(poses[k].x()), j = cell(poses[k].y());
+    bool taken = false;
+    for (std::int64_t a = i - 1; a <= i + 1 && !taken; ++a)
+      for (std::int64_t b = j - 1; b <= j + 1 && !taken; ++b) {
+        const auto it = kept_by_cell.find(key(a, b));
+        if (it == kept_by_cell.end()) continue;
+        for (std::size_t other : it->second)
+          taken = taken || (distance_m(poses[other], poses[k]) < distance &&
+                            angle_between_rad(poses[other], poses[k]) < angle);
+      }
+    if (taken) continue;
+    kept_by_cell[key(i, j)].push_back(k);
+    kept.push_back(k);
+  }
+  return kept;
+}
+
+}  // namespace opal

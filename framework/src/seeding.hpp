@@ -1,0 +1,78 @@
+#pragma once
+
+#include "support_lines.hpp"
+
+#include <opal/association.hpp>
+#include <opal/localizer.hpp>
+#include <opal/pattern_index.hpp>
+
+#include <span>
+#include <vector>
+
+namespace opal {
+
+/// A feature that patterns may be made of, with the local feature that it belongs to.
+struct SeedFeature {
+  Feature feature;  ///< base_link frame
+  int local = -1;   ///< LocalFeature::id
+};
+
+/// A pose at which an observed pattern would be a mapped one.
+struct Candidate {
+  Pose2 T_map_base;
+  double nearness = 0;  ///< mean nearness of the coarse scan, in [0, 1]
+  int pattern = -1;     ///< which of the seeder's templates
+  std::vector<Association> pairs;
+};
+
+/// Looks observed patterns up among mapped ones. Built once per map.
+class Seeder {
+ public:
+  Seeder(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
+         const AssociationOptions& options);
+
+  /// @param coarse  a few dozen scan points, base_link, by which candidates are sieved.
+  /// @param loose   look up patterns with a free parameter (true), or those that fix the pose (false).
+  /// @return the best candidates, one per place, nearest first.
+  std::vector<Candidate> propose(std::span<const SeedFeature> features, std::span<const Point> coarse,
+                                 bool loose) const;
+
+  const std::string& pattern_name(int pattern) const { return tables_[pattern].name; }
+
+ private:
+  struct Table {
+    std::string name;
+    std::shared_ptr<const PatternTemplate> part;
+    PatternIndex index;  ///< members are positions in mapped_
+  };
+  struct Lookup {
+    int table = -1;
+    PatternInstance observed;
+    std::size_t expected = 0;
+  };
+  struct Place {
+    Point position;      ///< of base_link, map frame
+    double heading_rad;
+    double nearness;
+    int lookup;
+    int mapped;
+  };
+
+  std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
+  void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, std::vector<Place>& places) const;
+  void slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
+             std::vector<Point>& positions) const;
+  std::vector<Association> pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
+                                   std::span<const SeedFeature> features) const;
+
+  std::shared_ptr<const MapView> map_;
+  AssociationOptions options_;
+  std::vector<MappedFeature> mapped_;
+  std::vector<Table> tables_;
+};
+
+/// The best candidates such that no two are within distance_m and angle_rad; at most `most`.
+std::vector<std::size_t> distinct_places(std::span<const Pose2> poses_best_first, double distance_m,
+                                         double angle_rad, std::size_t most);
+
+}  // namespace opal

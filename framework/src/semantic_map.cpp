@@ -1,0 +1,177 @@
+#include "semantic_map_draft.hpp"
+
+#include "map_vocabulary.hpp"
+
+#include <opal/error.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace opal {
+namespace {
+
+template <class Element>
+std::vector<std::string> places_in(const std::string& list, const std::vector<Element>& elements) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    places.push_back(list + "/" + std::to_string(i) + " '" + elements[i].id + "'");
+  return places;
+}
+
+std::string type_name(const MapDraft& draft, const std::string& place, const std::string& type) {
+  const std::string iri = vocabulary::full_iri(type);
+  if (iri.find(':') == std::string::npos)
+    draft.fail(place, "type '" + type + "', expected a term of " + vocabulary::kContextIri +
+                          " or a name with a prefix, such as opal:" + (type.empty() ? "Wall" : type));
+  return vocabulary::compact_name(iri);
+}
+
+std::vector<std::string> point_names(const MapFeature& feature) {
+  if (kind_of(feature.geometry) == GeometryKind::point) return {feature.id};
+  std::vector<std::string> names;
+  for (const char* role : point_roles(feature.geometry)) names.push_back(feature.id + "/" + role);
+  return names;
+}
+
+void compact(std::vector<std::string>& names) {
+  for (std::string& name : names) name = vocabulary::compact_name(name);
+}
+
+void name_feature(const MapDraft& draft, const std::string& place, MapFeature& feature) {
+  feature.id = vocabulary::compact_name(feature.id);
+  feature.sensor = vocabulary::compact_name(feature.sensor);
+  feature.representation = vocabulary::compact_name(feature.representation);
+  compact(feature.points);
+  if (feature.points.empty()) feature.points = point_names(feature);
+  if (feature.type.empty()) feature.type = vocabulary::default_feature_type(feature.geometry);
+  feature.type = type_name(draft, place, feature.type);
+}
+
+/// Sorts elements and their places alike. @return for each old position the new one.
+template <class Element, class Before>
+std::vector<int> sort_elements(std::vector<Element>& elements, std::vector<std::string>& places, Before before) {
+  std::vector<int> order(elements.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return before(elements[a], elements[b]); });
+  std::vector<Element> sorted;
+  std::vector<std::string> sorted_places;
+  std::vector<int> new_position(elements.size());
+  for (const int old_position : order) {
+    new_position[old_position] = static_cast<int>(sorted.size());
+    sorted.push_back(std::move(elements[old_position]));
+    sorted_places.push_back(std::move(places[old_position]));
+  }
+  elements = std::move(sorted);
+  places = std::move(sorted_places);
+  return new_position;
+}
+
+/// Feature numbers per object, from the features' side.
+void list_features(MapDraft& draft) {
+  for (MapObject& object : draft.objects) object.features.clear();
+  for (std::size_t i = 0; i < draft.features.size(); ++i)
+    draft.objects[draft.features[i].object].features.push_back(static_cast<int>(i));
+}
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// The digits at `begin`, without leading zeros.
+std::string_view number_at(const std::string& text, std::size_t begin) {
+  while (begin + 1 < text.size() && text[begin] == '0' && is_digit(text[begin + 1])) ++begin;
+  std::size_t end = begin;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  return std::string_view(text).substr(begin, end - begin);
+}
+
+std::size_t end_of_number(const std::string& text, std::size_t begin) {
+  while (begin < text.size() && is_digit(text[begin])) ++begin;
+  return begin;
+}
+
+}  // namespace
+
+void MapDraft::fail(const std::string& place, const std::string& message) const {
+  throw MapError(source + ": " + place + ": " + message);
+}
+
+bool id_before(const std::string& a, const std::string& b) {
+  std::size_t i = 0, k = 0;
+  while (i < a.size() && k < b.size()) {
+    if (is_digit(a[i]) && is_digit(b[k])) {
+      const std::string_view number_a = number_at(a, i), number_b = number_at(b, k);
+      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size();
+      if (number_a != number_b) return number_a < number_b;
+      i = end_of_number(a, i);
+      k = end_of_number(b, k);
+    } else if (a[i] != b[k]) {
+      return static_cast<unsigned char>(a[i]) < static_cast<unsigned char>(b[k]);
+    } else {
+      ++i, ++k;
+    }
+  }
+  const bool a_ends = i == a.size(), b_ends = k == b.size();
+  return a_ends == b_ends ? a < b : a_ends;  // "w01" and "w1" differ by their zeros only
+}
+
+void name_everything(MapDraft& draft) {
+  for (std::size_t i = 0; i < draft.objects.size(); ++i) {
+    MapObject& object = draft.objects[i];
+    object.id = vocabulary::compact_name(object.id);
+    object.type = type_name(draft, draft.object_places[i], object.type);
+    if (vocabulary::is_reserved_type(vocabulary::full_iri(object.type)))
+      draft.fail(draft.object_places[i], "object of type " + object.type + ", expected the type of a thing in a building");
+  }
+  for (std::size_t i = 0; i < draft.features.size(); ++i)
+    name_feature(draft, draft.feature_places[i], draft.features[i]);
+  for (std::size_t i = 0; i < draft.patterns.size(); ++i) {
+    MapPattern& pattern = draft.patterns[i];
+    pattern.id = vocabulary::compact_name(pattern.id);
+    pattern.pattern_template = type_name(draft, draft.pattern_places[i], pattern.pattern_template);
+    compact(pattern.subpatterns);
+  }
+}
+
+void sort_by_id(MapDraft& draft) {
+  const auto by_id = [](const auto& a, const auto& b) { return id_before(a.id, b.id); };
+  const std::vector<int> objects = sort_elements(draft.objects, draft.object_places, by_id);
+  const std::vector<int> features =
+      sort_elements(draft.features, draft.feature_places, [](const MapFeature& a, const MapFeature& b) {
+        return a.id == b.id ? id_before(a.sensor, b.sensor) : id_before(a.id, b.id);
+      });
+  sort_elements(draft.patterns, draft.pattern_places, by_id);
+  for (MapFeature& feature : draft.features) feature.object = objects[feature.object];
+  for (MapPattern& pattern : draft.patterns)
+    for (int& feature : pattern.features) feature = features[feature];
+  list_features(draft);
+}
+
+SemanticMap::SemanticMap(MapDraft&& checked)
+    : name_(std::move(checked.name)),
+      objects_(std::move(checked.objects)),
+      features_(std::move(checked.features)),
+      patterns_(std::move(checked.patterns)),
+      unused_(std::move(checked.unused)) {}
+
+std::shared_ptr<const SemanticMap> SemanticMap::finish(MapDraft draft) {
+  check_references(draft);
+  name_everything(draft);
+  sort_by_id(draft);
+  check_ids(draft);
+  unify_shared_points(draft);
+  check_values(draft);
+  return std::shared_ptr<const SemanticMap>(new SemanticMap(std::move(draft)));
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::make(std::string name, std::vector<MapObject> objects,
+                                                     std::vector<MapFeature> features,
+                                                     std::vector<MapPattern> patterns) {
+  MapDraft draft{name, name, std::move(objects), std::move(features), std::move(patterns)};
+  draft.object_places = places_in("/objects", draft.objects);
+  draft.feature_places = places_in("/features", draft.features);
+  draft.pattern_places = places_in("/patterns", draft.patterns);
+  return finish(std::move(draft));
+}
+
+}  // namespace opal

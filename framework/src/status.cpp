@@ -1,0 +1,101 @@
+#include "status.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace opal {
+namespace {
+
+constexpr double kSamePlace_m = 0.7, kSamePlace_rad = 0.2;
+constexpr double kRivalProbability = 0.01;
+
+bool same_place(const Pose2& a, const Pose2& b) {
+  return distance_m(a, b) < kSamePlace_m && angle_between_rad(a, b) < kSamePlace_rad;
+}
+
+}  // namespace
+
+const char* name_of(Status status) {
+  switch (status) {
+    case Status::searching: return "searching";
+    case Status::ambiguous: return "ambiguous";
+    case Status::localized: return "localized";
+    case Status::lost: return "lost";
+  }
+  return "";
+}
+
+void StatusEstimator::reset() {
+  last_ = {};
+  sure_ = 0;
+  was_localized_ = false;
+  mean_scan_nat_ = 0;
+}
+
+void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base,
+                            PoseEstimate& estimate) const {
+  const double top = std::max(alive.front().hypothesis.log_likelihood, options_.none_nat);
+  double total = std::exp(options_.none_nat - top);
+  for (const Live& live : alive) total += std::exp(live.hypothesis.log_likelihood - top);
+  for (const Live& live : alive) {
+    const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
+    const double probability = std::exp(live.hypothesis.log_likelihood - top) / total;
+    if (same_place(pose, estimate.T_map_base)) {
+      estimate.probability += probability;
+      continue;
+    }
+    const auto rival = std::find_if(estimate.rivals.begin(), estimate.rivals.end(),
+                                    [&](const auto& r) { return same_place(r.T_map_base, pose); });
+    if (rival != estimate.rivals.end())
+      rival->probability += probability;
+    else if (probability > kRivalProbability)
+      estimate.rivals.push_back({live.hypothesis.id, pose, probability});
+  }
+}
+
+Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,
+                              const PoseEstimate& estimate) {
+  const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
+  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + 1 : 0;
+  constexpr double kMemory = 0.8;
+  mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
+                        : alive.front().scan_nat;
+  if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat) return Status::lost;
+  if (sure_ >= options_.localized_updates && mean_scan_nat_ > options_.localized_scan_nat)
+    return Status::localized;
+  return estimate.rivals.empty() ? Status::searching : Status::ambiguous;
+}
+
+PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base,
+                                       double stamp_s) {
+  PoseEstimate estimate;
+  estimate.stamp_s = stamp_s;
+  estimate.hypotheses = static_cast<int>(alive.size());
+  if (alive.empty()) {
+    sure_ = 0;
+    estimate.status = was_localized_ ? Status::lost : Status::searching;
+    last_ = estimate;
+    return estimate;
+  }
+  estimate.has_pose = true;
+  estimate.best = alive.front().hypothesis.id;
+  estimate.T_map_base = alive.front().hypothesis.T_map_local * T_local_base;
+  weigh(alive, T_local_base, estimate);
+  estimate.status = judge(alive, T_local_base, estimate);
+  was_localized_ = was_localized_ || estimate.status == Status::localized;
+  T_map_local_ = alive.front().hypothesis.T_map_local;
+  last_ = estimate;
+  return estimate;
+}
+
+PoseEstimate StatusEstimator::at(double stamp_s, const Pose2& T_local_base) const {
+  PoseEstimate estimate = last_;
+  estimate.stamp_s = stamp_s;
+  if (!last_.has_pose) return estimate;
+  const Pose2 move = T_map_local_ * T_local_base * last_.T_map_base.inverse();
+  estimate.T_map_base = T_map_local_ * T_local_base;
+  for (auto& rival : estimate.rivals) rival.T_map_base = move * rival.T_map_base;
+  return estimate;
+}
+
+}  // namespace opal

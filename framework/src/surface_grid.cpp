@@ -1,0 +1,86 @@
+#include "surface_grid.hpp"
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+constexpr double kCap_m = 2.5;
+constexpr std::uint8_t kFar_cm = 255;
+
+int layer_of(const Segment& segment) { return segment.heading_rad() >= 0 ? 0 : 1; }
+
+}  // namespace
+
+SurfaceGrid::Tile::Tile() {
+  distance_cm.fill(kFar_cm);
+  for (auto& layer : nearest) layer.fill(-1);
+  for (auto& layer : layer_distance_cm) layer.fill(kFar_cm);
+}
+
+SurfaceGrid::SurfaceGrid(const Point& low, const Point& high)
+    : low_(low - Point::Constant(kCap_m + kCell_m)) {
+  const Point size = high - low_ + Point::Constant(kCap_m + kCell_m);
+  columns_ = static_cast<int>(size.x() / (kCell_m * kSide)) + 1;
+  rows_ = static_cast<int>(size.y() / (kCell_m * kSide)) + 1;
+  tiles_.resize(static_cast<std::size_t>(columns_) * rows_);
+}
+
+void SurfaceGrid::paint_cell(int i, int j, double distance_m, int number, int first_layer, int last_layer) {
+  auto& tile = tiles_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide];
+  if (!tile) tile = std::make_unique<Tile>();
+  const int offset = (j % kSide) * kSide + i % kSide;
+  const auto cm = static_cast<std::uint8_t>(std::min(100 * distance_m + 0.5, 254.0));
+  tile->distance_cm[offset] = std::min(tile->distance_cm[offset], cm);
+  if (distance_m > kReach_m) return;
+  for (int layer = first_layer; layer <= last_layer; ++layer) {
+    if (cm >= tile->layer_distance_cm[layer][offset]) continue;
+    tile->layer_distance_cm[layer][offset] = cm;
+    tile->nearest[layer][offset] = number;
+  }
+}
+
+void SurfaceGrid::add(int number, const Segment& segment) {
+  const int layer = layer_of(segment);
+  const Point direction = segment.direction();
+  const double length = segment.length_m();
+  // Row by row, only the cells within the cap of this segment: a long diagonal wall must not cost its bounding box.
+  const double y_low = std::min(segment.begin.y(), segment.end.y()) - kCap_m;
+  const double y_high = std::max(segment.begin.y(), segment.end.y()) + kCap_m;
+  const int j_low = std::max(0, static_cast<int>((y_low - low_.y()) / kCell_m));
+  const int j_high = std::min(rows_ * kSide - 1, static_cast<int>((y_high - low_.y()) / kCell_m));
+  for (int j = j_low; j <= j_high; ++j) {
+    const double y = low_.y() + (j + 0.5) * kCell_m;
+    double from = 0, to = length;  // the part of the segment within the cap of this row
+    if (std::abs(direction.y()) > 1e-9) {
+      const double a = (y - kCap_m - segment.begin.y()) / direction.y();
+      const double b = (y + kCap_m - segment.begin.y()) / direction.y();
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+    }
+    if (from > to) continue;
+    const double x_a = segment.begin.x() + from * direction.x(), x_b = segment.begin.x() + to * direction.x();
+    const int i_low = std::max(0, static_cast<int>((std::min(x_a, x_b) - kCap_m - low_.x()) / kCell_m));
+    const int i_high = std::min(columns_ * kSide - 1,
+                                static_cast<int>((std::max(x_a, x_b) + kCap_m - low_.x()) / kCell_m));
+    for (int i = i_low; i <= i_high; ++i) {
+      const Point p(low_.x() + (i + 0.5) * kCell_m, y);
+      const double u = std::clamp(direction.dot(p - segment.begin), 0.0, length);
+      const double distance = (p - segment.begin - u * direction).norm();
+      if (distance <= kCap_m) paint_cell(i, j, distance, number, layer, layer);
+    }
+  }
+}
+
+void SurfaceGrid::add(int number, const Circle& circle) {
+  const Point extent = Point::Constant(circle.radius_m + kCap_m);
+  const Point low = (circle.center - extent - low_) / kCell_m, high = (circle.center + extent - low_) / kCell_m;
+  for (int j = std::max(0, int(low.y())); j <= std::min(rows_ * kSide - 1, int(high.y())); ++j)
+    for (int i = std::max(0, int(low.x())); i <= std::min(columns_ * kSide - 1, int(high.x())); ++i) {
+      const Point p = low_ + kCell_m * Point(i + 0.5, j + 0.5);
+      const double distance = std::abs((p - circle.center).norm() - circle.radius_m);
+      if (distance <= kCap_m) paint_cell(i, j, distance, number, 0, kLayers - 1);
+    }
+}
+
+}  // namespace opal

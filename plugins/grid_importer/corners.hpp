@@ -1,0 +1,20 @@
+#pragma once
+
+#include "face.hpp"
+
+#include <vector>
+
+namespace opal::grid_importer {
+
+/// Where one face ends and the next begins, going along a surface with free space on the left.
+struct Corner {
+  CellPoint position = CellPoint::Zero();
+  int before = 0;  ///< number of the face that ends here
+  int after = 0;   ///< number of the face that begins here
+};
+
+/// Finds faces whose ends meet at an angle, and moves these ends to the intersection of their lines. Every end is
+/// part of one corner at most; the nearest pairs come first.
+std::vector<Corner> join_corners(std::vector<Face>& faces, double resolution_m);
+
+}  // namespace opal::grid_importer

@@ -1,0 +1,126 @@
+#include "face_growth.hpp"
+
+#include "strip.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace opal::grid_importer {
+namespace {
+
+/// Faces are sought from long to short, so that a long wall gets its cells before clutter beside it does. Short
+/// faces must be denser: any few cells make some short line.
+struct Pass {
+  double min_length_m;
+  double view_radius_m;  ///< how far around a seed its direction is taken from
+  double min_coverage;   ///< least share of the length that has cells
+};
+constexpr std::array<Pass, 4> kPasses{{{2.0, 0.50, 0.25}, {0.8, 0.50, 0.30}, {0.3, 0.25, 0.45}, {0.0, 0.20, 0.60}}};
+
+constexpr std::size_t kMinCells = 4;
+constexpr double kMinLinearity = 0.6;
+constexpr int kMaxRefits = 24;  // each refit may double the length: enough for any building
+constexpr double kFirstReach_m = 0.6;
+
+struct Seed {
+  int cell = 0;
+  Line line;
+  long rank = 0;  ///< straightness and number of cells around, in whole numbers: ties are broken by position
+};
+
+class Growth {
+ public:
+  Growth(Boundary& boundary, const VectorizerLimits& limits, const Pass& pass)
+      : boundary_(boundary),
+        pass_(pass),
+        tolerance_(boundary.grid().to_cells(limits.line_tolerance_m)),
+        gap_(boundary.grid().to_cells(limits.bridge_gap_m)),
+        min_length_(boundary.grid().to_cells(std::max(pass.min_length_m, limits.min_face_m))) {}
+
+  void run(std::vector<Face>& faces) {
+    for (const Seed& seed : seeds())
+      if (is_unexplained(seed.cell, seed.line))
+        if (const std::optional<Face> face = grow(seed)) {
+          faces.push_back(*face);
+          explain(boundary_, *face);
+        }
+  }
+
+ private:
+  bool is_unexplained(int cell, const Line& line) const {
+    const int sector = DirectionSet::sector_of(line.normal());
+    return boundary_[cell].visible.contains(sector) && !boundary_[cell].explained.contains(sector);
+  }
+
+  LineFit surroundings(const BoundaryCell& cell) const {
+    const double radius = boundary_.grid().to_cells(pass_.view_radius_m);
+    LineFit fit(centre_of(cell.cell));
+    boundary_.visit_near(cell.cell, static_cast<int>(radius), [&](int other) {
+      const CellPoint p = centre_of(boundary_[other].cell);
+      if (boundary_[other].explained.empty() && (p - centre_of(cell.cell)).squaredNorm() <= radius * radius) fit.add(p);
+    });
+    return fit;
+  }
+
+  void add_seeds(int cell, std::vector<Seed>& seeds) const {
+    const LineFit fit = surroundings(boundary_[cell]);
+    if (fit.weight() < kMinCells || fit.linearity() < kMinLinearity) return;
+    Line line = fit.line(CellPoint(1, 1e-9));
+    line.through = centre_of(boundary_[cell].cell);
+    const long rank = std::lround(1000 * fit.linearity() * std::min(fit.weight(), 20.0));
+    for (const double sign : {1.0, -1.0}) {
+      const Line directed{line.through, sign * line.tangent};
+      if (is_unexplained(cell, directed)) seeds.push_back({cell, directed, rank});
+    }
+  }
+
+  std::vector<Seed> seeds() const {
+    std::vector<Seed> seeds;
+    for (int cell = 0; cell < boundary_.size(); ++cell) add_seeds(cell, seeds);
+    std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.rank > b.rank; });
+    return seeds;
+  }
+
+  /// Refits the line to what supports it while that reaches farther and farther.
+  std::optional<Face> grow(const Seed& seed) const {
+    const CellPoint start = seed.line.through;
+    Line line = seed.line;
+    double reach = boundary_.grid().to_cells(kFirstReach_m);
+    Support support;
+    for (int refit = 0; refit < kMaxRefits; ++refit) {
+      Support wider = gather_support(boundary_, line, start, {tolerance_, gap_, reach});
+      const bool settled = refit > 2 && wider.size() == support.size();
+      support = std::move(wider);
+      if (support.size() < kMinCells) return std::nullopt;
+      line = fit_to(boundary_, support, start).line(line.tangent);
+      if (settled) break;
+      reach = std::max(reach, 1.5 * extent_of(boundary_, support, line));
+    }
+    return accepted(trimmed(support, pass_.min_coverage), line.tangent, start);
+  }
+
+  std::optional<Face> accepted(const Support& support, const CellPoint& towards, const CellPoint& origin) const {
+    if (support.size() < kMinCells) return std::nullopt;
+    const Face face = face_of(boundary_, support, fit_to(boundary_, support, origin), towards);
+    const bool is_good = face.length() >= min_length_ && face.covered >= pass_.min_coverage * face.length();
+    return is_good ? std::optional(face) : std::nullopt;
+  }
+
+  Boundary& boundary_;
+  Pass pass_;
+  double tolerance_;
+  double gap_;
+  double min_length_;
+};
+
+}  // namespace
+
+std::vector<Face> grow_faces(Boundary& boundary, const VectorizerLimits& limits) {
+  std::vector<Face> faces;
+  for (const Pass& pass : kPasses) Growth(boundary, limits, pass).run(faces);
+  return faces;
+}
+
+}  // namespace opal::grid_importer

@@ -1,0 +1,96 @@
+#include "grid.hpp"
+
+#include <opal/error.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace opal::grid_importer {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As many bytes as the largest image that decode_image takes, 16 bit, with its header.
+constexpr std::uint64_t kMaxImageBytes = (std::uint64_t{1} << 29) + 4096;
+constexpr std::uint64_t kMaxYamlBytes = std::uint64_t{1} << 20;
+
+/// Pixel values as map_server reads them, one object per grid (nav2_map_server, map_io.cpp, documents the rules).
+class PixelRules {
+ public:
+  PixelRules(const GreyImage& image, const GridDescription& description) : image_(image), description_(description) {}
+
+  Occupancy operator()(std::size_t pixel) const {
+    const double opacity = image_.opacity.empty() ? 1.0 : image_.opacity[pixel];
+    const double brightness = image_.brightness[pixel];
+    switch (description_.mode) {
+      case GridMode::raw: return raw(brightness);
+      case GridMode::scale: return opacity < 1 ? Occupancy::unknown : thresholded(brightness);
+      case GridMode::trinary: break;
+    }
+    // Trinary mode averages the alpha channel in with the three colours.
+    return thresholded(image_.opacity.empty() ? brightness : (3 * brightness + opacity) / 4);
+  }
+
+ private:
+  Occupancy thresholded(double shade) const {
+    const double occupancy = description_.negate ? shade : 1 - shade;
+    if (occupancy > description_.occupied_threshold) return Occupancy::occupied;
+    return occupancy < description_.free_threshold ? Occupancy::free : Occupancy::unknown;
+  }
+
+  /// In raw mode the byte itself is the occupancy in percent; above 100 is unknown; `negate` is not used.
+  Occupancy raw(double brightness) const {
+    const double percent = std::round(brightness * 255);
+    if (percent > 100) return Occupancy::unknown;
+    if (percent > 100 * description_.occupied_threshold) return Occupancy::occupied;
+    return percent < 100 * description_.free_threshold ? Occupancy::free : Occupancy::unknown;
+  }
+
+  const GreyImage& image_;
+  const GridDescription& description_;
+};
+
+std::string image_path(const std::string& yaml_path, const std::string& image) {
+  return (fs::path(yaml_path).parent_path() / image).string();  // an absolute image replaces the folder
+}
+
+}  // namespace
+
+OccupancyGrid::OccupancyGrid(int columns, int rows, double resolution_m, const Pose2& T_map_grid)
+    : columns_(columns),
+      rows_(rows),
+      resolution_m_(resolution_m),
+      T_map_grid_(T_map_grid),
+      cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), Occupancy::unknown) {}
+
+OccupancyGrid classify(const GreyImage& image, const GridDescription& description) {
+  OccupancyGrid grid(image.width, image.height, description.resolution_m, description.T_map_grid);
+  const PixelRules occupancy_of(image, description);
+  std::size_t pixel = 0;
+  for (int row = image.height - 1; row >= 0; --row)  // the image begins at the top
+    for (int column = 0; column < image.width; ++column) grid.set({column, row}, occupancy_of(pixel++));
+  return grid;
+}
+
+std::string read_bytes(const std::string& path, std::uint64_t max_bytes) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) throw MapError(path + ": cannot read the file: " + error.message());
+  if (size > max_bytes)
+    throw MapError(path + ": " + std::to_string(size) + " bytes, expected at most " + std::to_string(max_bytes));
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(size, '\0');
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(size)) && size > 0)
+    throw MapError(path + ": cannot read the file: only " + std::to_string(file.gcount()) + " of " +
+                   std::to_string(size) + " bytes came");
+  return bytes;
+}
+
+OccupancyGrid read_grid(const std::string& yaml_path, GridDescription& description) {
+  description = parse_description(read_bytes(yaml_path, kMaxYamlBytes), yaml_path);
+  const std::string image = image_path(yaml_path, description.image);
+  return classify(decode_image(read_bytes(image, kMaxImageBytes), image), description);
+}
+
+}  // namespace opal::grid_importer

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <opal/geometry.hpp>
+
+#include <string>
+#include <vector>
+
+namespace opal::grid_importer {
+
+/// How pixel values become occupancy (ROS map_server, parameter `mode`).
+enum class GridMode { trinary, scale, raw };
+
+/// The yaml file of a map_server grid.
+struct GridDescription {
+  std::string image;  ///< as written: relative to the yaml file, or absolute
+  double resolution_m = 0;
+  Pose2 T_map_grid;  ///< `origin`: the lower left corner of the image, turned by its yaw
+  GridMode mode = GridMode::trinary;
+  bool negate = false;
+  double occupied_threshold = 0.65;
+  double free_threshold = 0.196;
+  std::vector<std::string> ignored_keys;
+};
+
+/// @param name  what the text is called in messages: the file's path.
+/// @throws MapError naming the line, the key, what was found and what was expected.
+GridDescription parse_description(const std::string& text, const std::string& name);
+
+}  // namespace opal::grid_importer

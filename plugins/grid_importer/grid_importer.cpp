@@ -1,0 +1,41 @@
+#include "grid_importer.hpp"
+
+#include "map_assembly.hpp"
+#include "report.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace opal::grid_importer {
+namespace {
+
+/// "maps/acapulco.map.yaml" is called "acapulco".
+std::string name_of(const std::string& path) {
+  const std::string file = std::filesystem::path(path).filename().string();
+  const std::string name = file.substr(0, file.find('.'));
+  return name.empty() ? file : name;
+}
+
+bool names_an_image(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  for (int k = 0; k < 100 && std::getline(file, line); ++k)
+    if (line.rfind("image:", 0) == 0) return true;
+  return false;
+}
+
+}  // namespace
+
+bool GridImporter::recognizes(const std::string& path) const {
+  return (path.ends_with(".yaml") || path.ends_with(".yml")) && names_an_image(path);
+}
+
+MapImport GridImporter::import(const std::string& path) const {
+  GridDescription description;
+  const OccupancyGrid grid = read_grid(path, description);
+  Boundary boundary(grid);
+  const VectorMap vectors = vectorize(boundary, limits_);
+  return {assemble(name_of(path), vectors, grid), report(description, boundary, vectors)};
+}
+
+}  // namespace opal::grid_importer

@@ -1,0 +1,161 @@
+#include "report.hpp"
+
+#include "map_assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <numbers>
+
+namespace opal::grid_importer {
+namespace {
+
+// Cells farther from every feature than this are explained by none: two cells of smear.
+constexpr double kExplained_m = 0.15;
+// Walls are thinner than this, at least their part that a LiDAR smears.
+constexpr double kMaxThickness_m = 1.0;
+
+[[gnu::format(printf, 1, 2)]] std::string sentence(const char* pattern, ...) {
+  std::array<char, 256> text{};
+  va_list arguments;
+  va_start(arguments, pattern);
+  std::vsnprintf(text.data(), text.size(), pattern, arguments);
+  va_end(arguments);
+  return text.data();
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + k, values.end());
+  return values[static_cast<std::size_t>(k)];
+}
+
+long count(const OccupancyGrid& grid, Occupancy occupancy) {
+  return std::count(grid.cells().begin(), grid.cells().end(), occupancy);
+}
+
+std::string about_grid(const OccupancyGrid& grid) {
+  const double res = grid.resolution_m();
+  return sentence("grid of %d x %d cells of %g m: %ld occupied, %ld free (%.0f m2)", grid.columns(), grid.rows(), res,
+                  count(grid, Occupancy::occupied), count(grid, Occupancy::free),
+                  static_cast<double>(count(grid, Occupancy::free)) * res * res);
+}
+
+std::string about_faces(const std::vector<Face>& faces, double res) {
+  int at_least_5_m = 0;
+  int at_least_1_m = 0;
+  double length_m = 0;
+  for (const Face& face : faces) {
+    at_least_5_m += face.length() * res >= 5;
+    at_least_1_m += face.length() * res >= 1;
+    length_m += face.length() * res;
+  }
+  return sentence("%zu wall faces, %.0f m: %d of at least 5 m, %d of 1 to 5 m, %zu shorter", faces.size(), length_m,
+                  at_least_5_m, at_least_1_m - at_least_5_m, faces.size() - static_cast<std::size_t>(at_least_1_m));
+}
+
+std::string about_corners(const VectorMap& vectors) {
+  std::size_t convex = 0;
+  for (const Corner& corner : vectors.corners) {
+    const CellPoint before = vectors.faces[static_cast<std::size_t>(corner.before)].line().tangent;
+    convex += cross(before, vectors.faces[static_cast<std::size_t>(corner.after)].line().tangent) < 0;
+  }
+  return sentence("%zu corners: %zu convex, %zu concave; %zu round columns", vectors.corners.size(), convex,
+                  vectors.corners.size() - convex, vectors.columns.size());
+}
+
+/// Distance from each boundary cell to the nearest feature, in cells, infinite beyond `reach`.
+class Distances {
+ public:
+  Distances(const Boundary& boundary, const VectorMap& vectors, double reach)
+      : boundary_(boundary), reach_(reach), distances_(static_cast<std::size_t>(boundary.size()),
+                                                       std::numeric_limits<double>::infinity()) {
+    for (const Face& face : vectors.faces)
+      visit_around(face.begin, face.end, 0,
+                   [&](const CellPoint& p) { return distance_m(Segment{face.begin, face.end}, p); });
+    for (const RoundColumn& column : vectors.columns)
+      visit_around(column.centre, column.centre, column.radius,
+                   [&](const CellPoint& p) { return std::abs((p - column.centre).norm() - column.radius); });
+  }
+
+  const std::vector<double>& values() const { return distances_; }
+
+ private:
+  /// Lowers the distances near the way from a to b, piece by piece, so that long faces look at few cells.
+  template <class Distance>
+  void visit_around(const CellPoint& a, const CellPoint& b, double radius, const Distance& distance_to) {
+    const int around = static_cast<int>(std::ceil(reach_ + radius)) + 1;
+    const int pieces = static_cast<int>((b - a).norm() / around) + 1;
+    for (int k = 0; k <= pieces; ++k) {
+      const CellPoint p = a + (b - a) * k / pieces;
+      const Cell centre{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+      boundary_.visit_near(centre, around, [&](int cell) {
+        const double distance = distance_to(centre_of(boundary_[cell].cell));
+        double& known = distances_[static_cast<std::size_t>(cell)];
+        if (distance <= reach_) known = std::min(known, distance);
+      });
+    }
+  }
+
+  const Boundary& boundary_;
+  double reach_;
+  std::vector<double> distances_;
+};
+
+std::string about_fit(const std::vector<double>& distances, double res) {
+  std::vector<double> found;
+  std::copy_if(distances.begin(), distances.end(), std::back_inserter(found), [](double d) { return std::isfinite(d); });
+  return sentence("boundary cells lie %.3f m from the nearest feature (median; p90 %.3f m)", quantile(found, 0.5) * res,
+                  quantile(found, 0.9) * res);
+}
+
+std::string about_left_out(const std::vector<double>& distances) {
+  const long left_out = std::count_if(distances.begin(), distances.end(), [](double d) { return !std::isfinite(d); });
+  return sentence("left out: %ld of %zu boundary cells are farther than %.2f m from every feature", left_out,
+                  distances.size(), kExplained_m);
+}
+
+/// From the face backwards, how far cells are occupied; a single other cell does not end it.
+double thickness(const OccupancyGrid& grid, const CellPoint& surface, const CellPoint& inwards) {
+  const double max_depth = grid.to_cells(kMaxThickness_m);
+  double last = -1;
+  for (double depth = -2; depth <= max_depth && depth - last <= 2; ++depth) {
+    const CellPoint p = surface + depth * inwards;
+    const Cell cell{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+    if (grid.at(cell) == Occupancy::occupied) last = depth;
+  }
+  return last + 1;
+}
+
+std::string about_smear(const OccupancyGrid& grid, const std::vector<Face>& faces) {
+  std::vector<double> depths;
+  for (const Face& face : faces) {
+    const Line line = face.line();
+    for (double along = 1; along < face.length(); along += 2)
+      if (const double depth = thickness(grid, line.at(along), -line.normal()); depth > 0) depths.push_back(depth);
+  }
+  const double res = grid.resolution_m();
+  return sentence("walls are %.2f m of occupied cells thick behind their faces (median; p90 %.2f m)",
+                  quantile(depths, 0.5) * res, quantile(depths, 0.9) * res);
+}
+
+}  // namespace
+
+std::vector<std::string> report(const GridDescription& description, const Boundary& boundary,
+                                const VectorMap& vectors) {
+  const OccupancyGrid& grid = boundary.grid();
+  const double res = grid.resolution_m();
+  const Distances distances(boundary, vectors, kExplained_m / res);
+  std::vector<std::string> sentences{about_grid(grid), about_faces(vectors.faces, res), about_corners(vectors),
+                                     about_left_out(distances.values()), about_fit(distances.values(), res),
+                                     about_smear(grid, vectors.faces)};
+  for (const std::string& key : description.ignored_keys)
+    sentences.push_back("ignored in the yaml file: \"" + key + "\", which map_server does not define");
+  return sentences;
+}
+
+}  // namespace opal::grid_importer

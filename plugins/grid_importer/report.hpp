@@ -1,0 +1,14 @@
+#pragma once
+
+#include "vectorizer.hpp"
+
+#include <string>
+#include <vector>
+
+namespace opal::grid_importer {
+
+/// Sentences about what was read, what was found, how well it fits and what was left out.
+std::vector<std::string> report(const GridDescription& description, const Boundary& boundary,
+                                const VectorMap& vectors);
+
+}  // namespace opal::grid_importer

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <opal/line_extraction.hpp>
+#include <opal/plugin/feature_detector.hpp>
+
+namespace opal::lines {
+
+/// Straight faces as segments of type opal:Wall, each seen from its left.
+class LineDetector : public FeatureDetector {
+ public:
+  explicit LineDetector(const LineExtractionOptions& options) : options_(options) {}
+  std::vector<Feature> detect(const Scan& scan) const override;
+
+ private:
+  LineExtractionOptions options_;
+};
+
+}  // namespace opal::lines

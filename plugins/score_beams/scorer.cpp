@@ -1,0 +1,69 @@
+#include "scorer.hpp"
+
+#include <algorithm>
+
+using opal::Point;
+
+struct BeamScorer::Tally {
+  double value = 0;
+  double hits = 0, shorts = 0, throughs = 0;
+  int beams = 0;
+};
+
+BeamScorer::BeamScorer(const nlohmann::json& options)
+    : weight_nat_(options.at("weight_nat")),
+      short_(options.at("short")),
+      through_(options.at("through")),
+      free_through_(options.at("free_through")),
+      sigma_m_(options.at("sigma_m")),
+      sigma_per_m_(options.at("sigma_per_m")),
+      margin_m_(options.at("margin_m")),
+      margin_per_m_(options.at("margin_per_m")),
+      free_range_m_(options.at("free_range_m")),
+      floor_(options.at("floor")),
+      min_beams_(options.at("min_beams")) {}
+
+void BeamScorer::judge_hit(const opal::MapView& map, const Point& eye, const Point& end, Tally& tally) const {
+  const double range = (end - eye).norm();
+  double hit = 0;
+  if (const int number = map.nearest_facing(end, end - eye); number >= 0) {
+    const double sigma = sigma_m_ + sigma_per_m_ * range;
+    const double z = map.surface(number).distance_m(end) / sigma;
+    hit = std::exp(-0.5 * z * z);
+  }
+  const auto wall = map.first_crossing(eye, end, margin_m_ + margin_per_m_ * range);
+  ++tally.beams;
+  if (wall.feature >= 0) {
+    ++tally.throughs;
+    tally.value += through_ * (1 - 0.3 * hit);
+  } else {
+    tally.hits += hit;
+    tally.shorts += 1 - hit;
+    tally.value += hit + (1 - hit) * short_;
+  }
+}
+
+void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double bearing_rad, double range_max_m,
+                            Tally& tally) const {
+  const double range = std::min(range_max_m, free_range_m_);
+  const Point end = eye + range * opal::unit_vector(bearing_rad);
+  ++tally.beams;
+  if (map.first_crossing(eye, end, margin_m_ + margin_per_m_ * range).feature < 0) return;
+  ++tally.throughs;
+  tally.value += free_through_;
+}
+
+opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                              const opal::MapView& map) const {
+  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const Point eye = T_map_base * observation.laser_position;
+  Tally tally;
+  for (const Point& point : observation.points) judge_hit(map, eye, T_map_base * point, tally);
+  for (double bearing : observation.free_bearings_rad)
+    judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
+  const double n = std::max(tally.beams, min_beams_);
+  const double share = std::max(tally.value / n, floor_);
+  return {weight_nat_ * share,
+          {},
+          {{"hit", tally.hits / n}, {"short", tally.shorts / n}, {"through", tally.throughs / n}}};
+}

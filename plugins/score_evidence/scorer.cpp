@@ -1,0 +1,88 @@
+#include "scorer.hpp"
+
+#include <algorithm>
+
+using opal::Point;
+using opal::Segment;
+
+struct EvidenceScorer::Match {
+  bool found = false;
+  double log_ratio = 0;
+  double share = 1;  ///< how much of the observed feature the mapped one covers
+};
+
+EvidenceScorer::EvidenceScorer(const nlohmann::json& options)
+    : weight_(options.at("weight")),
+      sigma_m_(options.at("sigma_m")),
+      sigma_rad_(options.at("sigma_rad")),
+      clutter_per_m_rad_(options.at("clutter_per_m_rad")),
+      clutter_per_m2_(options.at("clutter_per_m2")),
+      gate_chi2_(options.at("gate_chi2")),
+      unmatched_nat_(options.at("unmatched_nat")) {}
+
+EvidenceScorer::Match EvidenceScorer::match_face(const Segment& observed, const Point& eye,
+                                                 const opal::MapView& map) const {
+  const Point middle = observed.midpoint();
+  const int number = map.nearest_facing(middle, middle - eye);
+  const auto* face = number < 0 ? nullptr : std::get_if<Segment>(&map.feature(number).geometry);
+  if (!face) return {};
+  const double length = std::max(observed.length_m(), 1e-3);
+  const double angle = opal::wrap_angle(observed.heading_rad() - face->heading_rad());
+  const double angle_sigma = sigma_rad_ + 0.02 / length;
+  const double offset = face->normal().dot(middle - face->begin);
+  const double chi2 = std::pow(angle / angle_sigma, 2) + std::pow(offset / sigma_m_, 2);
+  const double u = face->direction().dot(observed.begin - face->begin);
+  const double v = face->direction().dot(observed.end - face->begin);
+  const double covered =
+      std::min(face->length_m(), std::max(u, v)) - std::max(0.0, std::min(u, v));
+  const double share = std::clamp(covered / length, 0.0, 1.0);
+  if (chi2 > gate_chi2_ || share < 0.4) return {};
+  const double density = 1 / (2 * std::numbers::pi * angle_sigma * sigma_m_);
+  return {true, -0.5 * chi2 + std::log(density / clutter_per_m_rad_), share};
+}
+
+EvidenceScorer::Match EvidenceScorer::match_point(const opal::Feature& observed, const opal::MapView& map) const {
+  const Point place = anchor_of(observed.geometry);
+  const double gate_m = std::sqrt(gate_chi2_) * sigma_m_;
+  Match best;
+  for (int number : map.within(place, gate_m + 1.0)) {
+    const opal::MapFeature& mapped = map.feature(number);
+    if (mapped.type != observed.type || kind_of(mapped.geometry) != kind_of(observed.geometry)) continue;
+    const double distance = (anchor_of(mapped.geometry) - place).norm();
+    const double chi2 = std::pow(distance / sigma_m_, 2);
+    if (chi2 > gate_chi2_) continue;
+    const double density = 1 / (2 * std::numbers::pi * sigma_m_ * sigma_m_);
+    const double log_ratio = -0.5 * chi2 + std::log(density / clutter_per_m2_);
+    if (!best.found || log_ratio > best.log_ratio) best = {true, log_ratio, 1};
+  }
+  return best;
+}
+
+EvidenceScorer::Match EvidenceScorer::best_match(const opal::Feature& observed, const Point& eye,
+                                                 const opal::MapView& map) const {
+  const auto* segment = std::get_if<Segment>(&observed.geometry);
+  return segment ? match_face(*segment, eye, map) : match_point(observed, map);
+}
+
+opal::Score EvidenceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                  const opal::MapView& map) const {
+  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const Point eye = T_map_base * observation.laser_position;
+  double matched = 0, missed = 0;
+  int matches = 0;
+  for (const opal::Feature& feature : observation.features) {
+    const opal::Feature placed = transformed(T_map_base, feature);
+    const auto* segment = std::get_if<Segment>(&placed.geometry);
+    const double size = segment ? std::min(1.0, segment->length_m() / 1.5) : 1.0;
+    if (const Match match = best_match(placed, eye, map); match.found) {
+      matched += match.log_ratio * match.share * size;
+      ++matches;
+    } else {
+      missed += unmatched_nat_ * size;
+    }
+  }
+  const double n = std::max<double>(3, static_cast<double>(observation.features.size()));
+  return {weight_ * (matched + missed) / n,
+          {},
+          {{"matches", double(matches)}, {"matched", matched}, {"missed", missed}}};
+}

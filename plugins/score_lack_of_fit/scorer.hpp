@@ -1,0 +1,18 @@
+#pragma once
+
+#include <opal/plugin/hypothesis_scorer.hpp>
+
+#include <nlohmann/json.hpp>
+
+/// Lack of fit of the newest associations under the hypothesis' registration (Hendrikx 2023, eq. 3.14), and the heuristic
+/// probability of an association with nothing on the map (table 3.1).
+class LackOfFitScorer final : public opal::HypothesisScorer {
+ public:
+  explicit LackOfFitScorer(const nlohmann::json& options);
+  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                    const opal::MapView& map) const override;
+
+ private:
+  int horizon_;
+  double sigma_m_, weight_, not_on_map_probability_, veto_m_;
+};

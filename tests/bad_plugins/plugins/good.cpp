@@ -1,0 +1,28 @@
+// A plugin without a fault, to compare with: its detector finds as many points as its option says.
+#include <opal/plugin/plugin.hpp>
+
+namespace {
+
+class CountingDetector final : public opal::FeatureDetector {
+ public:
+  explicit CountingDetector(int count) : count_(count) {}
+  std::vector<opal::Feature> detect(const opal::Scan&) const override {
+    opal::Feature feature;
+    feature.type = "bad:Thing";
+    feature.covariance.topLeftCorner<2, 2>().setIdentity();
+    return std::vector<opal::Feature>(static_cast<std::size_t>(count_), feature);
+  }
+
+ private:
+  int count_;
+};
+
+void register_types(opal::Registrar& registrar) {
+  registrar.add({"bad:good", {}, {"bad:Thing"}}, [](const nlohmann::json& options) {
+    return std::make_unique<CountingDetector>(options.at("count").get<int>());
+  });
+}
+
+}  // namespace
+
+OPAL_PLUGIN("good", "1.2.3", register_types)

@@ -1,0 +1,111 @@
+#include <opal/error.hpp>
+#include <opal/map_view.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <random>
+
+using namespace opal;
+
+namespace {
+
+std::shared_ptr<const SemanticMap> map_of(const std::vector<Geometry>& geometries) {
+  std::vector<MapObject> objects;
+  std::vector<MapFeature> features;
+  for (const Geometry& geometry : geometries) {
+    const int number = static_cast<int>(features.size());
+    const bool column = kind_of(geometry) == GeometryKind::circle;
+    objects.push_back({"object-" + std::to_string(number), column ? "opal:Column" : "opal:Wall", {number}});
+    MapFeature feature;
+    feature.id = "feature-" + std::to_string(number);
+    feature.object = number;
+    feature.type = column ? "opal:Column" : "opal:Wall";
+    feature.sensor = "PlanarLidar2D";
+    feature.geometry = geometry;
+    features.push_back(feature);
+  }
+  return SemanticMap::make("test", objects, features);
+}
+
+std::vector<Geometry> random_walls(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(0, 60), size(0.2, 9), heading(-3.14, 3.14);
+  std::vector<Geometry> walls;
+  for (int k = 0; k < count; ++k) {
+    const Point begin(place(random), place(random));
+    walls.push_back(Segment{begin, begin + size(random) * unit_vector(heading(random))});
+  }
+  return walls;
+}
+
+/// A wall seen from both sides, 0.1 m thick, along the x axis.
+const Segment kUpper{{0, 0.1}, {4, 0.1}}, kLower{{4, 0}, {0, 0}};
+
+}  // namespace
+
+TEST_CASE("features within a radius are those that a walk over all features finds") {
+  const auto walls = random_walls(300, 5);
+  const MapView view(map_of(walls), "PlanarLidar2D");
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(-5, 65), radius(0.1, 20);
+  for (int query = 0; query < 100; ++query) {
+    const Point p(place(random), place(random));
+    const double r = radius(random);
+    std::vector<int> expected;
+    for (std::size_t k = 0; k < walls.size(); ++k)
+      if (distance_m(walls[k], p) <= r) expected.push_back(static_cast<int>(k));
+    std::vector<int> found = view.within(p, r);
+    std::sort(found.begin(), found.end());
+    CAPTURE(query, p.transpose(), r);
+    CHECK(found == expected);
+  }
+}
+
+TEST_CASE("clearance is the distance to the nearest surface, within a cell") {
+  const auto walls = random_walls(60, 8);
+  const MapView view(map_of(walls), "PlanarLidar2D");
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(-5, 65);
+  for (int query = 0; query < 500; ++query) {
+    const Point p(place(random), place(random));
+    double nearest = MapView::clearance_cap_m();
+    for (const Geometry& wall : walls) nearest = std::min(nearest, distance_m(wall, p));
+    CAPTURE(query, p.transpose());
+    CHECK(std::abs(view.clearance_m(p) - nearest) < 0.08);
+  }
+}
+
+TEST_CASE("of a thin wall's two faces, the one that faces the viewer is found") {
+  const MapView view(map_of({kUpper, kLower}), "PlanarLidar2D");
+  CHECK(view.nearest_facing({2, 0.05}, {0, -1}) == 0);
+  CHECK(view.nearest_facing({2, 0.05}, {0, 1}) == 1);
+  CHECK(view.nearest_facing({2, 3}, {0, -1}) == -1);
+}
+
+TEST_CASE("a ray finds the first wall it crosses, and says if it comes from behind") {
+  const MapView view(map_of({kUpper, Segment{{0, -2}, {4, -2}}, Circle{{2, 3}, 0.3}}), "PlanarLidar2D");
+  const auto from_above = view.first_crossing({1, 2}, {1, -3}, 0.2);
+  CHECK(from_above.feature == 0);
+  CHECK(from_above.range_m == Approx(1.9).margin(0.01));
+  CHECK_FALSE(from_above.from_behind);
+  CHECK(view.first_crossing({1, -1}, {1, 1}, 0.2).from_behind);
+  CHECK(view.first_crossing({2, 5}, {2, 1}, 0.2).feature == 2);
+  CHECK(view.first_crossing({1, 2}, {1, 0.0}, 0.2).feature == -1);   // overshoots by less than the margin
+  CHECK(view.first_crossing({5, 2}, {5, -3}, 0.2).feature == -1);    // passes beside
+  CHECK(view.first_crossing({1, 2}, {1, 2}, 0.2).feature == -1);     // no way at all
+}
+
+TEST_CASE("far outside the map there is nothing, whatever is asked") {
+  const MapView view(map_of({kUpper}), "PlanarLidar2D");
+  for (const Point& p : {Point(1e9, 1e9), Point(-1e9, 3), Point(std::nan(""), 0)}) {
+    CHECK(view.nearest_facing(p, {0, -1}) == -1);
+    CHECK(view.clearance_m(p) == MapView::clearance_cap_m());
+    CHECK(view.nearness(p) == 0);
+  }
+}
+
+TEST_CASE("a sensor that perceives nothing of a map is refused by name") {
+  CHECK_THROWS_WITH(MapView(map_of({kUpper}), "Camera"),
+                    "test: holds no feature that sensor 'Camera' can perceive");
+}
