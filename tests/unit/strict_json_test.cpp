@@ -1,7 +1,7 @@
 #include <opal/strict_json.hpp>
 
-#include <catch2/catch.hpp>
 #include <unistd.h>
+#include <catch2/catch.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -36,7 +36,8 @@ std::string repeated(const std::string& text, int times) {
 }  // namespace
 
 TEST_CASE("strict JSON keeps values as they are written") {
-  const std::string text = R"({"a": [1, -2, 2.5, 1e3, true, false, null, "\u00e9\ud83d\ude00"], "": {}, "b": []})";
+  const std::string text =
+      R"({"a": [1, -2, 2.5, 1e3, true, false, null, "\u00e9\ud83d\ude00"], "": {}, "b": []})";
   CHECK(parse_json(text, "a.json") == json::parse(text));
   CHECK(parse_json(" 7 \n", "a.json") == 7);
   CHECK(parse_json("18446744073709551615", "a.json") == 18446744073709551615u);
@@ -51,9 +52,10 @@ TEST_CASE("a duplicate key is refused with its pointer") {
 }
 
 TEST_CASE("text that is not UTF-8 is refused") {
-  const std::string bad = GENERATE(std::string("\"\xff\""), std::string("\"\xc0\xaf\""), std::string("\"\xed\xa0\x80\""),
-                                   std::string("\"\xf4\x90\x80\x80\""), std::string("\"\xe2\x82\""),
-                                   std::string("\"\\ud800\""), std::string("{\"\x80\": 1}"));
+  const std::string bad =
+      GENERATE(std::string("\"\xff\""), std::string("\"\xc0\xaf\""), std::string("\"\xed\xa0\x80\""),
+               std::string("\"\xf4\x90\x80\x80\""), std::string("\"\xe2\x82\""), std::string("\"\\ud800\""),
+               std::string("{\"\x80\": 1}"));
   CHECK_THAT(refusal(bad), Contains("a.json: line 1, column "));
 }
 
@@ -65,26 +67,30 @@ TEST_CASE("numbers that are not finite are refused") {
 }
 
 TEST_CASE("what follows the value is refused") {
-  for (const char* text : {"{} x", "{}{}", "1 2", "[1],", "null\n]"}) CHECK_THAT(refusal(text), Contains("expected end of input"));
+  for (const char* text : {"{} x", "{}{}", "1 2", "[1],", "null\n]"})
+    CHECK_THAT(refusal(text), Contains("expected end of input"));
   CHECK_THAT(refusal(std::string("{}\0 garbage", 11)), Contains("NUL"));
 }
 
 TEST_CASE("text that ends early is refused at its end") {
   const std::string whole = R"({"a": [1, {"b": "text"}], "c": null})";
-  for (std::size_t size = 0; size < whole.size(); ++size) CHECK_THAT(refusal(whole.substr(0, size)), Contains("line 1, column "));
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    CHECK_THAT(refusal(whole.substr(0, size)), Contains("line 1, column "));
   CHECK_THAT(refusal(""), Contains("no content"));
 }
 
 TEST_CASE("a syntax error tells line and column, what was found and what was expected") {
-  CHECK_THAT(refusal("{\n  \"a\": 1,\n  b: 2\n}"),
-             Contains("a.json: line 3, column 3: ") && Contains("invalid literal") && Contains("expected string literal"));
+  CHECK_THAT(refusal("{\n  \"a\": 1,\n  b: 2\n}"), Contains("a.json: line 3, column 3: ") &&
+                                                       Contains("invalid literal") &&
+                                                       Contains("expected string literal"));
 }
 
 TEST_CASE("depth is limited without using the stack") {
   JsonLimits limits;
   limits.depth = 3;
   CHECK_NOTHROW(parse_json("[[[1]]]", "a.json", limits));
-  CHECK_THAT(refusal("[1, [2, 3, {\"a\": []}]]", limits), Contains("a.json: /1/2/a: nested more deeply than expected, at most 3"));
+  CHECK_THAT(refusal("[1, [2, 3, {\"a\": []}]]", limits),
+             Contains("a.json: /1/2/a: nested more deeply than expected, at most 3"));
   CHECK_THAT(refusal(repeated("[", 1000000)), Contains("at most 128"));
   CHECK_THAT(refusal(repeated("{\"a\":", 1000000)), Contains("/a/a/a"));
   limits.depth = 100000;
@@ -99,7 +105,8 @@ TEST_CASE("size is limited") {
 }
 
 TEST_CASE("a file is read whole, and named when it cannot be") {
-  const std::string path = (std::filesystem::temp_directory_path() / ("opal_strict_json_" + std::to_string(getpid()))).string();
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("opal_strict_json_" + std::to_string(getpid()))).string();
   std::ofstream(path) << R"({"a": )" << repeated(" ", 200000) << "[1]}";
   CHECK(opal::read_json(path) == json{{"a", json::array({1})}});
   JsonLimits limits;

@@ -41,7 +41,8 @@ std::map<std::string, Json> documents_by_iri(const std::string& folder) {
 
 bool is_of_json_ld_1_0(const Json& test) {
   const Json options = test.value("option", Json::object());
-  return options.value("specVersion", "") == "json-ld-1.0" || options.value("processingMode", "") == "json-ld-1.0";
+  return options.value("specVersion", "") == "json-ld-1.0" ||
+         options.value("processingMode", "") == "json-ld-1.0";
 }
 
 /// What the test asks for, beside the contexts, which all tests share.
@@ -170,21 +171,23 @@ TEST_CASE("kept pointers lead into the source and change nothing else") {
 }
 
 TEST_CASE("rejecting unknown terms refuses a document or changes nothing") {
-  for_each_accepted("expand", opal::json_ld::expand, [](const Json& input, Options& options, const Json& plain) {
-    options.reject_unknown_terms = true;
-    Json found = plain;
-    try {
-      found = opal::json_ld::expand(input, options);
-    } catch (const JsonLdError&) {  // as good
-    }
-    options.reject_unknown_terms = false;
-    CHECK(found == plain);
-  });
+  for_each_accepted("expand", opal::json_ld::expand,
+                    [](const Json& input, Options& options, const Json& plain) {
+                      options.reject_unknown_terms = true;
+                      Json found = plain;
+                      try {
+                        found = opal::json_ld::expand(input, options);
+                      } catch (const JsonLdError&) {  // as good
+                      }
+                      options.reject_unknown_terms = false;
+                      CHECK(found == plain);
+                    });
 }
 
 TEST_CASE("expanding what is expanded already changes nothing") {
   for_each_accepted("expand", opal::json_ld::expand, [](const Json&, Options& options, const Json& plain) {
-    if (plain.dump().find("\"@id\":null") != std::string::npos) return;  // an @id like "@ignoreMe" leads to this
+    if (plain.dump().find("\"@id\":null") != std::string::npos)
+      return;  // an @id like "@ignoreMe" leads to this
     options.expand_context = nullptr;
     options.base = "";
     CHECK(opal::test::same_document(opal::json_ld::expand(plain, options), plain));
