@@ -34,9 +34,13 @@ void read_base(ActiveContext& result, const Json& value, const Place& place) {  
     return;
   }
   const std::string* text = value.get_ptr<const std::string*>();
-  if (text && is_absolute_iri(*text)) result.base = *text;
-  else if (text && result.base) result.base = resolve_iri(*result.base, *text);
-  else throw JsonLdError("invalid base IRI", place.pointer(), "expected null or an IRI; a relative one needs a base");
+  if (text && is_absolute_iri(*text))
+    result.base = *text;
+  else if (text && result.base)
+    result.base = resolve_iri(*result.base, *text);
+  else
+    throw JsonLdError("invalid base IRI", place.pointer(),
+                      "expected null or an IRI; a relative one needs a base");
 }
 
 void read_vocab(ActiveContext& result, const Json& value, const Place& place) {  // 5.8
@@ -119,10 +123,12 @@ ContextReader::Building ContextReader::read_remote(const Building& current, cons
   const bool seen = std::find(use.remote.begin(), use.remote.end(), iri) != use.remote.end();
   if (!use.validate_scoped && seen) return current;
   if (use.remote.size() >= kMaxRemoteDepth)
-    throw JsonLdError("context overflow", place.pointer(), "contexts that name each other, the last one <" + iri + ">");
+    throw JsonLdError("context overflow", place.pointer(),
+                      "contexts that name each other, the last one <" + iri + ">");
   const Json& document = load(iri, place);
   if (!document.is_object() || !document.contains("@context"))
-    throw JsonLdError("invalid remote context", place.pointer(), "<" + iri + "> holds no object with @context");
+    throw JsonLdError("invalid remote context", place.pointer(),
+                      "<" + iri + "> holds no object with @context");
   ContextUse inner;
   inner.base = iri;
   inner.validate_scoped = use.validate_scoped;
@@ -140,11 +146,13 @@ const Json& ContextReader::load(const std::string& iri, const Place& place) {
     throw JsonLdError("loading remote context failed", place.pointer(),
                       "<" + iri + "> is none of the contexts known here, and none is fetched");
   if (++loads_ > kMaxLoads)
-    throw JsonLdError("context overflow", place.pointer(), "more than " + std::to_string(kMaxLoads) + " contexts");
+    throw JsonLdError("context overflow", place.pointer(),
+                      "more than " + std::to_string(kMaxLoads) + " contexts");
   return found->second;
 }
 
-void ContextReader::read_map(ActiveContext& result, const Json& local, const Place& place, const ContextUse& use) {
+void ContextReader::read_map(ActiveContext& result, const Json& local, const Place& place,
+                             const ContextUse& use) {
   if (local.contains("@version") && local["@version"] != 1.1)  // 5.5
     throw JsonLdError("invalid @version value", place.at("@version").pointer(), "expected the number 1.1");
   if (local.contains("@import")) return read_map(result, with_import(local, place, use), place, use);
@@ -165,10 +173,12 @@ Json ContextReader::with_import(const Json& local, const Place& place, const Con
   const std::string iri = resolve_iri(use.base, local["@import"].get<std::string>());
   const Json& document = load(iri, import_place);
   if (!document.is_object() || !document.contains("@context") || !document["@context"].is_object())
-    throw JsonLdError("invalid remote context", import_place.pointer(), "<" + iri + "> holds no single @context object");
+    throw JsonLdError("invalid remote context", import_place.pointer(),
+                      "<" + iri + "> holds no single @context object");
   Json merged = document["@context"];
   if (merged.contains("@import"))
-    throw JsonLdError("invalid context entry", import_place.pointer(), "<" + iri + "> imports a context itself");
+    throw JsonLdError("invalid context entry", import_place.pointer(),
+                      "<" + iri + "> imports a context itself");
   merged.update(local);
   merged.erase("@import");
   return merged;

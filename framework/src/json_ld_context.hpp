@@ -46,8 +46,8 @@ struct TermDefinition {
 };
 bool same_meaning(const TermDefinition& a, const TermDefinition& b);  ///< whether protected or not
 
-/// JSON-LD 1.1 API, 4.1: what the terms of a document mean at some place in it. Immutable once made, shared by all
-/// places that it holds for.
+/// JSON-LD 1.1 API, 4.1: what the terms of a document mean at some place in it. Immutable once made, shared
+/// by all places that it holds for.
 struct ActiveContext {
   std::optional<std::string> base;
   std::string original_base;
@@ -70,7 +70,7 @@ std::optional<std::string> expand_iri(const ActiveContext& active, const std::st
 
 /// How a local context is taken in.
 struct ContextUse {
-  std::string base;                 ///< IRI that context references resolve against
+  std::string base;  ///< IRI that context references resolve against
   bool override_protected = false;
   bool propagate = true;
   bool validate_scoped = true;

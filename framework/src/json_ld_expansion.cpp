@@ -20,6 +20,13 @@ bool has_only(const Json& object, std::initializer_list<std::string_view> keys) 
   });
 }
 
+/// Whether the key is the keyword or an alias of it.
+bool means(const ActiveContext& active, const std::string& key, std::string_view keyword) {
+  if (key == keyword) return true;
+  const TermDefinition* definition = active.find(key);
+  return definition && definition->iri == keyword;
+}
+
 }  // namespace
 
 Json as_array(Json value) {
@@ -70,11 +77,13 @@ Json Expander::expand(const ContextPtr& active, Property property, const Json& e
   return expand_scalar(active, property, element, place, property ? active->find(*property) : nullptr);
 }
 
-Json Expander::expand_scalar(const ContextPtr& active, Property property, const Json& element, const Place& place,
+Json Expander::expand_scalar(const ContextPtr& active, Property property, const Json& element,
+                             const Place& place,
                              const TermDefinition* definition) {  // 4
   if (is_top(property)) {
     if (options_.reject_unknown_terms)
-      throw JsonLdError("free-floating value", place.pointer(), "expected a node; JSON-LD drops other values here");
+      throw JsonLdError("free-floating value", place.pointer(),
+                        "expected a node; JSON-LD drops other values here");
     return nullptr;
   }
   if (!definition || !definition->scoped) return expand_value(*active, definition, element, place);
@@ -82,7 +91,8 @@ Json Expander::expand_scalar(const ContextPtr& active, Property property, const 
   return expand_value(*scoped, scoped->find(*property), element, place);
 }
 
-Json Expander::expand_array(const ContextPtr& active, Property property, const Json& element, const Place& place,
+Json Expander::expand_array(const ContextPtr& active, Property property, const Json& element,
+                            const Place& place,
                             bool from_map) {  // 5
   const TermDefinition* definition = property ? active->find(*property) : nullptr;
   const bool lists = definition && definition->contains("@list");
@@ -113,10 +123,8 @@ Json Expander::expand_object(ContextPtr active, Property property, const Json& e
 
 /// 7: value objects and references to a node stay in the context of the type around them.
 bool Expander::keeps_context(const ActiveContext& active, const Json& element) const {
-  for (const auto& [key, value] : element.items()) {
-    const auto iri = expand_iri(active, key, {true, false});
-    if (iri == "@value" || (iri == "@id" && element.size() == 1)) return true;
-  }
+  for (const auto& [key, value] : element.items())
+    if (means(active, key, "@value") || (element.size() == 1 && means(active, key, "@id"))) return true;
   return false;
 }
 
@@ -128,10 +136,11 @@ ContextPtr Expander::take_context(const ContextPtr& active, const Json& element,
   return contexts_.read(active, *local, place.at("@context"), use);
 }
 
-ContextPtr Expander::take_type_contexts(const ContextPtr& active, const Json& element, const Place& place) {  // 11
+ContextPtr Expander::take_type_contexts(const ContextPtr& active, const Json& element,
+                                        const Place& place) {  // 11
   ContextPtr result = active;
   for (const auto& [key, value] : element.items()) {
-    if (expand_iri(*active, key, {true, false}) != "@type") continue;
+    if (!means(*active, key, "@type")) continue;
     std::vector<std::string> types;
     for (const Json& type : value.is_array() ? value : Json::array({value}))
       if (type.is_string()) types.push_back(type.get<std::string>());
@@ -147,7 +156,7 @@ ContextPtr Expander::take_type_contexts(const ContextPtr& active, const Json& el
 /// 12: the last type of the first entry that means @type.
 std::optional<std::string> Expander::value_type(const ActiveContext& active, const Json& element) const {
   for (const auto& [key, value] : element.items()) {
-    if (expand_iri(active, key, {true, false}) != "@type") continue;
+    if (!means(active, key, "@type")) continue;
     const Json& last = value.is_array() && !value.empty() ? value.back() : value;
     return last.is_string() ? expand_iri(active, last.get<std::string>(), {true, false}) : std::nullopt;
   }
@@ -155,9 +164,12 @@ std::optional<std::string> Expander::value_type(const ActiveContext& active, con
 }
 
 Json Expander::finish(Json result, Property property, const Place& place) const {  // 15 to 19
-  if (result.contains("@value")) result = finish_value(std::move(result), place);
-  else if (result.contains("@list") || result.contains("@set")) result = finish_container(std::move(result), place);
-  else if (result.contains("@type")) result["@type"] = as_array(std::move(result["@type"]));
+  if (result.contains("@value"))
+    result = finish_value(std::move(result), place);
+  else if (result.contains("@list") || result.contains("@set"))
+    result = finish_container(std::move(result), place);
+  else if (result.contains("@type"))
+    result["@type"] = as_array(std::move(result["@type"]));
   if (!result.is_object()) return result;
   if (result.size() == 1 && result.contains("@language")) return nullptr;
   const bool floating = result.empty() || result.contains("@value") || result.contains("@list") ||
@@ -186,7 +198,8 @@ Json Expander::finish_value(Json result, const Place& place) const {  // 15
 Json Expander::finish_container(Json result, const Place& place) const {  // 17
   const bool set = result.contains("@set");
   if (!has_only(result, {"@set", "@index"}) && !has_only(result, {"@list", "@index"}))
-    throw JsonLdError("invalid set or list object", place.pointer(), "expected beside @list or @set nothing but @index");
+    throw JsonLdError("invalid set or list object", place.pointer(),
+                      "expected beside @list or @set nothing but @index");
   return set ? std::move(result["@set"]) : std::move(result);
 }
 

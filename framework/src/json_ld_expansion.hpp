@@ -23,7 +23,8 @@ void append(Json& array, Json value);
 /// Appends to the array at the key, which is made if absent.
 void add_value(Json& object, const std::string& key, Json value);
 
-/// Expansion Algorithm (5.1.2): every term becomes an IRI, every value says what it is, every shorthand is undone.
+/// Expansion Algorithm (5.1.2): every term becomes an IRI, every value says what it is, every shorthand is
+/// undone.
 class Expander {
  public:
   explicit Expander(const Options& options) : options_(options), contexts_(options) {}
@@ -49,7 +50,8 @@ class Expander {
                     bool from_map);
   Json expand_scalar(const ContextPtr& active, Property property, const Json& element, const Place& place,
                      const TermDefinition* definition);
-  Json expand_object(ContextPtr active, Property property, const Json& element, const Place& place, bool from_map);
+  Json expand_object(ContextPtr active, Property property, const Json& element, const Place& place,
+                     bool from_map);
   bool keeps_context(const ActiveContext& active, const Json& element) const;
   ContextPtr take_context(const ContextPtr& active, const Json& element, const Place& place);
   ContextPtr take_type_contexts(const ContextPtr& active, const Json& element, const Place& place);
@@ -64,9 +66,8 @@ class Expander {
                       const Place& place);
   void expand_nested(Object& object, const ContextPtr& active, const std::string& key, const Json& nested,
                      const Place& place);
-  void refuse_unknown(const ActiveContext& active, const std::string& key, const Place& place) const;
-  void expand_property(Object& object, const ContextPtr& active, const std::string& key, const std::string& iri,
-                       const Json& value, const Place& place);
+  void expand_property(Object& object, const ContextPtr& active, const std::string& key,
+                       const std::string& iri, const Json& value, const Place& place);
   Json expand_property_value(const ContextPtr& active, const std::string& key, const Json& value,
                              const Place& place);
   void add_reversed(Json& result, const std::string& iri, Json values, const Place& place) const;
@@ -77,8 +78,10 @@ class Expander {
   Json expand_id(const ActiveContext& active, const Json& value, const Place& place) const;
   void expand_types(Json& result, const ActiveContext& active, const Json& value, const Place& place) const;
   Json expand_included(const ContextPtr& active, const Json& value, const Place& place);
-  void expand_list(Json& result, const ContextPtr& active, Property property, const Json& value, const Place& place);
-  void expand_set(Json& result, const ContextPtr& active, Property property, const Json& value, const Place& place);
+  void expand_list(Json& result, const ContextPtr& active, Property property, const Json& value,
+                   const Place& place);
+  void expand_set(Json& result, const ContextPtr& active, Property property, const Json& value,
+                  const Place& place);
   void expand_reverse(Object& object, const ContextPtr& active, const Json& value, const Place& place);
   void expand_value_entry(Object& object, const Json& value, const Place& place) const;
 
@@ -97,6 +100,9 @@ class Expander {
   // json_ld_value.cpp: scalars
   Json expand_value(const ActiveContext& active, const TermDefinition* definition, const Json& value,
                     const Place& place) const;
+  /// JSON-LD drops, or takes for an IRI, what the context does not define.
+  void refuse_unknown(const ActiveContext& active, const std::string& word,
+                      const std::optional<std::string>& iri, const Place& place) const;
   /// The IRI that a vocabulary word (a type, a value of an @vocab-typed term) stands for.
   Json expand_word(const ActiveContext& active, const std::string& word, const Place& place) const;
 

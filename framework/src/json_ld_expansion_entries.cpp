@@ -6,36 +6,37 @@
 
 namespace opal::json_ld {
 
-void Expander::expand_entries(Object& object, const ContextPtr& active, Property property, const Json& element,
-                              const Place& place) {
+void Expander::expand_entries(Object& object, const ContextPtr& active, Property property,
+                              const Json& element, const Place& place) {
   Nests nests;
   for (const auto& [key, value] : element.items()) {
     if (key == "@context") continue;
     const auto iri = expand_iri(*active, key, {true, false});
     const Place here = place.at(std::string_view(key));
-    if (!iri || (iri->find(':') == std::string::npos && !is_keyword(*iri))) refuse_unknown(*active, key, here);
-    else if (iri == "@nest") nests[key] = &value;
-    else if (is_keyword(*iri)) expand_keyword(object, active, property, *iri, value, here);
-    else expand_property(object, active, key, *iri, value, here);
+    refuse_unknown(*active, key, iri, here);
+    if (!iri || (iri->find(':') == std::string::npos && !is_keyword(*iri))) continue;  // 13.3
+    if (iri == "@nest")
+      nests[key] = &value;
+    else if (is_keyword(*iri))
+      expand_keyword(object, active, property, *iri, value, here);
+    else
+      expand_property(object, active, key, *iri, value, here);
   }
-  for (const auto& [key, nested] : nests) expand_nested(object, active, key, *nested, place.at(std::string_view(key)));
-}
-
-/// JSON-LD drops what maps to nothing. A term that the context maps to null is dropped on purpose.
-void Expander::refuse_unknown(const ActiveContext& active, const std::string& key, const Place& place) const {
-  const TermDefinition* definition = active.find(key);
-  if (options_.reject_unknown_terms && !(definition && !definition->iri))
-    throw JsonLdError("unknown term", place.pointer(), "the key maps to no IRI");
+  for (const auto& [key, nested] : nests)
+    expand_nested(object, active, key, *nested, place.at(std::string_view(key)));
 }
 
 /// 14.2: nested entries count as if they stood in the object itself.
-void Expander::expand_nested(Object& object, const ContextPtr& active, const std::string& key, const Json& nested,
-                             const Place& place) {
+void Expander::expand_nested(Object& object, const ContextPtr& active, const std::string& key,
+                             const Json& nested, const Place& place) {
   if (nested.is_array()) {
-    for (std::size_t i = 0; i < nested.size(); ++i) expand_nested(object, active, key, nested[i], place.at(i));
+    for (std::size_t i = 0; i < nested.size(); ++i)
+      expand_nested(object, active, key, nested[i], place.at(i));
     return;
   }
-  const auto refuse = [&] { throw JsonLdError("invalid @nest value", place.pointer(), "expected an object without @value"); };
+  const auto refuse = [&] {
+    throw JsonLdError("invalid @nest value", place.pointer(), "expected an object without @value");
+  };
   if (!nested.is_object()) refuse();
   const TermDefinition* definition = active->find(key);
   const bool scoped = definition && definition->scoped;
@@ -56,8 +57,10 @@ void Expander::expand_property(Object& object, const ContextPtr& active, const s
     expanded = as_array(std::move(expanded));
     for (Json& graph : expanded) graph = mark(Json{{"@graph", as_array(std::move(graph))}}, place);
   }
-  if (definition && definition->reverse) add_reversed(object.result["@reverse"], iri, std::move(expanded), place);
-  else add_value(object.result, iri, std::move(expanded));
+  if (definition && definition->reverse)
+    add_reversed(object.result["@reverse"], iri, std::move(expanded), place);
+  else
+    add_value(object.result, iri, std::move(expanded));
 }
 
 Json Expander::expand_property_value(const ContextPtr& active, const std::string& key, const Json& value,
@@ -72,7 +75,8 @@ Json Expander::expand_property_value(const ContextPtr& active, const std::string
   return expand(active, &key, value, place);
 }
 
-void Expander::add_reversed(Json& result, const std::string& iri, Json values, const Place& place) const {  // 13.13
+void Expander::add_reversed(Json& result, const std::string& iri, Json values,
+                            const Place& place) const {  // 13.13
   values = as_array(std::move(values));
   for (const Json& value : values)
     if (is_value(value) || is_list(value))

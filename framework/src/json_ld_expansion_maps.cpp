@@ -1,4 +1,5 @@
-// JSON-LD 1.1 API, 5.1.2, steps 13.7 and 13.8: containers that are objects keyed by language, index, id or type.
+// JSON-LD 1.1 API, 5.1.2, steps 13.7 and 13.8: containers that are objects keyed by language, index, id or
+// type.
 #include "json_ld_expansion.hpp"
 #include "json_ld_iri.hpp"
 
@@ -15,7 +16,8 @@ Json Expander::expand_language_map(const ActiveContext& active, const TermDefini
     const bool tagged = expand_iri(active, language, {true, false}) != "@none";
     for (const Json& item : entry.is_array() ? entry : Json::array({entry})) {
       if (item.is_null()) continue;
-      if (!item.is_string()) throw JsonLdError("invalid language map value", here.pointer(), "expected strings");
+      if (!item.is_string())
+        throw JsonLdError("invalid language map value", here.pointer(), "expected strings");
       Json text{{"@value", item}};
       if (tagged) text["@language"] = language;
       if (direction) text["@direction"] = *direction;
@@ -25,18 +27,20 @@ Json Expander::expand_language_map(const ActiveContext& active, const TermDefini
   return result;
 }
 
-Json Expander::expand_index_map(const ContextPtr& active, const TermDefinition& definition, const std::string& key,
-                                const Json& value, const Place& place) {  // 13.8
+Json Expander::expand_index_map(const ContextPtr& active, const TermDefinition& definition,
+                                const std::string& key, const Json& value, const Place& place) {  // 13.8
   Json result = Json::array();
   for (const auto& [index, entry] : value.items()) {
     const Place here = place.at(std::string_view(index));
     const ContextPtr context = map_context(active, definition, index, here);
-    Json items = entry.is_array() ? expand(context, &key, entry, here, true)
-                                  : expand(context, &key, Json::array({entry}), here, true);
+    Json items = expand(context, &key, entry, here, true);
+    if (items.is_null()) continue;
+    items = as_array(std::move(items));
     for (Json& item : items) {
       if (definition.contains("@graph") && !is_graph(item))
         item = mark(Json{{"@graph", as_array(std::move(item))}}, here);
-      if (expand_iri(*active, index, {true, false}) != "@none") add_index(item, *active, definition, index, here);
+      if (expand_iri(*active, index, {true, false}) != "@none")
+        add_index(item, *active, definition, index, here);
       result.push_back(std::move(item));
     }
   }
@@ -71,7 +75,8 @@ void Expander::add_index(Json& item, const ActiveContext& active, const TermDefi
 void Expander::add_property_index(Json& item, const ActiveContext& active, const std::string& index_key,
                                   const std::string& index, const Place& place) const {  // 13.8.3.7.2
   if (is_value(item))
-    throw JsonLdError("invalid value object", place.pointer(), "a value cannot take the property \"" + index_key + "\"");
+    throw JsonLdError("invalid value object", place.pointer(),
+                      "a value cannot take the property \"" + index_key + "\"");
   const std::string iri = *expand_iri(active, index_key, {true, false});
   Json values = Json::array({expand_value(active, active.find(index_key), index, place)});
   if (item.contains(iri)) values.insert(values.end(), item[iri].begin(), item[iri].end());

@@ -1,11 +1,9 @@
-// JSON-LD 1.1 API, 7.2: Flattening, and the Node Map Generation that it rests on. Numbers in comments are steps of
-// the latter.
+// JSON-LD 1.1 API, 7.2: Flattening, and the Node Map Generation that it rests on. Numbers in comments are
+// steps of the latter.
 #include "json_ld_expansion.hpp"
 #include "json_ld_iri.hpp"
 
-#include <algorithm>
 #include <map>
-#include <optional>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -39,36 +37,47 @@ std::string identity(const Json& value) {
   return bare.dump();
 }
 
+/// identity(a) == identity(b), without writing them out.
+bool are_same(const Json& a, const Json& b) {
+  if (!a.is_object() || !b.is_object()) return a.type() == b.type() && a == b;
+  auto x = a.begin();
+  auto y = b.begin();
+  while (true) {
+    while (x != a.end() && x.key() == kPointer) ++x;
+    while (y != b.end() && y.key() == kPointer) ++y;
+    if (x == a.end() || y == b.end()) return x == a.end() && y == b.end();
+    if (x.key() != y.key() || x->type() != y->type() || *x != *y) return false;
+    ++x, ++y;
+  }
+}
+
 /// One node, as gathered from everywhere in the document.
 class Node {
  public:
-  explicit Node(const std::string& id) : json_{{"@id", id}} {}
+  explicit Node(const std::string& id) : id_(id), json_{{"@id", id}} {}
 
+  const std::string& id() const { return id_; }
   Json& json() { return json_; }
-  void touch(const std::string& property) {
-    Json& values = json_[property];
-    if (values.is_null()) values = Json::array();
-  }
-  void append(const std::string& property, Json value) {
-    touch(property);
-    json_[property].push_back(std::move(value));
+  Json& values(const std::string& property) {
+    Json& result = json_[property];
+    if (result.is_null()) result = Json::array();
+    return result;
   }
   void append_once(const std::string& property, Json value) {
-    touch(property);
-    Json& values = json_[property];
-    // Large arrays (all objects of a building) get an index; it would cost the many small ones too much memory.
+    Json& known = values(property);
+    // Large arrays (all objects of a building) get an index; it would cost the many small ones too much
+    // memory.
     constexpr std::size_t kSmall = 8;
-    if (values.size() < kSmall) {
-      const std::string wanted = identity(value);
-      for (const Json& known : values)
-        if (identity(known) == wanted) return;
+    if (known.size() < kSmall) {
+      for (const Json& one : known)
+        if (are_same(one, value)) return;
     } else {
       auto& seen = seen_[property];
-      if (seen.size() != values.size())
-        for (const Json& known : values) seen.insert(identity(known));
+      if (seen.size() != known.size())
+        for (const Json& one : known) seen.insert(identity(one));
       if (!seen.insert(identity(value)).second) return;
     }
-    values.push_back(std::move(value));
+    known.push_back(std::move(value));
   }
   /// The place of a definition is worth more than that of a mere reference.
   void mark(const Json& pointer, bool defines) {
@@ -79,6 +88,7 @@ class Node {
   bool is_mere_reference() const { return json_.size() == (json_.contains(kPointer) ? 2u : 1u); }
 
  private:
+  std::string id_;
   Json json_;
   bool defined_ = false;
   std::map<std::string, std::unordered_set<std::string>> seen_;
@@ -88,53 +98,74 @@ using Graph = std::map<std::string, Node>;
 
 /// What the element being gathered belongs to: nothing, a property of a node, or a list.
 struct Owner {
-  std::string graph = kDefaultGraph;
-  std::optional<std::string> subject;  ///< id of the node
-  std::string property;
+  Graph* graph = nullptr;
+  Node* subject = nullptr;
+  const std::string* property = nullptr;
   bool reversed = false;  ///< the element points at the subject instead
   Json* list = nullptr;
 };
 
 class NodeMap {
  public:
-  void gather(Json& element, const Owner& owner);
-  Json flattened();
+  Json flatten(Json& expanded);
 
  private:
-  Node& node(const std::string& graph, const std::string& id) { return graphs_[graph].try_emplace(id, id).first->second; }
-  void gather_value(Json& value, const Owner& owner);
+  void gather(Json& element, const Owner& owner);
+  void relabel_types(Json& types);
   void gather_list(Json& list, const Owner& owner);
   void gather_node(Json& element, const Owner& owner);
-  void link(const std::string& id, const Json& pointer, const Owner& owner);
-  void take_index(Node& target, const std::string& id, Json& element);
-  void gather_reverse(Json& reverse, const std::string& id, const Owner& owner);
-  void gather_properties(Json& element, const std::string& id, const Owner& owner);
+  void gather_reverse(Json& reverse, Node& node, const Owner& owner);
+  void gather_properties(Json& element, Node& node, const Owner& owner);
   static Json listed(Graph& graph);
 
   std::map<std::string, Graph> graphs_;
   BlankNodeIssuer blank_nodes_;
 };
 
+Node& node_of(Graph& graph, const std::string& id) { return graph.try_emplace(id, id).first->second; }
+
+void link(Node& node, const Json& pointer, const Owner& owner) {  // 6.5, 6.6
+  if (!owner.subject) return;
+  Json reference{{"@id", (owner.reversed ? *owner.subject : node).id()}};
+  if (!pointer.is_null()) reference[kPointer] = pointer;
+  if (owner.list)
+    owner.list->push_back(std::move(reference));
+  else
+    (owner.reversed ? node : *owner.subject).append_once(*owner.property, std::move(reference));
+}
+
+void take_index(Node& node, Json& element) {  // 6.8
+  const auto index = element.find("@index");
+  if (index == element.end()) return;
+  Json& known = node.json()["@index"];
+  if (!known.is_null() && known != *index)
+    throw JsonLdError("conflicting indexes", node.json().value(kPointer, ""),
+                      "<" + node.id() + "> has two values of @index");
+  known = *index;
+  element.erase(index);
+}
+
 void NodeMap::gather(Json& element, const Owner& owner) {
   if (element.is_array()) {
     for (Json& item : element) gather(item, owner);
     return;
   }
-  const auto types = element.find("@type");
-  if (types != element.end()) {  // 3
-    if (types->is_string()) *types = blank_nodes_.relabel(types->get<std::string>());
-    else if (types->is_array())
-      for (Json& type : *types)
-        if (type.is_string()) type = blank_nodes_.relabel(type.get<std::string>());
-  }
-  if (is_value(element)) gather_value(element, owner);
-  else if (is_list(element)) gather_list(element, owner);
-  else gather_node(element, owner);
+  if (element.contains("@type")) relabel_types(element["@type"]);
+  if (is_list(element))
+    gather_list(element, owner);
+  else if (!is_value(element))
+    gather_node(element, owner);
+  else if (owner.list)
+    owner.list->push_back(std::move(element));  // 4
+  else if (owner.subject)
+    owner.subject->append_once(*owner.property, std::move(element));
 }
 
-void NodeMap::gather_value(Json& value, const Owner& owner) {  // 4
-  if (owner.list) owner.list->push_back(std::move(value));
-  else if (owner.subject) node(owner.graph, *owner.subject).append_once(owner.property, std::move(value));
+void NodeMap::relabel_types(Json& types) {  // 3
+  if (types.is_string())
+    types = blank_nodes_.relabel(types.get<std::string>());
+  else if (types.is_array())
+    for (Json& type : types) relabel_types(type);
 }
 
 void NodeMap::gather_list(Json& list, const Owner& owner) {  // 5
@@ -143,71 +174,56 @@ void NodeMap::gather_list(Json& list, const Owner& owner) {  // 5
   inside.list = &items;
   gather(list["@list"], inside);
   Json result{{"@list", std::move(items)}};
-  if (owner.list) owner.list->push_back(std::move(result));
-  else if (owner.subject) node(owner.graph, *owner.subject).append(owner.property, std::move(result));
+  if (owner.list)
+    owner.list->push_back(std::move(result));
+  else if (owner.subject)
+    owner.subject->values(*owner.property).push_back(std::move(result));
 }
 
 void NodeMap::gather_node(Json& element, const Owner& owner) {  // 6
   const bool named = element.contains("@id") && element["@id"].is_string();
-  const std::string id = named ? blank_nodes_.relabel(element["@id"].get<std::string>()) : blank_nodes_.fresh();
+  const std::string id =
+      named ? blank_nodes_.relabel(element["@id"].get<std::string>()) : blank_nodes_.fresh();
   const Json pointer = element.value(kPointer, Json());
   element.erase("@id");
   element.erase(kPointer);
-  Node& target = node(owner.graph, id);
-  target.mark(pointer, !element.empty() || !named);
-  link(id, pointer, owner);
+  Node& node = node_of(*owner.graph, id);
+  node.mark(pointer, !element.empty() || !named);
+  link(node, pointer, owner);
   if (element.contains("@type"))
-    for (Json& type : element["@type"]) target.append_once("@type", std::move(type));
+    for (Json& type : element["@type"]) node.append_once("@type", std::move(type));
   element.erase("@type");
-  take_index(target, id, element);
-  gather_properties(element, id, owner);
+  take_index(node, element);
+  gather_properties(element, node, owner);
 }
 
-void NodeMap::link(const std::string& id, const Json& pointer, const Owner& owner) {  // 6.5, 6.6
-  if (!owner.subject) return;
-  Json reference{{"@id", owner.reversed ? *owner.subject : id}};
-  if (!pointer.is_null()) reference[kPointer] = pointer;
-  if (owner.list) owner.list->push_back(std::move(reference));
-  else node(owner.graph, owner.reversed ? id : *owner.subject).append_once(owner.property, std::move(reference));
-}
-
-void NodeMap::take_index(Node& target, const std::string& id, Json& element) {  // 6.8
-  const auto index = element.find("@index");
-  if (index == element.end()) return;
-  Json& known = target.json()["@index"];
-  if (!known.is_null() && known != *index)
-    throw JsonLdError("conflicting indexes", target.json().value(kPointer, ""), "<" + id + "> has two values of @index");
-  known = *index;
-  element.erase(index);
-}
-
-void NodeMap::gather_reverse(Json& reverse, const std::string& id, const Owner& owner) {  // 6.9
+void NodeMap::gather_reverse(Json& reverse, Node& node, const Owner& owner) {  // 6.9
   for (auto& [property, values] : reverse.items()) {
     Owner inside;
     inside.graph = owner.graph;
-    inside.subject = id;
-    inside.property = property;
+    inside.subject = &node;
+    inside.property = &property;
     inside.reversed = true;
     gather(values, inside);
   }
 }
 
-void NodeMap::gather_properties(Json& element, const std::string& id, const Owner& owner) {  // 6.9 to 6.12
+void NodeMap::gather_properties(Json& element, Node& node, const Owner& owner) {  // 6.9 to 6.12
   Owner inside;
   inside.graph = owner.graph;
-  if (element.contains("@reverse")) gather_reverse(element["@reverse"], id, owner);
+  if (element.contains("@reverse")) gather_reverse(element["@reverse"], node, owner);
   if (element.contains("@graph")) {
     Owner graph;
-    graph.graph = id;
-    graphs_[id];
+    graph.graph = &graphs_[node.id()];
     gather(element["@graph"], graph);
   }
   if (element.contains("@included")) gather(element["@included"], inside);
   for (const char* done : {"@reverse", "@graph", "@included"}) element.erase(done);
-  inside.subject = id;
-  for (auto& [property, values] : element.items()) {
-    inside.property = blank_nodes_.relabel(property);
-    node(owner.graph, id).touch(inside.property);
+  inside.subject = &node;
+  for (auto& [key, values] : element.items()) {
+    const std::string property = blank_nodes_.relabel(key);
+    inside.property = &property;
+    node.values(property);
     gather(values, inside);
   }
 }
@@ -219,19 +235,21 @@ Json NodeMap::listed(Graph& graph) {
   return nodes;
 }
 
-Json NodeMap::flattened() {
+Json NodeMap::flatten(Json& expanded) {
+  Graph& main = graphs_[kDefaultGraph];
+  Owner nobody;
+  nobody.graph = &main;
+  gather(expanded, nobody);
   for (auto& [name, graph] : graphs_)
-    if (name != kDefaultGraph) node(kDefaultGraph, name).json()["@graph"] = listed(graph);
-  return listed(graphs_[kDefaultGraph]);
+    if (&graph != &main) node_of(main, name).json()["@graph"] = listed(graph);
+  return listed(main);
 }
 
 }  // namespace
 
 Json flatten(const Json& document, const Options& options) {
   Json expanded = expand(document, options);
-  NodeMap nodes;
-  nodes.gather(expanded, Owner());
-  return nodes.flattened();
+  return NodeMap().flatten(expanded);
 }
 
 }  // namespace opal::json_ld

@@ -61,12 +61,18 @@ std::string remove_dot_segments(string_view path) {
   };
   const auto starts = [&path](string_view with) { return path.substr(0, with.size()) == with; };
   while (!path.empty()) {
-    if (starts("../")) path.remove_prefix(3);
-    else if (starts("./") || starts("/./")) path.remove_prefix(2);
-    else if (path == "/.") path = "/";
-    else if (starts("/../")) path.remove_prefix(3), drop_last_segment();
-    else if (path == "/..") path = "/", drop_last_segment();
-    else if (path == "." || path == "..") path = {};
+    if (starts("../"))
+      path.remove_prefix(3);
+    else if (starts("./") || starts("/./"))
+      path.remove_prefix(2);
+    else if (path == "/.")
+      path = "/";
+    else if (starts("/../"))
+      path.remove_prefix(3), drop_last_segment();
+    else if (path == "/..")
+      path = "/", drop_last_segment();
+    else if (path == "." || path == "..")
+      path = {};
     else {
       const std::size_t end = std::min(path.find('/', 1), path.size());
       result += path.substr(0, end);
@@ -80,7 +86,8 @@ std::string remove_dot_segments(string_view path) {
 std::string merge_paths(const IriParts& base, string_view reference) {
   if (base.authority && base.path.empty()) return '/' + std::string(reference);
   const std::size_t slash = base.path.rfind('/');
-  return std::string(base.path.substr(0, slash == string_view::npos ? 0 : slash + 1)) + std::string(reference);
+  return std::string(base.path.substr(0, slash == string_view::npos ? 0 : slash + 1)) +
+         std::string(reference);
 }
 
 /// RFC 3986, 5.3.
@@ -98,9 +105,9 @@ std::string join(const IriParts& parts, string_view path) {
 
 bool is_keyword(string_view text) {
   static constexpr std::array<string_view, 23> kKeywords{
-      "@base", "@container", "@context", "@direction", "@graph",     "@id",      "@import", "@included",
-      "@index", "@json",     "@language", "@list",     "@nest",      "@none",    "@prefix", "@propagate",
-      "@protected", "@reverse", "@set",  "@type",      "@value",     "@version", "@vocab"};
+      "@base",      "@container", "@context",  "@direction", "@graph", "@id",      "@import", "@included",
+      "@index",     "@json",      "@language", "@list",      "@nest",  "@none",    "@prefix", "@propagate",
+      "@protected", "@reverse",   "@set",      "@type",      "@value", "@version", "@vocab"};
   return std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end();
 }
 
@@ -113,6 +120,11 @@ bool is_absolute_iri(string_view text) {
 }
 
 bool is_blank_node(string_view text) { return text.substr(0, 2) == "_:"; }
+
+bool is_spelled_out(string_view iri) {
+  const auto scheme = take_scheme(iri);
+  return scheme && (iri.substr(0, 2) == "//" || *scheme == "urn" || *scheme == "tag");
+}
 
 bool ends_with_delimiter(string_view iri) {
   return !iri.empty() && string_view(":/?#[]@").find(iri.back()) != string_view::npos;

@@ -12,15 +12,18 @@ constexpr int kMaxDepth = 256;
 
 }  // namespace
 
-Place::Place(std::string_view document, const Place* from) : key_(document), depth_(from ? from->depth_ + 1 : 0) {
+Place::Place(std::string_view document, const Place* from)
+    : key_(document), depth_(from ? from->depth_ + 1 : 0) {
   if (depth_ > kMaxDepth)
-    throw JsonLdError("nested too deeply", from->pointer(), "expected at most " + std::to_string(kMaxDepth) + " levels");
+    throw JsonLdError("nested too deeply", from->pointer(),
+                      "expected at most " + std::to_string(kMaxDepth) + " levels");
 }
 
 Place::Place(const Place* parent, Step step, std::string_view key, std::size_t index)
     : parent_(parent), step_(step), key_(key), index_(index), depth_(parent->depth_ + 1) {
   if (depth_ > kMaxDepth)
-    throw JsonLdError("nested too deeply", pointer(), "expected at most " + std::to_string(kMaxDepth) + " levels");
+    throw JsonLdError("nested too deeply", pointer(),
+                      "expected at most " + std::to_string(kMaxDepth) + " levels");
 }
 
 Place Place::at(std::string_view key) const { return Place(this, Step::kKey, key, 0); }

@@ -6,8 +6,8 @@
 
 namespace opal::json_ld {
 
-/// Where something stands in a source document: a chain of keys and indices that lives on the stack beside the
-/// recursion it describes. Its text is made only when an error or a kept pointer asks for it.
+/// Where something stands in a source document: a chain of keys and indices that lives on the stack beside
+/// the recursion it describes. Its text is made only when an error or a kept pointer asks for it.
 class Place {
  public:
   /// The top of a document. @param document  "" for the main one; else what its pointers start with, e.g.

@@ -14,8 +14,9 @@ namespace {
 // Terms defined through one another, each longer than the last: bounds the stack and the growth of IRIs.
 constexpr int kMaxOpenDefinitions = 64;
 
-constexpr std::array<std::string_view, 11> kEntries{"@id",    "@reverse", "@container", "@context",   "@direction", "@index",
-                                                    "@language", "@nest",  "@prefix",    "@protected", "@type"};
+constexpr std::array<std::string_view, 11> kEntries{"@id",        "@reverse",   "@container", "@context",
+                                                    "@direction", "@index",     "@language",  "@nest",
+                                                    "@prefix",    "@protected", "@type"};
 
 [[noreturn]] void refuse(const char* code, const Place& place, const std::string& expected) {
   throw JsonLdError(code, place.pointer(), expected);
@@ -33,7 +34,8 @@ bool has_inner_colon(const std::string& term) {
 bool is_allowed(std::set<std::string, std::less<>> container) {  // 19.1
   const bool set = container.erase("@set") > 0;
   if (container.empty()) return set;
-  if (container.size() == 2) return container.count("@graph") && (container.count("@id") || container.count("@index"));
+  if (container.size() == 2)
+    return container.count("@graph") && (container.count("@id") || container.count("@index"));
   static constexpr std::array<std::string_view, 5> kSingle{"@graph", "@id", "@index", "@language", "@type"};
   const bool single = std::find(kSingle.begin(), kSingle.end(), *container.begin()) != kSingle.end();
   return container.size() == 1 && (single || (*container.begin() == "@list" && !set));
@@ -42,13 +44,15 @@ bool is_allowed(std::set<std::string, std::less<>> container) {  // 19.1
 void check_entries(const Json& value, const Place& place) {  // 26
   for (const auto& [key, ignored] : value.items())
     if (std::find(kEntries.begin(), kEntries.end(), key) == kEntries.end())
-      refuse("invalid term definition", place.at(key), "expected an entry of term definitions, such as @id or @type");
+      refuse("invalid term definition", place.at(key),
+             "expected an entry of term definitions, such as @id or @type");
 }
 
 }  // namespace
 
 bool same_meaning(const TermDefinition& a, const TermDefinition& b) {
-  const bool same_scope = a.scoped && b.scoped ? a.scoped->context == b.scoped->context : !a.scoped && !b.scoped;
+  const bool same_scope =
+      a.scoped && b.scoped ? a.scoped->context == b.scoped->context : !a.scoped && !b.scoped;
   return same_scope && a.iri == b.iri && a.prefix == b.prefix && a.reverse == b.reverse && a.type == b.type &&
          a.language == b.language && a.direction == b.direction && a.container == b.container &&
          a.index == b.index && a.nest == b.nest;
@@ -62,7 +66,8 @@ void TermReader::define(const std::string& term) {
   if (!fresh && entry->second) return;
   if (!fresh) refuse("cyclic IRI mapping", place, "a term must not be defined through itself");
   if (++open_ > kMaxOpenDefinitions)
-    refuse("context overflow", place, "terms defined through more than " + std::to_string(kMaxOpenDefinitions) + " others");
+    refuse("context overflow", place,
+           "terms defined through more than " + std::to_string(kMaxOpenDefinitions) + " others");
   define_from(term, *value, place);
   --open_;
   defined_[term] = true;
@@ -70,8 +75,10 @@ void TermReader::define(const std::string& term) {
 
 void TermReader::define_from(const std::string& term, const Json& value, const Place& place) {
   if (term.empty()) refuse("invalid term definition", place, "a term must not be empty");
-  if (is_keyword(term)) check_keyword_term(term, value, place);
-  else if (ignores(term, place)) return;
+  if (is_keyword(term))
+    check_keyword_term(term, value, place);
+  else if (ignores(term, place))
+    return;
   const auto before = result_.terms.find(term);  // 6
   const Definition previous = before == result_.terms.end() ? nullptr : before->second;
   if (previous) result_.terms.erase(before);
@@ -85,11 +92,14 @@ void TermReader::define_from(const std::string& term, const Json& value, const P
     if (found != map.end()) (this->*read)(definition, *found, place.at(key));
   };
   if (map.contains("@protected")) {  // 11
-    if (!map["@protected"].is_boolean()) refuse("invalid @protected value", place.at("@protected"), "expected true or false");
+    if (!map["@protected"].is_boolean())
+      refuse("invalid @protected value", place.at("@protected"), "expected true or false");
     definition.is_protected = map["@protected"].get<bool>();
   }
   entry("@type", &TermReader::read_type);
-  if (!(map.contains("@reverse") ? read_reverse(definition, map, place) : read_iri(definition, term, value, place))) return;
+  if (!(map.contains("@reverse") ? read_reverse(definition, map, place)
+                                 : read_iri(definition, term, value, place)))
+    return;
   entry("@container", &TermReader::read_container);
   entry("@index", &TermReader::read_index);
   entry("@context", &TermReader::read_scoped);
@@ -102,11 +112,13 @@ void TermReader::define_from(const std::string& term, const Json& value, const P
   store(term, std::move(definition), previous, place);
 }
 
-void TermReader::check_keyword_term(const std::string& term, const Json& value, const Place& place) const {  // 4, 5
+void TermReader::check_keyword_term(const std::string& term, const Json& value,
+                                    const Place& place) const {  // 4, 5
   bool allowed = term == "@type" && value.is_object() && !value.empty();
   if (allowed)
     for (const auto& [key, entry] : value.items())
-      allowed = allowed && (key == "@protected" || (key == "@container" && (entry == "@set" || entry == Json{"@set"})));
+      allowed = allowed &&
+                (key == "@protected" || (key == "@container" && (entry == "@set" || entry == Json{"@set"})));
   if (!allowed) refuse("keyword redefinition", place, term + " must not be defined anew");
 }
 
@@ -114,7 +126,8 @@ void TermReader::check_keyword_term(const std::string& term, const Json& value, 
 bool TermReader::ignores(const std::string& text, const Place& place) const {
   if (is_keyword(text) || !has_keyword_form(text)) return false;
   if (contexts_.options().reject_unknown_terms)
-    refuse("unknown keyword", place, text + " has the form of a keyword, but JSON-LD 1.1 has no such keyword");
+    refuse("unknown keyword", place,
+           text + " has the form of a keyword, but JSON-LD 1.1 has no such keyword");
   return true;
 }
 
@@ -132,12 +145,14 @@ void TermReader::read_type(TermDefinition& definition, const Json& value, const 
 
 bool TermReader::read_reverse(TermDefinition& definition, const Json& map, const Place& place) {  // 13
   const Json& value = map["@reverse"];
-  if (map.contains("@id") || map.contains("@nest")) refuse("invalid reverse property", place, "expected no @id or @nest beside @reverse");
+  if (map.contains("@id") || map.contains("@nest"))
+    refuse("invalid reverse property", place, "expected no @id or @nest beside @reverse");
   if (!value.is_string()) refuse("invalid IRI mapping", place.at("@reverse"), "expected an IRI");
   const std::string text = value.get<std::string>();
   if (ignores(text, place.at("@reverse"))) return false;
   definition.iri = expand(text);
-  if (!is_iri_or_blank(definition.iri)) refuse("invalid IRI mapping", place.at("@reverse"), "\"" + text + "\" maps to no IRI");
+  if (!is_iri_or_blank(definition.iri))
+    refuse("invalid IRI mapping", place.at("@reverse"), "\"" + text + "\" maps to no IRI");
   const Json container = map.value("@container", Json());
   if (!container.is_null() && container != "@set" && container != "@index")
     refuse("invalid reverse property", place.at("@container"), "expected @set or @index");
@@ -146,7 +161,8 @@ bool TermReader::read_reverse(TermDefinition& definition, const Json& map, const
 }
 
 /// @return false if the term is to be ignored.
-bool TermReader::read_iri(TermDefinition& definition, const std::string& term, const Json& value, const Place& place) {
+bool TermReader::read_iri(TermDefinition& definition, const std::string& term, const Json& value,
+                          const Place& place) {
   if (value.is_object() && !value.contains("@id")) return derive_iri(definition, term, place), true;
   const Json& id = value.is_object() ? value["@id"] : value;
   if (id == term) return derive_iri(definition, term, place), true;
@@ -169,14 +185,16 @@ bool TermReader::read_given_iri(TermDefinition& definition, const std::string& t
   if (definition.iri == "@context") refuse("invalid keyword alias", place, "@context has no aliases");
   if (!is_iri_or_blank(definition.iri) && !(definition.iri && is_keyword(*definition.iri)))
     refuse("invalid IRI mapping", place, "\"" + text + "\" maps to no IRI");
-  if (has_inner_colon(term) || term.find('/') != std::string::npos) check_iri_like_term(term, *definition.iri, place);
+  if (has_inner_colon(term) || term.find('/') != std::string::npos)
+    check_iri_like_term(term, *definition.iri, place);
   return true;
 }
 
 /// 14.2.4: a term that looks like an IRI must not come to mean another one.
 void TermReader::check_iri_like_term(const std::string& term, const std::string& iri, const Place& place) {
   defined_[term] = true;
-  if (expand(term) != iri) refuse("invalid IRI mapping", place, "the term looks like an IRI, but is mapped to <" + iri + ">");
+  if (expand(term) != iri)
+    refuse("invalid IRI mapping", place, "the term looks like an IRI, but is mapped to <" + iri + ">");
 }
 
 /// 15 to 18: a definition without @id takes its IRI from the term.
@@ -188,8 +206,9 @@ void TermReader::derive_iri(TermDefinition& definition, const std::string& term,
     const TermDefinition* known = result_.find(prefix);
     definition.iri = known && known->iri ? *known->iri + term.substr(colon + 1) : term;
   } else if (term.find('/') != std::string::npos) {
-    definition.iri = expand(term);
-    if (!definition.iri || !is_absolute_iri(*definition.iri)) refuse("invalid IRI mapping", place, "the term maps to no IRI");
+    definition.iri = expand_iri(result_, term, {true, false});
+    if (!definition.iri || !is_absolute_iri(*definition.iri))
+      refuse("invalid IRI mapping", place, "the term maps to no IRI");
   } else if (term == "@type") {
     definition.iri = "@type";
   } else if (result_.vocab) {
@@ -202,8 +221,10 @@ void TermReader::derive_iri(TermDefinition& definition, const std::string& term,
 void TermReader::read_container(TermDefinition& definition, const Json& value, const Place& place) {  // 19
   if (definition.reverse && value.is_null()) return;
   for (const Json& keyword : value.is_array() ? value : Json::array({value}))
-    if (keyword.is_string()) definition.container.insert(keyword.get<std::string>());
-    else refuse("invalid container mapping", place, "expected a keyword or an array of keywords");
+    if (keyword.is_string())
+      definition.container.insert(keyword.get<std::string>());
+    else
+      refuse("invalid container mapping", place, "expected a keyword or an array of keywords");
   if (!is_allowed(definition.container))
     refuse("invalid container mapping", place,
            "expected one of @graph, @id, @index, @language, @list, @set, @type or an allowed combination");
@@ -214,9 +235,11 @@ void TermReader::read_container(TermDefinition& definition, const Json& value, c
 }
 
 void TermReader::read_index(TermDefinition& definition, const Json& value, const Place& place) {  // 20
-  if (!definition.contains("@index")) refuse("invalid term definition", place, "expected @container to be @index");
+  if (!definition.contains("@index"))
+    refuse("invalid term definition", place, "expected @container to be @index");
   const auto iri = value.is_string() ? expand(value.get<std::string>()) : std::nullopt;
-  if (!iri || !is_absolute_iri(*iri)) refuse("invalid term definition", place, "expected what maps to an IRI");
+  if (!iri || !is_absolute_iri(*iri))
+    refuse("invalid term definition", place, "expected what maps to an IRI");
   definition.index = value.get<std::string>();
 }
 
@@ -234,7 +257,8 @@ void TermReader::read_scoped(TermDefinition& definition, const Json& value, cons
 }
 
 void TermReader::read_language(TermDefinition& definition, const Json& value, const Place& place) {  // 22
-  if (!value.is_null() && !value.is_string()) refuse("invalid language mapping", place, "expected null or a language tag");
+  if (!value.is_null() && !value.is_string())
+    refuse("invalid language mapping", place, "expected null or a language tag");
   definition.language.emplace(value.is_null() ? std::nullopt : std::optional(value.get<std::string>()));
 }
 
@@ -246,7 +270,8 @@ void TermReader::read_nest(TermDefinition& definition, const Json& value, const 
 
 void TermReader::read_prefix(TermDefinition& definition, const std::string& term, const Json& value,
                              const Place& place) {  // 25
-  if (term.find_first_of(":/") != std::string::npos) refuse("invalid term definition", place, "expected a prefix without ':' and '/'");
+  if (term.find_first_of(":/") != std::string::npos)
+    refuse("invalid term definition", place, "expected a prefix without ':' and '/'");
   if (!value.is_boolean()) refuse("invalid @prefix value", place, "expected true or false");
   definition.prefix = value.get<bool>();
   if (definition.prefix && definition.iri && is_keyword(*definition.iri))

@@ -4,11 +4,20 @@
 
 namespace opal::json_ld {
 
+void Expander::refuse_unknown(const ActiveContext& active, const std::string& word,
+                              const std::optional<std::string>& iri, const Place& place) const {
+  if (!options_.reject_unknown_terms) return;
+  const TermDefinition* definition = active.find(word);
+  if (definition && !definition->iri) return;  // mapped to null, so dropped on purpose
+  if (!iri || (!is_absolute_iri(*iri) && !is_blank_node(*iri) && !is_keyword(*iri)))
+    throw JsonLdError("unknown term", place.pointer(), "\"" + word + "\" maps to no IRI");
+  if (!definition && *iri == word && is_absolute_iri(word) && !is_spelled_out(word))
+    throw JsonLdError("unknown prefix", place.pointer(), "the prefix of \"" + word + "\" is not defined");
+}
+
 Json Expander::expand_word(const ActiveContext& active, const std::string& word, const Place& place) const {
   const auto iri = expand_iri(active, word, {true, true});
-  const bool known = iri && (is_absolute_iri(*iri) || is_blank_node(*iri) || is_keyword(*iri));
-  if (!known && options_.reject_unknown_terms)
-    throw JsonLdError("unknown term", place.pointer(), "\"" + word + "\" maps to no IRI");
+  refuse_unknown(active, word, iri, place);
   return iri ? Json(*iri) : Json();
 }
 

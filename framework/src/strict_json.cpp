@@ -10,8 +10,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Builds the document from the parser's events, refusing what a plain parse would let through. The parser calls
-/// iteratively, so the depth of a hostile text costs no stack.
+/// Builds the document from the parser's events, refusing what a plain parse would let through. The parser
+/// calls iteratively, so the depth of a hostile text costs no stack.
 class StrictBuilder : public nlohmann::json_sax<Json> {
  public:
   StrictBuilder(const std::string& text, const std::string& name, const JsonLimits& limits)
@@ -91,21 +91,23 @@ class StrictBuilder : public nlohmann::json_sax<Json> {
 
   /// @param byte  1-based offset, as the parser counts.
   std::string line_and_column(std::size_t byte) const {
-    const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(byte > 0 ? byte - 1 : 0, text_.size()));
+    const auto end =
+        text_.begin() + static_cast<std::ptrdiff_t>(std::min(byte > 0 ? byte - 1 : 0, text_.size()));
     const auto line = 1 + std::count(text_.begin(), end, '\n');
     const auto line_start =
         std::find(std::make_reverse_iterator(end), std::make_reverse_iterator(text_.begin()), '\n').base();
     return "line " + std::to_string(line) + ", column " + std::to_string(1 + (end - line_start));
   }
 
-  /// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." without its first part,
-  /// which names the library and counts columns its own way.
+  /// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." without its first
+  /// part, which names the library and counts columns its own way.
   static std::string without_prefix(const std::string& message) {
     const std::size_t column = message.find(", column ");
     const std::size_t colon = message.find(": ", column == std::string::npos ? 0 : column);
     if (column != std::string::npos && colon != std::string::npos) return message.substr(colon + 2);
     const std::size_t bracket = message.find("] ");
-    return bracket == std::string::npos ? message : message.substr(bracket + 2) + ", expected a finite number";
+    return bracket == std::string::npos ? message
+                                        : message.substr(bracket + 2) + ", expected a finite number";
   }
 
   const std::string& text_;
@@ -143,8 +145,8 @@ Json read_json(const std::string& path, const JsonLimits& limits) {
   // Read at most one byte too many: the size of a pipe or device is not known beforehand.
   std::string text;
   std::vector<char> block(1u << 16);
-  while (text.size() <= limits.bytes && (file.read(block.data(), static_cast<std::streamsize>(block.size())) ||
-                                         file.gcount() > 0))
+  while (text.size() <= limits.bytes &&
+         (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0))
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   if (file.bad()) throw JsonError(path + ": cannot be read, expected a readable JSON file");
   return parse_json(text, path, limits);
@@ -153,9 +155,12 @@ Json read_json(const std::string& path, const JsonLimits& limits) {
 std::string escape_pointer_step(const std::string& key) {
   std::string result;
   for (const char c : key) {
-    if (c == '~') result += "~0";
-    else if (c == '/') result += "~1";
-    else result += c;
+    if (c == '~')
+      result += "~0";
+    else if (c == '/')
+      result += "~1";
+    else
+      result += c;
   }
   return result;
 }

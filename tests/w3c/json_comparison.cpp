@@ -45,7 +45,8 @@ Json canonical(const Json& value, const Labels& labels, bool ordered) {
   return items;
 }
 
-/// Refines the label of every blank node by what is said with it, until labels that can be told apart are apart.
+/// Refines the label of every blank node by what is said with it, until labels that can be told apart are
+/// apart.
 Labels signatures(const Json& document) {
   std::set<std::string> names;
   collect_labels(document, names);
@@ -78,7 +79,8 @@ bool same_document(const Json& a, const Json& b) {
 std::string difference(const Json& expected, const Json& found) {
   const Json patch = Json::diff(canonical(expected, {}, false), canonical(found, {}, false));
   std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(patch.size(), 5); ++i) text += "    " + patch[i].dump() + "\n";
+  for (std::size_t i = 0; i < std::min<std::size_t>(patch.size(), 5); ++i)
+    text += "    " + patch[i].dump() + "\n";
   return text + "    found: " + found.dump().substr(0, 2000) + "\n";
 }
 
