@@ -55,7 +55,7 @@ const std::vector<Field>& fields() {
       {"max_hypotheses", &O::max_hypotheses, 1, kMany},
       {"none_nat", &O::none_nat, -kMany, kMany},
       {"localized_probability", &O::localized_probability, 0, 1},
-      {"localized_updates", &O::localized_updates, 1, kMany},
+      {"localized_novelty", &O::localized_novelty, 0, kMany},
       {"localized_scan_nat", &O::localized_scan_nat, -kMany, kMany},
       {"lost_scan_nat", &O::lost_scan_nat, -kMany, kMany},
   };

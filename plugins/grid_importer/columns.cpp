@@ -136,7 +136,7 @@ bool stands_alone(const OccupancyGrid& grid, const RoundColumn& column) {
   const double inner = column.radius + 1.5;
   const double outer = std::max(column.radius + grid.to_cells(kClearance_m), inner + 2);
   const int reach = static_cast<int>(std::ceil(outer));
-  const Cell middle{static_cast<int>(std::lround(column.centre.x())), static_cast<int>(std::lround(column.centre.y()))};
+  const Cell middle = cell_at(column.centre);
   int clear = 0;
   int all = 0;
   for (int row = middle.row - reach; row <= middle.row + reach; ++row)

@@ -29,8 +29,12 @@ struct Strip {
 Support gather_support(const Boundary& boundary, const Line& line, const CellPoint& start, const Strip& strip);
 
 /// The part of a support with the largest surplus of covered over min_coverage x all slices (Kadane's maximum
-/// subarray): ends that hang together by single dots fall off.
-Support trimmed(const Support& support, double min_coverage);
+/// subarray), where gaps that beams passed through count more: ends that hang together by single dots fall off.
+struct BestPart {
+  Support support;
+  double surplus = 0;  ///< what speaks for it minus what speaks against it, in slices
+};
+BestPart best_part(const Boundary& boundary, const Line& line, const Support& support, double min_coverage);
 
 /// Least squares in which each slice weighs the same, however many cells are smeared across it.
 LineFit fit_to(const Boundary& boundary, const Support& support, const CellPoint& origin);
@@ -42,6 +46,7 @@ Face face_of(const Boundary& boundary, const Support& support, const LineFit& fi
 double extent_of(const Boundary& boundary, const Support& support, const Line& line);
 
 /// Marks the cells that a face accounts for: those near it, for directions that see about the same side.
-void explain(Boundary& boundary, const Face& face);
+/// @param tolerance  of the line, in cells.
+void explain(Boundary& boundary, const Face& face, const Support& support, double tolerance);
 
 }  // namespace opal::grid_importer
