@@ -111,6 +111,11 @@ TEST_CASE("what maps to no IRI is refused where asked") {
   CHECK(refused(R"({"@id": "@here", "urn:a": 1})").pointer == "/@id");
 }
 
+TEST_CASE("a language without a text is refused, as a node has none") {
+  CHECK(refusal(parsed(R"({"urn:p": {"@id": "urn:a", "@language": "en"}})")).pointer == "/urn:p");
+  CHECK(refusal(parsed(R"({"urn:p": {"@type": "urn:t", "@direction": "rtl"}})")).code == "invalid value object");
+}
+
 TEST_CASE("a prefix that nobody defined is refused where asked") {
   const auto refused = [](const std::string& text) { return refusal(parsed(text), strict()); };
   CHECK(refused(R"({"@context": {"opal": "urn:opal:"}, "@type": "opl:Wall"})").code == "unknown prefix");
