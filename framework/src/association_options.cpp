@@ -30,6 +30,7 @@ const std::vector<Field>& fields() {
       {"seed_every_rad", &O::seed_every_rad, 0, 1000},
       {"seed_every_when_localized", &O::seed_every_when_localized, 1, kMany},
       {"loose_below_nat", &O::loose_below_nat, -kMany, kMany},
+      {"loose_until_nat", &O::loose_until_nat, -kMany, kMany},
       {"slide_step_m", &O::slide_step_m, 0.01, 10},
       {"birth_nat", &O::birth_nat, -kMany, kMany},
       {"seed_from_stable", &O::seed_from_stable},
@@ -54,7 +55,7 @@ const std::vector<Field>& fields() {
       {"max_hypotheses", &O::max_hypotheses, 1, kMany},
       {"none_nat", &O::none_nat, -kMany, kMany},
       {"localized_probability", &O::localized_probability, 0, 1},
-      {"localized_updates", &O::localized_updates, 1, kMany},
+      {"localized_novelty", &O::localized_novelty, 0, kMany},
       {"localized_scan_nat", &O::localized_scan_nat, -kMany, kMany},
       {"lost_scan_nat", &O::lost_scan_nat, -kMany, kMany},
   };

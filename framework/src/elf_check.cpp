@@ -1,47 +1,16 @@
 // ELF-64 object file format: System V ABI, chapters 4 (object files) and 5 (program loading).
 #include "elf_check.hpp"
 
-#include <elf.h>
+#include "elf_file.hpp"
 
 #include <bit>
-#include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <vector>
 
 namespace opal {
 namespace {
 
 constexpr const char* kTruncated = "is truncated: ";
 constexpr unsigned char kHostOrder = std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB;
-
-class ElfFile {
- public:
-  explicit ElfFile(const std::string& path) : file_(path, std::ios::binary) {
-    file_.seekg(0, std::ios::end);
-    size_ = file_ ? static_cast<std::uint64_t>(file_.tellg()) : 0;
-  }
-
-  bool readable() const { return file_.is_open() && file_.good(); }
-  std::uint64_t size() const { return size_; }
-  bool holds(std::uint64_t offset, std::uint64_t bytes) const {
-    return offset <= size_ && bytes <= size_ - offset;
-  }
-
-  /// @return empty if the file does not hold that many.
-  template <class T>
-  std::vector<T> read(std::uint64_t offset, std::uint64_t count) {
-    if (!holds(offset, count * sizeof(T))) return {};
-    std::vector<T> items(count);
-    file_.seekg(static_cast<std::streamoff>(offset));
-    file_.read(reinterpret_cast<char*>(items.data()), static_cast<std::streamsize>(count * sizeof(T)));
-    return file_ ? items : std::vector<T>{};
-  }
-
- private:
-  std::ifstream file_;
-  std::uint64_t size_ = 0;
-};
 
 std::string header_defect(const Elf64_Ehdr& header) {
   if (header.e_ident[EI_CLASS] != ELFCLASS64) return "is not a 64-bit library";

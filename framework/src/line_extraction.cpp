@@ -1,4 +1,6 @@
-#include <opal/line_extraction.hpp>
+#include "split_and_merge.hpp"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <limits>
@@ -7,38 +9,31 @@
 namespace opal {
 namespace {
 
-constexpr int kMinPiecePoints = 3;
-
 class Extraction {
  public:
-  Extraction(const ScanChains& chains, const LineExtractionOptions& options) : chains_(chains), options_(options) {}
+  Extraction(const ScanChains& chains, const LineExtractionOptions& options)
+      : chains_(chains), options_(options) {}
 
   std::vector<Line> lines() {
-    for (const Run& chain : chains_.chains) split(chain);
     std::vector<Line> lines;
-    for (const Run& piece : pieces_) add_line(lines, piece);
+    for (const Run& piece : split_and_merged(chains_, options_)) add_line(lines, piece);
+    std::sort(lines.begin(), lines.end(), [&](const Line& a, const Line& b) {
+      return sightline(a.runs.front().first) < sightline(b.runs.front().first);
+    });
     join_hidden(lines);
     for (Line& line : lines) set_true_ends(line);
     meet_at_junctions(lines);
     std::erase_if(lines, [&](const Line& line) {
-      return line.points() < options_.min_points || line.support_m < options_.min_length_m;
+      return line.points() < options_.min_points || line.support_m < options_.min_length_m || is_bent(line);
     });
     return lines;
   }
 
  private:
   const Point& position(int hit) const { return chains_.hits[hit].position; }
-  double tolerance_m(double range_m) const { return options_.tolerance_m + options_.tolerance_per_m * range_m; }
+  int sightline(int hit) const { return chains_.sightline_of[hit]; }
+  double tolerance_m(double range_m) const { return line_tolerance_m(options_, range_m); }
 
-  // ---- split and merge
-  std::optional<int> split_point(const Run& run) const;
-  void split(const Run& chain);
-  void add_piece(const Run& piece, int chain_first_piece);
-  bool one_line(const Run& a, const Run& b) const;
-  bool follows(const LineFit& fit, const Run& run) const;
-  Run trimmed(Run run, const LineFit& fit) const;
-
-  // ---- lines
   void add_line(std::vector<Line>& lines, const Run& piece) const;
   void refit(Line& line) const;
   bool same_face(const Line& a, const Line& b) const;
@@ -47,11 +42,11 @@ class Extraction {
   void join_hidden(std::vector<Line>& lines) const;
   bool ends_beyond(const Line& line, int hit, int step) const;
   void set_true_ends(Line& line) const;
+  bool is_bent(const Line& line) const;
   void meet_at_junctions(std::vector<Line>& lines) const;
 
   const ScanChains& chains_;
   const LineExtractionOptions& options_;
-  std::vector<Run> pieces_;
 };
 
 /// Range at which a beam meets the infinite line; infinity if it never does.
@@ -61,85 +56,9 @@ double range_to_line(const Segment& line, const Point& beam_direction) {
   return approach < -1e-9 ? normal.dot(line.begin) / approach : std::numeric_limits<double>::infinity();
 }
 
-/// The piece after which the run is cut: the hit farthest from the chord, in units of the tolerance. Of its two
-/// gaps the wider one is cut. Empty if all hits are near.
-std::optional<int> Extraction::split_point(const Run& run) const {
-  const Point& a = position(run.first);
-  const Point chord = position(run.last) - a;
-  const double length = chord.norm();
-  double worst = 1;
-  int at = -1;
-  for (int i = run.first + 1; i < run.last; ++i) {
-    const Point p = position(i) - a;
-    const double distance = length > 1e-9 ? std::abs(cross(chord, p)) / length : p.norm();
-    const double ratio = distance / tolerance_m(chains_.hits[i].range_m);
-    if (ratio > worst) worst = ratio, at = i;
-  }
-  if (at < 0) return std::nullopt;
-  const double before = (position(at) - position(at - 1)).squaredNorm();
-  const double after = (position(at + 1) - position(at)).squaredNorm();
-  return before > after ? at - 1 : at;
-}
-
-void Extraction::split(const Run& chain) {
-  const int chain_first_piece = static_cast<int>(pieces_.size());
-  std::vector<Run> open{chain};
-  while (!open.empty()) {
-    const Run run = open.back();
-    open.pop_back();
-    if (run.size() < kMinPiecePoints) continue;
-    if (const std::optional<int> cut = split_point(run)) {
-      open.push_back({*cut + 1, run.last});
-      open.push_back({run.first, *cut});
-    } else {
-      add_piece(run, chain_first_piece);
-    }
-  }
-}
-
-/// Appends a piece, merged with those before it in its chain as long as one line explains them.
-void Extraction::add_piece(const Run& piece, int chain_first_piece) {
-  Run merged = piece;
-  while (static_cast<int>(pieces_.size()) > chain_first_piece && pieces_.back().last + 1 == merged.first &&
-         one_line(pieces_.back(), merged)) {
-    merged.first = pieces_.back().first;
-    pieces_.pop_back();
-  }
-  pieces_.push_back(merged);
-}
-
-bool Extraction::one_line(const Run& a, const Run& b) const {
-  const Run both{a.first, b.last};
-  const LineFit fit = fit_line(chains_, {&both, 1}, options_.noise);
-  return follows(fit, a) && follows(fit, b);
-}
-
-/// Whether the points of a run scatter around a line within 0.6 of the tolerance (rms).
-bool Extraction::follows(const LineFit& fit, const Run& run) const {
-  const Point normal = left_of(fit.direction);
-  double squares = 0;
-  for (int i = run.first; i <= run.last; ++i) {
-    const double ratio = normal.dot(position(i) - fit.centroid) / tolerance_m(chains_.hits[i].range_m);
-    squares += ratio * ratio;
-  }
-  return squares <= 0.36 * run.size();
-}
-
-/// Without end points that lie off the line: those of a corner that the split gave to the wrong side.
-Run Extraction::trimmed(Run run, const LineFit& fit) const {
-  const Point normal = left_of(fit.direction);
-  const auto off = [&](int i) {
-    return std::abs(normal.dot(position(i) - fit.centroid)) > 0.8 * tolerance_m(chains_.hits[i].range_m);
-  };
-  while (run.size() > kMinPiecePoints && off(run.first)) ++run.first;
-  while (run.size() > kMinPiecePoints && off(run.last)) --run.last;
-  return run;
-}
-
 void Extraction::add_line(std::vector<Line>& lines, const Run& piece) const {
-  const Run run = trimmed(piece, fit_line(chains_, {&piece, 1}, options_.noise));
   Line line;
-  line.runs = {run};
+  line.runs = {piece};
   refit(line);
   const bool seen_from_left = line.segment.normal().dot(line.segment.begin) < 0;
   if (line.segment.length_m() > 1e-6 && seen_from_left) lines.push_back(std::move(line));
@@ -177,21 +96,24 @@ bool Extraction::same_face(const Line& a, const Line& b) const {
   return open_width_m(longer, a.runs.back().last, b.runs.front().first) <= options_.max_open_gap_m;
 }
 
-/// How much of a line, between two hits, beams were seen to pass through.
+/// The widest part of a line, between two hits, that beams were seen to pass through.
 double Extraction::open_width_m(const Line& line, int from_hit, int to_hit) const {
   const int n = static_cast<int>(chains_.sightlines.size());
   const Point along = line.segment.direction();
   double previous = along.dot(position(from_hit));
   double width = 0;
-  for (int i = (chains_.sightline_of[from_hit] + 1) % n; i != chains_.sightline_of[to_hit]; i = (i + 1) % n) {
+  double widest = 0;
+  for (int i = (sightline(from_hit) + 1) % n; i != sightline(to_hit); i = (i + 1) % n) {
     const Sightline& beam = chains_.sightlines[i];
     const double expected = range_to_line(line.segment, beam.direction);
     if (!std::isfinite(expected)) continue;
     const double here = expected * along.dot(beam.direction);
-    if (beam.range_m > expected + 2 * tolerance_m(expected)) width += std::abs(here - previous);
+    const bool passed = beam.range_m > expected + 2 * tolerance_m(expected);
+    width = passed ? width + std::abs(here - previous) : 0;
+    widest = std::max(widest, width);
     previous = here;
   }
-  return width;
+  return widest;
 }
 
 bool Extraction::joined(Line& line, const Line& next) const {
@@ -219,15 +141,22 @@ void Extraction::join_hidden(std::vector<Line>& lines) const {
   }
 }
 
-/// Whether the face really ends at a hit: the next beam would have hit its extension close by, and went farther.
+/// Whether the face really ends at a hit: the next beam would have hit its extension close by, and went
+/// farther, and none of those after it is on the extension again (glass, railings).
 bool Extraction::ends_beyond(const Line& line, int hit, int step) const {
   constexpr double kMaxSpacing = 0.3;  // a wider one leaves the end too uncertain [m]
-  const Sightline* next = neighbour(chains_, hit, step);
-  if (!next) return false;
-  const double expected = range_to_line(line.segment, next->direction);
-  if (!(expected < 0.95 * chains_.range_max_m)) return false;
-  if ((expected * next->direction - position(hit)).norm() > kMaxSpacing) return false;
-  return next->range_m > expected + 2 * tolerance_m(expected);
+  constexpr int kBeams = 4;
+  for (int k = 1; k <= kBeams; ++k) {
+    const Sightline* beam = neighbour(chains_, hit, k * step);
+    const double expected = beam ? range_to_line(line.segment, beam->direction) : 0;
+    if (!beam || !std::isfinite(expected)) return k > 1;
+    const double margin = 2 * tolerance_m(expected);
+    const bool farther = expected < 0.95 * chains_.range_max_m && beam->range_m > expected + margin;
+    const bool close = (expected * beam->direction - position(hit)).norm() <= kMaxSpacing;
+    if (k == 1 && !(farther && close)) return false;
+    if (std::abs(beam->range_m - expected) <= margin) return false;
+  }
+  return true;
 }
 
 void Extraction::set_true_ends(Line& line) const {
@@ -235,12 +164,43 @@ void Extraction::set_true_ends(Line& line) const {
   line.true_end[1] = ends_beyond(line, line.runs.back().last, +1);
 }
 
+/// Whether a short line is really part of something round: a parabola v = c0 + c1 u + c2 u^2 over its points
+/// bends with a radius below 1 m and explains them significantly better (F test on the one parameter more).
+bool Extraction::is_bent(const Line& line) const {
+  constexpr double kMaxRadius = 1.0;
+  constexpr double kMinF = 12;  // 0.5 % by chance at 10 points
+  if (line.segment.length_m() > kMaxRadius || line.points() < 6) return false;
+  const Point along = line.segment.direction();
+  const Point normal = left_of(along);
+  const Point middle = line.segment.midpoint();
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d product = Eigen::Vector3d::Zero();
+  double squares = 0;
+  for (const Run& run : line.runs) {
+    for (int i = run.first; i <= run.last; ++i) {
+      const double u = along.dot(position(i) - middle);
+      const double v = normal.dot(position(i) - middle);
+      const Eigen::Vector3d powers(1, u, u * u);
+      moments += powers * powers.transpose();
+      product += powers * v;
+      squares += v * v;
+    }
+  }
+  const Eigen::Vector3d parabola = moments.ldlt().solve(product);
+  const Eigen::Vector2d straight = moments.topLeftCorner<2, 2>().ldlt().solve(product.head<2>());
+  const double rest = std::max(squares - product.dot(parabola), 1e-9);
+  const double gain = squares - product.head<2>().dot(straight) - rest;
+  return 2 * std::abs(parabola.z()) * kMaxRadius > 1 && gain * (line.points() - 3) > kMinF * rest;
+}
+
 /// Lines that meet end truly there; the small gap that beam spacing leaves at the corner is closed.
 void Extraction::meet_at_junctions(std::vector<Line>& lines) const {
   constexpr double kMaxSnap = 0.15;
+  constexpr double kMinArm = 0.15;  // shorter ones are mostly clutter at a wall [m]
   for (const Junction& junction : find_junctions(chains_, lines, {})) {
     Line& before = lines[junction.before];
     Line& after = lines[junction.after];
+    if (std::min(before.support_m, after.support_m) < kMinArm) continue;
     before.true_end[1] = after.true_end[0] = true;
     if ((before.segment.end - junction.position).norm() < kMaxSnap) before.segment.end = junction.position;
     if ((after.segment.begin - junction.position).norm() < kMaxSnap) after.segment.begin = junction.position;

@@ -25,16 +25,6 @@ Point main_direction(const Eigen::Matrix2d& scatter) {
   return unit_vector(0.5 * std::atan2(2 * scatter(0, 1), scatter(0, 0) - scatter(1, 1)));
 }
 
-/// Variance of a reading across a line with the given normal (Pfister et al. 2003, eq. 6: range and bearing noise
-/// projected on the normal).
-double variance_across(const ScanPoint& p, const Point& normal, const ReadingNoise& noise) {
-  const double cosine = p.position.dot(normal) / p.range_m;
-  const double along_beam = noise.range_sigma_m * cosine;
-  const double across_beam = noise.bearing_sigma_rad * p.range_m;
-  return along_beam * along_beam + across_beam * across_beam * (1 - cosine * cosine) +
-         noise.surface_sigma_m * noise.surface_sigma_m;
-}
-
 template <class Visit>
 void for_each_hit(const ScanChains& chains, std::span<const Run> runs, Visit visit) {
   for (const Run& run : runs)
@@ -47,7 +37,8 @@ void set_line(LineFit& fit, const Moments& moments, const Point& along) {
   if (fit.direction.dot(along) < 0) fit.direction = -fit.direction;
 }
 
-/// One round of reweighted least squares with Cauchy's loss, so that a chair at the wall does not turn the wall.
+/// One round of reweighted least squares with Cauchy's loss, so that a chair at the wall does not turn the
+/// wall.
 Moments reweighted(const ScanChains& chains, std::span<const Run> runs, const LineFit& fit,
                    const ReadingNoise& noise) {
   constexpr double kCauchyScale = 3;  // standard deviations
@@ -63,7 +54,8 @@ Moments reweighted(const ScanChains& chains, std::span<const Run> runs, const Li
 }
 
 /// Variances from the weights; grown where the points lie farther off than their noise explains.
-void set_uncertainty(LineFit& fit, const Moments& moments, const ScanChains& chains, std::span<const Run> runs) {
+void set_uncertainty(LineFit& fit, const Moments& moments, const ScanChains& chains,
+                     std::span<const Run> runs) {
   const Point normal = left_of(fit.direction);
   int count = 0;
   double squares = 0;
@@ -82,6 +74,14 @@ void set_uncertainty(LineFit& fit, const Moments& moments, const ScanChains& cha
 }
 
 }  // namespace
+
+double variance_across(const ScanPoint& hit, const Point& normal, const ReadingNoise& noise) {
+  const double cosine = hit.position.dot(normal) / hit.range_m;
+  const double along_beam = noise.range_sigma_m * cosine;
+  const double across_beam = noise.bearing_sigma_rad * hit.range_m;
+  return along_beam * along_beam + across_beam * across_beam * (1 - cosine * cosine) +
+         noise.surface_sigma_m * noise.surface_sigma_m;
+}
 
 LineFit fit_line(const ScanChains& chains, std::span<const Run> runs, const ReadingNoise& noise) {
   constexpr int kRounds = 2;  // a third changes the line by less than 0.1 standard deviations

@@ -64,53 +64,42 @@ std::array<float, 256> nearness_by_cm() {
   return table;
 }
 
-/// Where a ray from `origin` along the unit vector `ray` meets a surface, as a range, or a negative number.
-struct RayMeets {
-  const Point& origin;
-  const Point& ray;
-  double target_range_m;
+Surface surface_of(const Geometry& geometry) {
+  if (const auto* s = std::get_if<Segment>(&geometry)) return {s->begin, s->direction(), s->length_m()};
+  if (const auto* c = std::get_if<Circle>(&geometry)) return {c->center, Point::Zero(), c->radius_m};
+  return {};
+}
+
+struct Ray {
+  Point origin;
+  Point direction;  ///< unit
+  double range_m;   ///< to the target
   double min_penetration_m;
-  bool* from_behind;
-
-  double operator()(const Segment& s) const {
-    const Point normal = s.normal();
-    const double slope = normal.dot(ray);
-    if (std::abs(slope) < 0.02) return -1;  // grazing: the range is not defined well enough
-    const double range = normal.dot(s.begin - origin) / slope;
-    if (range <= 0 || range >= target_range_m) return -1;
-    if ((target_range_m - range) * std::abs(slope) < min_penetration_m) return -1;
-    const double along = s.direction().dot(origin + range * ray - s.begin);
-    constexpr double kOvershoot_m = 0.03;
-    if (along < -kOvershoot_m || along > s.length_m() + kOvershoot_m) return -1;
-    *from_behind = slope > 0;
-    return range;
-  }
-  double operator()(const Circle& c) const {
-    const Point to_center = c.center - origin;
-    const double along = to_center.dot(ray), aside = cross(ray, to_center);
-    if (along <= 0 || std::abs(aside) >= c.radius_m) return -1;
-    const double half_chord = std::sqrt(c.radius_m * c.radius_m - aside * aside);
-    const double range = along - half_chord;
-    if (range <= 0 || target_range_m - range < std::min(min_penetration_m, half_chord)) return -1;
-    *from_behind = false;
-    return range;
-  }
-  double operator()(const Point&) const { return -1; }
-  double operator()(const OrientedPoint&) const { return -1; }
 };
 
-struct Faces {
-  const Point& point;
-  const Point& view;
-  /// Squared distance if the surface faces the viewer, else infinity.
-  double operator()(const Segment& s) const {
-    if (left_of(s.end - s.begin).dot(view) >= 0) return std::numeric_limits<double>::infinity();
-    return distance_m(s, point);
-  }
-  double operator()(const Circle& c) const { return std::abs((c.center - point).norm() - c.radius_m); }
-  double operator()(const Point&) const { return std::numeric_limits<double>::infinity(); }
-  double operator()(const OrientedPoint&) const { return std::numeric_limits<double>::infinity(); }
-};
+/// Range at which the ray passes through a face by more than the margin, or -1.
+double meets_face(const Ray& ray, const Surface& face, bool& from_behind) {
+  const double slope = face.normal().dot(ray.direction);
+  if (std::abs(slope) < 0.02) return -1;  // grazing: the range is not defined well enough
+  const double range = face.normal().dot(face.origin - ray.origin) / slope;
+  if (range <= 0 || (ray.range_m - range) * std::abs(slope) < ray.min_penetration_m) return -1;
+  const double along = face.direction.dot(ray.origin + range * ray.direction - face.origin);
+  constexpr double kOvershoot_m = 0.03;
+  if (along < -kOvershoot_m || along > face.size_m + kOvershoot_m) return -1;
+  from_behind = slope > 0;
+  return range;
+}
+
+/// The same for a circle; a beam that ends inside it, or merely scratches it, does not count.
+double meets_circle(const Ray& ray, const Surface& circle) {
+  const Point to_center = circle.origin - ray.origin;
+  const double along = to_center.dot(ray.direction), aside = cross(ray.direction, to_center);
+  if (along <= 0 || std::abs(aside) >= circle.size_m) return -1;
+  const double half_chord = std::sqrt(circle.size_m * circle.size_m - aside * aside);
+  const double range = along - half_chord;
+  if (range <= 0 || ray.range_m - range < std::max(ray.min_penetration_m, half_chord)) return -1;
+  return range;
+}
 
 }  // namespace
 
@@ -118,8 +107,10 @@ struct MapView::Index {
   Index(const SemanticMap& map, const std::string& sensor)
       : numbers(features_of(map, sensor)), bounds(bounds_of(map, numbers)), surfaces(bounds.low, bounds.high) {
     std::vector<Entry> entries;
+    by_number.resize(map.features().size());
     for (int number : numbers) {
       const Geometry& geometry = map.features()[number].geometry;
+      by_number[number] = surface_of(geometry);
       entries.emplace_back(box_of(extent_of(geometry)), number);
       if (const auto* segment = std::get_if<Segment>(&geometry)) surfaces.add(number, *segment);
       if (const auto* circle = std::get_if<Circle>(&geometry)) surfaces.add(number, *circle);
@@ -130,6 +121,7 @@ struct MapView::Index {
   std::vector<int> numbers;
   Extent bounds;
   SurfaceGrid surfaces;
+  std::vector<Surface> by_number;
   RTree tree;
   std::array<float, 256> nearness = nearness_by_cm();
 };
@@ -140,6 +132,7 @@ MapView::~MapView() = default;
 
 const SemanticMap& MapView::map() const { return *map_; }
 const MapFeature& MapView::feature(int number) const { return map_->features()[number]; }
+const Surface& MapView::surface(int number) const { return index_->by_number[number]; }
 std::span<const int> MapView::features() const { return index_->numbers; }
 std::array<Point, 2> MapView::bounds() const { return {index_->bounds.low, index_->bounds.high}; }
 
@@ -156,12 +149,13 @@ std::vector<int> MapView::within(const Point& p, double radius_m) const {
 }
 
 int MapView::nearest_facing(const Point& p, const Point& view_direction) const {
-  const auto candidates = index_->surfaces.nearest(p);
   int best = -1;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (int number : candidates) {
-    if (number < 0) continue;
-    const double distance = std::visit(Faces{p, view_direction}, feature(number).geometry);
+  for (int number : index_->surfaces.nearest(p)) {
+    if (number < 0 || number == best) continue;
+    const Surface& surface = index_->by_number[number];
+    if (!surface.is_circle() && surface.normal().dot(view_direction) >= 0) continue;
+    const double distance = surface.distance_m(p);
     if (distance >= best_distance) continue;
     best = number;
     best_distance = distance;
@@ -181,21 +175,22 @@ MapView::Crossing MapView::first_crossing(const Point& origin, const Point& targ
   const Point way = target - origin;
   const double length = way.norm();
   if (!(length > 0)) return {};
-  const Point ray = way / length;
-  constexpr double kStep_m = 0.09;  // just below a cell
-  constexpr double kNear_m = 0.12;  // a surface through a cell is at most 0.07 m from the cell's centre
+  const Ray ray{origin, way / length, length, min_penetration_m};
+  constexpr double kStep_m = 0.09;     // just below a cell
+  constexpr double kInCell_m = 0.071;  // half a cell's diagonal: how far the grid's distance may be off
   for (double range = 0; range < length;) {
-    const Point p = origin + range * ray;
+    const Point p = origin + range * ray.direction;
     const double clearance = clearance_m(p);
-    if (clearance > kNear_m) {
-      range += std::max(kStep_m, clearance - 0.07);
+    if (clearance > kInCell_m + kStep_m / 2) {
+      range += std::max(kStep_m, clearance - kInCell_m);
       continue;
     }
     for (int number : index_->surfaces.nearest(p)) {
       if (number < 0) continue;
+      const Surface& surface = index_->by_number[number];
       bool from_behind = false;
       const double meets =
-          std::visit(RayMeets{origin, ray, length, min_penetration_m, &from_behind}, feature(number).geometry);
+          surface.is_circle() ? meets_circle(ray, surface) : meets_face(ray, surface, from_behind);
       if (meets > 0) return {number, meets, from_behind};
     }
     range += kStep_m;

@@ -26,25 +26,18 @@ struct Residual {
   bool valid = false;
 };
 
-struct ResidualTo {
-  const Point& p;
-  Residual operator()(const Segment& s) const {
-    const Point along = s.end - s.begin;
-    const double length = along.norm();
-    const Point direction = along / length;
-    const double u = direction.dot(p - s.begin);
-    constexpr double kOverhang_m = 0.2;
-    const Point normal = left_of(direction);
-    return {normal.dot(p - s.begin), normal, u > -kOverhang_m && u < length + kOverhang_m};
+Residual residual_to(const Surface& surface, const Point& p) {
+  const Point from = p - surface.origin;
+  if (surface.is_circle()) {
+    const double distance = from.norm();
+    if (distance < 1e-6) return {};
+    return {distance - surface.size_m, from / distance, true};
   }
-  Residual operator()(const Circle& c) const {
-    const Point out = p - c.center;
-    const double distance = out.norm();
-    return {distance - c.radius_m, distance > 1e-6 ? Point(out / distance) : Point::UnitX(), distance > 1e-6};
-  }
-  Residual operator()(const Point&) const { return {}; }
-  Residual operator()(const OrientedPoint&) const { return {}; }
-};
+  constexpr double kOverhang_m = 0.2;
+  const double along = surface.direction.dot(from);
+  return {surface.normal().dot(from), surface.normal(),
+          along > -kOverhang_m && along < surface.size_m + kOverhang_m};
+}
 
 double robust_weight(double error, double sigma) {
   const double w = 1 / (1 + error * error / (sigma * sigma));
@@ -59,7 +52,7 @@ NormalEquations linearize(const MapView& map, std::span<const Point> points, con
     const Point lever = pose.rotate(point), p = pose.position() + lever;
     const int number = map.nearest_facing(p, p - eye);
     if (number < 0) continue;
-    const Residual residual = std::visit(ResidualTo{p}, map.feature(number).geometry);
+    const Residual residual = residual_to(map.surface(number), p);
     if (residual.valid)
       equations.add(residual.normal, lever, residual.error, robust_weight(residual.error, sigma_m));
   }

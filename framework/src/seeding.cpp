@@ -79,34 +79,46 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
   return chosen;
 }
 
+namespace {
+
+/// Mean nearness of points that are already turned into the map's heading, at a position.
+double nearness_at(const MapView& map, std::span<const Point> turned, const Point& position) {
+  float sum = 0;
+  for (const Point& point : turned) sum += map.nearness(position + point);
+  return turned.empty() ? 0 : sum / static_cast<double>(turned.size());
+}
+
+}  // namespace
+
 void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
-                   std::vector<Pose2>& poses) const {
+                   std::vector<Point>& positions) const {
   if (!is_loose(observed)) {
-    poses.push_back(T_map_base);
+    positions.push_back(T_map_base.position());
     return;
   }
   const double from = mapped.extent_min_m - observed.extent_min_m - observed.overhang_m;
   const double to = mapped.extent_max_m - observed.extent_max_m + observed.overhang_m;
   const Point along = unit_vector(mapped.frame.heading_rad());
   for (double u = from; u <= to + 1e-9; u += options_.slide_step_m)
-    poses.emplace_back(Point(T_map_base.position() + u * along), T_map_base.heading_rad());
+    positions.push_back(T_map_base.position() + u * along);
 }
 
 void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse,
                      std::vector<Place>& places) const {
   const Table& table = tables_[lookup.table];
-  std::vector<Pose2> poses;
+  const Pose2 from_frame = lookup.observed.frame.inverse();
+  std::vector<Point> turned, positions;
   for (int k : table.index.find(lookup.observed)) {
     const PatternInstance& mapped = table.index.patterns()[k];
-    poses.clear();
-    slide(lookup.observed, mapped, mapped.frame * lookup.observed.frame.inverse(), poses);
-    if (lookup.observed.symmetric)
-      slide(lookup.observed, mapped,
-            mapped.frame * Pose2(0, 0, std::numbers::pi) * lookup.observed.frame.inverse(), poses);
-    for (const Pose2& pose : poses) {
-      if (options_.region && (pose.position() - options_.region->center).norm() > options_.region->radius_m)
-        continue;
-      places.push_back({pose, mean_nearness(*map_, coarse, pose), number, k});
+    for (int side = 0; side < (lookup.observed.symmetric ? 2 : 1); ++side) {
+      const Pose2 pose = mapped.frame * Pose2(0, 0, side * std::numbers::pi) * from_frame;
+      positions.clear();
+      slide(lookup.observed, mapped, pose, positions);
+      turned.clear();
+      for (const Point& point : coarse) turned.push_back(pose.rotate(point));
+      for (const Point& position : positions)
+        if (!options_.region || (position - options_.region->center).norm() <= options_.region->radius_m)
+          places.push_back({position, pose.heading_rad(), nearness_at(*map_, turned, position), number, k});
     }
   }
 }
@@ -142,13 +154,13 @@ std::vector<Candidate> Seeder::propose(std::span<const SeedFeature> features, st
   }
   std::stable_sort(places.begin(), places.end(), nearer);
   std::vector<Pose2> poses;
-  for (const Place& place : places) poses.push_back(place.T_map_base);
+  for (const Place& place : places) poses.emplace_back(place.position, place.heading_rad);
   std::vector<Candidate> candidates;
   for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.seed_candidates)) {
     const Place& place = places[k];
     const Lookup& lookup = lookups[place.lookup];
-    candidates.push_back({place.T_map_base, place.nearness, lookup.table,
-                          pair_up(lookup, place.mapped, place.T_map_base, best)});
+    candidates.push_back(
+        {poses[k], place.nearness, lookup.table, pair_up(lookup, place.mapped, poses[k], best)});
   }
   return candidates;
 }

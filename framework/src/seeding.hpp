@@ -51,7 +51,8 @@ class Seeder {
     std::size_t expected = 0;
   };
   struct Place {
-    Pose2 T_map_base;
+    Point position;      ///< of base_link, map frame
+    double heading_rad;
     double nearness;
     int lookup;
     int mapped;
@@ -60,7 +61,7 @@ class Seeder {
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
   void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, std::vector<Place>& places) const;
   void slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
-             std::vector<Pose2>& poses) const;
+             std::vector<Point>& positions) const;
   std::vector<Association> pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
                                    std::span<const SeedFeature> features) const;
 

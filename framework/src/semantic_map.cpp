@@ -2,9 +2,11 @@
 
 #include "map_vocabulary.hpp"
 
+#include <opal/error.hpp>
+
 #include <algorithm>
+#include <cctype>
 #include <numeric>
-#include <tuple>
 
 namespace opal {
 namespace {
@@ -73,7 +75,45 @@ void list_features(MapDraft& draft) {
     draft.objects[draft.features[i].object].features.push_back(static_cast<int>(i));
 }
 
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// The digits at `begin`, without leading zeros.
+std::string_view number_at(const std::string& text, std::size_t begin) {
+  while (begin + 1 < text.size() && text[begin] == '0' && is_digit(text[begin + 1])) ++begin;
+  std::size_t end = begin;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  return std::string_view(text).substr(begin, end - begin);
+}
+
+std::size_t end_of_number(const std::string& text, std::size_t begin) {
+  while (begin < text.size() && is_digit(text[begin])) ++begin;
+  return begin;
+}
+
 }  // namespace
+
+void MapDraft::fail(const std::string& place, const std::string& message) const {
+  throw MapError(source + ": " + place + ": " + message);
+}
+
+bool id_before(const std::string& a, const std::string& b) {
+  std::size_t i = 0, k = 0;
+  while (i < a.size() && k < b.size()) {
+    if (is_digit(a[i]) && is_digit(b[k])) {
+      const std::string_view number_a = number_at(a, i), number_b = number_at(b, k);
+      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size();
+      if (number_a != number_b) return number_a < number_b;
+      i = end_of_number(a, i);
+      k = end_of_number(b, k);
+    } else if (a[i] != b[k]) {
+      return static_cast<unsigned char>(a[i]) < static_cast<unsigned char>(b[k]);
+    } else {
+      ++i, ++k;
+    }
+  }
+  const bool a_ends = i == a.size(), b_ends = k == b.size();
+  return a_ends == b_ends ? a < b : a_ends;  // "w01" and "w1" differ by their zeros only
+}
 
 void name_everything(MapDraft& draft) {
   for (std::size_t i = 0; i < draft.objects.size(); ++i) {
@@ -94,11 +134,11 @@ void name_everything(MapDraft& draft) {
 }
 
 void sort_by_id(MapDraft& draft) {
-  const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+  const auto by_id = [](const auto& a, const auto& b) { return id_before(a.id, b.id); };
   const std::vector<int> objects = sort_elements(draft.objects, draft.object_places, by_id);
   const std::vector<int> features =
       sort_elements(draft.features, draft.feature_places, [](const MapFeature& a, const MapFeature& b) {
-        return std::tie(a.id, a.sensor) < std::tie(b.id, b.sensor);
+        return a.id == b.id ? id_before(a.sensor, b.sensor) : id_before(a.id, b.id);
       });
   sort_elements(draft.patterns, draft.pattern_places, by_id);
   for (MapFeature& feature : draft.features) feature.object = objects[feature.object];

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <opal/error.hpp>
 #include <opal/semantic_map.hpp>
 
 #include <nlohmann/json.hpp>
@@ -23,15 +22,15 @@ struct MapDraft {
   std::vector<std::string> pattern_places = {};
 
   /// @throws MapError "SOURCE: PLACE: message".
-  [[noreturn]] void fail(const std::string& place, const std::string& message) const {
-    throw MapError(source + ": " + place + ": " + message);
-  }
+  [[noreturn]] void fail(const std::string& place, const std::string& message) const;
 };
 
 /// Full IRIs and bare terms become prefixed names, missing types and point names are filled in. @throws MapError.
 void name_everything(MapDraft& draft);
-/// Objects, features and patterns in order of id, references renumbered. Expects references in range.
+/// Objects, features and patterns in natural order of id, references renumbered. Expects references in range.
 void sort_by_id(MapDraft& draft);
+/// Natural order, in which numbers inside names count as numbers: "wall-2" before "wall-10".
+bool id_before(const std::string& a, const std::string& b);
 
 /// Every reference points at something. @throws MapError.
 void check_references(const MapDraft& draft);

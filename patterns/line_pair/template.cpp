@@ -1,6 +1,7 @@
 #include "template.hpp"
 
 using opal::Comparison;
+using opal::cross;
 using opal::Invariant;
 using opal::Point;
 using opal::Segment;

@@ -28,7 +28,7 @@ void BeamScorer::judge_hit(const opal::MapView& map, const Point& eye, const Poi
   double hit = 0;
   if (const int number = map.nearest_facing(end, end - eye); number >= 0) {
     const double sigma = sigma_m_ + sigma_per_m_ * range;
-    const double z = distance_m(map.feature(number).geometry, end) / sigma;
+    const double z = map.surface(number).distance_m(end) / sigma;
     hit = std::exp(-0.5 * z * z);
   }
   const auto wall = map.first_crossing(eye, end, margin_m_ + margin_per_m_ * range);

@@ -2,12 +2,28 @@
 
 #include <opal/semantic_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace opal {
+
+/// A face or a round column, prepared for fast geometry: the numbers that every beam needs, computed once.
+struct Surface {
+  Point origin = Point::Zero();     ///< a face's begin; a circle's centre
+  Point direction = Point::Zero();  ///< a face's unit direction, visible side on the left; zero for a circle
+  double size_m = 0;                ///< a face's length; a circle's radius
+
+  bool is_circle() const { return direction.x() == 0 && direction.y() == 0; }
+  Point normal() const { return left_of(direction); }
+  double distance_m(const Point& p) const {
+    const Point from = p - origin;
+    if (is_circle()) return std::abs(from.norm() - size_m);
+    return (from - std::clamp(direction.dot(from), 0.0, size_m) * direction).norm();
+  }
+};
 
 /// What one sensor can perceive of a map, with indices that answer spatial questions in microseconds. Immutable and
 /// shared. Frame: `map`. Feature numbers are positions in SemanticMap::features().
@@ -23,6 +39,8 @@ class OPAL_EXPORT MapView {
   const MapFeature& feature(int number) const;
   /// All perceivable features.
   std::span<const int> features() const;
+  /// The surface of a feature that is a segment or a circle.
+  const Surface& surface(int number) const;
   /// Features with some point within radius_m of p, in no order (R-tree, exact).
   std::vector<int> within(const Point& p, double radius_m) const;
 

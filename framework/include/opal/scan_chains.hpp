@@ -8,7 +8,8 @@ namespace opal {
 
 /// When two neighbouring returns of a scan no longer belong to one surface.
 struct ChainOptions {
-  double gap_m = 0.25;         ///< a distance above gap_m + gap_per_spacing * (nearer range * beam increment) is a break;
+  double gap_m =
+      0.25;  ///< a distance above gap_m + gap_per_spacing * (nearer range * beam increment) is a break;
   double gap_per_spacing = 8;  ///< the second term lets surfaces seen at a grazing angle through
   int max_missing_beams = 3;   ///< more beams than this without a hit in between are a break
 };
@@ -26,17 +27,19 @@ struct Run {
   int size() const { return last - first + 1; }
 };
 
-/// A scan cut at its breaks. Hits keep their order, counter-clockwise, but start after the largest break, so that
-/// the seam of a scanner that sees all around cuts no surface (a closed outline is cut at its farthest hit). Points
-/// that are not finite or lie at the sensor are left out.
+/// A scan as surfaces: each chain is what was seen of one of them, counter-clockwise. A chain goes on behind
+/// something that covers up to max_missing_beams, so that chair legs do not cut a wall, and both a railing
+/// and what is seen through it come out whole. The sweep starts after its largest break, so that the seam of
+/// a scanner that sees all around cuts no surface (a closed outline is cut at its farthest hit). Points that
+/// are not finite or lie at the sensor are left out.
 struct ScanChains {
-  std::vector<ScanPoint> hits;
-  std::vector<Run> chains;             ///< into hits, in order, without overlap; together all hits
-  std::vector<int> chain_of;           ///< by hit: its chain
-  std::vector<Sightline> sightlines;   ///< hits and free beams together, in the order of hits
-  std::vector<int> sightline_of;       ///< by hit: its sightline
-  bool full_circle = false;            ///< the last hit is followed by the first one
-  bool closed = false;                 ///< ... without a break between the two
+  std::vector<ScanPoint> hits;        ///< chain after chain
+  std::vector<Run> chains;            ///< into hits, ordered by first hit; together all hits
+  std::vector<int> chain_of;          ///< by hit: its chain
+  std::vector<Sightline> sightlines;  ///< hits and free beams together, counter-clockwise
+  std::vector<int> sightline_of;      ///< by hit: its sightline
+  bool full_circle = false;           ///< the last sightline is followed by the first one
+  bool closed = false;                ///< ... and one chain goes all around
   double angle_increment_rad = 0;
   double range_max_m = 0;
   int max_missing_beams = 0;
@@ -44,8 +47,8 @@ struct ScanChains {
 
 OPAL_EXPORT ScanChains chained(const Scan& scan, const ChainOptions& options);
 
-/// The sightline next to a hit, clockwise (step -1) or counter-clockwise (step +1); null at the edge of the view and
-/// where more than max_missing_beams in between measured nothing.
-OPAL_EXPORT const Sightline* neighbour(const ScanChains& chains, int hit, int step);
+/// The sightline `steps` after a hit, counter-clockwise (or before it, if negative); null beyond the edge of
+/// the view and where more than max_missing_beams in between measured nothing.
+OPAL_EXPORT const Sightline* neighbour(const ScanChains& chains, int hit, int steps);
 
 }  // namespace opal

@@ -50,7 +50,8 @@ struct MapPattern {
 /// The static building, as a typed immutable view of a JSON-LD graph. Frame: `map`; units: metres, radians.
 ///
 /// A graph has no order, so objects and patterns stand in order of id and features in order of id and sensor,
-/// whatever the order in which they were given: the same building gives the same map, numbers included.
+/// whatever the order in which they were given: the same building gives the same map, positions included. Numbers
+/// inside ids count as numbers ("wall-2" before "wall-10").
 class OPAL_EXPORT SemanticMap {
  public:
   /// Reads and checks a whole document; all of it or an error, never less map than the document holds.

@@ -1,0 +1,291 @@
+#include "local_map_graph.hpp"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace opal {
+namespace {
+
+// Poses nearer than this to the last one in the graph are not variables: they follow it rigidly. It keeps the graph
+// at about 20 poses for a horizon of 6 m, whatever the rate of the scans.
+constexpr double kPoseSpacing_m = 0.3;
+constexpr double kPoseSpacing_rad = 0.3;
+
+// Least standard deviations: neither detectors nor matchers know of errors they share between scans.
+constexpr double kLeastSigma_m = 0.01;
+constexpr double kLeastSigma_rad = 0.003;
+
+constexpr int kIterations = 5;  // starts near the solution; later steps move poses by less than a millimetre
+
+using Variable = std::array<double, 3>;
+
+Variable to_variable(const Pose2& pose) { return {pose.x(), pose.y(), pose.heading_rad()}; }
+Pose2 to_pose(const Variable& v) { return {v[0], v[1], v[2]}; }
+
+/// W with W^T W = inverse of the covariance, after the least standard deviations have been added.
+template <int N>
+Eigen::Matrix<double, N, N> whitening(Eigen::Matrix<double, N, N> covariance,
+                                      const Eigen::Matrix<double, N, 1>& least_sigma) {
+  covariance.diagonal() += least_sigma.cwiseAbs2();
+  const Eigen::Matrix<double, N, N> information = covariance.inverse();
+  return information.llt().matrixU();
+}
+
+/// Writes to Ceres' arrays; a null pointer is a Jacobian that is not asked for.
+template <int Rows, int Columns>
+void store(double* to, const Eigen::Matrix<double, Rows, Columns>& values) {
+  if (!to) return;
+  for (int row = 0; row < Rows; ++row)
+    for (int column = 0; column < Columns; ++column) to[row * Columns + column] = values(row, column);
+}
+
+/// Rotation by `heading` and its derivative by the heading.
+struct Turn {
+  explicit Turn(double heading) {
+    const double c = std::cos(heading), s = std::sin(heading);
+    R << c, -s, s, c;
+    dR << -s, -c, c, -s;
+  }
+  Eigen::Matrix2d R, dR;
+};
+
+/// Relative pose of two keyframes: (R_a^T (x_b - x_a) - t, heading_b - heading_a - turn).
+class MotionFactor : public ceres::SizedCostFunction<3, 3, 3> {
+ public:
+  explicit MotionFactor(const RelativePose& motion)
+      : motion_(motion.T_from_to),
+        W_(whitening<3>(motion.covariance, {kLeastSigma_m, kLeastSigma_m, kLeastSigma_rad})) {}
+
+  bool Evaluate(double const* const* v, double* residuals, double** jacobians) const override {
+    const Turn a(v[0][2]);
+    const Point apart(v[1][0] - v[0][0], v[1][1] - v[0][1]);
+    Eigen::Vector3d e;
+    e << a.R.transpose() * apart - motion_.position(), wrap_angle(v[1][2] - v[0][2] - motion_.heading_rad());
+    store<3, 1>(residuals, W_ * e);
+    if (!jacobians) return true;
+    Eigen::Matrix3d by_a = -Eigen::Matrix3d::Identity(), by_b = Eigen::Matrix3d::Identity();
+    by_a.topLeftCorner<2, 2>() = -a.R.transpose();
+    by_a.topRightCorner<2, 1>() = a.dR.transpose() * apart;
+    by_b.topLeftCorner<2, 2>() = a.R.transpose();
+    store<3, 3>(jacobians[0], W_ * by_a);
+    store<3, 3>(jacobians[1], W_ * by_b);
+    return true;
+  }
+
+ private:
+  Pose2 motion_;
+  Eigen::Matrix3d W_;
+};
+
+/// A line (rho, psi), n = (cos psi, sin psi) its normal towards the visible side, rho = n . p for its points. The
+/// residuals are those of (A.1) and (A.2) of the thesis, with two changes: the sign of rho follows the visible side
+/// instead of the side of the origin, so that the two cases become one; and the distance is compared at the middle
+/// of the measured piece instead of at the foot of the perpendicular, where it is independent of the angle.
+class LineFactor : public ceres::SizedCostFunction<2, 3, 2> {
+ public:
+  explicit LineFactor(const Feature& measured)
+      : middle_(std::get<Segment>(measured.geometry).midpoint()),
+        normal_heading_(std::get<Segment>(measured.geometry).heading_rad() + std::numbers::pi / 2),
+        W_(whitening<2>(measured.covariance.topLeftCorner<2, 2>(), {kLeastSigma_m, kLeastSigma_rad})) {}
+
+  bool Evaluate(double const* const* v, double* residuals, double** jacobians) const override {
+    const Turn base(v[0][2]);
+    const Point normal = unit_vector(v[1][1]);
+    const Point middle = Point(v[0][0], v[0][1]) + base.R * middle_;
+    const Eigen::Vector2d e(normal.dot(middle) - v[1][0], wrap_angle(normal_heading_ + v[0][2] - v[1][1]));
+    store<2, 1>(residuals, W_ * e);
+    if (!jacobians) return true;
+    Eigen::Matrix<double, 2, 3> by_pose;
+    by_pose << normal.x(), normal.y(), normal.dot(base.dR * middle_), 0, 0, 1;
+    Eigen::Matrix<double, 2, 2> by_line;
+    by_line << -1, left_of(normal).dot(middle), 0, -1;
+    store<2, 3>(jacobians[0], W_ * by_pose);
+    store<2, 2>(jacobians[1], W_ * by_line);
+    return true;
+  }
+
+ private:
+  Point middle_;
+  double normal_heading_;
+  Eigen::Matrix2d W_;
+};
+
+/// A position seen from a pose: R^T (l - x) - z. Points and circle centres.
+class PointFactor : public ceres::SizedCostFunction<2, 3, 2> {
+ public:
+  explicit PointFactor(const Feature& measured)
+      : seen_(anchor_of(measured.geometry)),
+        W_(whitening<2>(measured.covariance.topLeftCorner<2, 2>(), {kLeastSigma_m, kLeastSigma_m})) {}
+
+  bool Evaluate(double const* const* v, double* residuals, double** jacobians) const override {
+    const Turn base(v[0][2]);
+    const Point apart(v[1][0] - v[0][0], v[1][1] - v[0][1]);
+    store<2, 1>(residuals, W_ * (base.R.transpose() * apart - seen_));
+    if (!jacobians) return true;
+    Eigen::Matrix<double, 2, 3> by_pose;
+    by_pose << -base.R.transpose(), base.dR.transpose() * apart;
+    store<2, 3>(jacobians[0], W_ * by_pose);
+    store<2, 2>(jacobians[1], W_ * base.R.transpose());
+    return true;
+  }
+
+ private:
+  Point seen_;
+  Eigen::Matrix2d W_;
+};
+
+RelativePose seen_as_motion(const Feature& corner) {
+  const auto& seen = std::get<OrientedPoint>(corner.geometry);
+  return {0, 0, Pose2(seen.position, seen.heading_rad), corner.covariance};
+}
+
+/// The factors of one measurement and the variables of one landmark, by shape. A corner is a pose seen from a pose.
+ceres::CostFunction* factor_of(const Feature& measured) {
+  switch (kind_of(measured.geometry)) {
+    case GeometryKind::segment: return new LineFactor(measured);
+    case GeometryKind::oriented_point: return new MotionFactor(seen_as_motion(measured));
+    default: return new PointFactor(measured);
+  }
+}
+
+Variable landmark_of(const Feature& feature, const Pose2& T_origin_local) {
+  const Geometry geometry = transformed(T_origin_local, feature.geometry);
+  if (const auto* corner = std::get_if<OrientedPoint>(&geometry))
+    return {corner->position.x(), corner->position.y(), corner->heading_rad};
+  const Point anchor = anchor_of(geometry);
+  const auto* segment = std::get_if<Segment>(&geometry);
+  if (!segment) return {anchor.x(), anchor.y(), 0};
+  const double psi = segment->heading_rad() + std::numbers::pi / 2;
+  return {unit_vector(psi).dot(anchor), psi, 0};
+}
+
+/// Ids of the keyframes that become variables: oldest and newest, and between them those that keep the spacing.
+std::vector<std::size_t> choose_poses(const std::deque<Keyframe>& keyframes) {
+  std::vector<std::size_t> chosen{0};
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    const Pose2& last = keyframes[chosen.back()].T_local_base;
+    const Pose2& next = keyframes[i].T_local_base;
+    if (i + 1 == keyframes.size() || distance_m(last, next) >= kPoseSpacing_m ||
+        angle_between_rad(last, next) >= kPoseSpacing_rad)
+      chosen.push_back(i);
+  }
+  return chosen;
+}
+
+/// Covariance of a * b, first order.
+Eigen::Matrix3d chained(const RelativePose& a, const RelativePose& b) {
+  const Point lever = a.T_from_to.rotate(b.T_from_to.position());
+  Eigen::Matrix3d by_a = Eigen::Matrix3d::Identity(), by_b = Eigen::Matrix3d::Identity();
+  by_a.topRightCorner<2, 1>() = left_of(lever);
+  by_b.topLeftCorner<2, 2>() = Turn(a.T_from_to.heading_rad()).R;
+  return by_a * a.covariance * by_a.transpose() + by_b * b.covariance * by_b.transpose();
+}
+
+/// Poses, landmarks and factors of one horizon, in a frame at the oldest pose: angles and distances stay small
+/// however far the robot has come.
+class Graph {
+ public:
+  Graph(const std::deque<Keyframe>& keyframes, const LocalMapOptions& options)
+      : T_local_origin_(keyframes.front().T_local_base), options_(options) {
+    const Pose2 T_origin_local = T_local_origin_.inverse();
+    for (const std::size_t index : choose_poses(keyframes))
+      poses_[keyframes[index].id] = to_variable(T_origin_local * keyframes[index].T_local_base);
+    problem_.AddParameterBlock(poses_.begin()->second.data(), 3);
+    problem_.SetParameterBlockConstant(poses_.begin()->second.data());
+  }
+
+  void add_motions(const std::vector<RelativePose>& motions) {
+    RelativePose chain;
+    bool open = false;
+    for (const RelativePose& motion : motions) {
+      if (open) {
+        chain.covariance = chained(chain, motion);
+        chain.T_from_to = chain.T_from_to * motion.T_from_to;
+        chain.to = motion.to;
+      } else {
+        chain = motion;
+      }
+      open = !poses_.contains(chain.to);
+      if (!open && poses_.contains(chain.from))
+        problem_.AddResidualBlock(new MotionFactor(chain), nullptr, poses_[chain.from].data(),
+                                  poses_[chain.to].data());
+    }
+  }
+
+  /// A landmark seen from one pose only says nothing about poses.
+  void add_landmark(const LocalFeature& local) {
+    std::vector<const Measurement*> measurements;
+    for (const Measurement& m : local.measurements)
+      if (poses_.contains(m.keyframe)) measurements.push_back(&m);
+    if (measurements.size() < 2) return;
+    landmarks_.push_back(
+        std::make_unique<Variable>(landmark_of(local.feature, T_local_origin_.inverse())));
+    double* landmark = landmarks_.back()->data();
+    for (const Measurement* m : measurements)
+      problem_.AddResidualBlock(factor_of(m->feature), &loss_, poses_[m->keyframe].data(), landmark);
+  }
+
+  bool solve() {
+    if (landmarks_.empty() || poses_.size() < 2) return false;
+    ceres::Solver::Options solver;
+    solver.linear_solver_type = ceres::DENSE_SCHUR;
+    solver.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+    for (const auto& landmark : landmarks_) solver.linear_solver_ordering->AddElementToGroup(landmark->data(), 0);
+    for (auto& [id, pose] : poses_)
+      if (problem_.HasParameterBlock(pose.data())) solver.linear_solver_ordering->AddElementToGroup(pose.data(), 1);
+    solver.max_num_iterations = kIterations;
+    solver.function_tolerance = 1e-4;
+    solver.num_threads = 1;
+    solver.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &problem_, &summary);
+    return summary.IsSolutionUsable();
+  }
+
+  /// @return T_local_base for every keyframe: solved, or following the last solved one before it.
+  std::vector<Pose2> poses_of(const std::deque<Keyframe>& keyframes) const {
+    std::vector<Pose2> solved;
+    Pose2 correction;
+    for (const Keyframe& keyframe : keyframes) {
+      if (const auto found = poses_.find(keyframe.id); found != poses_.end())
+        correction = T_local_origin_ * to_pose(found->second) * keyframe.T_local_base.inverse();
+      solved.push_back(correction * keyframe.T_local_base);
+    }
+    return solved;
+  }
+
+ private:
+  static ceres::Problem::Options borrow_loss() {
+    ceres::Problem::Options options;
+    options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    return options;
+  }
+
+  Pose2 T_local_origin_;
+  const LocalMapOptions& options_;
+  std::map<int, Variable> poses_;  ///< by keyframe; addresses stay
+  std::vector<std::unique_ptr<Variable>> landmarks_;
+  ceres::CauchyLoss loss_{options_.robust_scale};
+  ceres::Problem problem_{borrow_loss()};
+};
+
+}  // namespace
+
+bool optimize_poses(std::deque<Keyframe>& keyframes, const std::vector<LocalFeature>& features,
+                    const std::vector<RelativePose>& motions, const LocalMapOptions& options) {
+  if (keyframes.size() < 2) return false;
+  Graph graph(keyframes, options);
+  graph.add_motions(motions);
+  for (const LocalFeature& local : features) graph.add_landmark(local);
+  if (!graph.solve()) return false;
+  const std::vector<Pose2> solved = graph.poses_of(keyframes);
+  for (const Pose2& pose : solved)
+    if (!pose.position().allFinite() || !std::isfinite(pose.heading_rad())) return false;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) keyframes[i].T_local_base = solved[i];
+  return true;
+}
+
+}  // namespace opal

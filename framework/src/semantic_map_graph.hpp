@@ -1,0 +1,83 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace opal {
+
+/// A mention of another node, and where it stands in the source.
+struct GraphReference {
+  std::string id;
+  std::string place;
+};
+
+/// Typed, checked access to one node of a flattened JSON-LD graph. Every complaint names the file, the place, what
+/// was found and what was expected.
+class GraphNode {
+ public:
+  GraphNode(const nlohmann::json& node, const std::string& source) : node_(&node), source_(&source) {}
+
+  std::string id() const { return node_->at("@id"); }
+  std::string place() const { return place_of(*node_); }
+  /// "Circle 'c1'", for messages.
+  std::string description() const;
+  const nlohmann::json& content() const { return *node_; }
+
+  std::vector<std::string> types() const;  ///< full IRIs, sorted
+  bool has_type(const std::string& iri) const;
+  bool has(const std::string& iri) const { return node_->contains(iri); }
+
+  std::optional<double> number(const std::string& iri) const;
+  double required_number(const std::string& iri) const;
+  std::optional<std::string> text(const std::string& iri) const;
+
+  std::vector<GraphReference> references(const std::string& iri) const;  ///< by id, each once
+  std::optional<GraphReference> reference(const std::string& iri) const;
+  GraphReference required_reference(const std::string& iri) const;
+
+  std::vector<GraphReference> reference_list(const std::string& iri) const;  ///< in order, repeats kept
+  std::vector<double> number_list(const std::string& iri) const;
+
+  /// @throws MapError "SOURCE: PLACE: message".
+  [[noreturn]] void fail(const std::string& message) const { fail_at(place(), message); }
+  [[noreturn]] void fail_at(const std::string& place, const std::string& message) const;
+
+ private:
+  std::string place_of(const nlohmann::json& value) const;
+  GraphReference reference_in(const nlohmann::json& value, const std::string& iri) const;
+  double number_in(const nlohmann::json& value, const std::string& iri) const;
+  const nlohmann::json* single_value(const std::string& iri) const;
+  const nlohmann::json* single_list(const std::string& iri) const;
+  [[noreturn]] void fail_missing(const std::string& iri) const;
+
+  const nlohmann::json* node_;
+  const std::string* source_;
+};
+
+/// The nodes of a document by id.
+class Graph {
+ public:
+  Graph(nlohmann::json flattened, std::string source);
+  Graph(const Graph&) = delete;
+  Graph& operator=(const Graph&) = delete;
+
+  const std::vector<GraphNode>& nodes() const { return nodes_; }
+  const GraphNode* find(const std::string& id) const;
+  /// @throws MapError if the document does not define what `from` refers to.
+  const GraphNode& at(const GraphReference& reference, const GraphNode& from) const;
+
+ private:
+  nlohmann::json flattened_;
+  std::string source_;
+  std::vector<GraphNode> nodes_;
+  std::unordered_map<std::string, std::size_t> positions_;
+};
+
+/// The same JSON without the "@pointer" entries by which messages find their places.
+nlohmann::json without_pointers(const nlohmann::json& value);
+
+}  // namespace opal

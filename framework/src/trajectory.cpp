@@ -1,0 +1,61 @@
+#include <opal/trajectory.hpp>
+
+#include <charconv>
+#include <ostream>
+
+namespace opal {
+namespace {
+
+// Nanoseconds of today's clocks, in so far as a double has them; micrometres.
+constexpr int kDecimals = 9;
+
+/// Always with a point, whatever the locale says.
+void append(std::string& line, double number) {
+  char digits[400];  // the largest double has 309 before its point
+  const auto end = std::to_chars(digits, digits + sizeof digits, number, std::chars_format::fixed, kDecimals).ptr;
+  line.append(digits, end);
+}
+
+void append_all(std::string& line, char separator, std::initializer_list<double> numbers) {
+  for (const double number : numbers) {
+    if (!line.empty()) line += separator;
+    append(line, number);
+  }
+}
+
+bool is_finite(double stamp_s, const Pose2& pose) {
+  return std::isfinite(stamp_s) && pose.position().allFinite() && std::isfinite(pose.heading_rad());
+}
+
+/// RFC 4180: quoted where it has to be.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+void write_tum(std::ostream& out, std::span<const StampedPose> trajectory) {
+  for (const auto& [stamp_s, pose] : trajectory) {
+    if (!is_finite(stamp_s, pose)) continue;
+    const double half_rad = pose.heading_rad() / 2;
+    std::string line;
+    append_all(line, ' ', {stamp_s, pose.x(), pose.y(), 0, 0, 0, std::sin(half_rad), std::cos(half_rad)});
+    out << line << '\n';
+  }
+}
+
+void write_results(std::ostream& out, std::span<const ResultRow> rows) {
+  out << "query_id,timestamp,x,y,theta,localized_flag\n";
+  for (const ResultRow& row : rows) {
+    const Pose2& pose = row.T_map_laser;
+    if (!is_finite(row.stamp_s, pose)) continue;
+    std::string line = csv_field(row.query);
+    append_all(line, ',', {row.stamp_s, pose.x(), pose.y(), pose.heading_rad()});
+    out << line << (row.localized ? ",1\n" : ",0\n");
+  }
+}
+
+}  // namespace opal

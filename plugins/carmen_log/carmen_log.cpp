@@ -1,0 +1,86 @@
+#include "carmen_log.hpp"
+
+#include "carmen_line.hpp"
+#include "gz_lines.hpp"
+
+#include <opal/error.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace opal::carmen_log {
+namespace {
+
+/// The CARMEN messages at the starts of lines.
+std::set<std::string, std::less<>> messages_in(std::string_view text) {
+  std::set<std::string, std::less<>> messages;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view message = message_of(text.substr(0, end));
+    if (is_carmen_message(message)) messages.emplace(message);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return messages;
+}
+
+std::string main_laser(const std::set<std::string, std::less<>>& messages) {
+  for (const char* laser : {"FLASER", "ROBOTLASER1", "RAWLASER1", "RLASER"})
+    if (messages.contains(laser)) return laser;
+  return "FLASER";
+}
+
+class CarmenReader final : public LogReader {
+ public:
+  CarmenReader(GzLines lines, std::string laser_message)
+      : lines_(std::move(lines)), laser_message_(std::move(laser_message)) {}
+
+  std::optional<LogRecord> next() override {
+    while (const std::optional<Line> line = lines_.next()) {
+      ParsedLine parsed = parse_line(line->text, line->terminated, laser_message_);
+      if (parsed.defect) ++defects_[parsed.defect];
+      if (parsed.record) return std::move(parsed.record);
+    }
+    return std::nullopt;
+  }
+  std::map<std::string, int> defects() const override {
+    std::map<std::string, int> all = defects_;
+    if (lines_.overlong() > 0) all["line of more than 4 MB"] = lines_.overlong();
+    if (lines_.damage()) all[lines_.damage()] = 1;
+    return all;
+  }
+  double progress() const override { return lines_.progress(); }
+
+ private:
+  GzLines lines_;
+  std::string laser_message_;
+  std::map<std::string, int> defects_;
+};
+
+}  // namespace
+
+CarmenLog::CarmenLog(std::string laser_message) : laser_message_(std::move(laser_message)) {
+  if (!laser_message_.empty() && !is_laser_message(laser_message_))
+    throw ConfigError("option laser_message: \"" + laser_message_ +
+                            "\", expected FLASER, RLASER, LASERn, ROBOTLASERn, RAWLASERn or nothing");
+}
+
+bool CarmenLog::recognizes(const std::string& path) const {
+  try {
+    GzLines lines(path);
+    return !messages_in(lines.peek()).empty();
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+std::unique_ptr<LogReader> CarmenLog::open(const std::string& path) const {
+  GzLines lines(path);
+  const auto messages = messages_in(lines.peek());
+  if (messages.empty())
+    throw LogError(path + ": no line at its start begins with a CARMEN message such as ODOM or FLASER" +
+                         (lines.damage() ? std::string(" (") + lines.damage() + ")" : ""));
+  return std::make_unique<CarmenReader>(std::move(lines),
+                                        laser_message_.empty() ? main_laser(messages) : laser_message_);
+}
+
+}  // namespace opal::carmen_log

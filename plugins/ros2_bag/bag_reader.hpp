@@ -1,0 +1,41 @@
+#pragma once
+
+#include "bag_file.hpp"
+#include "ros2_bag.hpp"
+#include "static_frames.hpp"
+
+#include <deque>
+
+namespace opal::ros2_bag {
+
+/// Walks the files of one recording, in order.
+class BagReader final : public LogReader {
+ public:
+  /// @param files  by time; at least one.
+  /// @param topics  the scan's is not empty.
+  BagReader(std::vector<BagFile> files, TopicChoice topics);
+
+  std::optional<LogRecord> next() override;
+  std::map<std::string, int> defects() const override { return defects_; }
+  double progress() const override;
+
+ private:
+  bool next_message();
+  std::optional<LogRecord> decode_current();
+  void find_mount();
+  StaticFrames read_static_frames();
+  template <class Message, class Decode>
+  std::optional<Message> first_of(const std::string& topic, Decode decode) const;
+  void turn_upright(RawScan& scan) const;
+
+  std::vector<BagFile> files_;
+  TopicChoice topics_;
+  std::size_t file_ = 0;
+  std::optional<BagFile::Messages> messages_;  // of that file; after files_, so that it goes first
+  std::optional<MountRecord> mount_;           // not yet handed out
+  bool upside_down_ = false;
+  double reached_s_ = 0;
+  std::map<std::string, int> defects_;
+};
+
+}  // namespace opal::ros2_bag
