@@ -23,6 +23,7 @@ const std::vector<Field>& fields() {
   static const std::vector<Field> all = {
       {"seed_features", &O::seed_features, 1, 1000},
       {"seed_patterns", &O::seed_patterns, 1, 1000},
+      {"seed_loose_patterns", &O::seed_loose_patterns, 1, 1000},
       {"seed_lookup_limit", &O::seed_lookup_limit, 1, kMany},
       {"seed_candidates", &O::seed_candidates, 1, kMany},
       {"seed_hypotheses", &O::seed_hypotheses, 1, kMany},
