@@ -57,7 +57,7 @@ const std::vector<Field>& fields() {
       {"none_nat", &O::none_nat, -kMany, kMany},
       {"localized_probability", &O::localized_probability, 0, 1},
       {"localized_novelty", &O::localized_novelty, 0, kMany},
-      {"localized_scan_nat", &O::localized_scan_nat, -kMany, kMany},
+      {"none_scan_nat", &O::none_scan_nat, -kMany, kMany},
       {"lost_scan_nat", &O::lost_scan_nat, -kMany, kMany},
   };
   return all;

@@ -59,10 +59,11 @@ struct AssociationOptions {
   int max_hypotheses = 120;
 
   // Status.
-  double none_nat = 0;              ///< log weight of "none of these"
+  double none_nat = 0;              ///< log weight of "none of these" before the first scan
+  double none_scan_nat = 1.6;       ///< what a scan at a place that is not on the map would say for a wrong pose:
+                                    ///< hypotheses must gather more than this to be believed
   double localized_probability = 0.99;
   double localized_novelty = 3;     ///< sum of the scans' novelty over which that must hold
-  double localized_scan_nat = 1.6;  ///< and the newest scan speaks for it by this much
   double lost_scan_nat = -0.35;     ///< mean of the newest scans below this: lost
 
   std::optional<RegionPrior> region;
