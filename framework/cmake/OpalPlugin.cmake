@@ -2,7 +2,8 @@
 #
 # One shared library, NAME.so, with its description NAME.jsonld (made from plugin.jsonld beside the CMakeLists.txt) in
 # ${CMAKE_BINARY_DIR}/plugins; both are installed into lib/opal/plugins. The target is called NAME_plugin.
-# In Opal's own tree this also puts the plugin through the contract tests.
+# The plugin is put through the contract tests: in Opal's own tree by tests/contract, elsewhere by a test
+# NAME_keeps_its_contract, if the project calls enable_testing() first.
 function(opal_add_plugin name)
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
   if(NOT arg_UNPARSED_ARGUMENTS)
@@ -20,6 +21,7 @@ function(opal_add_plugin name)
   set_target_properties(${name}_plugin PROPERTIES
     OUTPUT_NAME ${name} PREFIX "" SUFFIX ".so" LIBRARY_OUTPUT_DIRECTORY ${folder}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    INSTALL_RPATH "$ORIGIN/../.."
     CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   # An undefined symbol shows when the plugin is linked, not when a robot loads it. clang does not link its sanitizer
   # runtime into shared libraries, so symbols stay open there.
@@ -35,4 +37,7 @@ function(opal_add_plugin name)
   install(TARGETS ${name}_plugin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/opal/plugins)
   install(FILES ${description} DESTINATION ${CMAKE_INSTALL_LIBDIR}/opal/plugins RENAME ${name}.jsonld)
   set_property(GLOBAL APPEND PROPERTY OPAL_PLUGINS ${name}_plugin)
+  if(TARGET opal::app)
+    add_test(NAME ${name}_keeps_its_contract COMMAND opal::app plugins --check $<TARGET_FILE:${name}_plugin>)
+  endif()
 endfunction()

@@ -1,4 +1,4 @@
-#include <opal/line_extraction.hpp>
+#include "split_and_merge.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -9,17 +9,14 @@
 namespace opal {
 namespace {
 
-constexpr int kMinPiecePoints = 3;
-
 class Extraction {
  public:
   Extraction(const ScanChains& chains, const LineExtractionOptions& options)
       : chains_(chains), options_(options) {}
 
   std::vector<Line> lines() {
-    for (const Run& chain : chains_.chains) split(chain);
     std::vector<Line> lines;
-    for (const Run& piece : pieces_) add_line(lines, piece);
+    for (const Run& piece : split_and_merged(chains_, options_)) add_line(lines, piece);
     std::sort(lines.begin(), lines.end(), [&](const Line& a, const Line& b) {
       return sightline(a.runs.front().first) < sightline(b.runs.front().first);
     });
@@ -35,19 +32,8 @@ class Extraction {
  private:
   const Point& position(int hit) const { return chains_.hits[hit].position; }
   int sightline(int hit) const { return chains_.sightline_of[hit]; }
-  double tolerance_m(double range_m) const {
-    return options_.tolerance_m + options_.tolerance_per_m * range_m;
-  }
+  double tolerance_m(double range_m) const { return line_tolerance_m(options_, range_m); }
 
-  // ---- split and merge
-  std::optional<int> split_point(const Run& run) const;
-  void split(const Run& chain);
-  void add_piece(const Run& piece, int chain_first_piece);
-  bool one_line(const Run& a, const Run& b) const;
-  bool follows(const LineFit& fit, const Run& run) const;
-  Run trimmed(Run run, const LineFit& fit) const;
-
-  // ---- lines
   void add_line(std::vector<Line>& lines, const Run& piece) const;
   void refit(Line& line) const;
   bool same_face(const Line& a, const Line& b) const;
@@ -61,7 +47,6 @@ class Extraction {
 
   const ScanChains& chains_;
   const LineExtractionOptions& options_;
-  std::vector<Run> pieces_;
 };
 
 /// Range at which a beam meets the infinite line; infinity if it never does.
@@ -71,85 +56,9 @@ double range_to_line(const Segment& line, const Point& beam_direction) {
   return approach < -1e-9 ? normal.dot(line.begin) / approach : std::numeric_limits<double>::infinity();
 }
 
-/// The piece after which the run is cut: the hit farthest from the chord, in units of the tolerance. Of its
-/// two gaps the wider one is cut. Empty if all hits are near.
-std::optional<int> Extraction::split_point(const Run& run) const {
-  const Point& a = position(run.first);
-  const Point chord = position(run.last) - a;
-  const double length = chord.norm();
-  double worst = 1;
-  int at = -1;
-  for (int i = run.first + 1; i < run.last; ++i) {
-    const Point p = position(i) - a;
-    const double distance = length > 1e-9 ? std::abs(cross(chord, p)) / length : p.norm();
-    const double ratio = distance / tolerance_m(chains_.hits[i].range_m);
-    if (ratio > worst) worst = ratio, at = i;
-  }
-  if (at < 0) return std::nullopt;
-  const double before = (position(at) - position(at - 1)).squaredNorm();
-  const double after = (position(at + 1) - position(at)).squaredNorm();
-  return before > after ? at - 1 : at;
-}
-
-void Extraction::split(const Run& chain) {
-  const int chain_first_piece = static_cast<int>(pieces_.size());
-  std::vector<Run> open{chain};
-  while (!open.empty()) {
-    const Run run = open.back();
-    open.pop_back();
-    if (run.size() < kMinPiecePoints) continue;
-    if (const std::optional<int> cut = split_point(run)) {
-      open.push_back({*cut + 1, run.last});
-      open.push_back({run.first, *cut});
-    } else {
-      add_piece(run, chain_first_piece);
-    }
-  }
-}
-
-/// Appends a piece, merged with those before it in its chain as long as one line explains them.
-void Extraction::add_piece(const Run& piece, int chain_first_piece) {
-  Run merged = piece;
-  while (static_cast<int>(pieces_.size()) > chain_first_piece && pieces_.back().last + 1 == merged.first &&
-         one_line(pieces_.back(), merged)) {
-    merged.first = pieces_.back().first;
-    pieces_.pop_back();
-  }
-  pieces_.push_back(merged);
-}
-
-bool Extraction::one_line(const Run& a, const Run& b) const {
-  const Run both{a.first, b.last};
-  const LineFit fit = fit_line(chains_, {&both, 1}, options_.noise);
-  return follows(fit, a) && follows(fit, b);
-}
-
-/// Whether the points of a run scatter around a line within 0.6 of the tolerance (rms).
-bool Extraction::follows(const LineFit& fit, const Run& run) const {
-  const Point normal = left_of(fit.direction);
-  double squares = 0;
-  for (int i = run.first; i <= run.last; ++i) {
-    const double ratio = normal.dot(position(i) - fit.centroid) / tolerance_m(chains_.hits[i].range_m);
-    squares += ratio * ratio;
-  }
-  return squares <= 0.36 * run.size();
-}
-
-/// Without end points that lie off the line: those of a corner that the split gave to the wrong side.
-Run Extraction::trimmed(Run run, const LineFit& fit) const {
-  const Point normal = left_of(fit.direction);
-  const auto off = [&](int i) {
-    return std::abs(normal.dot(position(i) - fit.centroid)) > 0.8 * tolerance_m(chains_.hits[i].range_m);
-  };
-  while (run.size() > kMinPiecePoints && off(run.first)) ++run.first;
-  while (run.size() > kMinPiecePoints && off(run.last)) --run.last;
-  return run;
-}
-
 void Extraction::add_line(std::vector<Line>& lines, const Run& piece) const {
-  const Run run = trimmed(piece, fit_line(chains_, {&piece, 1}, options_.noise));
   Line line;
-  line.runs = {run};
+  line.runs = {piece};
   refit(line);
   const bool seen_from_left = line.segment.normal().dot(line.segment.begin) < 0;
   if (line.segment.length_m() > 1e-6 && seen_from_left) lines.push_back(std::move(line));

@@ -5,12 +5,12 @@
 namespace opal {
 namespace {
 
-// A standing robot's odometry still jitters, and stamps of scan and odometry differ by some milliseconds.
-constexpr double kLeastSigma_m = 0.02;
-constexpr double kLeastSigma_rad = 0.01;
-
+// Keyframes that are matched against: the newest, and older ones with so much driving between them. Near neighbours
+// add no view, and a chain of nothing but short steps drifts.
 constexpr std::size_t kReferenceKeyframes = 5;
-constexpr double kReferenceRange_m = 15.0;  ///< farther points are too sparse for their direction to be known
+constexpr double kReferenceStep_m = 0.4;
+
+constexpr double kReferenceRange_m = 20.0;  ///< farther points are too sparse for their direction to be known
 constexpr double kReferenceSpacing_m = 0.04;
 
 /// Points of one keyframe, in frame `local`, no nearer to their predecessor than the spacing.
@@ -30,18 +30,19 @@ void append_points(std::vector<Point>& points, const Keyframe& keyframe, const P
 Eigen::Vector3d odometry_sigma(const Pose2& T_from_to, const LocalMapOptions& options) {
   const double driven_m = T_from_to.position().norm();
   const double turned_rad = std::abs(T_from_to.heading_rad());
-  const double sigma_m = std::hypot(kLeastSigma_m, options.odometry_sigma_per_m * driven_m);
-  const double sigma_rad = std::hypot(kLeastSigma_rad, options.odometry_heading_sigma_per_rad * turned_rad,
+  const double sigma_m = std::hypot(options.odometry_sigma_m, options.odometry_sigma_per_m * driven_m);
+  const double sigma_rad = std::hypot(options.odometry_heading_sigma_rad,
+                                      options.odometry_heading_sigma_per_rad * turned_rad,
                                       options.odometry_heading_sigma_per_m * driven_m);
   return {sigma_m, sigma_m, sigma_rad};
 }
 
 std::vector<Point> points_around(const Point& position, const std::deque<Keyframe>& keyframes) {
-  const std::size_t count = std::min(kReferenceKeyframes, keyframes.size());
+  std::vector<const Keyframe*> chosen;
+  for (auto it = keyframes.rbegin(); it != keyframes.rend() && chosen.size() < kReferenceKeyframes; ++it)
+    if (chosen.empty() || chosen.back()->driven_m - it->driven_m >= kReferenceStep_m) chosen.push_back(&*it);
   std::vector<Point> points;
-  points.reserve(count * 400);
-  for (std::size_t i = keyframes.size() - count; i < keyframes.size(); ++i)
-    append_points(points, keyframes[i], position);
+  for (auto it = chosen.rbegin(); it != chosen.rend(); ++it) append_points(points, **it, position);
   return points;
 }
 

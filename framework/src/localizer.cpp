@@ -57,6 +57,7 @@ struct Localizer::State {
   bool moved_enough(const Pose2& T_odom_base) const;
   std::vector<Feature> detect(const Scan& scan);
   Observation observe(const Scan& scan, const std::vector<Feature>& features) const;
+  double novelty() const;  ///< of the newest scan
   void track(const Observation& observation, const Scan& scan);
   bool time_to_seed();
   void seed(const Observation& observation, const Scan& scan);
@@ -114,9 +115,11 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   s.track(observation, scan);                              // map frame from here on
   if (s.time_to_seed()) s.seed(observation, scan);
   s.grow();
+  const PoseEstimate estimate =
+      s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s, s.novelty());
   s.started = true;
   ++s.keyframe;
-  return s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s);
+  return estimate;
 }
 
 // ---------------------------------------------------------------------------------------------- its stages
@@ -153,16 +156,19 @@ Observation Localizer::State::observe(const Scan& scan, const std::vector<Featur
   return observation;
 }
 
+double Localizer::State::novelty() const {
+  if (!started) return 1;
+  return std::clamp(step_m / options.novelty_m + turn_rad / options.novelty_rad, options.least_novelty, 1.0);
+}
+
 void Localizer::State::track(const Observation& observation, const Scan& scan) {
   StageClock clock(times.track_s);
-  const double novelty = std::clamp(step_m / options.novelty_m + turn_rad / options.novelty_rad,
-                                    options.least_novelty, 1.0);
   // Where the scan matcher could not tell, odometry may be wrong by its usual share.
   Eigen::Vector2d window(0, 0);
   if (started && !local_map.last_match().converged && (step_m > 0.2 || turn_rad > 0.1))
     window = {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
   const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints);
-  hypotheses.track(observation, started ? novelty : 1.0, coarse, window);
+  hypotheses.track(observation, novelty(), coarse, window);
   report_scores();
 }
 

@@ -41,6 +41,8 @@ void check_point_names(const MapDraft& draft, std::size_t i) {
 
 // ---------------------------------------------------------------- ids
 
+std::string article(const std::string& noun) { return (noun == "object" ? "an " : "a ") + noun; }
+
 /// What ids stand for, so that no two things have the same.
 class Names {
  public:
@@ -50,7 +52,7 @@ class Names {
     check_usable(id, what, place);
     const auto [entry, is_new] = what_.try_emplace(id, what);
     if (!is_new && std::string(entry->second) != what)
-      draft_.fail(place, "id '" + id + "' stands for a " + entry->second + " and a " + what +
+      draft_.fail(place, "id '" + id + "' stands for " + article(entry->second) + " and " + article(what) +
                              ", expected one id for one thing");
   }
   void claim_alone(const std::string& id, const char* what, const std::string& place) {

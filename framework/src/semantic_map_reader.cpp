@@ -43,12 +43,8 @@ class Reader {
     use.types.insert(types.begin(), types.end());
   }
 
-  // Open types, but no typing errors: a bare word that is no term of the context names nothing.
+  /// A prefix lets any word through the context, so Opal's own words are looked up.
   static void check_words(const GraphNode& node) {
-    for (const std::string& type : node.types())
-      if (type.find(':') == std::string::npos)
-        node.fail("@type '" + type + "', expected a term of " + kContextIri +
-                  " or a name with a prefix, such as opal:" + type);
     for (const auto& [key, value] : node.content().items())
       if (is_own(key) && !is_own_term(key))
         node.fail("unknown key " + compact_name(key) + ", expected a term of " + kContextIri);

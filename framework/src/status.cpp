@@ -54,20 +54,20 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
 }
 
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,
-                              const PoseEstimate& estimate) {
+                              const PoseEstimate& estimate, double novelty) {
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
-  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + 1 : 0;
+  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + novelty : 0;
   constexpr double kMemory = 0.8;
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
                         : alive.front().scan_nat;
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat) return Status::lost;
-  if (sure_ >= options_.localized_updates && mean_scan_nat_ > options_.localized_scan_nat)
+  if (sure_ >= options_.localized_novelty && mean_scan_nat_ > options_.localized_scan_nat)
     return Status::localized;
   return estimate.rivals.empty() ? Status::searching : Status::ambiguous;
 }
 
 PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base,
-                                       double stamp_s) {
+                                       double stamp_s, double novelty) {
   PoseEstimate estimate;
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
@@ -81,7 +81,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.best = alive.front().hypothesis.id;
   estimate.T_map_base = alive.front().hypothesis.T_map_local * T_local_base;
   weigh(alive, T_local_base, estimate);
-  estimate.status = judge(alive, T_local_base, estimate);
+  estimate.status = judge(alive, T_local_base, estimate, novelty);
   was_localized_ = was_localized_ || estimate.status == Status::localized;
   T_map_local_ = alive.front().hypothesis.T_map_local;
   last_ = estimate;

@@ -11,8 +11,10 @@ class StatusEstimator {
  public:
   explicit StatusEstimator(const AssociationOptions& options) : options_(options) {}
 
-  /// @param alive  best first; @param T_local_base  newest pose in the local frame.
-  PoseEstimate estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s);
+  /// @param alive         best first.
+  /// @param T_local_base  newest pose in the local frame.
+  /// @param novelty       how much of a new piece of evidence the newest scan was, in (0, 1].
+  PoseEstimate estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s, double novelty);
   /// The newest estimate, carried on to another pose in the local frame.
   PoseEstimate at(double stamp_s, const Pose2& T_local_base) const;
 
@@ -21,12 +23,13 @@ class StatusEstimator {
 
  private:
   void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const;
-  Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate);
+  Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
+               double novelty);
 
   AssociationOptions options_;
   PoseEstimate last_;
   Pose2 T_map_local_;
-  int sure_ = 0;             ///< updates in a row with the required probability, at one place
+  double sure_ = 0;          ///< novelty since the required probability holds at one place
   bool was_localized_ = false;
   double mean_scan_nat_ = 0; ///< of the best hypothesis, over the newest scans
 };

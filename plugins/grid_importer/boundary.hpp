@@ -26,11 +26,19 @@ class DirectionSet {
   std::uint16_t bits_ = 0;
 };
 
-/// An occupied cell beside free space: a candidate for being part of a surface.
+/// Whether free space lies beside a cell, 0.1 to 0.3 m away in a direction, and nothing occupied before it.
+bool is_open(const OccupancyGrid& grid, const Cell& cell, int sector);
+
+/// An occupied cell that can be seen from free space: a candidate for being part of a surface.
 struct BoundaryCell {
   Cell cell;
   DirectionSet visible;    ///< directions, away from the cell, from which a sensor in free space can see it
   DirectionSet explained;  ///< visible directions that some found feature already accounts for
+  /// Unit vector along the surface if the cells around the cell lie in a line; zero if they do not.
+  CellPoint axis = CellPoint::Zero();
+
+  /// How much the cell speaks for a surface along `tangent`, 0 to 1, by the angle between that and its axis.
+  double agreement(const CellPoint& tangent) const;
 };
 
 /// All boundary cells of a grid, in row order, and where they are.
@@ -57,6 +65,8 @@ class Boundary {
   }
 
  private:
+  CellPoint axis_at(const Cell& cell) const;
+
   const OccupancyGrid& grid_;
   std::vector<BoundaryCell> cells_;
   std::vector<std::int32_t> numbers_;  // per grid cell

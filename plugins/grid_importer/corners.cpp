@@ -14,6 +14,8 @@ constexpr double kMaxExtension_m = 0.35;
 constexpr double kMinSine = 0.4;
 // Shorter faces have no direction to speak of.
 constexpr double kMinArm_m = 0.25;
+// Cells at the ends of an extension, in cells, that are the surface's own or its smear.
+constexpr double kSmear = 1.5;
 
 struct Candidate {
   Corner corner;
@@ -51,45 +53,70 @@ std::optional<CellPoint> intersection(const Line& a, const Line& b) {
   return a.at(cross(b.through - a.through, b.tangent) / sine);
 }
 
-std::optional<Candidate> candidate(const std::vector<Face>& faces, int before, int after, double max_extension) {
-  const Face& a = faces[static_cast<std::size_t>(before)];
-  const Face& b = faces[static_cast<std::size_t>(after)];
-  if ((a.end - b.begin).norm() > max_extension) return std::nullopt;
-  const std::optional<CellPoint> point = intersection(a.line(), b.line());
-  if (!point) return std::nullopt;
-  const double from_a = (*point - a.end).norm();
-  const double from_b = (*point - b.begin).norm();
-  // An end may be cut back to the corner, but not by half of its face.
-  if (std::max(from_a, from_b) > max_extension || a.line().along(*point) < 0.5 * a.length() ||
-      b.line().along(*point) > 0.5 * b.length())
-    return std::nullopt;
-  return Candidate{{*point, before, after}, from_a + from_b};
+/// Beams crossed the way from a face's end to the corner: a cell there, and those on both sides of it, are free.
+bool is_crossed(const OccupancyGrid& grid, const Line& line, const CellPoint& from, const CellPoint& to) {
+  const double length = (to - from).norm();
+  for (double along = kSmear; along < length - kSmear; ++along) {
+    const CellPoint p = from + along / length * (to - from);
+    bool free = true;
+    for (const double across : {-1.0, 0.0, 1.0}) free = free && grid.at(cell_at(p + across * line.normal())) == Occupancy::free;
+    if (free) return true;
+  }
+  return false;
 }
 
-std::vector<Candidate> candidates(const std::vector<Face>& faces, double resolution_m) {
-  const double max_extension = kMaxExtension_m / resolution_m;
-  const double min_arm = kMinArm_m / resolution_m;
-  const Begins begins(faces, max_extension);
-  std::vector<Candidate> found;
-  for (std::size_t before = 0; before < faces.size(); ++before) {
-    if (faces[before].length() < min_arm) continue;
-    begins.visit_near(faces[before].end, [&](int after) {
-      if (faces[static_cast<std::size_t>(after)].length() < min_arm) return;
-      if (const auto corner = candidate(faces, static_cast<int>(before), after, max_extension)) found.push_back(*corner);
-    });
+class CornerSearch {
+ public:
+  CornerSearch(const std::vector<Face>& faces, const OccupancyGrid& grid)
+      : faces_(faces),
+        grid_(grid),
+        max_extension_(grid.to_cells(kMaxExtension_m)),
+        min_arm_(grid.to_cells(kMinArm_m)) {}
+
+  std::vector<Candidate> run() const {
+    const Begins begins(faces_, max_extension_);
+    std::vector<Candidate> found;
+    for (std::size_t before = 0; before < faces_.size(); ++before)
+      begins.visit_near(faces_[before].end, [&](int after) {
+        if (const auto corner = candidate(static_cast<int>(before), after)) found.push_back(*corner);
+      });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.extension < b.extension; });
+    return found;
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.extension < b.extension; });
-  return found;
-}
+
+ private:
+  std::optional<Candidate> candidate(int before, int after) const {
+    const Face& a = faces_[static_cast<std::size_t>(before)];
+    const Face& b = faces_[static_cast<std::size_t>(after)];
+    if (std::min(a.length(), b.length()) < min_arm_ || (a.end - b.begin).norm() > max_extension_) return std::nullopt;
+    const std::optional<CellPoint> point = intersection(a.line(), b.line());
+    if (!point || !may_end_at(a, a.end, *point) || !may_end_at(b, b.begin, *point)) return std::nullopt;
+    return Candidate{{*point, before, after}, (*point - a.end).norm() + (*point - b.begin).norm()};
+  }
+
+  /// An end may be drawn out a little, or cut back to the corner, but not by half of its face.
+  bool may_end_at(const Face& face, const CellPoint& end, const CellPoint& point) const {
+    const CellPoint middle = (face.begin + face.end) / 2;
+    const bool is_beyond_middle = (point - middle).dot(end - middle) > 0;
+    const bool is_drawn_out = (point - middle).norm() > (end - middle).norm();
+    return is_beyond_middle && (point - end).norm() <= max_extension_ &&
+           !(is_drawn_out && is_crossed(grid_, face.line(), end, point));
+  }
+
+  const std::vector<Face>& faces_;
+  const OccupancyGrid& grid_;
+  double max_extension_;
+  double min_arm_;
+};
 
 }  // namespace
 
-std::vector<Corner> join_corners(std::vector<Face>& faces, double resolution_m) {
+std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& grid) {
   std::vector<Corner> corners;
   std::vector<bool> end_used(faces.size());
   std::vector<bool> begin_used(faces.size());
-  for (const Candidate& candidate : candidates(faces, resolution_m)) {
+  for (const Candidate& candidate : CornerSearch(faces, grid).run()) {
     const auto before = static_cast<std::size_t>(candidate.corner.before);
     const auto after = static_cast<std::size_t>(candidate.corner.after);
     if (end_used[before] || begin_used[after]) continue;

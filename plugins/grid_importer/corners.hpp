@@ -1,6 +1,7 @@
 #pragma once
 
 #include "face.hpp"
+#include "grid.hpp"
 
 #include <vector>
 
@@ -14,7 +15,7 @@ struct Corner {
 };
 
 /// Finds faces whose ends meet at an angle, and moves these ends to the intersection of their lines. Every end is
-/// part of one corner at most; the nearest pairs come first.
-std::vector<Corner> join_corners(std::vector<Face>& faces, double resolution_m);
+/// part of one corner at most; the nearest pairs come first. No face is drawn out through space that beams crossed.
+std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& grid);
 
 }  // namespace opal::grid_importer

@@ -8,7 +8,7 @@ namespace opal::grid_importer {
 struct Face {
   CellPoint begin = CellPoint::Zero();
   CellPoint end = CellPoint::Zero();
-  double covered = 0;  ///< how much of the length has boundary cells
+  double covered = 0;  ///< how much of the length has boundary cells that agree with it
   double rms = 0;      ///< root mean square distance of these cells to the face
 
   double length() const { return (end - begin).norm(); }

@@ -17,17 +17,32 @@ struct Pass {
   double view_radius_m;  ///< how far around a seed its direction is taken from
   double min_coverage;   ///< least share of the length that has cells
 };
-constexpr std::array<Pass, 4> kPasses{{{2.0, 0.50, 0.25}, {0.8, 0.50, 0.30}, {0.3, 0.25, 0.45}, {0.0, 0.20, 0.60}}};
+constexpr std::array<Pass, 4> kPasses{{{2.0, 0.50, 0.20}, {0.8, 0.50, 0.25}, {0.3, 0.25, 0.35}, {0.0, 0.20, 0.50}}};
 
 constexpr std::size_t kMinCells = 4;
+constexpr double kMinWeight = 1;  // of a fit: a line that leaves its cells behind
 constexpr double kMinLinearity = 0.6;
+// What Pass::min_coverage may fall to where free space ends at the face between its cells.
+constexpr double kMinCoveredShare = 0.6;
 constexpr int kMaxRefits = 24;  // each refit may double the length: enough for any building
 constexpr double kFirstReach_m = 0.6;
+
+// Faces are taken best first; those that lose cells to a better one are grown again in the next round.
+constexpr int kMaxRounds = 6;
+// A candidate that lost more than this share of its surplus to better faces waits for the next round.
+constexpr double kMaxLoss = 0.2;
 
 struct Seed {
   int cell = 0;
   Line line;
   long rank = 0;  ///< straightness and number of cells around, in whole numbers: ties are broken by position
+};
+
+/// A face that might be, and what speaks for it.
+struct Candidate {
+  Seed seed;
+  Face face;
+  BestPart part;
 };
 
 class Growth {
@@ -40,12 +55,11 @@ class Growth {
         min_length_(boundary.grid().to_cells(std::max(pass.min_length_m, limits.min_face_m))) {}
 
   void run(std::vector<Face>& faces) {
-    for (const Seed& seed : seeds())
-      if (is_unexplained(seed.cell, seed.line))
-        if (const std::optional<Face> face = grow(seed)) {
-          faces.push_back(*face);
-          explain(boundary_, *face);
-        }
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const std::size_t before = faces.size();
+      for (const Candidate& candidate : best_first()) take(candidate, faces);
+      if (faces.size() == before) return;
+    }
   }
 
  private:
@@ -83,8 +97,36 @@ class Growth {
     return seeds;
   }
 
+  /// Grows seeds, but not those that would give a face that is there already.
+  std::vector<Candidate> best_first() const {
+    std::vector<DirectionSet> claimed(static_cast<std::size_t>(boundary_.size()));
+    std::vector<Candidate> candidates;
+    for (const Seed& seed : seeds()) {
+      const int sector = DirectionSet::sector_of(seed.line.normal());
+      if (claimed[static_cast<std::size_t>(seed.cell)].contains(sector)) continue;
+      claimed[static_cast<std::size_t>(seed.cell)].add(sector);
+      std::optional<Candidate> candidate = grow(seed);
+      if (!candidate) continue;
+      const int face_sector = DirectionSet::sector_of(candidate->face.line().normal());
+      for (const Supporter& supporter : candidate->part.support)
+        claimed[static_cast<std::size_t>(supporter.cell)].add(face_sector, 1);
+      candidates.push_back(std::move(*candidate));
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.part.surplus > b.part.surplus; });
+    return candidates;
+  }
+
+  void take(const Candidate& candidate, std::vector<Face>& faces) {
+    if (!is_unexplained(candidate.seed.cell, candidate.seed.line)) return;
+    const std::optional<Candidate> now = grow(candidate.seed);
+    if (!now || now->part.surplus < (1 - kMaxLoss) * candidate.part.surplus) return;
+    explain(boundary_, now->face, now->part.support, tolerance_);
+    faces.push_back(now->face);
+  }
+
   /// Refits the line to what supports it while that reaches farther and farther.
-  std::optional<Face> grow(const Seed& seed) const {
+  std::optional<Candidate> grow(const Seed& seed) const {
     const CellPoint start = seed.line.through;
     Line line = seed.line;
     double reach = boundary_.grid().to_cells(kFirstReach_m);
@@ -94,18 +136,23 @@ class Growth {
       const bool settled = refit > 2 && wider.size() == support.size();
       support = std::move(wider);
       if (support.size() < kMinCells) return std::nullopt;
-      line = fit_to(boundary_, support, start).line(line.tangent);
+      const LineFit fit = fit_to(boundary_, support, line, tolerance_);
+      if (fit.weight() < kMinWeight) return std::nullopt;
+      line = fit.line(line.tangent);
       if (settled) break;
       reach = std::max(reach, 1.5 * extent_of(boundary_, support, line));
     }
-    return accepted(trimmed(support, pass_.min_coverage), line.tangent, start);
+    return candidate(seed, line, best_part(boundary_, line, support, tolerance_, pass_.min_coverage));
   }
 
-  std::optional<Face> accepted(const Support& support, const CellPoint& towards, const CellPoint& origin) const {
-    if (support.size() < kMinCells) return std::nullopt;
-    const Face face = face_of(boundary_, support, fit_to(boundary_, support, origin), towards);
-    const bool is_good = face.length() >= min_length_ && face.covered >= pass_.min_coverage * face.length();
-    return is_good ? std::optional(face) : std::nullopt;
+  std::optional<Candidate> candidate(const Seed& seed, const Line& line, BestPart part) const {
+    if (part.support.size() < kMinCells) return std::nullopt;
+    const LineFit fit = fit_to(boundary_, part.support, line, tolerance_);
+    if (fit.weight() < kMinWeight) return std::nullopt;
+    const Face face = face_of(boundary_, part.support, fit, line.tangent, tolerance_);
+    const bool is_covered = face.covered >= kMinCoveredShare * pass_.min_coverage * face.length();
+    if (face.length() < min_length_ || !is_covered) return std::nullopt;
+    return Candidate{seed, face, std::move(part)};
   }
 
   Boundary& boundary_;

@@ -92,7 +92,7 @@ class Distances {
     const int pieces = static_cast<int>((b - a).norm() / around) + 1;
     for (int k = 0; k <= pieces; ++k) {
       const CellPoint p = a + (b - a) * k / pieces;
-      const Cell centre{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+      const Cell centre = cell_at(p);
       boundary_.visit_near(centre, around, [&](int cell) {
         const double distance = distance_to(centre_of(boundary_[cell].cell));
         double& known = distances_[static_cast<std::size_t>(cell)];
@@ -125,7 +125,7 @@ double thickness(const OccupancyGrid& grid, const CellPoint& surface, const Cell
   double last = -1;
   for (double depth = -2; depth <= max_depth && depth - last <= 2; ++depth) {
     const CellPoint p = surface + depth * inwards;
-    const Cell cell{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+    const Cell cell = cell_at(p);
     if (grid.at(cell) == Occupancy::occupied) last = depth;
   }
   return last + 1;

@@ -8,7 +8,7 @@ VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits) {
   VectorMap map;
   map.columns = find_round_columns(boundary, limits);
   map.faces = grow_faces(boundary, limits);
-  map.corners = join_corners(map.faces, boundary.grid().resolution_m());
+  map.corners = join_corners(map.faces, boundary.grid());
   return map;
 }
 

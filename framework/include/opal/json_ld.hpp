@@ -10,11 +10,16 @@
 
 namespace opal::json_ld {
 
-/// A document that breaks JSON-LD 1.1, or uses a part of it outside the supported subset.
+/// A document that breaks JSON-LD 1.1.
 class OPAL_EXPORT JsonLdError : public MapError {
  public:
-  /// @param code     W3C error code, e.g. "invalid term definition"; "unsupported: @nest" for what the subset lacks.
-  /// @param pointer  JSON pointer into the source document.
+  /// @param code     W3C error code, e.g. "invalid term definition"; of our own are "unknown term", "unknown
+  /// prefix",
+  ///                 "unknown keyword", "misplaced keyword", "free-floating value" (see
+  ///                 Options::reject_unknown_terms) and "nested too deeply".
+  /// @param pointer  JSON pointer into the source document, "" for the whole; "IRI#POINTER" inside a context
+  /// that was
+  ///                 named by IRI.
   JsonLdError(std::string code, std::string pointer, const std::string& detail);
   ~JsonLdError() override;
   const std::string& code() const { return code_; }
@@ -29,18 +34,26 @@ struct Options {
   std::string base;  ///< IRI that relative references resolve against; empty: they stay relative
   /// Contexts that may be named by IRI; nothing is ever fetched.
   std::map<std::string, nlohmann::json> contexts;
-  /// Keep, in every node and value object, where it came from: "@pointer": "/objects/3/geometry". Not JSON-LD; for
-  /// error messages of the caller.
+  /// Taken in before the document's own context, as if it came first; null: none.
+  nlohmann::json expand_context = nullptr;
+  /// Keep, in every node and value object, where it came from: "@pointer": "/objects/3/geometry". Not
+  /// JSON-LD; for error messages of the caller. Flattening keeps the place that defines a node rather than
+  /// one that refers to it, and of several equal ones the first; references keep their own.
   bool keep_pointers = false;
-  /// Reject keys that map to no IRI (JSON-LD drops them silently).
+  /// Refuse what JSON-LD drops silently or misreads: keys, types and @vocab-typed values that map to no IRI
+  /// or have a prefix that is not defined ("opl:Wall"; "http://..." and "urn:..." are whole IRIs), words that
+  /// look like keywords, and values where only nodes count. A term that the context maps to null is still
+  /// dropped: that is its purpose.
   bool reject_unknown_terms = false;
 };
 
-/// W3C JSON-LD 1.1 API, Expansion Algorithm (5.1.2). @throws JsonLdError.
+/// W3C JSON-LD 1.1 API, Expansion Algorithm (5.1.2), processing mode json-ld-1.1, every part of it. Arrays
+/// keep the order of the document, entries are visited in the order of their keys. @throws JsonLdError.
 OPAL_EXPORT nlohmann::json expand(const nlohmann::json& document, const Options& options = {});
 
 /// W3C JSON-LD 1.1 API, Flattening (7.2) of the expanded document: an array of node objects by @id, without
-/// compaction. @throws JsonLdError.
+/// compaction. Blank nodes are labelled _:b0, _:b1, ... the same way for the same document. @throws
+/// JsonLdError.
 OPAL_EXPORT nlohmann::json flatten(const nlohmann::json& document, const Options& options = {});
 
 }  // namespace opal::json_ld

@@ -48,8 +48,11 @@ struct LocalMapOptions {
   double pose_change_rad = 0.05;      ///< by this much, are different
   int optimize_every = 3;             ///< keyframes between two runs of the factor graph; 0: never
   double robust_scale = 1.0;          ///< Cauchy loss, in standard deviations
-  double odometry_sigma_per_m = 0.1;  ///< one-sigma translation error per metre driven [m]
-  double odometry_heading_sigma_per_rad = 0.1;
+  double odometry_sigma_m = 0.06;     ///< one-sigma translation error, however short the motion
+  double odometry_heading_sigma_rad = 0.1;  ///< one-sigma heading error, however short the motion: recorded scans
+                                            ///< and odometry differ in time by up to 0.2 s, 10 degrees in a turn
+  double odometry_sigma_per_m = 0.15;  ///< one-sigma translation error per metre driven [m]
+  double odometry_heading_sigma_per_rad = 0.2;
   double odometry_heading_sigma_per_m = 0.04;
 };
 

@@ -11,7 +11,7 @@
 namespace opal {
 
 /// What a person wants to know of a map before a robot drives by it.
-struct MapCheck {
+struct OPAL_EXPORT MapCheck {
   std::map<std::string, int> objects_by_type;
   std::map<std::string, int> features_by_type;
   std::map<std::string, int> features_by_sensor;      ///< "" for features that no sensor perceives

@@ -1,0 +1,64 @@
+#include "run_record.hpp"
+
+#include <ctime>
+
+namespace {
+
+double cpu_now_s() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+void add(opal::StageTimes& sum, const opal::StageTimes& one) {
+  sum.detect_s += one.detect_s;
+  sum.local_map_s += one.local_map_s;
+  sum.associate_s += one.associate_s;
+  sum.verify_s += one.verify_s;
+  sum.track_s += one.track_s;
+  sum.status_s += one.status_s;
+}
+
+template <class T>
+void extend(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+void RunRecord::append(const RunRecord& other) {
+  extend(rows, other.rows);
+  extend(trajectory, other.trajectory);
+  extend(update_cpu_ms, other.update_cpu_ms);
+  add(stages, other.stages);
+  hypotheses += other.hypotheses;
+  last = other.last;
+  last_points = other.last_points;
+  last_T_odom_base = other.last_T_odom_base;
+}
+
+RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opal::Replay& replay,
+                  const std::string& query, const RunProgress& progress) {
+  RunRecord record;
+  double before_s = cpu_now_s();  // the replay cleans the scan: that is part of an update's cost
+  while (const auto sample = replay.next()) {
+    const auto updated = localizer.update(sample->scan, sample->T_odom_base);
+    if (updated) {
+      record.update_cpu_ms.push_back(1e3 * (cpu_now_s() - before_s));
+      add(record.stages, localizer.last_times());
+      record.hypotheses += updated->hypotheses;
+      record.last_points.clear();
+      for (const opal::ScanPoint& point : sample->scan.points) record.last_points.push_back(point.position);
+      record.last_T_odom_base = sample->T_odom_base;
+    }
+    record.last = localizer.estimate_at(sample->scan.stamp_s, sample->T_odom_base);
+    if (record.last.has_pose) {
+      record.rows.push_back({query, sample->scan.stamp_s, record.last.T_map_base * laser.T_base_laser,
+                             record.last.status == opal::Status::localized});
+      record.trajectory.push_back({sample->scan.stamp_s, record.last.T_map_base});
+    }
+    progress(replay.progress());
+    before_s = cpu_now_s();
+  }
+  return record;
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <opal/localizer.hpp>
+#include <opal/replay.hpp>
+#include <opal/trajectory.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What one replay of a log through a localizer leaves behind.
+struct RunRecord {
+  std::vector<opal::ResultRow> rows;               ///< one per scan that had a pose
+  std::vector<opal::StampedPose> trajectory;       ///< T_map_base, the same scans
+  std::vector<double> update_cpu_ms;               ///< per keyframe: cleaning, detection and everything after
+  opal::StageTimes stages;                         ///< sums
+  double hypotheses = 0;                           ///< sum over keyframes
+  opal::PoseEstimate last;
+  std::vector<opal::Point> last_points;            ///< of the last keyframe's scan, laser frame
+  opal::Pose2 last_T_odom_base;
+
+  void append(const RunRecord& other);
+};
+
+using RunProgress = std::function<void(double share)>;
+
+/// Plays samples through a localizer that has been reset.
+RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opal::Replay& replay,
+                  const std::string& query, const RunProgress& progress);

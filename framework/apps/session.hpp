@@ -1,0 +1,26 @@
+#pragma once
+
+#include <opal/plugin/log_source.hpp>
+#include <opal/plugin/map_importer.hpp>
+#include <opal/plugin/plugin_registry.hpp>
+
+#include <memory>
+#include <string>
+
+/// What several verbs begin with.
+
+/// All plugins of the program's folders; refused ones are reported on stderr and left out.
+opal::PluginRegistry load_plugins();
+
+/// Imports a map with the importer that recognizes the source. @throws opal::MapError if none does.
+opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source);
+
+/// A map from a document, or from any source that an importer recognizes.
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
+
+/// Opens a recorded log with the source that recognizes it. @throws opal::LogError if none does.
+std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path);
+
+/// A configuration that ships with the program, by name, whether it runs from the build or is installed.
+/// @throws opal::ConfigError if it is nowhere.
+std::string shipped_config(const std::string& name);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace opal {
+
+/// Each verb adds its subcommand with its options to the program, and sets the exit code when it has run.
+
+/// `opal plugins [FOLDER or FILE...]`: what plugins offer. Exit code 1 if one was refused or breaks its
+/// contract.
+void add_plugins_verb(CLI::App& app, int& exit_code);
+
+/// `opal map import|check`: bring a building in, and see what it would run. Exit code 1 if the map has warnings
+/// that keep it from being used.
+void add_map_verb(CLI::App& app, int& exit_code);
+
+/// `opal localize CONFIG LOG`: the pose along a recorded log. Exit code 1 if there is none at the end.
+void add_localize_verb(CLI::App& app, int& exit_code);
+
+/// `opal bench PREFIX -o OUT`: one recorded place from end to end. Never reads ground truth.
+void add_bench_verb(CLI::App& app, int& exit_code);
+
+}  // namespace opal

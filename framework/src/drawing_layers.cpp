@@ -1,0 +1,133 @@
+#include "drawing_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace opal {
+namespace {
+
+constexpr double kWall_px = 1.5;
+/// The side of a face that cannot be seen is shaded this deep.
+constexpr double kBody_m = 0.12;
+constexpr double kMost_grid_lines = 14;
+
+Color color_of(const std::string& type, std::size_t others) {
+  if (type == "opal:Wall") return {0.22, 0.27, 0.34};
+  if (type == "opal:Column") return {0.72, 0.36, 0.18};
+  if (type == "opal:Door") return {0.08, 0.52, 0.58};
+  if (type == "opal:Window") return {0.30, 0.60, 0.85};
+  static const Color kOthers[] = {
+      {0.55, 0.35, 0.60}, {0.45, 0.50, 0.15}, {0.75, 0.30, 0.45}, {0.35, 0.40, 0.65}};
+  return kOthers[others % std::size(kOthers)];
+}
+
+const std::string& type_of(const SemanticMap& map, const MapFeature& feature) {
+  return feature.object >= 0 ? map.objects()[feature.object].type : feature.type;
+}
+
+/// The distance between grid lines: 1, 2 or 5 times a power of ten.
+double grid_step_m(double extent_m) {
+  const double least = extent_m / kMost_grid_lines;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
+
+void draw_grid(DrawingCanvas& canvas) {
+  const PageFrame& frame = canvas.frame();
+  const Point size_m = frame.plot_size_px / frame.px_per_m, max = frame.map_min + size_m;
+  const double step_m = grid_step_m(size_m.maxCoeff());
+  for (double x = std::ceil(frame.map_min.x() / step_m) * step_m; x < max.x(); x += step_m)
+    canvas.line(std::array{Point(x, frame.map_min.y()), Point(x, max.y())}, ink::kGrid, 0.6);
+  for (double y = std::ceil(frame.map_min.y() / step_m) * step_m; y < max.y(); y += step_m)
+    canvas.line(std::array{Point(frame.map_min.x(), y), Point(max.x(), y)}, ink::kGrid, 0.6);
+}
+
+void draw_body(DrawingCanvas& canvas, const Segment& face, const Color& color) {
+  if (!(face.length_m() > 0)) return;
+  const Point behind = -kBody_m * face.normal();
+  canvas.polygon(std::array{face.begin, face.end, Point(face.end + behind), Point(face.begin + behind)},
+                 color.with_opacity(0.16));
+}
+
+void draw_map(DrawingCanvas& canvas, const SemanticMap& map) {
+  const auto inks = inks_of_types(map);
+  const auto color = [&](const MapFeature& f) { return inks.at(type_of(map, f)).color; };
+  for (const MapFeature& feature : map.features())
+    if (const auto* face = std::get_if<Segment>(&feature.geometry)) draw_body(canvas, *face, color(feature));
+  for (const MapFeature& feature : map.features())
+    canvas.geometry(feature.geometry, color(feature), kWall_px);
+}
+
+/// Where a short line can show which mapped geometry a local one is taken for.
+Point nearest_on(const Geometry& geometry, const Point& p) {
+  if (const auto* s = std::get_if<Segment>(&geometry)) {
+    const double length_m = s->length_m();
+    if (!(length_m > 0)) return s->begin;
+    return s->begin + std::clamp((p - s->begin).dot(s->direction()), 0.0, length_m) * s->direction();
+  }
+  return anchor_of(geometry);
+}
+
+void draw_associations(DrawingCanvas& canvas, const DrawingScene& scene) {
+  for (const auto& pair : scene.associations)
+    canvas.geometry(pair.mapped, ink::kAssociation.with_opacity(0.30), kMatched_px);
+}
+
+void draw_association_lines(DrawingCanvas& canvas, const DrawingScene& scene) {
+  if (scene.hypotheses.empty()) return;
+  const Point robot = scene.hypotheses.front().T_map_base.position();
+  for (const auto& pair : scene.associations) {
+    const Point local = anchor_of(pair.local);
+    canvas.line(std::array{robot, local, nearest_on(pair.mapped, local)},
+                ink::kAssociation.with_opacity(0.55), kAssociation_px);
+  }
+}
+
+void draw_hypotheses(DrawingCanvas& canvas, const DrawingScene& scene) {
+  for (std::size_t k = scene.hypotheses.size(); k-- > 0;) {
+    const auto& hypothesis = scene.hypotheses[k];
+    if (k == 0)
+      canvas.arrow_head(hypothesis.T_map_base, kBestHead_px, ink::kBest, ink::kPlot);
+    else
+      canvas.arrow_head(hypothesis.T_map_base, rival_head_px(hypothesis.probability),
+                        rival_color(hypothesis.probability), ink::kPlot.with_opacity(0.8));
+  }
+}
+
+}  // namespace
+
+std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map) {
+  std::map<std::string, TypeInk> inks;
+  for (const MapFeature& feature : map.features()) inks[type_of(map, feature)];
+  for (const MapObject& object : map.objects())
+    if (!object.features.empty()) ++inks[object.type].objects;
+  std::size_t others = 0;
+  for (auto& [type, type_ink] : inks) type_ink.color = color_of(type, others++);
+  return inks;
+}
+
+double rival_head_px(double probability) { return 9 + 6 * std::sqrt(std::clamp(probability, 0.0, 1.0)); }
+
+Color rival_color(double probability) {
+  return ink::kRival.with_opacity(0.3 + 0.7 * std::sqrt(std::clamp(probability, 0.0, 1.0)));
+}
+
+void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {
+  canvas.clip_to_plot();
+  draw_grid(canvas);
+  if (!scene.free_space.empty()) canvas.polygon(scene.free_space, ink::kFreeSpace);
+  draw_associations(canvas, scene);
+  if (scene.map) draw_map(canvas, *scene.map);
+  canvas.line(scene.truth, ink::kTruth, kTruth_px, kDash_px);
+  canvas.line(scene.trajectory, ink::kTrajectory, kTrajectory_px);
+  for (const Feature& feature : scene.local_features)
+    canvas.geometry(feature.geometry, ink::kLocalFeature.with_opacity(0.8), kLocalFeature_px);
+  draw_association_lines(canvas, scene);
+  canvas.dots(scene.scan_points, ink::kScan, kScanDot_px);
+  draw_hypotheses(canvas, scene);
+  canvas.unclip();
+}
+
+}  // namespace opal

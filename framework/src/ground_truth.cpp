@@ -1,0 +1,42 @@
+#include <opal/ground_truth.hpp>
+
+#include <opal/error.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+namespace opal {
+
+GroundTruth GroundTruth::read(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw LogError(path + ": cannot be read");
+  GroundTruth truth;
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    if (number == 1 || line.empty()) continue;  // the header
+    double stamp = 0, x = 0, y = 0, heading = 0;
+    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &stamp, &x, &y, &heading) != 4)
+      throw LogError(path + ": line " + std::to_string(number) + ": '" + line +
+                     "', expected timestamp,x,y,theta,is_scan");
+    if (truth.poses_.empty() || stamp > truth.poses_.back().stamp_s)
+      truth.poses_.push_back({stamp, {x, y, heading}});
+    else
+      truth.poses_.back().pose = {x, y, heading};  // the scan's own pose follows and wins
+  }
+  return truth;
+}
+
+std::optional<Pose2> GroundTruth::T_map_laser_at(double stamp_s) const {
+  const auto after = std::lower_bound(poses_.begin(), poses_.end(), stamp_s,
+                                      [](const StampedPose& p, double t) { return p.stamp_s < t; });
+  if (after == poses_.end()) return std::nullopt;
+  if (after->stamp_s == stamp_s) return after->pose;
+  if (after == poses_.begin()) return std::nullopt;
+  const StampedPose &a = *(after - 1), &b = *after;
+  const double f = (stamp_s - a.stamp_s) / (b.stamp_s - a.stamp_s);
+  return Pose2(Point(a.pose.position() + f * (b.pose.position() - a.pose.position())),
+               a.pose.heading_rad() + f * wrap_angle(b.pose.heading_rad() - a.pose.heading_rad()));
+}
+
+}  // namespace opal

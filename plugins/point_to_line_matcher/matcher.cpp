@@ -1,0 +1,76 @@
+#include "matcher.hpp"
+
+#include "pose_search.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace opal::point_to_line {
+namespace {
+
+constexpr std::size_t kFewestPoints = 10;
+constexpr double kJump_m = 0.5;        ///< steps between neighbours longer than this count as this when thinning
+constexpr double kLeastSigma = 1e-4;   ///< [m], [rad]: a guess is never certain
+constexpr double kMostDoubt = 4;       ///< standard deviations that a match may lie off the guess, beyond the search
+
+std::vector<Point> finite(std::span<const Point> points) {
+  std::vector<Point> kept;
+  kept.reserve(points.size());
+  std::copy_if(points.begin(), points.end(), std::back_inserter(kept), [](const Point& p) {
+    return p.allFinite() && p.cwiseAbs().maxCoeff() < 1e6;
+  });
+  return kept;
+}
+
+double capped_step_m(const Point& a, const Point& b) { return std::min(kJump_m, (a - b).norm()); }
+
+/// About `count` points, evenly along the outline rather than by bearing, so that near walls do not outvote far ones.
+std::vector<Point> evenly(const std::vector<Point>& points, int count) {
+  double length_m = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length_m += capped_step_m(points[i - 1], points[i]);
+  const double spacing_m = length_m / count;
+  std::vector<Point> chosen{points.front()};
+  double since_m = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    since_m += capped_step_m(points[i - 1], points[i]);
+    if (since_m < spacing_m) continue;
+    chosen.push_back(points[i]);
+    since_m = std::fmod(since_m, std::max(spacing_m, 1e-9));
+  }
+  return chosen;
+}
+
+bool is_far_from(const Prior& prior, const Pose2& pose, double sigmas) {
+  const Point away = (pose.position() - prior.T_reference_scan.position()).cwiseQuotient(prior.sigma.head<2>());
+  const double turned = angle_between_rad(pose, prior.T_reference_scan) / prior.sigma.z();
+  return away.norm() > std::sqrt(2.0) * sigmas || turned > sigmas;
+}
+
+}  // namespace
+
+ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<const Point> scan,
+                                    const Pose2& guess, const Eigen::Vector3d& guess_sigma) const {
+  const Prior prior{guess, guess_sigma.cwiseMax(kLeastSigma)};
+  ScanMatch nothing;
+  nothing.T_reference_scan = guess;
+  nothing.covariance = prior.sigma.cwiseAbs2().asDiagonal();
+  const std::vector<Point> seen = finite(scan);
+  const std::vector<Point> known = finite(reference);
+  if (seen.size() < kFewestPoints || known.size() < kFewestPoints || !prior.sigma.allFinite()) return nothing;
+
+  const ReferenceGrid grid(known);
+  const std::vector<Pose2> starts =
+      search_poses(grid, evenly(seen, options_.search_points), guess, prior.sigma, options_.search_sigmas);
+  const std::vector<Point> points = evenly(seen, options_.max_points);
+  Refined best = refine(grid, points, starts.front(), prior, options_.refinement);
+  for (std::size_t i = 1; i < starts.size(); ++i) {
+    const Refined other = refine(grid, points, starts[i], prior, options_.refinement);
+    if (other.cost < best.cost) best = other;
+  }
+  if (!best.match.converged) return nothing;
+  best.match.converged = best.match.inlier_share >= options_.min_inlier_share &&
+                         !is_far_from(prior, best.match.T_reference_scan, options_.search_sigmas + kMostDoubt);
+  return best.match;
+}
+
+}  // namespace opal::point_to_line

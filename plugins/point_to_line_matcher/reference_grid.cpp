@@ -1,0 +1,100 @@
+#include "reference_grid.hpp"
+
+#include <algorithm>
+
+namespace opal::point_to_line {
+namespace {
+
+constexpr double kFinestCell_m = 0.1;
+constexpr double kMostCells = 500 * 500;  ///< a larger reference gets larger cells
+constexpr double kMostColumns = 5000;
+
+// The direction across the outline at a point comes from a neighbour on either side, at least an arm's length away
+// so that range noise of 2 cm turns it little, and in line with the point.
+constexpr double kArm_m = 0.15;
+constexpr double kLongestArm_m = 1.2;
+constexpr double kInLineCosine = 0.95;
+
+constexpr double kAgreement = 0.9;  ///< mean length of a cell's normals below which it is a corner or clutter
+
+/// The first point at least an arm's length from points[i], going by `step`; null: the scan ends or jumps before.
+const Point* arm(std::span<const Point> points, std::size_t i, int step) {
+  for (auto k = static_cast<std::ptrdiff_t>(i) + step; k >= 0 && k < std::ssize(points); k += step) {
+    const Point& other = points[static_cast<std::size_t>(k)];
+    const double squared = (other - points[i]).squaredNorm();
+    if (squared > kLongestArm_m * kLongestArm_m) return nullptr;
+    if (squared >= kArm_m * kArm_m) return &other;
+  }
+  return nullptr;
+}
+
+Point normal_at(std::span<const Point> points, std::size_t i) {
+  const Point* before = arm(points, i, -1);
+  const Point* after = arm(points, i, 1);
+  if (!before || !after) return Point::Zero();
+  const Point in = (points[i] - *before).normalized();
+  const Point out = (*after - points[i]).normalized();
+  return in.dot(out) > kInLineCosine ? left_of((*after - *before).normalized()) : Point::Zero();
+}
+
+}  // namespace
+
+ReferenceGrid::ReferenceGrid(std::span<const Point> reference) {
+  if (reference.empty()) return;
+  lay_out(reference);
+  gather(reference);
+  for (std::uint32_t i = 0; i < surfels_.size(); ++i) spread(i);
+}
+
+void ReferenceGrid::lay_out(std::span<const Point> reference) {
+  Point low = reference.front(), high = low;
+  for (const Point& p : reference) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Point size = high - low + Point::Constant(2 * kReach_m + kFinestCell_m);
+  cell_m_ = std::max({kFinestCell_m, std::sqrt(size.x() * size.y() / kMostCells), size.maxCoeff() / kMostColumns});
+  origin_ = low - Point::Constant(kReach_m);
+  columns_ = static_cast<int>(size.x() / cell_m_) + 1;
+  rows_ = static_cast<int>(size.y() / cell_m_) + 1;
+  cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+}
+
+/// One surfel per occupied cell. Scans seen from either side of a wall have opposite normals: they are turned alike.
+void ReferenceGrid::gather(std::span<const Point> reference) {
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    const Point& p = reference[i];
+    std::uint32_t& index = cell(column_of(p.x()), row_of(p.y())).surfel;
+    if (index == kNone) {
+      index = static_cast<std::uint32_t>(surfels_.size());
+      surfels_.emplace_back();
+    }
+    Surfel& surfel = surfels_[index];
+    const Point normal = normal_at(reference, i);
+    surfel.normal += normal.dot(surfel.normal) < 0 ? Point(-normal) : normal;
+    surfel.mean += p;
+    ++surfel.points;
+  }
+  for (Surfel& surfel : surfels_) {
+    surfel.mean /= surfel.points;
+    const double agreement = surfel.normal.norm() / surfel.points;
+    surfel.normal = agreement > kAgreement ? surfel.normal.normalized() : Point::Zero();
+  }
+}
+
+void ReferenceGrid::spread(std::uint32_t index) {
+  const Point& mean = surfels_[index].mean;
+  const int reach = static_cast<int>(kReach_m / cell_m_) + 1;
+  const int column = column_of(mean.x()), row = row_of(mean.y());
+  for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r) {
+    for (int c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c) {
+      const Point middle = origin_ + cell_m_ * Point(c + 0.5, r + 0.5);
+      const double squared = (middle - mean).squaredNorm() / (kReach_m * kReach_m);
+      Cell& near = cell(c, r);
+      if (squared >= 1 || 1 - squared <= near.nearness) continue;
+      near = {index, static_cast<float>(1 - squared)};
+    }
+  }
+}
+
+}  // namespace opal::point_to_line

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <opal/geometry.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace opal::point_to_line {
+
+/// A small piece of what the reference points outline: their mean in one cell, and the direction across the outline,
+/// zero where it is not known (corners, clutter, single points).
+struct Surfel {
+  Point mean = Point::Zero();
+  Point normal = Point::Zero();
+  int points = 0;
+};
+
+/// Surfels of a point set and, for every cell near one, which surfel is nearest. Built once per match.
+class ReferenceGrid {
+ public:
+  static constexpr double kReach_m = 0.3;  ///< how far around a surfel it is found
+
+  /// @param reference  points in order of bearing per scan, finite.
+  explicit ReferenceGrid(std::span<const Point> reference);
+
+  bool empty() const { return surfels_.empty(); }
+  double cell_m() const { return cell_m_; }
+
+  /// The surfel nearest to the middle of the cell that holds `point`; null farther than kReach_m from all.
+  const Surfel* nearest(const Point& point) const {
+    const Cell* cell = at(column_of(point.x()), row_of(point.y()));
+    return cell && cell->surfel != kNone ? &surfels_[cell->surfel] : nullptr;
+  }
+
+  int column_of(double x) const { return static_cast<int>(std::floor((x - origin_.x()) / cell_m_)); }
+  int row_of(double y) const { return static_cast<int>(std::floor((y - origin_.y()) / cell_m_)); }
+
+  /// How near the reference is to that cell: 1 on it, 0 from kReach_m on.
+  float nearness(int column, int row) const {
+    const Cell* cell = at(column, row);
+    return cell ? cell->nearness : 0;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Cell {
+    std::uint32_t surfel = kNone;
+    float nearness = 0;
+  };
+
+  const Cell* at(int column, int row) const {
+    const bool inside = column >= 0 && row >= 0 && column < columns_ && row < rows_;
+    return inside ? &cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                            static_cast<std::size_t>(column)]
+                  : nullptr;
+  }
+  Cell& cell(int column, int row) { return const_cast<Cell&>(*at(column, row)); }
+  void lay_out(std::span<const Point> reference);
+  void gather(std::span<const Point> reference);
+  void spread(std::uint32_t surfel);
+
+  Point origin_ = Point::Zero();
+  double cell_m_ = 0.1;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<Surfel> surfels_;
+};
+
+}  // namespace opal::point_to_line

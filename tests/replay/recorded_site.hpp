@@ -1,0 +1,39 @@
+#pragma once
+
+#include <opal/deployment.hpp>
+#include <opal/ground_truth.hpp>
+#include <opal/localizer.hpp>
+#include <opal/plugin/plugin_registry.hpp>
+#include <opal/replay.hpp>
+#include <opal/site.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// One recorded place below maps/malaga, with what every replay test needs of it.
+struct RecordedSite {
+  explicit RecordedSite(const std::string& name);
+
+  std::shared_ptr<const opal::SemanticMap> map;
+  opal::LaserModel laser;
+  std::vector<opal::Sample> samples;  ///< of the first query
+  opal::GroundTruth truth;
+
+  /// Parts of configs/default.jsonld for another map of the place.
+  opal::LocalizerParts parts(std::shared_ptr<const opal::SemanticMap> other_map) const;
+  opal::LocalizerParts parts() const { return parts(map); }
+};
+
+/// What a replay gave at each scan.
+struct ReplayedScan {
+  double stamp_s = 0;
+  opal::PoseEstimate estimate;
+  bool keyframe = false;
+};
+
+std::vector<ReplayedScan> replay(opal::Localizer& localizer, const std::vector<opal::Sample>& samples);
+
+/// The same map with everything moved by T_new_map, and its features in another order.
+std::shared_ptr<const opal::SemanticMap> moved_map(const opal::SemanticMap& map, const opal::Pose2& T_new_map);
+std::shared_ptr<const opal::SemanticMap> reversed_map(const opal::SemanticMap& map);
