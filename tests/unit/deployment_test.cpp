@@ -15,7 +15,7 @@ const std::string kFile = "configs/hall.jsonld";
 /// A deployment with these members beside the ones that it cannot be without.
 std::string document(const std::string& members) {
   return R"({"@context": "urn:opal:v1", "@type": "opal:Deployment")" +
-         (members.find("\"scorers\"") == std::string::npos ? R"(, "scorers": [{"@type": "opal:Beams"}])" : "") +
+         std::string(members.find("\"scorers\"") == std::string::npos ? R"(, "scorers": [{"@type": "opal:Beams"}])" : "") +
          (members.empty() ? "" : ", " + members) + "}";
 }
 

@@ -60,7 +60,7 @@ struct AssociationOptions {
 
   // Status.
   double none_nat = 0;              ///< log weight of "none of these" before the first scan
-  double none_scan_nat = 1.6;       ///< what a scan at a place that is not on the map would say for a wrong pose:
+  double none_scan_nat = 1.2;       ///< what a scan at a place that is not on the map would say for a wrong pose:
                                     ///< hypotheses must gather more than this to be believed
   double localized_probability = 0.99;
   double localized_novelty = 3;     ///< sum of the scans' novelty over which that must hold
