@@ -262,8 +262,8 @@ TEST_CASE("a file with a damaged part is read as far as it goes, one that was cu
   const auto bytes = std::filesystem::file_size(path);
   {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-    file.seekp(static_cast<std::streamoff>(bytes / 2));
-    file << std::string(bytes / 4, '\xff');
+    file.seekp(static_cast<std::streamoff>(bytes / 4 * 3));
+    file << std::string(bytes / 8, '\xff');
   }
   const auto reader = Ros2Bag({}).open(path);
   const std::size_t scans = read_all(*reader).size();
