@@ -1,5 +1,7 @@
 #include <opal/deployment.hpp>
 #include <opal/error.hpp>
+#include <opal/json_ld.hpp>
+#include <opal/strict_json.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -217,4 +219,17 @@ TEST_CASE("every shipped configuration is readable, and its parts can be made") 
     ++files;
   }
   CHECK(files >= 2);
+}
+
+TEST_CASE("every shipped configuration is JSON-LD of Opal's vocabulary, its lists ordered") {
+  json_ld::Options options;
+  options.contexts["urn:opal:v1"] = read_json(OPAL_SOURCE_DIR "/maps/context/opal.jsonld");
+  options.reject_unknown_terms = true;
+  for (const auto& entry : std::filesystem::directory_iterator(OPAL_SOURCE_DIR "/configs")) {
+    CAPTURE(entry.path().string());
+    const nlohmann::json expanded = json_ld::expand(read_json(entry.path().string()), options);
+    REQUIRE(expanded.size() == 1);
+    CHECK(expanded[0]["@type"][0] == "urn:opal:v1#Deployment");
+    CHECK(expanded[0]["urn:opal:v1#scorers"][0].contains("@list"));
+  }
 }
