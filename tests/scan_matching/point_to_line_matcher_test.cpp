@@ -114,8 +114,9 @@ TEST_CASE("empty, tiny, identical, distant and not finite points are ordinary") 
   CHECK_FALSE(matcher.match(none, c.scan, Pose2(), kSigma).converged);
   CHECK_FALSE(matcher.match(c.reference, none, Pose2(), kSigma).converged);
   CHECK_FALSE(matcher.match(one, one, Pose2(), kSigma).converged);
-  for (const auto* reference : {&same, &spread, &c.reference})
-    for (const auto* scan : {&same, &spread, &dirty}) {
+  using Points = const std::vector<Point>*;
+  for (Points reference : {Points(&same), Points(&spread), Points(&c.reference)})
+    for (Points scan : {Points(&same), Points(&spread), Points(&dirty)}) {
       const ScanMatch match = matcher.match(*reference, *scan, Pose2(0.4, 0, 0), kSigma);
       CHECK(match.T_reference_scan.position().allFinite());
       CHECK(match.covariance.allFinite());
