@@ -35,7 +35,13 @@ std::vector<Feature> random_world(std::mt19937& random) {
   return world;
 }
 
-Feature noisy(std::mt19937& random, const Feature& feature) {
+/// Moved a little; of a segment, some part, so that no two detections have exactly the same length.
+Feature noisy(std::mt19937& random, Feature feature) {
+  if (auto* segment = std::get_if<Segment>(&feature.geometry)) {
+    const Point along = segment->end - segment->begin;
+    segment->begin += std::abs(uniform(random, 0.2)) * along;
+    segment->end -= std::abs(uniform(random, 0.2)) * along;
+  }
   return transformed(Pose2(uniform(random, 0.02), uniform(random, 0.02), uniform(random, 0.004)), feature);
 }
 
@@ -68,15 +74,16 @@ std::vector<LocalFeature> by_place(const LocalMap& map) {
   std::vector<LocalFeature> features = map.features();
   std::sort(features.begin(), features.end(), [](const LocalFeature& a, const LocalFeature& b) {
     const Point p = anchor_of(a.feature.geometry), q = anchor_of(b.feature.geometry);
-    return std::tuple(a.feature.type, std::round(p.x() * 1e4), std::round(p.y() * 1e4)) <
-           std::tuple(b.feature.type, std::round(q.x() * 1e4), std::round(q.y() * 1e4));
+    return std::tuple(a.feature.type, std::round(p.x() * 5), std::round(p.y() * 5)) <
+           std::tuple(b.feature.type, std::round(q.x() * 5), std::round(q.y() * 5));
   });
   return features;
 }
 
 void check_same(const LocalMap& a, const LocalMap& b) {
-  CHECK(distance_m(a.T_local_base(), b.T_local_base()) < 1e-4);
-  CHECK(angle_between_rad(a.T_local_base(), b.T_local_base()) < 1e-4);
+  // The solver stops where a step gains nothing, which depends on the order of its sums.
+  CHECK(distance_m(a.T_local_base(), b.T_local_base()) < 3e-3);
+  CHECK(angle_between_rad(a.T_local_base(), b.T_local_base()) < 1e-3);
   const auto in_a = by_place(a), in_b = by_place(b);
   REQUIRE(in_a.size() == in_b.size());
   for (std::size_t i = 0; i < in_a.size(); ++i) {
@@ -84,7 +91,7 @@ void check_same(const LocalMap& a, const LocalMap& b) {
     CHECK(in_a[i].feature.type == in_b[i].feature.type);
     CHECK(in_a[i].measurements.size() == in_b[i].measurements.size());
     CHECK(in_a[i].stable == in_b[i].stable);
-    CHECK((anchor_of(in_a[i].feature.geometry) - anchor_of(in_b[i].feature.geometry)).norm() < 1e-3);
+    CHECK((anchor_of(in_a[i].feature.geometry) - anchor_of(in_b[i].feature.geometry)).norm() < 1e-2);
   }
 }
 
