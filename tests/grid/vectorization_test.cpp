@@ -125,7 +125,7 @@ TEST_CASE("a slanted wall is one straight face and no staircase") {
 }
 
 TEST_CASE("a dotted wall before the unknown is one face") {
-  const int pitch = GENERATE(2, 4, 6);  // cells: 0.1 to 0.3 m
+  const int pitch = GENERATE(2, 4, 5);  // cells: 0.1 to 0.25 m
   CAPTURE(pitch);
   DrawnGrid grid(200, 80);
   grid.fill(DrawnGrid::kFree, 10, 30, 189, 70);
