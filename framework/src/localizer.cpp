@@ -70,6 +70,7 @@ struct Localizer::State {
   void report_keyframe(const Observation& observation);
   void report_born(const std::vector<int>& ids);
   void report_scores();
+  void report_status(const PoseEstimate& estimate);
   nlohmann::ordered_json event(const char* kind) const;
 
   NullEventSink nobody;
@@ -91,6 +92,7 @@ struct Localizer::State {
   Pose2 T_odom_base_seed;   ///< at the last search for new hypotheses
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   int searches_skipped = 0;
+  std::optional<Status> reported;  ///< status of the last event about it
   std::vector<int> stable_known;  ///< local features that were stable before, sorted
   StageTimes times;
 };
@@ -117,6 +119,7 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   s.grow();
   const PoseEstimate estimate =
       s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s, s.novelty());
+  s.report_status(estimate);
   s.started = true;
   ++s.keyframe;
   return estimate;
@@ -344,6 +347,16 @@ void Localizer::State::report_scores() {
         row["scores"][judge.scorers()[k].name][term.name] = term.value;
     rows.push_back(std::move(row));
   }
+  events.write(e);
+}
+
+void Localizer::State::report_status(const PoseEstimate& estimate) {
+  if (!events.listening() || (started && reported == estimate.status)) return;
+  reported = estimate.status;
+  auto e = event("status");
+  e["status"] = name_of(estimate.status);
+  e["probability"] = estimate.probability;
+  e["hypothesis"] = estimate.best;
   events.write(e);
 }
 

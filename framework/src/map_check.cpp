@@ -114,7 +114,7 @@ void warn_about_unused(const SemanticMap& map, MapCheck& check) {
     for (const auto& [key, value] : node.items()) {
       if (key == "@type")
         for (const nlohmann::json& type : value)
-          nodes_by_word["type " + vocabulary::short_term(type)].push_back(id);
+          nodes_by_word["type " + vocabulary::short_term(type.get_ref<const std::string&>())].push_back(id);
       else if (key != "@id")
         nodes_by_word["property " + vocabulary::short_term(key)].push_back(id);
     }

@@ -61,22 +61,22 @@ std::string full_iri(const std::string& name) {
   return term != terms().iri_of_term.end() ? term->second : with_prefix_replaced(name, terms().prefixes);
 }
 
-std::string short_term(const std::string& name) {
-  const auto term = terms().term_of_iri.find(full_iri(name));
-  return term != terms().term_of_iri.end() ? term->second : compact_name(name);
+std::string short_term(std::string_view name) {
+  const auto term = terms().term_of_iri.find(full_iri(std::string(name)));
+  return term != terms().term_of_iri.end() ? term->second : compact_name(std::string(name));
 }
 
 bool is_own_term(const std::string& iri) { return is_own(iri) && terms().term_of_iri.contains(iri); }
 
-bool is_reserved_type(const std::string& iri) {
+bool is_reserved_type(std::string_view iri) {
   return iri == iri::kSemanticMap || iri == iri::kRepresentation || iri == iri::kPattern;
 }
 
-bool is_geometry_type(const std::string& iri) {
+bool is_geometry_type(std::string_view iri) {
   return iri == iri::kPoint || iri == iri::kLineSegment || iri == iri::kCorner || iri == iri::kCircle;
 }
 
-bool is_object_type(const std::string& iri) {
+bool is_object_type(std::string_view iri) {
   return iri == iri::kElement || (is_own(iri) && !is_reserved_type(iri) && !is_geometry_type(iri));
 }
 

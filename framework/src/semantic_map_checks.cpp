@@ -75,12 +75,28 @@ class Names {
   std::unordered_map<std::string, const char*> what_;
 };
 
+/// Length in bytes of the UTF-8 character at `text[i]` (RFC 3629, section 4); 0 if there is none.
+std::size_t utf8_length(const std::string& text, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+  const unsigned first = byte(i), second = byte(i + 1);
+  const auto tail = [&](std::size_t k) { return (byte(k) & 0xC0) == 0x80; };
+  if (first < 0x80) return 1;
+  if (first < 0xC2 || first > 0xF4 || !tail(i + 1)) return 0;
+  if (first < 0xE0) return 2;
+  if (first < 0xF0) {
+    const bool overlong = first == 0xE0 && second < 0xA0, surrogate = first == 0xED && second > 0x9F;
+    return overlong || surrogate || !tail(i + 2) ? 0 : 3;
+  }
+  const bool overlong = first == 0xF0 && second < 0x90, beyond = first == 0xF4 && second > 0x8F;
+  return overlong || beyond || !tail(i + 2) || !tail(i + 3) ? 0 : 4;
+}
+
 /// The text can be written as JSON, which is UTF-8. @throws MapError.
 void check_text(const MapDraft& draft, const std::string& place, const std::string& text) {
-  try {
-    (void)nlohmann::json(text).dump();
-  } catch (const nlohmann::json::type_error&) {
-    draft.fail(place, "a name holds bytes that are not UTF-8");
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0) draft.fail(place, "a name holds bytes that are not UTF-8");
+    i += length;
   }
 }
 

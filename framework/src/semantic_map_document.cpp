@@ -9,12 +9,19 @@
 #include <filesystem>
 
 namespace opal {
+
+/// What to call a document in messages, and its map if it has no name of its own.
+struct MapSource {
+  std::string name;
+  std::string default_map_name;
+};
+
 namespace {
 
-json_ld::Options strict_options() {
+json_ld::Options strict_options(bool keep_pointers) {
   json_ld::Options options;
   options.contexts[vocabulary::kContextIri] = vocabulary::context_document();
-  options.keep_pointers = true;
+  options.keep_pointers = keep_pointers;
   options.reject_unknown_terms = true;
   return options;
 }
@@ -23,17 +30,6 @@ json_ld::Options strict_options() {
 std::string expectation(const json_ld::JsonLdError& error) {
   if (error.code() != "unknown term") return "";
   return std::string(", expected a term of ") + vocabulary::kContextIri + " or a name with a prefix, such as opal:Wall";
-}
-
-MapDraft draft_of(const nlohmann::json& document, const std::string& source, const std::string& default_name) {
-  nlohmann::json nodes;
-  try {
-    nodes = json_ld::flatten(document, strict_options());
-  } catch (const json_ld::JsonLdError& error) {
-    throw MapError(source + ": " + error.what() + expectation(error));
-  }
-  const Graph graph(std::move(nodes), source);
-  return read_graph(graph, source, default_name);
 }
 
 template <class Parse>
@@ -45,16 +41,38 @@ nlohmann::json parsed(Parse parse) {
   }
 }
 
+nlohmann::json flattened(const nlohmann::json& document, const std::string& source, bool keep_pointers) {
+  try {
+    return json_ld::flatten(document, strict_options(keep_pointers));
+  } catch (const json_ld::JsonLdError& error) {
+    throw MapError(source + ": " + error.what() + expectation(error));
+  }
+}
+
+MapDraft draft_of(const nlohmann::json& document, const MapSource& source, bool keep_pointers) {
+  const Graph graph(flattened(document, source.name, keep_pointers), source.name);
+  return read_graph(graph, source.name, source.default_map_name);
+}
+
 }  // namespace
 
+// Where things stand in the document is only of interest if something is wrong with it, and knowing it takes more
+// memory and time than all the rest: so a document with a fault is read a second time.
+std::shared_ptr<const SemanticMap> SemanticMap::from_document(const nlohmann::json& document, const MapSource& source) {
+  try {
+    return finish(draft_of(document, source, false));
+  } catch (const MapError&) {
+    return finish(draft_of(document, source, true));
+  }
+}
+
 std::shared_ptr<const SemanticMap> SemanticMap::read(const std::string& path) {
-  const nlohmann::json document = parsed([&] { return read_json(path); });
-  return finish(draft_of(document, path, std::filesystem::path(path).stem().string()));
+  const MapSource source{path, std::filesystem::path(path).stem().string()};
+  return from_document(parsed([&] { return read_json(path); }), source);
 }
 
 std::shared_ptr<const SemanticMap> SemanticMap::parse(const std::string& text, const std::string& name) {
-  const nlohmann::json document = parsed([&] { return parse_json(text, name); });
-  return finish(draft_of(document, name, name));
+  return from_document(parsed([&] { return parse_json(text, name); }), {name, name});
 }
 
 }  // namespace opal

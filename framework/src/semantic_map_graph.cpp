@@ -16,7 +16,7 @@ using vocabulary::short_term;
 
 constexpr const char* kPointer = "@pointer";
 
-const json& values_of(const json& node, const std::string& iri) {
+const json& values_of(const json& node, std::string_view iri) {
   static const json none = json::array();
   const auto found = node.find(iri);
   return found == node.end() ? none : *found;
@@ -57,11 +57,14 @@ json without_pointers(const json& value) {
   return copy;
 }
 
+GraphNode::GraphNode(const json& node, std::size_t position, const std::string& source)
+    : node_(&node), id_(node.at("@id").get_ptr<const std::string*>()), types_(&values_of(node, "@type")), position_(position), source_(&source) {}
+
 void GraphNode::fail_at(const std::string& place, const std::string& message) const {
   throw MapError(*source_ + ": " + (place.empty() ? "the document" : place) + ": " + message);
 }
 
-void GraphNode::fail_missing(const std::string& iri) const {
+void GraphNode::fail_missing(std::string_view iri) const {
   fail(description() + " has no " + short_term(iri) + ", expected one");
 }
 
@@ -78,17 +81,16 @@ std::string GraphNode::description() const {
 
 std::vector<std::string> GraphNode::types() const {
   std::vector<std::string> types;
-  for (const json& type : values_of(*node_, "@type")) types.push_back(type);
+  for (const json& type : *types_) types.push_back(type);
   std::sort(types.begin(), types.end());
   return types;
 }
 
-bool GraphNode::has_type(const std::string& iri) const {
-  const json& types = values_of(*node_, "@type");
-  return std::find(types.begin(), types.end(), json(iri)) != types.end();
+bool GraphNode::has_type(std::string_view iri) const {
+  return any_type([iri](const std::string& type) { return type == iri; });
 }
 
-const json* GraphNode::single_value(const std::string& iri) const {
+const json* GraphNode::single_value(std::string_view iri) const {
   const json& values = values_of(*node_, iri);
   for (std::size_t i = 1; i < values.size(); ++i)
     if (without_pointers(values[i]) != without_pointers(values[0]))
@@ -97,7 +99,7 @@ const json* GraphNode::single_value(const std::string& iri) const {
   return values.empty() ? nullptr : &values[0];
 }
 
-double GraphNode::number_in(const json& value, const std::string& iri) const {
+double GraphNode::number_in(const json& value, std::string_view iri) const {
   const json* plain = value.contains("@value") ? &value["@value"] : nullptr;
   if (plain && plain->is_number() && std::isfinite(plain->get<double>())) return plain->get<double>();
   if (plain && plain->is_string())
@@ -105,18 +107,18 @@ double GraphNode::number_in(const json& value, const std::string& iri) const {
   fail_at(place_of(value), short_term(iri) + " of " + description() + " is " + written(value) + ", expected a number");
 }
 
-std::optional<double> GraphNode::number(const std::string& iri) const {
+std::optional<double> GraphNode::number(std::string_view iri) const {
   const json* value = single_value(iri);
   return value ? std::optional<double>(number_in(*value, iri)) : std::nullopt;
 }
 
-double GraphNode::required_number(const std::string& iri) const {
+double GraphNode::required_number(std::string_view iri) const {
   const std::optional<double> value = number(iri);
   if (!value) fail_missing(iri);
   return *value;
 }
 
-std::optional<std::string> GraphNode::text(const std::string& iri) const {
+std::optional<std::string> GraphNode::text(std::string_view iri) const {
   const json* value = single_value(iri);
   if (!value) return std::nullopt;
   if (!value->contains("@value") || !(*value)["@value"].is_string())
@@ -124,14 +126,14 @@ std::optional<std::string> GraphNode::text(const std::string& iri) const {
   return (*value)["@value"].get<std::string>();
 }
 
-GraphReference GraphNode::reference_in(const json& value, const std::string& iri) const {
+GraphReference GraphNode::reference_in(const json& value, std::string_view iri) const {
   if (!value.contains("@id"))
     fail_at(place_of(value), short_term(iri) + " of " + description() + " is " + written(value) +
                                  ", expected a node or its @id");
   return {value["@id"], place_of(value)};
 }
 
-std::vector<GraphReference> GraphNode::references(const std::string& iri) const {
+std::vector<GraphReference> GraphNode::references(std::string_view iri) const {
   std::vector<GraphReference> references;
   for (const json& value : values_of(*node_, iri)) references.push_back(reference_in(value, iri));
   std::stable_sort(references.begin(), references.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
@@ -140,7 +142,7 @@ std::vector<GraphReference> GraphNode::references(const std::string& iri) const 
   return references;
 }
 
-std::optional<GraphReference> GraphNode::reference(const std::string& iri) const {
+std::optional<GraphReference> GraphNode::reference(std::string_view iri) const {
   const std::vector<GraphReference> all = references(iri);
   if (all.size() > 1)
     fail_at(all[1].place, description() + " has the values '" + all[0].id + "' and '" + all[1].id + "' for " +
@@ -148,13 +150,13 @@ std::optional<GraphReference> GraphNode::reference(const std::string& iri) const
   return all.empty() ? std::nullopt : std::optional<GraphReference>(all[0]);
 }
 
-GraphReference GraphNode::required_reference(const std::string& iri) const {
+GraphReference GraphNode::required_reference(std::string_view iri) const {
   std::optional<GraphReference> found = reference(iri);
   if (!found) fail_missing(iri);
   return *found;
 }
 
-const json* GraphNode::single_list(const std::string& iri) const {
+const json* GraphNode::single_list(std::string_view iri) const {
   const json* value = single_value(iri);
   if (!value) return nullptr;
   if (!value->contains("@list"))
@@ -163,14 +165,14 @@ const json* GraphNode::single_list(const std::string& iri) const {
   return &(*value)["@list"];
 }
 
-std::vector<GraphReference> GraphNode::reference_list(const std::string& iri) const {
+std::vector<GraphReference> GraphNode::reference_list(std::string_view iri) const {
   std::vector<GraphReference> references;
   if (const json* list = single_list(iri))
     for (const json& value : *list) references.push_back(reference_in(value, iri));
   return references;
 }
 
-std::vector<double> GraphNode::number_list(const std::string& iri) const {
+std::vector<double> GraphNode::number_list(std::string_view iri) const {
   std::vector<double> numbers;
   if (const json* list = single_list(iri))
     for (const json& value : *list) numbers.push_back(number_in(value, iri));
@@ -178,9 +180,11 @@ std::vector<double> GraphNode::number_list(const std::string& iri) const {
 }
 
 Graph::Graph(json flattened, std::string source) : flattened_(std::move(flattened)), source_(std::move(source)) {
+  nodes_.reserve(flattened_.size());
+  positions_.reserve(flattened_.size());
   for (const json& node : flattened_) {
-    positions_[node.at("@id")] = nodes_.size();
-    nodes_.emplace_back(node, source_);
+    nodes_.emplace_back(node, nodes_.size(), source_);
+    positions_[nodes_.back().id()] = nodes_.back().position();
     if (node.contains("@graph"))
       nodes_.back().fail("a named graph, expected all nodes in the document's one graph");
   }

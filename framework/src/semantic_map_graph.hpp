@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -19,28 +20,36 @@ struct GraphReference {
 /// was found and what was expected.
 class GraphNode {
  public:
-  GraphNode(const nlohmann::json& node, const std::string& source) : node_(&node), source_(&source) {}
+  /// @param position  in the graph.
+  GraphNode(const nlohmann::json& node, std::size_t position, const std::string& source);
 
-  std::string id() const { return node_->at("@id"); }
+  const std::string& id() const { return *id_; }
+  std::size_t position() const { return position_; }
   std::string place() const { return place_of(*node_); }
   /// "Circle 'c1'", for messages.
   std::string description() const;
   const nlohmann::json& content() const { return *node_; }
 
   std::vector<std::string> types() const;  ///< full IRIs, sorted
-  bool has_type(const std::string& iri) const;
-  bool has(const std::string& iri) const { return node_->contains(iri); }
+  template <class Test>
+  bool any_type(Test test) const {
+    for (const nlohmann::json& type : *types_)
+      if (test(type.get_ref<const std::string&>())) return true;
+    return false;
+  }
+  bool has_type(std::string_view iri) const;
+  bool has(std::string_view iri) const { return node_->contains(iri); }
 
-  std::optional<double> number(const std::string& iri) const;
-  double required_number(const std::string& iri) const;
-  std::optional<std::string> text(const std::string& iri) const;
+  std::optional<double> number(std::string_view iri) const;
+  double required_number(std::string_view iri) const;
+  std::optional<std::string> text(std::string_view iri) const;
 
-  std::vector<GraphReference> references(const std::string& iri) const;  ///< by id, each once
-  std::optional<GraphReference> reference(const std::string& iri) const;
-  GraphReference required_reference(const std::string& iri) const;
+  std::vector<GraphReference> references(std::string_view iri) const;  ///< by id, each once
+  std::optional<GraphReference> reference(std::string_view iri) const;
+  GraphReference required_reference(std::string_view iri) const;
 
-  std::vector<GraphReference> reference_list(const std::string& iri) const;  ///< in order, repeats kept
-  std::vector<double> number_list(const std::string& iri) const;
+  std::vector<GraphReference> reference_list(std::string_view iri) const;  ///< in order, repeats kept
+  std::vector<double> number_list(std::string_view iri) const;
 
   /// @throws MapError "SOURCE: PLACE: message".
   [[noreturn]] void fail(const std::string& message) const { fail_at(place(), message); }
@@ -48,13 +57,16 @@ class GraphNode {
 
  private:
   std::string place_of(const nlohmann::json& value) const;
-  GraphReference reference_in(const nlohmann::json& value, const std::string& iri) const;
-  double number_in(const nlohmann::json& value, const std::string& iri) const;
-  const nlohmann::json* single_value(const std::string& iri) const;
-  const nlohmann::json* single_list(const std::string& iri) const;
-  [[noreturn]] void fail_missing(const std::string& iri) const;
+  GraphReference reference_in(const nlohmann::json& value, std::string_view iri) const;
+  double number_in(const nlohmann::json& value, std::string_view iri) const;
+  const nlohmann::json* single_value(std::string_view iri) const;
+  const nlohmann::json* single_list(std::string_view iri) const;
+  [[noreturn]] void fail_missing(std::string_view iri) const;
 
   const nlohmann::json* node_;
+  const std::string* id_;
+  const nlohmann::json* types_;
+  std::size_t position_;
   const std::string* source_;
 };
 
@@ -74,7 +86,7 @@ class Graph {
   nlohmann::json flattened_;
   std::string source_;
   std::vector<GraphNode> nodes_;
-  std::unordered_map<std::string, std::size_t> positions_;
+  std::unordered_map<std::string_view, std::size_t> positions_;
 };
 
 /// The same JSON without the "@pointer" entries by which messages find their places.

@@ -15,7 +15,8 @@ using namespace vocabulary;
 
 class Reader {
  public:
-  Reader(const Graph& graph, const std::string& source, const std::string& default_name) : graph_(graph) {
+  Reader(const Graph& graph, const std::string& source, const std::string& default_name)
+      : graph_(graph), uses_(graph.nodes().size()) {
     draft_.source = source;
     draft_.name = default_name;
   }
@@ -35,13 +36,8 @@ class Reader {
   }
 
  private:
-  /// What kind of node it is decides which of Opal's properties it may have; they are errors anywhere else.
-  void use(const GraphNode& node, std::initializer_list<const char*> properties,
-           std::initializer_list<std::string> types) {
-    NodeUse& use = uses_[node.id()];
-    use.properties.insert(properties.begin(), properties.end());
-    use.types.insert(types.begin(), types.end());
-  }
+  NodeUse& use_of(const GraphNode& node) { return uses_[node.position()]; }
+  const NodeUse& use_of(const GraphNode& node) const { return uses_[node.position()]; }
 
   /// A prefix lets any word through the context, so Opal's own words are looked up.
   static void check_words(const GraphNode& node) {
@@ -50,14 +46,14 @@ class Reader {
         node.fail("unknown key " + compact_name(key) + ", expected a term of " + kContextIri);
   }
 
+  /// What a node is to the map decides which of Opal's properties it may have.
   void check_own_properties(const GraphNode& node) const {
-    const auto use = uses_.find(node.id());
-    if (use == uses_.end()) return;  // kept as unused, whatever it says
+    const NodeUse& use = use_of(node);
+    if (!use.any()) return;  // kept as unused, whatever it says
     for (const auto& [key, value] : node.content().items())
-      if (is_own(key) && !use->second.properties.contains(key)) {
+      if (is_own(key) && !use.holds_property(key)) {
         std::string expected;
-        for (const std::string& property : use->second.properties)
-          expected += (expected.empty() ? "" : ", ") + short_term(property);
+        for (const std::string& property : use.properties()) expected += (expected.empty() ? "" : ", ") + short_term(property);
         node.fail(node.description() + " has " + short_term(key) + ", which means nothing there; expected " +
                   (expected.empty() ? "none of Opal's properties" : expected));
       }
@@ -68,7 +64,7 @@ class Reader {
     if (has_map_node_) node.fail("a second SemanticMap, expected one in a document");
     has_map_node_ = true;
     if (const std::optional<std::string> name = node.text(iri::kName)) draft_.name = *name;
-    use(node, {iri::kName}, {iri::kSemanticMap});
+    use_of(node).add(NodeRole::map);
   }
 
   // ------------------------------------------------------------ objects
@@ -76,8 +72,7 @@ class Reader {
   static bool is_object(const GraphNode& node) {
     if (node.has_type(iri::kRepresentation)) return false;
     if (node.has(iri::kRepresentedBy)) return true;
-    const std::vector<std::string> types = node.types();
-    return std::any_of(types.begin(), types.end(), is_object_type);
+    return node.any_type(is_object_type);
   }
 
   /// The type that says most: Opal's before others, bot:Element and geo:Feature only if there is nothing else.
@@ -99,9 +94,10 @@ class Reader {
   void read_object(const GraphNode& node) {
     require_name(node, "by which associations can name the object");
     const std::string type = object_type(node);
-    use(node, {iri::kRepresentedBy}, {type});
-    // bot:Element only says that it is an object, which the typed map knows.
-    if (type != iri::kElement && !node.has(iri::kRepresentedBy)) use(node, {}, {iri::kElement});
+    use_of(node).add(NodeRole::object);
+    use_of(node).object_type = type;
+    // Of an object that nothing represents, bot:Element only says that it is one, which the typed map knows.
+    if (!node.has(iri::kRepresentedBy)) use_of(node).add(NodeRole::element);
     draft_.objects.push_back({node.id(), type});
     draft_.object_places.push_back(node.place());
     for (const GraphReference& reference : node.references(iri::kRepresentedBy)) {
@@ -114,12 +110,9 @@ class Reader {
   }
 
   void read_representation(const GraphNode& node) {
-    if (uses_.contains(node.id()))
+    if (use_of(node).plays(NodeRole::representation))
       node.fail(node.description() + " belongs to two objects, expected one");
-    use(node,
-        {iri::kRepresentedBy, iri::kHasGeometry, iri::kPerceivableBy, iri::kFeatureType, iri::kPositionSigma,
-         iri::kExistence},
-        {iri::kRepresentation});
+    use_of(node).add(NodeRole::representation);
     MapFeature feature;
     feature.object = static_cast<int>(draft_.objects.size()) - 1;
     feature.representation = node.id();
@@ -134,7 +127,7 @@ class Reader {
 
   std::string sensor_name(const GraphReference& reference, const GraphNode& from) {
     if (is_blank(reference.id)) from.fail_at(reference.place, "a sensor without @id, expected a name such as PlanarLidar2D");
-    if (const GraphNode* node = graph_.find(reference.id)) use(*node, {}, {iri::kSensor});
+    if (const GraphNode* node = graph_.find(reference.id)) use_of(*node).add(NodeRole::sensor);
     return reference.id;
   }
 
@@ -147,6 +140,7 @@ class Reader {
 
   void read_feature(const GraphNode& node, MapFeature feature) {
     require_name(node, "by which associations can name the feature");
+    use_of(node).add(NodeRole::feature);
     feature.id = node.id();
     read_qualities(node, feature);  // what the geometry says of itself goes before what its representation says
     read_geometry(node, feature);
@@ -166,12 +160,11 @@ class Reader {
     if (shapes[3]) {
       feature.geometry = point_at(node);
       feature.points = {node.id()};
-      use(node, {iri::kPositionSigma, iri::kExistence}, {});
     }
   }
 
   void read_segment(const GraphNode& node, MapFeature& feature) {
-    use(node, {iri::kBegin, iri::kEnd, iri::kPositionSigma, iri::kExistence}, {iri::kLineSegment});
+    use_of(node).add(NodeRole::segment);
     const Segment segment{point(node, iri::kBegin, feature), point(node, iri::kEnd, feature)};
     if (segment.length_m() <= kRounding_m)
       node.fail(node.description() + " begins and ends at " + position_text(segment.begin) +
@@ -180,18 +173,17 @@ class Reader {
   }
 
   void read_corner(const GraphNode& node, MapFeature& feature) {
-    use(node, {iri::kCornerPoint, iri::kHeading, iri::kOpening, iri::kPositionSigma, iri::kExistence},
-        {iri::kCorner});
+    use_of(node).add(NodeRole::corner);
     feature.geometry = OrientedPoint{point(node, iri::kCornerPoint, feature), node.required_number(iri::kHeading),
                                      node.required_number(iri::kOpening)};
   }
 
   void read_circle(const GraphNode& node, MapFeature& feature) {
-    use(node, {iri::kCenter, iri::kRadius, iri::kPositionSigma, iri::kExistence}, {iri::kCircle});
+    use_of(node).add(NodeRole::circle);
     feature.geometry = Circle{point(node, iri::kCenter, feature), node.required_number(iri::kRadius)};
   }
 
-  Point point(const GraphNode& node, const char* property, MapFeature& feature) {
+  Point point(const GraphNode& node, std::string_view property, MapFeature& feature) {
     const GraphReference reference = node.required_reference(property);
     const GraphNode& point = graph_.at(reference, node);
     feature.points.push_back(point.id());
@@ -204,7 +196,7 @@ class Reader {
   }
 
   Point point_at(const GraphNode& node) {
-    use(node, {iri::kX, iri::kY}, {iri::kPoint});
+    use_of(node).add(NodeRole::point);
     if (!node.has_type(iri::kPoint)) node.fail(node.description() + " is used as a point, expected @type Point");
     const Point position(node.required_number(iri::kX), node.required_number(iri::kY));
     if (position.cwiseAbs().maxCoeff() > kFarthest_m)
@@ -219,8 +211,7 @@ class Reader {
 
   void read_pattern(const GraphNode& node) {
     require_name(node, "by which other patterns can name it");
-    use(node, {iri::kTemplate, iri::kFeatures, iri::kSubpatterns, iri::kDimensions, iri::kPerceivableBy},
-        {iri::kPattern});
+    use_of(node).add(NodeRole::pattern);
     MapPattern pattern{node.id(), node.required_reference(iri::kTemplate).id, {}};
     const std::optional<GraphReference> named_sensor = node.reference(iri::kPerceivableBy);
     for (const GraphReference& member : node.reference_list(iri::kFeatures))
@@ -250,7 +241,7 @@ class Reader {
 
   /// A representation that no object has would be a part of the map that silently does not count.
   void check_is_reached(const GraphNode& node) const {
-    if (node.has_type(iri::kRepresentation) && !uses_.contains(node.id()))
+    if (node.has_type(iri::kRepresentation) && !use_of(node).plays(NodeRole::representation))
       node.fail(node.description() + " belongs to no object, expected a represented_by that refers to it");
   }
 
@@ -264,7 +255,8 @@ class Reader {
   }
 
   std::string representation_name(const MapFeature& feature) {
-    if (unused_part(*graph_.find(feature.representation), uses_).is_null()) return "";
+    const GraphNode& node = *graph_.find(feature.representation);
+    if (unused_part(node, use_of(node)).is_null()) return "";
     return names_.try_emplace(feature.representation, feature.id + "/representation").first->second;
   }
 

@@ -3,6 +3,7 @@
 #include "map_vocabulary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace opal {
@@ -10,6 +11,45 @@ namespace {
 
 using nlohmann::json;
 using Labels = std::unordered_map<std::string, std::string>;
+
+struct RoleWords {
+  std::vector<std::string_view> properties;
+  std::vector<std::string_view> types;
+};
+
+using namespace vocabulary;
+
+/// In the order of NodeRole.
+const std::array<RoleWords, 11>& words_by_role() {
+  static const std::array<RoleWords, 11> words{{
+      {{iri::kName}, {iri::kSemanticMap}},
+      {{iri::kRepresentedBy}, {}},
+      {{}, {iri::kElement}},
+      {{iri::kRepresentedBy, iri::kHasGeometry, iri::kPerceivableBy, iri::kFeatureType, iri::kPositionSigma,
+        iri::kExistence},
+       {iri::kRepresentation}},
+      {{}, {iri::kSensor}},
+      {{iri::kBegin, iri::kEnd}, {iri::kLineSegment}},
+      {{iri::kCornerPoint, iri::kHeading, iri::kOpening}, {iri::kCorner}},
+      {{iri::kCenter, iri::kRadius}, {iri::kCircle}},
+      {{iri::kX, iri::kY}, {iri::kPoint}},
+      {{iri::kPositionSigma, iri::kExistence}, {}},
+      {{iri::kTemplate, iri::kFeatures, iri::kSubpatterns, iri::kDimensions, iri::kPerceivableBy}, {iri::kPattern}},
+  }};
+  return words;
+}
+
+template <class Test>
+bool any_role(const NodeUse& use, Test test) {
+  const auto& words = words_by_role();
+  for (std::size_t role = 0; role < words.size(); ++role)
+    if (use.plays(static_cast<NodeRole>(role)) && test(words[role])) return true;
+  return false;
+}
+
+bool contains(const std::vector<std::string_view>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 /// Applies `rename` to each id in an expanded node or value, types included, in a fixed order.
 template <class Rename>
@@ -39,9 +79,9 @@ class BlankLabels {
   explicit BlankLabels(const std::vector<json>& nodes) {
     for (const json& node : nodes) by_id_[node["@id"]] = &node;
     for (const auto& [id, node] : by_id_)
-      if (!vocabulary::is_blank(id)) follow(*node);
+      if (!is_blank(id)) follow(*node);
     for (const auto& [id, node] : by_id_)
-      if (vocabulary::is_blank(id)) (void)label_of(id);
+      if (is_blank(id)) (void)label_of(id);
   }
   std::string operator()(const std::string& id) const {
     const auto label = labels_.find(id);
@@ -50,7 +90,7 @@ class BlankLabels {
 
  private:
   std::string label_of(const std::string& id) {
-    if (!vocabulary::is_blank(id)) return id;
+    if (!is_blank(id)) return id;
     const auto [entry, is_new] = labels_.try_emplace(id, "_:u" + std::to_string(labels_.size()));
     if (is_new) waiting_.push_back(id);
     return entry->second;
@@ -75,18 +115,33 @@ class BlankLabels {
 
 }  // namespace
 
-json unused_part(const GraphNode& node, const NodeUses& uses) {
-  const auto found = uses.find(node.id());
-  static const NodeUse none;
-  const NodeUse& use = found == uses.end() ? none : found->second;
-  json rest = json::object();
+bool NodeUse::holds_property(std::string_view iri) const {
+  return any_role(*this, [iri](const RoleWords& words) { return contains(words.properties, iri); });
+}
+
+bool NodeUse::holds_type(std::string_view iri) const {
+  if (iri == object_type) return true;
+  return any_role(*this, [iri](const RoleWords& words) { return contains(words.types, iri); });
+}
+
+std::vector<std::string> NodeUse::properties() const {
+  std::vector<std::string> all;
+  any_role(*this, [&all](const RoleWords& words) {
+    all.insert(all.end(), words.properties.begin(), words.properties.end());
+    return false;
+  });
+  return all;
+}
+
+json unused_part(const GraphNode& node, const NodeUse& use) {
+  json rest;  // made only when there is something to hold: most nodes are used up
   for (const auto& [key, value] : node.content().items()) {
     if (key == "@type") {
       json types = json::array();
       for (const json& type : value)
-        if (!use.types.contains(type)) types.push_back(type);
+        if (!use.holds_type(type.get_ref<const std::string&>())) types.push_back(type);
       if (!types.empty()) rest[key] = std::move(types);
-    } else if (key != "@id" && key != "@pointer" && !use.properties.contains(key)) {
+    } else if (key != "@id" && key != "@pointer" && !use.holds_property(key)) {
       rest[key] = without_pointers(value);
     }
   }
@@ -101,8 +156,8 @@ json unused_parts(const Graph& graph, const NodeUses& uses, const Labels& names)
     return name == names.end() ? id : name->second;
   };
   std::vector<json> nodes;
-  for (const GraphNode& node : graph.nodes()) {
-    json part = unused_part(node, uses);
+  for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
+    json part = unused_part(graph.nodes()[i], uses[i]);
     if (part.is_null()) continue;
     rename_ids(part, name_of);
     sort_sets(part);

@@ -12,6 +12,7 @@
 namespace opal {
 
 struct MapDraft;
+struct MapSource;
 
 /// A thing in the building that the map names: a wall, a column, a door.
 struct MapObject {
@@ -79,6 +80,7 @@ class OPAL_EXPORT SemanticMap {
 
  private:
   explicit SemanticMap(MapDraft&& checked);
+  static std::shared_ptr<const SemanticMap> from_document(const nlohmann::json& document, const MapSource& source);
   static std::shared_ptr<const SemanticMap> finish(MapDraft draft);
 
   std::string name_;
