@@ -173,7 +173,8 @@ Json Expander::finish(Json result, Property property, const Place& place) const 
   if (!result.is_object()) return result;
   if (result.size() == 1 && result.contains("@language")) return nullptr;
   if (!result.contains("@value") && (result.contains("@language") || result.contains("@direction")))
-    throw JsonLdError("invalid value object", place.pointer(), "expected @value beside @language or @direction");
+    throw JsonLdError("invalid value object", place.pointer(),
+                      "expected @value beside @language or @direction");
   const bool floating = result.empty() || result.contains("@value") || result.contains("@list") ||
                         (result.size() == 1 && result.contains("@id"));
   if (is_top(property) && floating) return nullptr;

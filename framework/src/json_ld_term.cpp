@@ -87,29 +87,36 @@ void TermReader::define_from(const std::string& term, const Json& value, const P
   const Json map = value.is_object() ? value : Json{{"@id", value}};
   TermDefinition definition;
   definition.is_protected = protect_all_;
+  if (map.contains("@protected")) read_protected(definition, map["@protected"], place.at("@protected"));
+  if (map.contains("@type")) read_type(definition, map["@type"], place.at("@type"));
+  const bool kept = map.contains("@reverse") ? read_reverse(definition, map, place)
+                                             : read_iri(definition, term, value, place);
+  if (!kept) return;
+  read_use(definition, map, place);
+  if (map.contains("@prefix")) read_prefix(definition, term, map["@prefix"], place.at("@prefix"));
+  check_entries(map, place);
+  store(term, std::move(definition), previous, place);
+}
+
+/// 19 to 24: how the values of the term are to be read.
+void TermReader::read_use(TermDefinition& definition, const Json& map, const Place& place) {
   const auto entry = [&](const char* key, auto read) {
     const auto found = map.find(key);
     if (found != map.end()) (this->*read)(definition, *found, place.at(key));
   };
-  if (map.contains("@protected")) {  // 11
-    if (!map["@protected"].is_boolean())
-      refuse("invalid @protected value", place.at("@protected"), "expected true or false");
-    definition.is_protected = map["@protected"].get<bool>();
-  }
-  entry("@type", &TermReader::read_type);
-  if (!(map.contains("@reverse") ? read_reverse(definition, map, place)
-                                 : read_iri(definition, term, value, place)))
-    return;
   entry("@container", &TermReader::read_container);
   entry("@index", &TermReader::read_index);
   entry("@context", &TermReader::read_scoped);
   if (!map.contains("@type")) entry("@language", &TermReader::read_language);
-  if (!map.contains("@type") && map.contains("@direction"))  // 23
+  if (!map.contains("@type") && map.contains("@direction"))
     definition.direction.emplace(read_direction(map["@direction"], place.at("@direction")));
   entry("@nest", &TermReader::read_nest);
-  if (map.contains("@prefix")) read_prefix(definition, term, map["@prefix"], place.at("@prefix"));
-  check_entries(map, place);
-  store(term, std::move(definition), previous, place);
+}
+
+void TermReader::read_protected(TermDefinition& definition, const Json& value,
+                                const Place& place) const {  // 11
+  if (!value.is_boolean()) refuse("invalid @protected value", place, "expected true or false");
+  definition.is_protected = value.get<bool>();
 }
 
 void TermReader::check_keyword_term(const std::string& term, const Json& value,

@@ -31,6 +31,8 @@ class TermReader {
   bool ignores(const std::string& text, const Place& place) const;
   std::optional<std::string> expand(const std::string& value);
 
+  void read_use(TermDefinition& definition, const Json& map, const Place& place);
+  void read_protected(TermDefinition& definition, const Json& value, const Place& place) const;
   void read_type(TermDefinition& definition, const Json& value, const Place& place);
   bool read_reverse(TermDefinition& definition, const Json& value, const Place& place);
   bool read_iri(TermDefinition& definition, const std::string& term, const Json& value, const Place& place);

@@ -13,13 +13,11 @@ namespace opal::json_ld {
 /// A document that breaks JSON-LD 1.1.
 class OPAL_EXPORT JsonLdError : public MapError {
  public:
-  /// @param code     W3C error code, e.g. "invalid term definition"; of our own are "unknown term", "unknown
-  /// prefix",
-  ///                 "unknown keyword", "misplaced keyword", "free-floating value" (see
-  ///                 Options::reject_unknown_terms) and "nested too deeply".
-  /// @param pointer  JSON pointer into the source document, "" for the whole; "IRI#POINTER" inside a context
-  /// that was
-  ///                 named by IRI.
+  /// @param code     W3C error code, e.g. "invalid term definition". Of our own are "nested too deeply" and,
+  ///                 for Options::reject_unknown_terms, "unknown term", "unknown prefix", "unknown keyword",
+  ///                 "misplaced keyword" and "free-floating value".
+  /// @param pointer  JSON pointer into the source document, "" for the whole; inside a context that was named
+  ///                 by IRI "IRI#POINTER".
   JsonLdError(std::string code, std::string pointer, const std::string& detail);
   ~JsonLdError() override;
   const std::string& code() const { return code_; }
