@@ -6,6 +6,7 @@
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/ground_truth.hpp>
+#include <opal/registration.hpp>
 #include <opal/site.hpp>
 
 #include <algorithm>
@@ -83,7 +84,7 @@ std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer) 
                      map.objects()[mapped.object].id,
                      mapped.id,
                      {placed, mapped.geometry},
-                     distance_m(mapped.geometry, anchor_of(placed))});
+                     mismatch(placed, mapped.geometry).position_m});
   }
   return named;
 }

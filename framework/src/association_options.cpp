@@ -23,6 +23,7 @@ const std::vector<Field>& fields() {
   static const std::vector<Field> all = {
       {"seed_features", &O::seed_features, 1, 1000},
       {"seed_patterns", &O::seed_patterns, 1, 1000},
+      {"seed_loose_patterns", &O::seed_loose_patterns, 1, 1000},
       {"seed_lookup_limit", &O::seed_lookup_limit, 1, kMany},
       {"seed_candidates", &O::seed_candidates, 1, kMany},
       {"seed_hypotheses", &O::seed_hypotheses, 1, kMany},
@@ -56,7 +57,7 @@ const std::vector<Field>& fields() {
       {"none_nat", &O::none_nat, -kMany, kMany},
       {"localized_probability", &O::localized_probability, 0, 1},
       {"localized_novelty", &O::localized_novelty, 0, kMany},
-      {"localized_scan_nat", &O::localized_scan_nat, -kMany, kMany},
+      {"none_scan_nat", &O::none_scan_nat, -kMany, kMany},
       {"lost_scan_nat", &O::lost_scan_nat, -kMany, kMany},
   };
   return all;

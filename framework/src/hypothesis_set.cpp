@@ -27,24 +27,6 @@ const LocalFeature* find_local(const LocalMap& map, int id) {
   return it != all.end() && it->id == id ? &*it : nullptr;
 }
 
-/// How far a placed geometry is from a mapped one of its kind: position [m] and heading [rad].
-struct Mismatch {
-  double position_m = 0;
-  double heading_rad = 0;
-};
-
-Mismatch mismatch(const Geometry& placed, const Geometry& mapped) {
-  if (const auto* a = std::get_if<Segment>(&placed)) {
-    const auto& b = std::get<Segment>(mapped);
-    return {distance_m(b, a->midpoint()), std::abs(wrap_angle(a->heading_rad() - b.heading_rad()))};
-  }
-  if (const auto* a = std::get_if<OrientedPoint>(&placed)) {
-    const auto& b = std::get<OrientedPoint>(mapped);
-    return {(a->position - b.position).norm(), std::abs(wrap_angle(a->heading_rad - b.heading_rad))};
-  }
-  return {(anchor_of(placed) - anchor_of(mapped)).norm(), 0};
-}
-
 }  // namespace
 
 HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
@@ -233,8 +215,14 @@ void HypothesisSet::grow(const std::vector<const LocalFeature*>& features, const
 
 void HypothesisSet::forget(const LocalMap& local_map) {
   for (Live& live : alive_)
-    std::erase_if(live.hypothesis.associations,
-                  [&](const Association& a) { return find_local(local_map, a.local_feature) == nullptr; });
+    std::erase_if(live.hypothesis.associations, [&](const Association& pair) {
+      const LocalFeature* local = find_local(local_map, pair.local_feature);
+      if (!local) return true;
+      if (pair.map_feature < 0) return false;
+      const Geometry placed = transformed(live.hypothesis.T_map_local, local->feature.geometry);
+      const Mismatch off = mismatch(placed, map_->feature(pair.map_feature).geometry);
+      return off.position_m > options_.outlier_m || off.heading_rad > options_.outlier_rad;
+    });
 }
 
 void HypothesisSet::merge(const Pose2& T_local_base) {

@@ -43,7 +43,8 @@ class HypothesisSet {
   /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not.
   void grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map);
 
-  /// Forgets associations whose local feature the local map has forgotten.
+  /// Forgets associations whose local feature the local map has forgotten, and those that no longer fit: `grow`
+  /// decides on these features anew.
   void forget(const LocalMap& local_map);
 
   void clear();

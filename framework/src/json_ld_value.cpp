@@ -11,7 +11,7 @@ void Expander::refuse_unknown(const ActiveContext& active, const std::string& wo
   if (definition && !definition->iri) return;  // mapped to null, so dropped on purpose
   if (!iri || (!is_absolute_iri(*iri) && !is_blank_node(*iri) && !is_keyword(*iri)))
     throw JsonLdError("unknown term", place.pointer(), "\"" + word + "\" maps to no IRI");
-  if (!definition && *iri == word && is_absolute_iri(word) && !is_spelled_out(word))
+  if (options_.reject_unknown_prefixes && !definition && *iri == word && is_absolute_iri(word) && !is_spelled_out(word))
     throw JsonLdError("unknown prefix", place.pointer(), "the prefix of \"" + word + "\" is not defined");
 }
 

@@ -6,6 +6,8 @@
 #include "local_map_merging.hpp"
 #include "local_map_odometry.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <optional>
 
@@ -36,6 +38,15 @@ struct IsUsable {
 bool is_usable(const Feature& feature) {
   return feature.covariance.allFinite() && std::isfinite(feature.support_m) &&
          std::visit(IsUsable{}, feature.geometry);
+}
+
+/// The feature with a covariance that is one: symmetric, without negative variances.
+Feature with_sound_covariance(Feature feature) {
+  Eigen::Matrix3d& c = feature.covariance;
+  c = (0.5 * (c + c.transpose())).eval();
+  const Eigen::Matrix3d padded = c + 1e-9 * Eigen::Matrix3d::Identity();
+  if (padded.llt().info() != Eigen::Success) c = c.diagonal().cwiseAbs().eval().asDiagonal();
+  return feature;
 }
 
 std::vector<Point> points_in_base(const Scan& scan, const Pose2& T_base_laser) {
@@ -129,7 +140,7 @@ void LocalMap::State::take_in(const std::vector<Feature>& detected, const Pose2&
   for (std::size_t i = 0; i < detected.size(); ++i) {
     if (!is_usable(detected[i])) continue;
     usable.push_back(i);
-    in_base.push_back(transformed(T_base_laser, detected[i]));
+    in_base.push_back(with_sound_covariance(transformed(T_base_laser, detected[i])));
     in_local.push_back(transformed(T_local_base, in_base.back()));
   }
   const std::vector<int> partners = associate(in_local, features, options);

@@ -2,6 +2,8 @@
 
 #include "plugin_options.hpp"
 
+#include <opal/strict_json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -184,14 +186,13 @@ DescribedType read_type(const Node& node) {
 }
 
 json read_document(const std::string& path) {
-  std::ifstream file(path);
-  if (!file)
+  if (!std::ifstream(path))
     throw PluginError(
         path + ": cannot be read; every plugin has its description beside it (docs/write_a_plugin.md)");
   try {
-    return json::parse(file);
-  } catch (const json::parse_error& error) {
-    throw PluginError(path + ": is no JSON: " + error.what());
+    return read_json(path);
+  } catch (const JsonError& error) {
+    throw PluginError(error.what());
   }
 }
 

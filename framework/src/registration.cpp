@@ -92,6 +92,22 @@ Pose2 gauss_newton_step(const std::vector<Constraint>& rows, const Pose2& T, boo
 
 }  // namespace
 
+Mismatch mismatch(const Geometry& placed, const Geometry& mapped) {
+  if (const auto* a = std::get_if<Segment>(&placed)) {
+    const auto& b = std::get<Segment>(mapped);
+    const Point along = b.direction();
+    const double u = along.dot(a->begin - b.begin), v = along.dot(a->end - b.begin);
+    const double gap = std::max({0.0, std::min(u, v) - b.length_m(), -std::max(u, v)});
+    return {std::hypot(b.normal().dot(a->midpoint() - b.begin), gap),
+            std::abs(wrap_angle(a->heading_rad() - b.heading_rad()))};
+  }
+  if (const auto* a = std::get_if<OrientedPoint>(&placed)) {
+    const auto& b = std::get<OrientedPoint>(mapped);
+    return {(a->position - b.position).norm(), std::abs(wrap_angle(a->heading_rad - b.heading_rad))};
+  }
+  return {(anchor_of(placed) - anchor_of(mapped)).norm(), 0};
+}
+
 Registration register_geometry(std::span<const GeometryPair> pairs) {
   Registration result;
   result.errors_m.assign(pairs.size(), 0.0);

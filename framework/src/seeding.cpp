@@ -3,6 +3,7 @@
 #include <opal/registration.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <unordered_map>
 
@@ -63,7 +64,7 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
       return support_of(a.observed, features) > support_of(b.observed, features);
     });
     const auto limit = static_cast<std::size_t>(options_.seed_lookup_limit);
-    const auto shortlist = static_cast<std::size_t>(options_.seed_patterns);
+    const auto shortlist = static_cast<std::size_t>(loose ? options_.seed_loose_patterns : options_.seed_patterns);
     if (lookups.size() > shortlist) lookups.resize(shortlist);
     for (Lookup& lookup : lookups) lookup.expected = tables_[t].index.count(lookup.observed, limit);
     std::stable_sort(lookups.begin(), lookups.end(),
@@ -81,12 +82,43 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
 
 namespace {
 
-/// Mean nearness of points that are already turned into the map's heading, at a position.
-double nearness_at(const MapView& map, std::span<const Point> turned, const Point& position) {
+/// Sum of the nearness of points `from`, `from + step`, ..., which are turned into the map's heading already.
+float nearness_sum(const MapView& map, std::span<const Point> turned, const Point& position, std::size_t from,
+                   std::size_t step) {
   float sum = 0;
-  for (const Point& point : turned) sum += map.nearness(position + point);
-  return turned.empty() ? 0 : sum / static_cast<double>(turned.size());
+  for (std::size_t k = from; k < turned.size(); k += step) sum += map.nearness(position + turned[k]);
+  return sum;
 }
+
+/// Mean nearness; a quarter of the points first, and the rest only if these are not hopeless (below `floor`).
+double nearness_at(const MapView& map, std::span<const Point> turned, const Point& position, double floor) {
+  constexpr std::size_t kStep = 4;
+  if (turned.size() < 2 * kStep) return 0;
+  float sum = nearness_sum(map, turned, position, 0, kStep);
+  if (sum * kStep < floor * static_cast<double>(turned.size())) return -1;
+  for (std::size_t from = 1; from < kStep; ++from) sum += nearness_sum(map, turned, position, from, kStep);
+  return sum / static_cast<double>(turned.size());
+}
+
+/// The n-th best of all values so far, n fixed.
+class NthBest {
+ public:
+  explicit NthBest(std::size_t n) : n_(n) {}
+  double value() const { return best_.size() < n_ ? 0 : best_.front(); }
+  void add(double value) {
+    if (best_.size() == n_) {
+      if (value <= best_.front()) return;
+      std::pop_heap(best_.begin(), best_.end(), std::greater<>());
+      best_.pop_back();
+    }
+    best_.push_back(value);
+    std::push_heap(best_.begin(), best_.end(), std::greater<>());
+  }
+
+ private:
+  std::size_t n_;
+  std::vector<double> best_;  ///< heap, least on top
+};
 
 }  // namespace
 
@@ -108,6 +140,8 @@ void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> co
   const Table& table = tables_[lookup.table];
   const Pose2 from_frame = lookup.observed.frame.inverse();
   std::vector<Point> turned, positions;
+  // A place whose first points are at half the nearness of hundreds of others will hardly be among the best.
+  NthBest bar(5 * static_cast<std::size_t>(options_.seed_candidates));
   for (int k : table.index.find(lookup.observed)) {
     const PatternInstance& mapped = table.index.patterns()[k];
     for (int side = 0; side < (lookup.observed.symmetric ? 2 : 1); ++side) {
@@ -116,9 +150,13 @@ void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> co
       slide(lookup.observed, mapped, pose, positions);
       turned.clear();
       for (const Point& point : coarse) turned.push_back(pose.rotate(point));
-      for (const Point& position : positions)
-        if (!options_.region || (position - options_.region->center).norm() <= options_.region->radius_m)
-          places.push_back({position, pose.heading_rad(), nearness_at(*map_, turned, position), number, k});
+      for (const Point& position : positions) {
+        if (options_.region && (position - options_.region->center).norm() > options_.region->radius_m) continue;
+        const double nearness = nearness_at(*map_, turned, position, 0.5 * bar.value());
+        if (nearness < 0) continue;
+        bar.add(nearness);
+        places.push_back({position, pose.heading_rad(), nearness, number, k});
+      }
     }
   }
 }

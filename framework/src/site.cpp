@@ -1,9 +1,7 @@
 #include <opal/error.hpp>
 #include <opal/site.hpp>
+#include <opal/strict_json.hpp>
 
-#include <nlohmann/json.hpp>
-
-#include <fstream>
 #include <set>
 
 namespace opal {
@@ -16,7 +14,7 @@ constexpr int kMostBeams = 100'000;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& pointer, const std::string& found,
                          const std::string& expected) {
-  throw ConfigError(path + ": " + (pointer.empty() ? "/" : pointer) + ": " + found + ", expected " + expected);
+  throw ConfigError(path + ": " + (pointer.empty() ? "(root)" : pointer) + ": " + found + ", expected " + expected);
 }
 
 std::string shown(const Json& value) {
@@ -72,22 +70,12 @@ double number_in(const Place& object, const std::string& name, double minimum, d
   return object.member(name, expected).number(minimum, maximum, expected);
 }
 
-Json read_document(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw ConfigError(path + ": cannot be opened, expected a JSON file");
-  try {
-    return Json::parse(file);
-  } catch (const Json::exception& error) {
-    throw ConfigError(path + ": " + error.what() + ", expected JSON");
-  }
-}
-
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 }  // namespace
 
 LaserModel read_site_laser(const std::string& path) {
-  const Json document = read_document(path);
+  const Json document = read_json(path);
   const Place laser = Place(path, "", document).member("laser", "an object");
   LaserModel model;
   model.beams = laser.member("n_beams", "an integer").count(kMostBeams);
@@ -105,7 +93,7 @@ LaserModel read_site_laser(const std::string& path) {
 }
 
 std::vector<Query> read_queries(const std::string& path) {
-  const Json document = read_document(path);
+  const Json document = read_json(path);
   std::vector<Query> queries;
   std::set<std::string> ids;
   for (const Place& place : Place(path, "", document).member("queries", "an array").elements()) {

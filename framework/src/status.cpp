@@ -28,14 +28,15 @@ const char* name_of(Status status) {
 void StatusEstimator::reset() {
   last_ = {};
   sure_ = 0;
+  none_nat_ = options_.none_nat;
   was_localized_ = false;
   mean_scan_nat_ = 0;
 }
 
 void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base,
                             PoseEstimate& estimate) const {
-  const double top = std::max(alive.front().hypothesis.log_likelihood, options_.none_nat);
-  double total = std::exp(options_.none_nat - top);
+  const double top = std::max(alive.front().hypothesis.log_likelihood, none_nat_);
+  double total = std::exp(none_nat_ - top);
   for (const Live& live : alive) total += std::exp(live.hypothesis.log_likelihood - top);
   for (const Live& live : alive) {
     const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
@@ -61,8 +62,7 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
                         : alive.front().scan_nat;
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat) return Status::lost;
-  if (sure_ >= options_.localized_novelty && mean_scan_nat_ > options_.localized_scan_nat)
-    return Status::localized;
+  if (sure_ >= options_.localized_novelty) return Status::localized;
   return estimate.rivals.empty() ? Status::searching : Status::ambiguous;
 }
 
@@ -71,6 +71,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   PoseEstimate estimate;
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
+  none_nat_ = (1 - novelty * (1 - options_.memory)) * none_nat_ + novelty * options_.none_scan_nat;
   if (alive.empty()) {
     sure_ = 0;
     estimate.status = was_localized_ ? Status::lost : Status::searching;

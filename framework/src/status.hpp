@@ -9,7 +9,7 @@ namespace opal {
 /// Turns hypotheses into one answer with a status.
 class StatusEstimator {
  public:
-  explicit StatusEstimator(const AssociationOptions& options) : options_(options) {}
+  explicit StatusEstimator(const AssociationOptions& options) : options_(options), none_nat_(options.none_nat) {}
 
   /// @param alive         best first.
   /// @param T_local_base  newest pose in the local frame.
@@ -29,6 +29,7 @@ class StatusEstimator {
   AssociationOptions options_;
   PoseEstimate last_;
   Pose2 T_map_local_;
+  double none_nat_ = 0;      ///< log weight of "none of these"
   double sure_ = 0;          ///< novelty since the required probability holds at one place
   bool was_localized_ = false;
   double mean_scan_nat_ = 0; ///< of the best hypothesis, over the newest scans

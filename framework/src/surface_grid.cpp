@@ -8,7 +8,12 @@ namespace {
 constexpr double kCap_m = 2.5;
 constexpr std::uint8_t kFar_cm = 255;
 
-int layer_of(const Segment& segment) { return segment.heading_rad() >= 0 ? 0 : 1; }
+/// Opposite faces must fall into different layers though they are never exactly antiparallel, so the border between
+/// the layers lies at headings that walls of a map seldom have.
+int layer_of(const Segment& segment) {
+  static const Point border = unit_vector(0.35);
+  return cross(border, segment.end - segment.begin) >= 0 ? 0 : 1;
+}
 
 }  // namespace
 

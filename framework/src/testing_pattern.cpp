@@ -262,7 +262,9 @@ class Matching {
          })},
         {"features that are not a number",
          with([&](Feature& f) { f = transformed(Pose2(nan, nan, nan), f); })}};
-    for (const auto& [name, selection] : cases) {
+    for (const auto& each : cases) {
+      const auto& name = each.first;  // clang 14 captures no structured bindings
+      const auto& selection = each.second;
       violations_.expect_no_throw(name, [&] {
         Order order(selection.size());
         std::iota(order.begin(), order.end(), 0);

@@ -7,6 +7,7 @@ opal::PatternShape CornerPose::shape() const { return {{opal::GeometryKind::orie
 
 std::optional<opal::PatternInstance> CornerPose::match(std::span<const opal::Feature* const> features) const {
   const auto& corner = std::get<opal::OrientedPoint>(features[0]->geometry);
+  if (!corner.position.allFinite() || !std::isfinite(corner.heading_rad + corner.opening_rad)) return std::nullopt;
   opal::PatternInstance instance;
   instance.members = {0};
   instance.invariants = {{corner.opening_rad, opening_tolerance_rad_, opal::Comparison::equal}};

@@ -21,10 +21,10 @@ opal::PatternShape LinePair::shape() const {
 std::optional<opal::PatternInstance> LinePair::match(std::span<const opal::Feature* const> features) const {
   const auto& first = std::get<Segment>(features[0]->geometry);
   const auto& second = std::get<Segment>(features[1]->geometry);
-  if (first.length_m() < min_length_m_ || second.length_m() < min_length_m_) return std::nullopt;
+  if (!(first.length_m() >= min_length_m_ && second.length_m() >= min_length_m_)) return std::nullopt;  // NaN too
   const Point u = first.direction(), v = second.direction();
   const double turn = std::atan2(cross(u, v), u.dot(v));
-  if (turn < min_turn_rad_ || turn > std::numbers::pi - min_turn_rad_) return std::nullopt;
+  if (!(turn >= min_turn_rad_ && turn <= std::numbers::pi - min_turn_rad_)) return std::nullopt;
 
   const Point meeting = first.begin + u * (cross(second.begin - first.begin, v) / cross(u, v));
   opal::PatternInstance instance;

@@ -12,7 +12,7 @@ opal::PatternShape WallSlide::shape() const { return {{opal::GeometryKind::segme
 std::optional<opal::PatternInstance> WallSlide::match(std::span<const opal::Feature* const> features) const {
   const auto& face = std::get<opal::Segment>(features[0]->geometry);
   const double length = face.length_m();
-  if (length < min_length_m_) return std::nullopt;
+  if (!(length >= min_length_m_)) return std::nullopt;  // NaN too
   opal::PatternInstance instance;
   instance.members = {0};
   instance.overhang_m = std::max(overhang_m_, overhang_share_ * length);

@@ -16,15 +16,19 @@ constexpr double kMinRadius_m = 0.1;
 // Cells of one dotted outline are at most this far apart (Chebyshev, in cells).
 constexpr int kBlobReach = 2;
 constexpr std::size_t kMinBlobCells = 8;
-// Of 16 directions around the centre, this many must show an outline.
-constexpr int kMinSectorsSeen = 13;
-// Around a column there is nothing, out to this distance.
-constexpr double kClearance_m = 0.25;
-constexpr double kMinClearShare = 0.9;
+// Of 16 directions around the centre, this many must show an outline: 160 degrees, as seen from one side.
+constexpr int kMinSectorsSeen = 7;
+// Around a column nothing is occupied, out to this distance, and most that is seen is free: its shadow is unknown.
+constexpr double kClearance_m = 0.20;
+constexpr double kMaxOccupiedShare = 0.03;
+constexpr double kMinFreeShare = 0.4;
+// Nobody looks into a column.
+constexpr double kMaxFreeShareInside = 0.1;
 // A circle has 3 parameters and a box 5, so that noise alone makes the box fit better.
-constexpr double kMaxRmsRatioToBox = 0.9;
+constexpr double kMaxRmsRatioToBox = 0.8;
 // A uniformly filled cell has 0.29 cells of spread; smear doubles it.
 constexpr double kMaxRms = 0.75;
+constexpr int kRefinements = 10;
 
 using Blob = std::vector<int>;
 
@@ -74,24 +78,55 @@ class BlobSearch {
   std::vector<bool> seen_;
 };
 
+/// Solves the 3 x 3 normal equations of `rows x = rights`.
+class LeastSquares3 {
+ public:
+  void add(const Eigen::Vector3d& row, double right) {
+    normal_ += row * row.transpose();
+    right_ += right * row;
+  }
+  std::optional<Eigen::Vector3d> solve() const {
+    const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal_);
+    return lu.isInvertible() ? std::optional<Eigen::Vector3d>(lu.solve(right_)) : std::nullopt;
+  }
+
+ private:
+  Eigen::Matrix3d normal_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
+};
+
 /// Algebraic circle fit: least squares of x^2 + y^2 - 2 a x - 2 b y - c (Kasa 1976, "A circle fitting procedure and
-/// its error analysis"), unbiased enough where the outline is seen from all around.
-std::optional<RoundColumn> fit_circle(const std::vector<CellPoint>& points) {
+/// its error analysis"). Too small a radius for short arcs.
+std::optional<RoundColumn> fit_algebraic(const std::vector<CellPoint>& points) {
   const CellPoint origin = points.front();
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  LeastSquares3 equations;
   for (const CellPoint& p : points) {
     const CellPoint d = p - origin;
-    const Eigen::Vector3d row(2 * d.x(), 2 * d.y(), 1);
-    normal += row * row.transpose();
-    right += d.squaredNorm() * row;
+    equations.add({2 * d.x(), 2 * d.y(), 1}, d.squaredNorm());
   }
-  const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
-  if (!lu.isInvertible()) return std::nullopt;
-  const Eigen::Vector3d s = lu.solve(right);
-  const double radius_squared = s(2) + s.head<2>().squaredNorm();
+  const auto s = equations.solve();
+  if (!s) return std::nullopt;
+  const double radius_squared = (*s)(2) + s->head<2>().squaredNorm();
   if (radius_squared <= 0) return std::nullopt;
-  return RoundColumn{origin + s.head<2>(), std::sqrt(radius_squared), 0};
+  return RoundColumn{origin + s->head<2>(), std::sqrt(radius_squared), 0};
+}
+
+/// Geometric circle fit: Gauss-Newton on the distances to the circle, from the algebraic fit.
+std::optional<RoundColumn> fit_circle(const std::vector<CellPoint>& points) {
+  std::optional<RoundColumn> column = fit_algebraic(points);
+  for (int k = 0; column && k < kRefinements; ++k) {
+    LeastSquares3 equations;
+    for (const CellPoint& p : points) {
+      const CellPoint d = p - column->centre;
+      if (const double distance = d.norm(); distance > 0)
+        equations.add({d.x() / distance, d.y() / distance, 1}, distance - column->radius);
+    }
+    const auto step = equations.solve();
+    if (!step) return std::nullopt;
+    column->centre += step->head<2>();
+    column->radius += (*step)(2);
+  }
+  return column;
 }
 
 double rms_to_circle(const std::vector<CellPoint>& points, const RoundColumn& column) {
@@ -131,22 +166,33 @@ bool is_seen_around(const std::vector<CellPoint>& points, const CellPoint& centr
   return sectors >= kMinSectorsSeen;
 }
 
-/// The ring outside is free: the first cell off the outline may be anything, since smear ends somewhere.
+/// How much of a ring around a centre is in some state.
+class Ring {
+ public:
+  Ring(const OccupancyGrid& grid, const CellPoint& centre, double inner, double outer) {
+    const int reach = static_cast<int>(std::ceil(outer));
+    const Cell middle = cell_at(centre);
+    for (int row = middle.row - reach; row <= middle.row + reach; ++row)
+      for (int column = middle.column - reach; column <= middle.column + reach; ++column) {
+        const double distance = (CellPoint(column, row) - centre).norm();
+        if (distance >= inner && distance <= outer) ++counts_[static_cast<std::size_t>(grid.at({column, row}))];
+      }
+  }
+  double share(Occupancy state) const {
+    const int all = counts_[0] + counts_[1] + counts_[2];
+    return all > 0 ? static_cast<double>(counts_[static_cast<std::size_t>(state)]) / all : 0;
+  }
+
+ private:
+  std::array<int, 3> counts_{};
+};
+
 bool stands_alone(const OccupancyGrid& grid, const RoundColumn& column) {
-  const double inner = column.radius + 1.5;
-  const double outer = std::max(column.radius + grid.to_cells(kClearance_m), inner + 2);
-  const int reach = static_cast<int>(std::ceil(outer));
-  const Cell middle = cell_at(column.centre);
-  int clear = 0;
-  int all = 0;
-  for (int row = middle.row - reach; row <= middle.row + reach; ++row)
-    for (int c = middle.column - reach; c <= middle.column + reach; ++c) {
-      const double distance = (CellPoint(c, row) - column.centre).norm();
-      if (distance < inner || distance > outer) continue;
-      ++all;
-      clear += grid.at({c, row}) == Occupancy::free;
-    }
-  return clear >= kMinClearShare * all;
+  const double inner = column.radius + 1.5;  // smear ends somewhere
+  const Ring around(grid, column.centre, inner, std::max(column.radius + grid.to_cells(kClearance_m), inner + 2));
+  const Ring inside(grid, column.centre, 0, column.radius - 1.5);
+  return around.share(Occupancy::occupied) <= kMaxOccupiedShare && around.share(Occupancy::free) >= kMinFreeShare &&
+         inside.share(Occupancy::free) <= kMaxFreeShareInside;
 }
 
 class RoundColumnTest {

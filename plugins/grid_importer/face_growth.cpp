@@ -17,9 +17,10 @@ struct Pass {
   double view_radius_m;  ///< how far around a seed its direction is taken from
   double min_coverage;   ///< least share of the length that has cells
 };
-constexpr std::array<Pass, 4> kPasses{{{2.0, 0.50, 0.25}, {0.8, 0.50, 0.30}, {0.3, 0.25, 0.45}, {0.0, 0.20, 0.60}}};
+constexpr std::array<Pass, 4> kPasses{{{2.0, 0.50, 0.20}, {0.8, 0.50, 0.25}, {0.3, 0.25, 0.35}, {0.0, 0.20, 0.50}}};
 
 constexpr std::size_t kMinCells = 4;
+constexpr double kMinWeight = 1;  // of a fit: a line that leaves its cells behind
 constexpr double kMinLinearity = 0.6;
 // What Pass::min_coverage may fall to where free space ends at the face between its cells.
 constexpr double kMinCoveredShare = 0.6;
@@ -135,17 +136,20 @@ class Growth {
       const bool settled = refit > 2 && wider.size() == support.size();
       support = std::move(wider);
       if (support.size() < kMinCells) return std::nullopt;
-      line = fit_to(boundary_, support, start).line(line.tangent);
+      const LineFit fit = fit_to(boundary_, support, line, tolerance_);
+      if (fit.weight() < kMinWeight) return std::nullopt;
+      line = fit.line(line.tangent);
       if (settled) break;
       reach = std::max(reach, 1.5 * extent_of(boundary_, support, line));
     }
-    return candidate(seed, line, best_part(boundary_, line, support, pass_.min_coverage));
+    return candidate(seed, line, best_part(boundary_, line, support, tolerance_, pass_.min_coverage));
   }
 
   std::optional<Candidate> candidate(const Seed& seed, const Line& line, BestPart part) const {
     if (part.support.size() < kMinCells) return std::nullopt;
-    const LineFit fit = fit_to(boundary_, part.support, seed.line.through);
-    const Face face = face_of(boundary_, part.support, fit, line.tangent);
+    const LineFit fit = fit_to(boundary_, part.support, line, tolerance_);
+    if (fit.weight() < kMinWeight) return std::nullopt;
+    const Face face = face_of(boundary_, part.support, fit, line.tangent, tolerance_);
     const bool is_covered = face.covered >= kMinCoveredShare * pass_.min_coverage * face.length();
     if (face.length() < min_length_ || !is_covered) return std::nullopt;
     return Candidate{seed, face, std::move(part)};

@@ -4,16 +4,19 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
-#include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace opal::grid_importer {
 namespace {
 
-// 2^28 cells are 800 m x 800 m at 0.05 m, and 1 GiB while reading: more than a building, less than a machine.
-constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 28;
+// 2^26 cells are 400 m x 400 m at 0.05 m and half a GiB while reading: more than a building, less than a machine.
+constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;
+// A byte of deflate data gives at most 1032 bytes (zlib's technical details), and these at most 8 pixels each.
+constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
 
 void check_size(std::uint64_t width, std::uint64_t height, const std::string& name) {
   const std::string found = std::to_string(width) + " x " + std::to_string(height) + " pixels";
@@ -115,14 +118,15 @@ struct PngState : png_image {
   PngState& operator=(const PngState&) = delete;
 };
 
-void take_pixels(const std::vector<std::uint8_t>& rgba, bool has_alpha, GreyImage& image) {
-  const std::size_t pixels = rgba.size() / 4;
+/// @param samples  pixels of `colours` channels and one of opacity.
+void take_pixels(const std::vector<std::uint8_t>& samples, std::size_t colours, bool has_alpha, GreyImage& image) {
+  const std::size_t pixels = samples.size() / (colours + 1);
   image.brightness.resize(pixels);
   if (has_alpha) image.opacity.resize(pixels);
   for (std::size_t k = 0; k < pixels; ++k) {
-    const std::uint8_t* const p = &rgba[4 * k];
-    image.brightness[k] = static_cast<float>(p[0] + p[1] + p[2]) / (3 * 255.0F);
-    if (has_alpha) image.opacity[k] = static_cast<float>(p[3]) / 255.0F;
+    const std::uint8_t* const p = &samples[k * (colours + 1)];
+    image.brightness[k] = static_cast<float>(std::accumulate(p, p + colours, 0)) / (255.0F * static_cast<float>(colours));
+    if (has_alpha) image.opacity[k] = static_cast<float>(p[colours]) / 255.0F;
   }
 }
 
@@ -131,13 +135,17 @@ GreyImage read_png(const std::string& bytes, const std::string& name) {
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()))
     throw MapError(name + ": header: libpng: " + png.message + ", expected a PNG image");
   check_size(png.width, png.height, name);
+  if (std::uint64_t{png.width} * png.height > kMaxPixelsPerByte * bytes.size())
+    throw MapError(name + ": header: " + std::to_string(png.width) + " x " + std::to_string(png.height) +
+                   " pixels in a file of " + std::to_string(bytes.size()) + " bytes, expected a whole PNG image");
   const bool has_alpha = png.format & PNG_FORMAT_FLAG_ALPHA;
-  png.format = PNG_FORMAT_RGBA;
-  std::vector<std::uint8_t> rgba(PNG_IMAGE_SIZE(png));
+  const std::size_t colours = png.format & PNG_FORMAT_FLAG_COLOR ? 3 : 1;
+  png.format = colours == 3 ? PNG_FORMAT_RGBA : PNG_FORMAT_GA;
+  std::vector<std::uint8_t> samples(PNG_IMAGE_SIZE(png));
   GreyImage image{static_cast<int>(png.width), static_cast<int>(png.height), {}, {}};
-  if (!png_image_finish_read(&png, nullptr, rgba.data(), 0, nullptr))
+  if (!png_image_finish_read(&png, nullptr, samples.data(), 0, nullptr))
     throw MapError(name + ": pixels: libpng: " + png.message + ", expected an undamaged PNG image");
-  take_pixels(rgba, has_alpha, image);
+  take_pixels(samples, colours, has_alpha, image);
   return image;
 }
 

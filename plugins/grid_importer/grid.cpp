@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As many bytes as the largest image that decode_image takes, 16 bit, with its header.
-constexpr std::uint64_t kMaxImageBytes = (std::uint64_t{1} << 29) + 4096;
+// As many bytes as the largest image that decode_image takes has, as plain text.
+constexpr std::uint64_t kMaxImageBytes = (std::uint64_t{1} << 28) + 4096;
 constexpr std::uint64_t kMaxYamlBytes = std::uint64_t{1} << 20;
 
 /// Pixel values as map_server reads them, one object per grid (nav2_map_server, map_io.cpp, documents the rules).

@@ -16,7 +16,7 @@ constexpr int kCoveredReach = 2;
 // +-45 degrees: leaves the perpendicular wall at a corner alone.
 constexpr int kExplainedSectors = 2;
 
-constexpr double kOpenCost = 0.25;
+constexpr double kOpenCost = 0.12;
 constexpr double kFrontierCost = 0.05;
 
 /// The cells that a line passes within a tolerance, slice by slice.
@@ -101,15 +101,6 @@ void visit_slices(const Support& support, Visit&& visit) {
   }
 }
 
-/// The best that the cells of a slice say for a surface along the line.
-double agreement(const Boundary& boundary, const Line& line, const Support& support, std::size_t first,
-                 std::size_t last) {
-  double best = 0;
-  for (std::size_t k = first; k < last; ++k)
-    best = std::max(best, boundary[support[k].cell].agreement(line.tangent));
-  return best;
-}
-
 /// What a slice without support costs: beams that went through speak against a wall; free space that ends at the line
 /// speaks for one, of which no beam happened to hit this cell.
 double slice_cost(const OccupancyGrid& grid, const Line& line, const CellPoint& p, double min_coverage) {
@@ -132,6 +123,23 @@ CellPoint position(const Boundary& boundary, const Supporter& supporter) {
   return centre_of(boundary[supporter.cell].cell);
 }
 
+double biweight(double distance, double tolerance) {
+  const double share = distance / tolerance;
+  return std::abs(share) < 1 ? std::pow(1 - share * share, 2) : 0;
+}
+
+/// The best that the cells of one slice say for a surface along the line, 0 to 1. Nearness counts by the parabola
+/// 1 - (d / tolerance)^2, which is kinder to cells beside the line than the biweight of the fit.
+double agreement(const Boundary& boundary, const Line& line, const Support& support, std::size_t first,
+                 std::size_t last, double tolerance) {
+  double best = 0;
+  for (std::size_t k = first; k < last; ++k) {
+    const double share = line.offset(position(boundary, support[k])) / tolerance;
+    best = std::max(best, (1 - share * share) * boundary[support[k].cell].agreement(line.tangent));
+  }
+  return best;
+}
+
 }  // namespace
 
 Support gather_support(const Boundary& boundary, const Line& line, const CellPoint& start, const Strip& strip) {
@@ -144,7 +152,8 @@ Support gather_support(const Boundary& boundary, const Line& line, const CellPoi
   return support;
 }
 
-BestPart best_part(const Boundary& boundary, const Line& line, const Support& support, double min_coverage) {
+BestPart best_part(const Boundary& boundary, const Line& line, const Support& support, double tolerance,
+                   double min_coverage) {
   double surplus = 0;
   double best = 0;
   std::size_t begin = 0;
@@ -156,7 +165,7 @@ BestPart best_part(const Boundary& boundary, const Line& line, const Support& su
       surplus = 0;
       begin = first;
     }
-    surplus += agreement(boundary, line, support, first, last) - min_coverage;
+    surplus += agreement(boundary, line, support, first, last, tolerance) - min_coverage;
     if (surplus > best) {
       best = surplus;
       best_begin = begin;
@@ -168,16 +177,19 @@ BestPart best_part(const Boundary& boundary, const Line& line, const Support& su
           best};
 }
 
-LineFit fit_to(const Boundary& boundary, const Support& support, const CellPoint& origin) {
-  LineFit fit(origin);
+LineFit fit_to(const Boundary& boundary, const Support& support, const Line& line, double tolerance) {
+  LineFit fit(line.through);
   visit_slices(support, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k)
-      fit.add(position(boundary, support[k]), 1 / static_cast<double>(last - first));
+    for (std::size_t k = first; k < last; ++k) {
+      const CellPoint p = position(boundary, support[k]);
+      fit.add(p, biweight(line.offset(p), tolerance) / static_cast<double>(last - first));
+    }
   });
   return fit;
 }
 
-Face face_of(const Boundary& boundary, const Support& support, const LineFit& fit, const CellPoint& towards) {
+Face face_of(const Boundary& boundary, const Support& support, const LineFit& fit, const CellPoint& towards,
+             double tolerance) {
   const Line line = fit.line(towards);
   double low = line.along(position(boundary, support.front()));
   double high = low;
@@ -187,7 +199,7 @@ Face face_of(const Boundary& boundary, const Support& support, const LineFit& fi
   }
   double slices = 0;
   visit_slices(support, [&](std::size_t first, std::size_t last) {
-    slices += agreement(boundary, line, support, first, last);
+    slices += agreement(boundary, line, support, first, last, tolerance);
   });
   const double covered = std::min(high - low, slices * SlicedLine(line).slice_length());
   return {line.at(low), line.at(high), covered, fit.rms()};
@@ -208,7 +220,8 @@ void explain(Boundary& boundary, const Face& face, const Support& support, doubl
       if (const int cell = boundary.at(c); cell >= 0) boundary[cell].explained.add(sector, kExplainedSectors);
     });
   };
-  const auto [first, last] = std::minmax({sliced.slice_of(face.begin), sliced.slice_of(face.end)});
+  const int first = std::min(sliced.slice_of(face.begin), sliced.slice_of(face.end));
+  const int last = std::max(sliced.slice_of(face.begin), sliced.slice_of(face.end));
   for (int slice = first; slice <= last; ++slice) explain_slice(slice, tolerance, tolerance);
   const double behind = boundary.grid().to_cells(kExplainedBehind_m);
   const double before = boundary.grid().to_cells(kExplainedBefore_m);

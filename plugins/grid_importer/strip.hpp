@@ -28,19 +28,25 @@ struct Strip {
 /// both ways from `start`.
 Support gather_support(const Boundary& boundary, const Line& line, const CellPoint& start, const Strip& strip);
 
-/// The part of a support with the largest surplus of covered over min_coverage x all slices (Kadane's maximum
-/// subarray), where gaps that beams passed through count more: ends that hang together by single dots fall off.
+/// A part of a support, and what speaks for it minus what speaks against it, in slices.
 struct BestPart {
   Support support;
-  double surplus = 0;  ///< what speaks for it minus what speaks against it, in slices
+  double surplus = 0;
 };
-BestPart best_part(const Boundary& boundary, const Line& line, const Support& support, double min_coverage);
 
-/// Least squares in which each slice weighs the same, however many cells are smeared across it.
-LineFit fit_to(const Boundary& boundary, const Support& support, const CellPoint& origin);
+/// The part with the largest surplus (Kadane's maximum subarray): a covered slice counts up to 1, by how well its cells
+/// lie on the line and run along it; every slice costs min_coverage, more where beams passed through. So ends that
+/// hang together by single dots fall off.
+BestPart best_part(const Boundary& boundary, const Line& line, const Support& support, double tolerance,
+                   double min_coverage);
+
+/// Robust least squares: cells weigh by Tukey's biweight of their distance to `line` (Beaton and Tukey 1974), so that
+/// the fit settles on one of two surfaces that are both within the tolerance; cells of one slice share their weight.
+LineFit fit_to(const Boundary& boundary, const Support& support, const Line& line, double tolerance);
 
 /// The piece of the fitted line from the first to the last supporter.
-Face face_of(const Boundary& boundary, const Support& support, const LineFit& fit, const CellPoint& towards);
+Face face_of(const Boundary& boundary, const Support& support, const LineFit& fit, const CellPoint& towards,
+             double tolerance);
 
 /// From the first to the last supporter, in cells along the line.
 double extent_of(const Boundary& boundary, const Support& support, const Line& line);

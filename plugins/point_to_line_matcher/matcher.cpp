@@ -22,6 +22,22 @@ std::vector<Point> finite(std::span<const Point> points) {
   return kept;
 }
 
+/// Points whose neighbours are far from them because the beams graze the surface say where the beams went, not where
+/// along the surface they are: they would tie a scan of a corridor to the place of the one before.
+bool is_sparse_by_grazing(const Point& a, const Point& b) {
+  constexpr double kDense_m = 0.15, kGrazing = 4;
+  const double step_m = (b - a).norm();
+  const double across_m = std::abs(cross(a, b)) / std::max(a.norm(), 1e-9);
+  return step_m > kDense_m && step_m > kGrazing * across_m;
+}
+
+std::vector<Point> without_grazed(const std::vector<Point>& points) {
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    if (!is_sparse_by_grazing(points[i], points[i + 1])) kept.push_back(points[i]);
+  return kept;
+}
+
 double capped_step_m(const Point& a, const Point& b) { return std::min(kJump_m, (a - b).norm()); }
 
 /// About `count` points, evenly along the outline rather than by bearing, so that near walls do not outvote far ones.
@@ -54,7 +70,7 @@ ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<
   ScanMatch nothing;
   nothing.T_reference_scan = guess;
   nothing.covariance = prior.sigma.cwiseAbs2().asDiagonal();
-  const std::vector<Point> seen = finite(scan);
+  const std::vector<Point> seen = without_grazed(finite(scan));
   const std::vector<Point> known = finite(reference);
   if (seen.size() < kFewestPoints || known.size() < kFewestPoints || !prior.sigma.allFinite()) return nothing;
 

@@ -73,7 +73,7 @@ BagFile::Messages BagFile::prepare(const std::string& query) const {
 }
 
 BagFile::Messages BagFile::messages(const std::vector<std::int64_t>& topics) const {
-  std::string ids;
+  std::string ids;  // numbers: nothing of the file's own text gets into the query
   for (const std::int64_t id : topics) ids += (ids.empty() ? "" : ",") + std::to_string(id);
   return prepare("SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN (" + ids +
                  ") ORDER BY timestamp, id");

@@ -68,8 +68,9 @@ void BagReader::find_mount() {
   const auto odometry = first_of<OdometryMessage>(topics_.odometry, decode_odometry);
   const std::string base = odometry ? odometry->base_frame : frames.root_of(scan->frame);
   const std::optional<Eigen::Isometry3d> T_base_laser = frames.pose(base, scan->frame);
-  if (!T_base_laser) {
-    ++defects_["no static transform from " + base + " to " + scan->frame];
+  const bool stands_alone = !odometry && base == scan->frame;  // nothing carries it
+  if (!T_base_laser || stands_alone) {
+    ++defects_["no static transform from " + (stands_alone ? "anything" : base) + " to " + scan->frame];
     return;
   }
   const double upright = T_base_laser->linear()(2, 2);

@@ -35,6 +35,7 @@ Refusal refusal(const json& document, const Options& options = {}) {
 Options strict() {
   Options options;
   options.reject_unknown_terms = true;
+  options.reject_unknown_prefixes = true;
   return options;
 }
 

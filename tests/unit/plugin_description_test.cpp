@@ -2,7 +2,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <limits>
+
+#include <unistd.h>
 
 using nlohmann::json;
 using opal::complete_options;
@@ -169,4 +174,12 @@ TEST_CASE("a plugin description file that is missing or no JSON is refused by na
   CHECK_THROWS_WITH(opal::read_plugin_description("/nowhere/lines.jsonld"),
                     "/nowhere/lines.jsonld: cannot be read; every plugin has its description beside it "
                     "(docs/write_a_plugin.md)");
+}
+
+TEST_CASE("a key that is there twice in a plugin description is refused") {
+  std::string path = "/tmp/opal_description_XXXXXX";
+  close(mkstemp(path.data()));
+  std::ofstream(path) << R"({"name": "a", "name": "b"})";
+  CHECK_THROWS_WITH(opal::read_plugin_description(path), Catch::StartsWith(path) && Catch::Contains("name"));
+  std::remove(path.c_str());
 }

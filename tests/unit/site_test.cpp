@@ -79,7 +79,7 @@ TEST_CASE("a wrong description of a laser is refused with its place") {
   CHECK(told("1.0,", "0,") == ": /laser/angle_increment_deg: 0, expected degrees in (0, 90]");
   CHECK(told("80.0", "null") == ": /laser/no_return_at_or_above_m: null, expected metres, more than 0.05");
   CHECK(told("\"laser\"", "\"sonar\"") == ": /laser: missing, expected an object");
-  CHECK(complaint(read_site_laser, "[1, 2]") == ": /: [1,2], expected an object");
+  CHECK(complaint(read_site_laser, "[1, 2]") == ": (root): [1,2], expected an object");
   CHECK_THAT(complaint(read_site_laser, "{\"laser\": "), Catch::Contains("line 1"));
   CHECK_THROWS_AS(read_site_laser("/no/such/file.json"), Error);
 }

@@ -23,13 +23,14 @@ struct AssociationOptions {
   int seed_features = 8;            ///< best supported features per geometry that templates are offered
   int seed_patterns = 10;           ///< patterns looked up per scan, fewest expected candidates first
   int seed_lookup_limit = 30000;    ///< candidates per scan and template
-  int seed_candidates = 100;        ///< kept by nearness of the scan to the map, one per place
-  int seed_hypotheses = 40;         ///< kept by the scorers
+  int seed_candidates = 80;         ///< kept by nearness of the scan to the map, one per place
+  int seed_hypotheses = 30;         ///< kept by the scorers
   double seed_every_m = 0.5;        ///< driving, or
   double seed_every_rad = 1.0;      ///< turning, between searches for new hypotheses
   int seed_every_when_localized = 6; ///< only every n-th search while localized
-  double loose_below_nat = 5.4;     ///< patterns with a free parameter are tried if no candidate scores this
-  double loose_until_nat = 12;      ///< and only while no hypothesis has gathered this much
+  int seed_loose_patterns = 3;      ///< the same for patterns with a free parameter
+  double loose_below_nat = 3.6;     ///< patterns with a free parameter are tried if no candidate scores this
+  double loose_until_nat = 8;       ///< and only while no hypothesis has gathered this much
   double slide_step_m = 0.2;        ///< step along a pattern's free parameter
   double birth_nat = -3.0;          ///< log prior of a new hypothesis against clutter
   bool seed_from_stable = false;    ///< only stable local features may seed (thesis)
@@ -54,15 +55,16 @@ struct AssociationOptions {
   int track_search = 15;            ///< hypotheses that get an alignment search when odometry is uncertain
   double merge_m = 0.3;             ///< hypotheses nearer than this
   double merge_rad = 0.1;           ///< and this are one
-  double prune_nat = 25;            ///< worse than the best by this: ended
+  double prune_nat = 17;            ///< worse than the best by this: ended
   int max_hypotheses = 120;
 
   // Status.
-  double none_nat = 0;              ///< log weight of "none of these"
+  double none_nat = 0;              ///< log weight of "none of these" before the first scan
+  double none_scan_nat = 1.2;       ///< what a scan at a place that is not on the map would say for a wrong pose:
+                                    ///< hypotheses must gather more than this to be believed
   double localized_probability = 0.99;
   double localized_novelty = 3;     ///< sum of the scans' novelty over which that must hold
-  double localized_scan_nat = 2.4;  ///< and the newest scan speaks for it by this much
-  double lost_scan_nat = -0.5;      ///< mean of the newest scans below this: lost
+  double lost_scan_nat = -0.35;     ///< mean of the newest scans below this: lost
 
   std::optional<RegionPrior> region;
 };

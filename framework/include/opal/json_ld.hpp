@@ -43,6 +43,8 @@ struct Options {
   /// look like keywords, and values where only nodes count. A term that the context maps to null is still
   /// dropped: that is its purpose.
   bool reject_unknown_terms = false;
+  /// Reject prefixed names whose prefix no context defines (JSON-LD takes them for absolute IRIs).
+  bool reject_unknown_prefixes = false;
 };
 
 /// W3C JSON-LD 1.1 API, Expansion Algorithm (5.1.2), processing mode json-ld-1.1, every part of it. Arrays

@@ -28,6 +28,14 @@ struct Registration {
 /// lines. Pre-aligned in closed form by headings and line intersections (thesis 3.4.4), then Gauss-Newton.
 OPAL_EXPORT Registration register_geometry(std::span<const GeometryPair> pairs);
 
+/// How far a placed geometry is from a mapped one of the same kind. Segments may be parts of each other: offset of
+/// the placed midpoint from the mapped line, and the gap along the line if they do not overlap.
+struct Mismatch {
+  double position_m = 0;
+  double heading_rad = 0;  ///< 0 for points and circles
+};
+OPAL_EXPORT Mismatch mismatch(const Geometry& placed, const Geometry& mapped);
+
 struct RefinementOptions {
   int iterations = 5;
   double sigma_m = 0.12;        ///< scale of the robust weight 1 / (1 + (e / sigma)^2)^2
