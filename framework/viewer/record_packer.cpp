@@ -10,7 +10,7 @@ namespace opal {
 namespace {
 
 constexpr int kGzipWindow = 15 + 16;  // zlib: 16 more asks for a gzip header
-constexpr int kLevel = 9, kMemory = 9;
+constexpr int kLevel = 6, kMemory = 9;
 
 }  // namespace
 
