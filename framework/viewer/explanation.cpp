@@ -1,0 +1,44 @@
+#include "viewer/explanation.hpp"
+
+#include "viewer/explained_moment.hpp"
+#include "viewer/sentences.hpp"
+
+namespace opal {
+
+const char* name_of(SentenceKind kind) {
+  switch (kind) {
+    case SentenceKind::answer: return "answer";
+    case SentenceKind::support: return "support";
+    case SentenceKind::against: return "against";
+    case SentenceKind::rival: return "rival";
+    case SentenceKind::fell: return "fell";
+    case SentenceKind::note: return "note";
+  }
+  return "";
+}
+
+Explainer::Explainer(std::shared_ptr<const RunHeader> header) : moment_(std::make_unique<ExplainedMoment>()) {
+  moment_->header = std::move(header);
+}
+Explainer::~Explainer() = default;
+Explainer::Explainer(Explainer&&) noexcept = default;
+Explainer& Explainer::operator=(Explainer&&) noexcept = default;
+
+void Explainer::take(const RunFrame& frame) {
+  moment_->take(frame);
+  empty_ = false;
+}
+
+std::vector<Sentence> Explainer::explanation() const {
+  std::vector<Sentence> sentences;
+  if (empty_) return sentences;
+  add_answer(*moment_, sentences);
+  add_support(*moment_, sentences);
+  add_findings(*moment_, sentences);
+  add_rivals(*moment_, sentences);
+  add_fallen(*moment_, sentences);
+  add_search(*moment_, sentences);
+  return sentences;
+}
+
+}  // namespace opal
