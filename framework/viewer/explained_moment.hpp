@@ -4,14 +4,15 @@
 #include "viewer/run_frame.hpp"
 
 #include <map>
-#include <memory>
 #include <optional>
 
 namespace opal {
 
 /// Everything that an explanation draws on: the newest frame, and what the frames before it leave to know.
 struct ExplainedMoment {
-  std::shared_ptr<const RunHeader> header;
+  explicit ExplainedMoment(const RunHeader& of_run) : header(of_run) {}
+
+  const RunHeader& header;
   RunFrame frame;
   HypothesisHistories histories;
   std::map<int, RecordedLocalFeature> local_features;  ///< alive, by id

@@ -17,9 +17,7 @@ const char* name_of(SentenceKind kind) {
   return "";
 }
 
-Explainer::Explainer(std::shared_ptr<const RunHeader> header) : moment_(std::make_unique<ExplainedMoment>()) {
-  moment_->header = std::move(header);
-}
+Explainer::Explainer(const RunHeader& header) : moment_(std::make_unique<ExplainedMoment>(header)) {}
 Explainer::~Explainer() = default;
 Explainer::Explainer(Explainer&&) noexcept = default;
 Explainer& Explainer::operator=(Explainer&&) noexcept = default;

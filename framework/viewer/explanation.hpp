@@ -24,7 +24,8 @@ struct Sentence {
 /// order and keeps no more of them than the newest moment needs.
 class Explainer {
  public:
-  explicit Explainer(std::shared_ptr<const RunHeader> header);
+  /// @param header  of the run; must outlive the explainer.
+  explicit Explainer(const RunHeader& header);
   ~Explainer();
   Explainer(Explainer&&) noexcept;
   Explainer& operator=(Explainer&&) noexcept;

@@ -44,7 +44,7 @@ std::string listed(const std::vector<std::string>& names, std::size_t most) {
 class Support {
  public:
   Support(const ExplainedMoment& moment, const RecordedHypothesis& best, const HypothesisHistory& history)
-      : header_(*moment.header), T_map_local_(best.T_map_base * moment.frame.T_local_base.inverse()) {
+      : header_(moment.header), T_map_local_(best.T_map_base * moment.frame.T_local_base.inverse()) {
     for (const auto& [local, mapped] : history.pairs) {
       if (mapped < 0)
         not_on_map_.push_back(std::to_string(local));
@@ -102,8 +102,8 @@ std::string pairs_text(const RunHeader& header, std::vector<RecordedPair> pairs)
 std::string origin_text(const RunHeader& header, const HypothesisHistory& history) {
   const RecordedBirth& birth = *history.birth;
   std::string text = birth.parent >= 0 ? "branched from hypothesis " + std::to_string(birth.parent) : "born";
-  text += " at " + seconds_text(history.born_s) + ", then at " + place_text(birth.T_map_base.position());
-  if (!birth.pattern_template.empty()) text += ", from " + birth.pattern_template;
+  text += " at " + seconds_text(history.born_s) + " at " + place_text(birth.T_map_base.position());
+  if (!birth.pattern_template.empty()) text += " from " + birth.pattern_template;
   const std::string pairs = pairs_text(header, birth.pairs);
   return pairs.empty() ? text : text + ": " + pairs;
 }
@@ -116,7 +116,7 @@ void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
   const RecordedHypothesis* best = moment.best();
   if (best)
     text += "at " + pose_text(best->T_map_base) + ", with probability " + probability_text(frame.probability) +
-            " (hypothesis " + std::to_string(best->id) + " of " + std::to_string(frame.hypotheses.size()) + ")";
+            " (hypothesis " + std::to_string(best->id) + ", " + std::to_string(frame.hypotheses.size()) + " alive)";
   else
     text += "no hypothesis is alive";
   text += "; \"none of these\" has " + probability_text(frame.none);
@@ -128,7 +128,7 @@ void add_support(const ExplainedMoment& moment, std::vector<Sentence>& sentences
   const HypothesisHistory* history = best ? moment.histories.alive(best->id) : nullptr;
   if (!history) return;
   Support(moment, *best, *history).add_to(sentences);
-  if (history->birth) sentences.push_back({SentenceKind::support, origin_text(*moment.header, *history)});
+  if (history->birth) sentences.push_back({SentenceKind::support, origin_text(moment.header, *history)});
 }
 
 void add_findings(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {

@@ -8,7 +8,7 @@ namespace opal {
 namespace {
 
 constexpr double kLeastProbability = 0.01;
-constexpr std::size_t kNamedRivals = 2, kNamedFallen = 2, kNamedFindings = 2;
+constexpr std::size_t kNamedRivals = 2, kNamedFallen = 2, kNamedFindings = 1;
 
 std::vector<const RecordedHypothesis*> rivals_of(const RecordedHypothesis& best, const RunFrame& frame) {
   std::vector<const RecordedHypothesis*> rivals;

@@ -2,25 +2,29 @@
 #include "viewer/sentences.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <tuple>
 
 namespace opal {
 namespace {
 
-constexpr std::size_t kNamedPatterns = 3;
-
-/// Patterns that were looked up, those with the fewest candidates first.
-std::string lookups_text(std::vector<RecordedSearch::Lookup> lookups) {
-  std::sort(lookups.begin(), lookups.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.candidates, a.pattern_template, a.local_features) <
-           std::tie(b.candidates, b.pattern_template, b.local_features);
-  });
-  std::string text = "looked up " + count_text(lookups.size(), "pattern");
-  for (std::size_t k = 0; k < std::min(kNamedPatterns, lookups.size()); ++k)
-    text += (k ? ", " : " (") + lookups[k].pattern_template + ": " + count_text(lookups[k].candidates, "candidate");
-  if (lookups.size() > kNamedPatterns) text += ", ...";
-  return lookups.empty() ? text : text + ")";
+/// "6 patterns (opal:LinePair: 5, with 25 candidates; ...)"
+std::string lookups_text(const std::vector<RecordedSearch::Lookup>& lookups) {
+  struct Total {
+    std::size_t patterns = 0, candidates = 0;
+  };
+  std::map<std::string, Total> totals;
+  for (const RecordedSearch::Lookup& lookup : lookups) {
+    Total& total = totals[lookup.pattern_template];
+    ++total.patterns;
+    total.candidates += static_cast<std::size_t>(lookup.candidates);
+  }
+  std::string text;
+  for (const auto& [name, total] : totals)
+    text += (text.empty() ? "" : "; ") + name + ": " + std::to_string(total.patterns) + ", with " +
+            count_text(total.candidates, "candidate");
+  return count_text(lookups.size(), "pattern") + (text.empty() ? "" : " (" + text + ")");
 }
 
 /// The rejected place with the best score.
@@ -35,7 +39,7 @@ const RecordedSearch::Rejected* best_rejected(const RecordedSearch& search) {
 }
 
 std::string search_text(const RecordedSearch& search, double searched_s) {
-  std::string text = "last search, at " + seconds_text(searched_s) + ": " + lookups_text(search.patterns) + "; " +
+  std::string text = "last search, at " + seconds_text(searched_s) + ": looked up " + lookups_text(search.patterns) + ", " +
                      count_text(search.proposed, "place") + " proposed";
   const RecordedSearch::Rejected* best = best_rejected(search);
   if (!best) return text;
