@@ -24,6 +24,11 @@ std::string shown(const Event& value) {
   return cut(value.dump(-1, ' ', false, Event::error_handler_t::replace), kLongestShown);
 }
 
+bool is_integer(const Event& value, int least) {
+  constexpr int kLargest = 2'000'000'000;
+  return value.is_number_integer() && value.get<double>() >= least && value.get<double>() <= kLargest;
+}
+
 std::string plain(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", number);
@@ -90,9 +95,12 @@ double EventPlace::probability() const { return is_null() ? 0 : number(0, 1); }
 double EventPlace::nat() const { return is_null() ? kWorst_nat : number(-kLargest_nat, kLargest_nat); }
 
 int EventPlace::count() const {
-  constexpr int kLargest = 2'000'000'000;
-  const bool good = value_->is_number_integer() && value_->get<double>() >= 0 && value_->get<double>() <= kLargest;
-  if (!good) fail("an integer in [0, 2e9]");
+  if (!is_integer(*value_, 0)) fail("an integer in [0, 2e9]");
+  return value_->get<int>();
+}
+
+int EventPlace::id() const {
+  if (!is_integer(*value_, -1)) fail("an id, an integer in [-1, 2e9]");
   return value_->get<int>();
 }
 
@@ -140,7 +148,7 @@ std::vector<Point> EventPlace::points() const {
 
 std::vector<int> EventPlace::ids() const {
   std::vector<int> ids(elements());
-  for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = element(k).count();
+  for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = element(k).id();
   return ids;
 }
 

@@ -36,7 +36,8 @@ class EventPlace {
   double stamp_s() const;
   double probability() const;  ///< null: 0
   double nat() const;          ///< null (no number): kWorst_nat
-  int count() const;           ///< an integer >= 0, also an id
+  int count() const;           ///< an integer >= 0
+  int id() const;              ///< of a hypothesis or a local feature; -1: none
   bool flag() const;
   bool is_null() const { return value_->is_null(); }
   /// What things are referred to by: ids, types, scorers. At most 1000 bytes.

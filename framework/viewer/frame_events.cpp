@@ -6,9 +6,9 @@
 namespace opal {
 namespace {
 
-std::optional<int> optional_count(const EventPlace& event, const char* name) {
+int optional_id(const EventPlace& event, const char* name) {
   const auto found = event.find(name);
-  return found ? std::optional(found->count()) : std::nullopt;
+  return found ? found->id() : -1;
 }
 
 std::string optional_name(const EventPlace& event, const char* name) {
@@ -34,7 +34,7 @@ std::vector<RecordedPair> read_pairs(const EventPlace& event, const FeaturePosit
     const EventPlace pair = array->element(k);
     if (pair.elements() != 2) pair.fail("[local feature, mapped feature or null]");
     const EventPlace mapped = pair.element(1);
-    pairs.push_back({pair.element(0).count(), mapped.is_null() ? -1 : mapped_feature(mapped, features)});
+    pairs.push_back({pair.element(0).id(), mapped.is_null() ? -1 : mapped_feature(mapped, features)});
   }
   return pairs;
 }
@@ -94,7 +94,7 @@ void read_pruned(const EventPlace& event, const FeaturePositions& features, RunF
   RecordedEnd end;
   end.id = event.member("hypothesis").count();
   end.reason = event.member("reason").sentence();
-  end.merged_into = optional_count(event, "merged_into").value_or(-1);
+  end.merged_into = optional_id(event, "merged_into");
   end.T_map_base = event.member("T_map_base").pose();
   end.log_likelihood = optional_nat(event, "log_likelihood");
   end.scan_nat = optional_nat(event, "scan_nat");
@@ -111,7 +111,8 @@ void read_searched(const EventPlace& event, const FeaturePositions& features, Ru
       search.patterns.push_back({place.member("template").name(), place.member("local_features").ids(),
                                  place.member("candidates").count()});
     }
-  search.proposed = optional_count(event, "proposed").value_or(0);
+  const auto proposed = event.find("proposed");
+  search.proposed = proposed ? proposed->count() : 0;
   if (const auto rejected = event.find("rejected"))
     for (std::size_t k = 0; k < rejected->elements(); ++k) {
       const EventPlace place = rejected->element(k);
@@ -122,7 +123,7 @@ void read_searched(const EventPlace& event, const FeaturePositions& features, Ru
 }
 
 void read_born(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
-  frame.births.push_back({event.member("hypothesis").count(), optional_count(event, "parent").value_or(-1),
+  frame.births.push_back({event.member("hypothesis").count(), optional_id(event, "parent"),
                           optional_name(event, "template"), event.member("T_map_base").pose(),
                           optional_nat(event, "log_likelihood"), read_pairs(event, features)});
 }
@@ -163,7 +164,7 @@ void read_estimate(const EventPlace& event, const FeaturePositions& features, Ru
   frame.status = event.member("status").name();
   frame.probability = event.member("probability").probability();
   if (const auto none = event.find("none")) frame.none = none->probability();
-  frame.best = optional_count(event, "hypothesis").value_or(-1);
+  frame.best = optional_id(event, "hypothesis");
   const EventPlace array = event.member("hypotheses");
   frame.hypotheses.clear();
   frame.hypotheses.reserve(array.elements());

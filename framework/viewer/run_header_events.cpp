@@ -73,8 +73,9 @@ FeaturePositions read_map_event(const EventPlace& event, RunHeader& header) {
   for (std::size_t k = 0; k < features.elements(); ++k) {
     const EventPlace place = features.element(k);
     header.features.push_back(read_feature(place, header.objects.size()));
-    if (!positions.emplace(header.features.back().id, static_cast<int>(k)).second)
-      place.member("id").fail("an id that no other feature has");
+    // One geometry may stand once per sensor; what this run's sensor perceives is what events mean.
+    const auto [known, is_new] = positions.try_emplace(header.features.back().id, static_cast<int>(k));
+    if (!is_new && !header.features[known->second].perceivable) known->second = static_cast<int>(k);
   }
   if (const auto patterns = event.find("patterns"))
     for (std::size_t k = 0; k < patterns->elements(); ++k)
