@@ -1,9 +1,7 @@
 #pragma once
 
-#include "viewer/hypothesis_history.hpp"
-#include "viewer/run_frame.hpp"
+#include "viewer/run_state.hpp"
 
-#include <map>
 #include <optional>
 
 namespace opal {
@@ -12,22 +10,16 @@ namespace opal {
 struct ExplainedMoment {
   explicit ExplainedMoment(const RunHeader& of_run) : header(of_run) {}
 
+  void take(const RunFrame& frame);
+
   const RunHeader& header;
-  RunFrame frame;
-  HypothesisHistories histories;
-  std::map<int, RecordedLocalFeature> local_features;  ///< alive, by id
-  std::optional<RecordedSearch> search;                ///< the last one of the time line
+  RunState state;
+  std::optional<RecordedSearch> search;  ///< the last one of the time line
   double searched_s = 0;
   double status_since_s = 0;
-  double leads_since_s = 0;  ///< the best hypothesis is the best one since then
-
-  void take(const RunFrame& next);
-
-  /// @return nullptr if there is none.
-  const RecordedHypothesis* best() const;
-
- private:
-  void take_local_map();
 };
+
+/// What the localizer's status takes for one place (status.cpp): hypotheses there share their probability.
+bool same_place(const Pose2& a, const Pose2& b);
 
 }  // namespace opal

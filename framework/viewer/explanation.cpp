@@ -22,14 +22,11 @@ Explainer::~Explainer() = default;
 Explainer::Explainer(Explainer&&) noexcept = default;
 Explainer& Explainer::operator=(Explainer&&) noexcept = default;
 
-void Explainer::take(const RunFrame& frame) {
-  moment_->take(frame);
-  empty_ = false;
-}
+void Explainer::take(const RunFrame& frame) { moment_->take(frame); }
 
 std::vector<Sentence> Explainer::explanation() const {
   std::vector<Sentence> sentences;
-  if (empty_) return sentences;
+  if (moment_->state.empty()) return sentences;
   add_answer(*moment_, sentences);
   add_support(*moment_, sentences);
   add_findings(*moment_, sentences);

@@ -38,7 +38,6 @@ class Explainer {
 
  private:
   std::unique_ptr<ExplainedMoment> moment_;
-  bool empty_ = true;
 };
 
 }  // namespace opal

@@ -32,7 +32,7 @@ std::string term_text(const TermName& name, double rival, double best) {
   return name.first + " " + name.second + " " + fixed_text(rival, 2) + ", of the best one " + fixed_text(best, 2);
 }
 
-std::map<TermName, double> terms_of(const RecordedHypothesis& hypothesis) {
+std::map<TermName, double> terms_of(const TracedHypothesis& hypothesis) {
   std::map<TermName, double> terms;
   for (const RecordedTerm& term : hypothesis.scores) terms[{term.scorer, term.term}] = term.value;
   return terms;
@@ -44,7 +44,7 @@ struct Difference {
 };
 
 /// Known terms that are worse than the best one's, the largest difference first; then all others that differ.
-std::vector<Difference> differences(const RecordedHypothesis& rival, const RecordedHypothesis& best) {
+std::vector<Difference> differences(const TracedHypothesis& rival, const TracedHypothesis& best) {
   constexpr double kShownDifference = 0.01;
   const std::map<TermName, double> of_best = terms_of(best);
   std::vector<Difference> found;
@@ -61,7 +61,7 @@ std::vector<Difference> differences(const RecordedHypothesis& rival, const Recor
 
 }  // namespace
 
-std::string comparison_text(const RecordedHypothesis& rival, const RecordedHypothesis& best) {
+std::string comparison_text(const TracedHypothesis& rival, const TracedHypothesis& best) {
   constexpr std::size_t kNamedTerms = 2;
   std::vector<Difference> found = differences(rival, best);
   if (found.size() > kNamedTerms) found.resize(kNamedTerms);

@@ -4,6 +4,8 @@
 #include <opal/registration.hpp>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace opal {
 namespace {
@@ -23,15 +25,15 @@ std::string type_text(const std::string& type) {
 }
 
 std::string name_of_object(const RunHeader& header, const RunHeader::Feature& feature) {
-  const bool known = feature.object >= 0 && static_cast<std::size_t>(feature.object) < header.objects.size();
-  if (!known) return type_text(feature.type) + " " + feature.id;
+  if (feature.object < 0) return type_text(feature.type) + " " + feature.id;
   const RunHeader::Object& object = header.objects[feature.object];
   return type_text(object.type) + " " + object.id;
 }
 
-const RunHeader::Feature* feature_at(const RunHeader& header, int number) {
-  return number >= 0 && static_cast<std::size_t>(number) < header.features.size() ? &header.features[number]
-                                                                                   : nullptr;
+std::vector<std::string> numbers(const std::set<int>& ids) {
+  std::vector<std::string> texts;
+  for (int id : ids) texts.push_back(std::to_string(id));
+  return texts;
 }
 
 std::string listed(const std::vector<std::string>& names, std::size_t most) {
@@ -43,13 +45,16 @@ std::string listed(const std::vector<std::string>& names, std::size_t most) {
 
 class Support {
  public:
-  Support(const ExplainedMoment& moment, const RecordedHypothesis& best, const HypothesisHistory& history)
-      : header_(moment.header), T_map_local_(best.T_map_base * moment.frame.T_local_base.inverse()) {
-    for (const auto& [local, mapped] : history.pairs) {
-      if (mapped < 0)
-        not_on_map_.push_back(std::to_string(local));
-      else if (const auto it = moment.local_features.find(local); it != moment.local_features.end())
-        see(it->second, mapped);
+  Support(const ExplainedMoment& moment, const TracedHypothesis& best)
+      : header_(moment.header), T_map_local_(best.T_map_base * moment.state.frame().T_local_base.inverse()) {
+    const auto& locals = moment.state.local_features();
+    for (const RecordedPair& pair : best.pairs) {
+      const auto local = locals.find(pair.local_feature);
+      if (local == locals.end()) continue;
+      if (pair.map_feature < 0)
+        not_on_map_.insert(pair.local_feature);
+      else
+        see(local->second, pair.map_feature);
     }
   }
 
@@ -60,16 +65,16 @@ class Support {
     if (!not_on_map_.empty())
       sentences.push_back({SentenceKind::support,
                            "takes " + count_text(not_on_map_.size(), "local feature") +
-                               " for not on the map: " + listed(not_on_map_, kNamedLocals)});
+                               " for not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
   }
 
  private:
   void see(const RecordedLocalFeature& local, int mapped) {
-    const RunHeader::Feature* feature = feature_at(header_, mapped);
-    if (!feature || kind_of(feature->geometry) != kind_of(local.geometry)) return;
+    const RunHeader::Feature& feature = header_.features[mapped];
+    if (kind_of(feature.geometry) != kind_of(local.geometry)) return;
     const Geometry placed = transformed(T_map_local_, local.geometry);
-    const double off_m = mismatch(placed, feature->geometry).position_m;
-    const auto [entry, added] = nearest_m_.try_emplace(name_of_object(header_, *feature), off_m);
+    const double off_m = mismatch(placed, feature.geometry).position_m;
+    const auto [entry, added] = nearest_m_.try_emplace(name_of_object(header_, feature), off_m);
     entry->second = std::min(entry->second, off_m);
     ++pairs_;
   }
@@ -87,33 +92,21 @@ class Support {
   Pose2 T_map_local_;
   std::size_t pairs_ = 0;
   std::map<std::string, double> nearest_m_;  ///< per object
-  std::vector<std::string> not_on_map_;
+  std::set<int> not_on_map_;
 };
 
-std::string pairs_text(const RunHeader& header, std::vector<RecordedPair> pairs) {
-  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.local_feature < b.local_feature; });
-  std::vector<std::string> named;
-  for (const RecordedPair& pair : pairs)
-    if (const RunHeader::Feature* feature = feature_at(header, pair.map_feature))
-      named.push_back("local feature " + std::to_string(pair.local_feature) + " as " + feature->id);
-  return listed(named, kNamedObjects);
-}
-
-std::string origin_text(const RunHeader& header, const HypothesisHistory& history) {
-  const RecordedBirth& birth = *history.birth;
-  std::string text = birth.parent >= 0 ? "branched from hypothesis " + std::to_string(birth.parent) : "born";
-  text += " at " + seconds_text(history.born_s) + " at " + place_text(birth.T_map_base.position());
-  if (!birth.pattern_template.empty()) text += " from " + birth.pattern_template;
-  const std::string pairs = pairs_text(header, birth.pairs);
-  return pairs.empty() ? text : text + ": " + pairs;
+std::string origin_text(const TracedHypothesis& hypothesis) {
+  std::string text = hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "born";
+  text += " at " + seconds_text(hypothesis.born_s);
+  return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
 }
 
 }  // namespace
 
 void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
-  const RunFrame& frame = moment.frame;
+  const RunFrame& frame = moment.state.frame();
   std::string text = frame.status + " since " + seconds_text(moment.status_since_s) + ": ";
-  const RecordedHypothesis* best = moment.best();
+  const TracedHypothesis* best = moment.state.best();
   if (best)
     text += "at " + pose_text(best->T_map_base) + ", with probability " + probability_text(frame.probability) +
             " (hypothesis " + std::to_string(best->id) + ", " + std::to_string(frame.hypotheses.size()) + " alive)";
@@ -124,19 +117,18 @@ void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
 }
 
 void add_support(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
-  const RecordedHypothesis* best = moment.best();
-  const HypothesisHistory* history = best ? moment.histories.alive(best->id) : nullptr;
-  if (!history) return;
-  Support(moment, *best, *history).add_to(sentences);
-  if (history->birth) sentences.push_back({SentenceKind::support, origin_text(moment.header, *history)});
+  const TracedHypothesis* best = moment.state.best();
+  if (!best) return;
+  Support(moment, *best).add_to(sentences);
+  sentences.push_back({SentenceKind::support, origin_text(*best)});
 }
 
 void add_findings(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
-  const RecordedHypothesis* best = moment.best();
+  const TracedHypothesis* best = moment.state.best();
   if (!best) return;
   if (best->scan_nat < 0)
     sentences.push_back({SentenceKind::against, "the newest scan scores " + nat_text(best->scan_nat)});
-  const std::string text = findings_text(moment.frame.findings, kNamedFindings);
+  const std::string text = findings_text(moment.state.frame().findings, kNamedFindings);
   if (!text.empty()) sentences.push_back({SentenceKind::against, text});
 }
 

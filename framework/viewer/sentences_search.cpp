@@ -48,13 +48,14 @@ std::string search_text(const RecordedSearch& search, double searched_s) {
 }
 
 std::string senses_text(const ExplainedMoment& moment) {
-  const auto stable = std::count_if(moment.local_features.begin(), moment.local_features.end(),
-                                    [](const auto& entry) { return entry.second.stable; });
-  return "the scan has " + count_text(moment.frame.scan.size(), "point") + " (thinned), the local map " +
-         count_text(moment.local_features.size(), "feature") + ", " + std::to_string(stable) + " of them stable";
+  const auto& locals = moment.state.local_features();
+  const auto stable =
+      std::count_if(locals.begin(), locals.end(), [](const auto& entry) { return entry.second.stable; });
+  return "the scan has " + count_text(moment.state.frame().scan.size(), "point") + " (thinned), the local map " +
+         count_text(locals.size(), "feature") + ", " + std::to_string(stable) + " of them stable";
 }
 
-std::string truth_text(const Pose2& truth, const RecordedHypothesis& best) {
+std::string truth_text(const Pose2& truth, const TracedHypothesis& best) {
   const double off_deg = angle_between_rad(truth, best.T_map_base) * 180 / std::numbers::pi;
   return "the recorded truth is " + metres_text(distance_m(truth, best.T_map_base)) + " and " +
          fixed_text(off_deg, 1) + " deg away";
@@ -63,8 +64,8 @@ std::string truth_text(const Pose2& truth, const RecordedHypothesis& best) {
 }  // namespace
 
 void add_search(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
-  const RunFrame& frame = moment.frame;
-  const RecordedHypothesis* best = moment.best();
+  const RunFrame& frame = moment.state.frame();
+  const TracedHypothesis* best = moment.state.best();
   const auto note = [&](std::string text) { sentences.push_back({SentenceKind::note, std::move(text)}); };
   if (best && frame.none > frame.probability) note("\"none of these\" is more probable than the best hypothesis");
   if (frame.status == "searching" || frame.status == "lost") {
