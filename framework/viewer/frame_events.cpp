@@ -160,8 +160,14 @@ void require_distinct(const EventPlace& array, const std::vector<RecordedHypothe
   if (std::adjacent_find(ids.begin(), ids.end()) != ids.end()) array.fail("each hypothesis once");
 }
 
+const std::string& read_status(const EventPlace& status) {
+  for (const char* known : {"searching", "ambiguous", "localized", "lost"})
+    if (status.name() == known) return status.name();
+  status.fail("'searching', 'ambiguous', 'localized' or 'lost'");
+}
+
 void read_estimate(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
-  frame.status = event.member("status").name();
+  frame.status = read_status(event.member("status"));
   frame.probability = event.member("probability").probability();
   if (const auto none = event.find("none")) frame.none = none->probability();
   frame.best = optional_id(event, "hypothesis");
