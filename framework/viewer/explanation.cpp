@@ -17,6 +17,12 @@ const char* name_of(SentenceKind kind) {
   return "";
 }
 
+std::vector<std::pair<std::string, std::string>> words_of(const std::vector<Sentence>& sentences) {
+  std::vector<std::pair<std::string, std::string>> words;
+  for (const Sentence& sentence : sentences) words.emplace_back(name_of(sentence.kind), sentence.text);
+  return words;
+}
+
 Explainer::Explainer(const RunHeader& header) : moment_(std::make_unique<ExplainedMoment>(header)) {}
 Explainer::~Explainer() = default;
 Explainer::Explainer(Explainer&&) noexcept = default;

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace opal {
@@ -19,6 +20,9 @@ struct Sentence {
   SentenceKind kind;
   std::string text;  ///< one line; names from the recording stand in it as they are
 };
+
+/// The sentences as (kind, text), as records have them (page/README.md).
+std::vector<std::pair<std::string, std::string>> words_of(const std::vector<Sentence>& sentences);
 
 /// Says why the localizer believes what it believes, from its recorded reasons. Takes the frames of a run in their
 /// order and keeps no more of them than the newest moment needs.
