@@ -17,8 +17,9 @@ void RunState::apply(const RunFrame& frame) {
   ++frames_;
   apply_local_features();
   for (const RecordedBirth& birth : frame_.births) bear(birth);
-  for (const RecordedGrowth& growth : frame_.growths) grow(growth);
+  // What no longer fits is dropped before hypotheses grow; the same local feature may find another counterpart.
   for (const RecordedLoss& loss : frame_.losses) lose(loss);
+  for (const RecordedGrowth& growth : frame_.growths) grow(growth);
   for (const RecordedEnd& ending : frame_.ends) end(ending);
   take_estimate();
   forget_unlikely();
@@ -85,6 +86,7 @@ void RunState::take_estimate() {
     hypothesis.scan_nat = row.scan_nat;
     hypothesis.probability = row.probability;
     hypothesis.scores = row.scores;
+    if (row.id == frame_.best) hypothesis.led_s = frame_.time_s;
     if (row.probability < hypothesis.highest_probability) continue;
     hypothesis.highest_probability = row.probability;
     hypothesis.highest_s = frame_.time_s;

@@ -3,6 +3,7 @@
 #include "viewer/run_frame.hpp"
 
 #include <map>
+#include <optional>
 
 namespace opal {
 
@@ -24,6 +25,7 @@ struct TracedHypothesis {
 
   double highest_probability = 0;
   double highest_s = 0;  ///< when it had that
+  std::optional<double> led_s;  ///< when it was last the best one
 };
 
 struct EndedHypothesis {
