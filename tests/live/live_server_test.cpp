@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <httplib.h>
+
 #include <optional>
 
 using namespace opal;
