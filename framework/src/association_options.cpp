@@ -34,6 +34,8 @@ const std::vector<Field>& fields() {
       {"loose_until_nat", &O::loose_until_nat, -kMany, kMany},
       {"slide_step_m", &O::slide_step_m, 0.01, 10},
       {"birth_nat", &O::birth_nat, -kMany, kMany},
+      {"hindsight_scans", &O::hindsight_scans, 0, 1000},
+      {"hindsight_behind_nat", &O::hindsight_behind_nat, 0, kMany},
       {"seed_from_stable", &O::seed_from_stable},
       {"max_branches", &O::max_branches, 1, 1000},
       {"branch_not_on_map", &O::branch_not_on_map},
