@@ -220,7 +220,8 @@ void explain(Boundary& boundary, const Face& face, const Support& support, doubl
       if (const int cell = boundary.at(c); cell >= 0) boundary[cell].explained.add(sector, kExplainedSectors);
     });
   };
-  const auto [first, last] = std::minmax({sliced.slice_of(face.begin), sliced.slice_of(face.end)});
+  const int first = std::min(sliced.slice_of(face.begin), sliced.slice_of(face.end));
+  const int last = std::max(sliced.slice_of(face.begin), sliced.slice_of(face.end));
   for (int slice = first; slice <= last; ++slice) explain_slice(slice, tolerance, tolerance);
   const double behind = boundary.grid().to_cells(kExplainedBehind_m);
   const double before = boundary.grid().to_cells(kExplainedBefore_m);
