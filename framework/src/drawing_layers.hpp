@@ -33,6 +33,7 @@ inline constexpr double kTrajectory_px = 1.6, kTruth_px = 1.1, kDash_px = 4, kBe
 struct TypeInk {
   Color color;
   int objects = 0;
+  GeometryKind shape = GeometryKind::segment;  ///< of its features
 };
 std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map);
 
