@@ -1,6 +1,6 @@
 import { lowerBound } from './recording.js';
 
-const kSameTime_s = 1e-6;
+const kSameTime_s = 1e-4;  ///< updates are never closer; deep links round to half of it
 
 /// One time axis [s] for the runs on show: the first run's time since the start of its window. A second run goes by stamp
 /// if the two overlap in stamps, else by time since its own start.
