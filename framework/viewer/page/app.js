@@ -86,8 +86,8 @@ export class App {
   /// The first look, once data is there: what the address asks for, else the whole map at the start.
   start() {
     this.visit(wishesOf(location.hash));
-    if (!this.state.view.fitted) this.views[0]?.global.fit();
     this.started = true;
+    this.fitOnce();
     this.invalidate();
   }
 
@@ -103,14 +103,18 @@ export class App {
   /// Recordings have grown, or another window is on show.
   dataChanged() {
     this.timeLine.refresh();
-    if (this.views[0]?.recording.map && !this.state.view.fitted && this.started) {
-      this.views[0].global.setMap(this.views[0].recording.map);
-      this.views[0].global.fit();
-    }
+    this.fitOnce();
     this.header.update();
     if (this.state.newest) this.state.set({ time: this.timeLine.end });
     this.showPlotsSoon();
     this.invalidate();
+  }
+
+  fitOnce() {
+    const [view] = this.views;
+    if (!this.started || this.state.view.fitted || !view?.recording.map) return;
+    view.global.setMap(view.recording.map);
+    view.global.fit();
   }
 
   showPlotsSoon() {

@@ -1,7 +1,7 @@
 import { element } from './dom.js';
 import { kEventKinds, kStatuses } from './recording.js';
 
-const kBand_px = 16, kTicks_px = 14, kGap_px = 2;
+const kBand_px = 16, kTicks_px = 14, kGap_px = 2, kNames_px = 9;
 const kBorn = kEventKinds.indexOf('born'), kEnded = kEventKinds.indexOf('ended'), kSearch = kEventKinds.indexOf('search');
 
 /// Over the whole time line: the status of each run as a band with words; births (up), ends (down) and searches (dots) of
@@ -26,16 +26,16 @@ export class EventStrip {
     this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
     const span = Math.max(timeLine.end - timeLine.begin, 1e-9);
     const x = (time) => left + ((time - timeLine.begin) / span) * width;
-    timeLine.parts.forEach((part, k) => this.paintBand(timeLine, part, k, x, left, palette, runs > 1 ? 'AB'[k] : 'Status'));
+    timeLine.parts.forEach((part, k) => this.paintBand(timeLine, part, k, x, palette, runs > 1 ? 'AB'[k] : 'Status'));
     const part = timeLine.parts[run] ?? timeLine.parts[0];
-    if (part) this.paintTicks(timeLine, part, runs * (kBand_px + kGap_px), x, left, palette);
+    if (part) this.paintTicks(timeLine, part, runs * (kBand_px + kGap_px), x, palette);
   }
 
-  paintBand(timeLine, part, row, x, left, palette, title) {
+  paintBand(timeLine, part, row, x, palette, title) {
     const { context } = this, y = row * (kBand_px + kGap_px), { status } = part.recording;
     context.font = `11px ${palette.font}`;
     context.textBaseline = 'middle';
-    this.name(title, y + kBand_px / 2, left, palette);
+    this.name(title, y + kBand_px / 2, palette);
     for (let begin = part.begin; begin < part.end;) {
       let end = begin + 1;
       while (end < part.end && status.values[end] === status.values[begin]) ++end;
@@ -51,16 +51,15 @@ export class EventStrip {
     }
   }
 
-  name(words, y, left, palette) {
+  name(words, y, palette) {
     this.context.fillStyle = palette.faint;
-    this.context.textAlign = 'right';
-    this.context.fillText(words, left - 5, y);
     this.context.textAlign = 'left';
+    this.context.fillText(words, kNames_px, y);
   }
 
-  paintTicks(timeLine, part, top, x, left, palette) {
+  paintTicks(timeLine, part, top, x, palette) {
     const { context } = this, { eventFrame, eventKind } = part.recording, middle = top + kTicks_px / 2;
-    this.name('Events', middle, left, palette);
+    this.name('Events', middle, palette);
     const last = new Float64Array(kEventKinds.length).fill(-9);
     for (let k = 0; k < eventFrame.length; ++k) {
       const frame = eventFrame.values[k], kind = eventKind.values[k];

@@ -14,7 +14,7 @@ export const kAfterglow_s = 1;
 
 /// The more probable, the larger and the more opaque, as in the static pictures.
 export const rivalSize_px = (probability) => 9 + 6 * Math.sqrt(Math.min(1, Math.max(0, probability)));
-const rivalOpacity = (probability) => 0.35 + 0.65 * Math.sqrt(Math.min(1, Math.max(0, probability)));
+const rivalOpacity = (probability) => 0.42 + 0.58 * Math.sqrt(Math.min(1, Math.max(0, probability)));
 
 export function paintFreeSpace({ context, view, palette, marks, scene }) {
   const { free } = scene.recording, T = scene.T_map_base;

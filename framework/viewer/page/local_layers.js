@@ -111,21 +111,21 @@ export function paintIds({ context, view, palette, scene }) {
 export function paintObserved({ context, view, palette, marks, scene: { recording, frame } }) {
   const search = recording.searchFrame.values[frame];
   if (search < 0 || recording.time.values[frame] - recording.time.values[search] > kAfterglow_s) return;
-  setPen(context, palette.pattern, 1.3, 1, [6, 3]);
   context.font = `11px ${palette.font}`;
   context.textAlign = 'center';
   (recording.searchAt(search).patterns ?? []).forEach(([template, locals, candidates], k) => {
     const places = locals.map((id) => recording.features.find(search, id)).filter(Boolean).map((f) => anchorOf(f.geometry));
     if (places.length === 0) return;
+    setPen(context, palette.pattern, 1.3, 1, [6, 3]);
     context.beginPath();
     places.forEach(([x, y]) => context.lineTo(view.x(x), view.y(y)));
     if (places.length > 2) context.closePath();
     context.stroke();
     const x = places.reduce((sum, p) => sum + p[0], 0) / places.length, y = places.reduce((sum, p) => sum + p[1], 0) / places.length;
     marks.add(kMark.observed_pattern, k, x, y);
+    context.setLineDash([]);
     if (k < 4) label(context, `${shortName(template)} × ${candidates}`, view.x(x), view.y(y), palette.pattern, palette.plot);
   });
-  context.setLineDash([]);
 }
 
 export function paintRobot({ context, view, palette, marks, scene: { recording, frame } }) {

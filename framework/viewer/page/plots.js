@@ -8,7 +8,7 @@ const pluginName = (plugin) => (typeof plugin === 'function' ? new plugin() : pl
 Dygraph.PLUGINS = Dygraph.PLUGINS.filter((plugin) => kPlugins.has(pluginName(plugin)));
 
 const kLeastError_m = 0.01;
-export const kAxisWidth_px = 46, kRightGap_px = 12;
+export const kAxisWidth_px = 118, kRightGap_px = 12;
 
 /// What is plotted over time: `value(recording, frame)`; NaN where there is none.
 export const kPlots = [
@@ -26,7 +26,7 @@ export class Plot {
     this.area = element('div', { class: 'plot-area' });
     this.value = element('span', { class: 'plot-value' });
     this.root = element('div', { class: `plot plot-${definition.name}${last ? ' plot-last' : ''}` }, this.area,
-      element('div', { class: 'plot-title' }, element('span', { text: definition.unit ? `${definition.title} [${definition.unit}] ` : `${definition.title} ` }), this.value));
+      element('div', { class: 'plot-title' }, element('span', { text: definition.unit ? `${definition.title} [${definition.unit}]` : definition.title }), this.value));
     this.chart = null;
     new ResizeObserver(() => this.resize()).observe(this.root);
   }
