@@ -7,6 +7,7 @@
 #include <opal/error.hpp>
 #include <opal/ground_truth.hpp>
 #include <opal/registration.hpp>
+#include <opal/run_events.hpp>
 #include <opal/site.hpp>
 
 #include <algorithm>
@@ -158,6 +159,16 @@ std::vector<opal::Query> windows_of(const LocalizeOptions& options) {
   return {{"run", -forever, forever}};
 }
 
+/// The truth of a window, as poses of the robot.
+nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal::Query& window,
+                                      const opal::LaserModel& laser) {
+  std::vector<opal::StampedPose> poses;
+  for (const opal::StampedPose& pose : truth.poses())
+    if (pose.stamp_s >= window.start_s - 1 && pose.stamp_s <= window.end_s + 1)
+      poses.push_back({pose.stamp_s, pose.pose * laser.T_base_laser.inverse()});
+  return opal::truth_event(poses);
+}
+
 int localize(const LocalizeOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = read_deployment_for(options);
@@ -171,13 +182,20 @@ int localize(const LocalizeOptions& options) {
   fs::create_directories(out);
   auto event_file = writable(out / "events.jsonl");
   opal::JsonLinesSink events(event_file);
-  opal::Localizer localizer(opal::build_parts(deployment, registry, map), &events);
+  const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
+  events.write(opal::run_event({options.log, options.config, deployment.map}, parts.laser));
+  events.write(opal::map_event(*parts.map));
+  opal::Localizer localizer(parts, &events);
+  std::optional<opal::GroundTruth> truth;
+  if (!options.truth.empty()) truth = opal::GroundTruth::read(options.truth);
 
   RunRecord all;
   std::map<std::string, int> odd = reader->defects();
   ProgressBar bar;
   for (std::size_t k = 0; k < windows.size(); ++k) {
     localizer.reset();
+    events.write(opal::start_event(windows[k].id));
+    if (truth) events.write(truth_event_of(*truth, windows[k], deployment.laser));
     opal::ReplayOptions window;
     window.from_s = windows[k].start_s;
     window.to_s = windows[k].end_s;
@@ -196,10 +214,9 @@ int localize(const LocalizeOptions& options) {
   print_answer(localizer, all.last);
   for (const auto& [cause, count] : odd) std::printf("log: %s: %d times\n", cause.c_str(), count);
   std::vector<opal::StampedPose> true_poses;
-  if (!options.truth.empty()) {
-    const opal::GroundTruth truth = opal::GroundTruth::read(options.truth);
-    print_errors(all, truth);
-    true_poses = truth.poses();
+  if (truth) {
+    print_errors(all, *truth);
+    true_poses = truth->poses();
   }
   draw(localizer, deployment.laser, all, true_poses, fs::path(options.log).filename().string(), out);
   std::cout << "written: " << (out / "trajectory.tum").string() << ", results.csv, events.jsonl, picture.svg, picture.png\n";

@@ -5,6 +5,7 @@
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/map_check.hpp>
+#include <opal/map_damage.hpp>
 
 #include <fstream>
 #include <iostream>
@@ -68,11 +69,42 @@ void add_check(CLI::App& map, int& exit_code) {
   verb->callback([options, &exit_code] { exit_code = check(*options); });
 }
 
+struct DamageOptions {
+  std::string map, out, damage;
+  double plan_m = 0;
+  std::uint64_t seed = 1;
+};
+
+int damage(const DamageOptions& options) {
+  opal::MapDamage damage = opal::read_map_damage(options.damage);
+  if (options.plan_m > 0) damage.plan_m = options.plan_m;
+  damage.seed = options.seed;
+  const auto map = load_map(load_plugins(), options.map);
+  const auto worse = opal::damaged_map(*map, damage);
+  write_text(options.out, worse->to_json_ld().dump(1) + '\n');
+  std::cout << "written: " << options.out << ", " << worse->features().size() << " features of "
+            << map->features().size() << '\n';
+  return 0;
+}
+
+void add_damage(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<DamageOptions>();
+  CLI::App* verb = map.add_subcommand("damage", "make a map worse in a known way, to see what localization makes of it");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
+  verb->add_option("--plan", options->plan_m, "delete every segment shorter than this [m]");
+  verb->add_option("--damage", options->damage,
+                   "drop=SHARE,shift=METRES,wall=METRES,wall_share=SHARE,false=SHARE, any of them");
+  verb->add_option("--seed", options->seed, "the same seed gives the same map")->capture_default_str();
+  verb->callback([options, &exit_code] { exit_code = damage(*options); });
+}
+
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check");
+  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, damage");
   map->require_subcommand(1);
   add_import(*map, exit_code);
   add_check(*map, exit_code);
+  add_damage(*map, exit_code);
 }

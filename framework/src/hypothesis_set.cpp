@@ -3,6 +3,7 @@
 #include <opal/registration.hpp>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace opal {
 namespace {
@@ -13,33 +14,27 @@ bool better(const Live& a, const Live& b) {
 
 void sort_best_first(std::vector<Live>& alive) { std::stable_sort(alive.begin(), alive.end(), better); }
 
+std::string fixed(double value, int decimals) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
 bool ended(const Live& live) { return live.leaf < 0; }
-
-bool knows(const Live& live, int local_feature) {
-  return std::any_of(live.hypothesis.associations.begin(), live.hypothesis.associations.end(),
-                     [&](const Association& a) { return a.local_feature == local_feature; });
-}
-
-const LocalFeature* find_local(const LocalMap& map, int id) {
-  const auto& all = map.features();
-  const auto it = std::lower_bound(all.begin(), all.end(), id,
-                                   [](const LocalFeature& f, int wanted) { return f.id < wanted; });
-  return it != all.end() && it->id == id ? &*it : nullptr;
-}
 
 }  // namespace
 
 HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
-                             const AssociationOptions& options, PruneReport report)
-    : map_(std::move(map)), judge_(judge), options_(options), report_(std::move(report)) {}
+                             const AssociationOptions& options, HypothesisListener& listener)
+    : map_(std::move(map)), judge_(judge), options_(options), listener_(listener) {}
 
 void HypothesisSet::clear() {
   alive_.clear();
   tree_.clear();
 }
 
-void HypothesisSet::end(Live& live, const std::string& reason) {
-  report_(live, reason);
+void HypothesisSet::end(Live& live, const std::string& reason, int merged_into) {
+  listener_.ended(live, {reason, merged_into});
   tree_.release(live.leaf);
   live.leaf = -1;
 }
@@ -95,14 +90,16 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
   prune();
 }
 
-std::vector<int> HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation) {
+void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation) {
   const Pose2 T_base_local = observation.local_map.T_local_base().inverse();
-  std::vector<int> born;
   for (Candidate& candidate : candidates) {
     Live live;
     live.hypothesis.T_map_local = candidate.T_map_base * T_base_local;
     Judge::Verdict verdict = judge_.judge(live.hypothesis, observation);
-    if (!verdict.veto.empty()) continue;
+    if (!verdict.veto.empty()) {
+      listener_.candidate_rejected(candidate, "veto by " + verdict.veto);
+      continue;
+    }
     const auto same_place = [&](const Live& old) {
       const Pose2 T_map_base = old.hypothesis.T_map_local * T_base_local.inverse();
       return distance_m(T_map_base, candidate.T_map_base) < options_.merge_m + 0.1 &&
@@ -125,104 +122,11 @@ std::vector<int> HypothesisSet::adopt(std::vector<Candidate> candidates, const O
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
     live.updates = 1;
-    born.push_back(live.hypothesis.id);
+    listener_.born(live, -1, candidate.pattern);
     alive_.push_back(std::move(live));
   }
   sort_best_first(alive_);
   prune();
-  return born;
-}
-
-std::vector<Association> HypothesisSet::choices_for(const Live& live, const LocalFeature& local) const {
-  const Geometry placed = transformed(live.hypothesis.T_map_local, local.feature.geometry);
-  std::vector<std::pair<double, int>> found;
-  for (int number : map_->within(anchor_of(placed), options_.gate_m)) {
-    const MapFeature& mapped = map_->feature(number);
-    if (mapped.type != local.feature.type || kind_of(mapped.geometry) != kind_of(placed)) continue;
-    const Mismatch off = mismatch(placed, mapped.geometry);
-    if (off.position_m <= options_.gate_m && off.heading_rad <= options_.gate_rad)
-      found.emplace_back(off.position_m + off.heading_rad, number);
-  }
-  std::sort(found.begin(), found.end());
-  if (found.size() > static_cast<std::size_t>(options_.max_branches)) found.resize(options_.max_branches);
-  std::vector<Association> choices;
-  for (const auto& [cost, number] : found) choices.push_back({local.id, number});
-  if (found.empty() || options_.branch_not_on_map) choices.push_back({local.id, -1});
-  return choices;
-}
-
-bool HypothesisSet::register_anew(Live& live, const LocalMap& local_map) const {
-  std::vector<GeometryPair> pairs;
-  const auto& all = live.hypothesis.associations;
-  for (auto it = all.rbegin(); it != all.rend() && int(pairs.size()) < options_.registration_horizon; ++it)
-    if (const LocalFeature* local = find_local(local_map, it->local_feature); local && it->map_feature >= 0)
-      pairs.push_back({local->feature.geometry, map_->feature(it->map_feature).geometry});
-  const Registration registration = register_geometry(pairs);
-  if (std::any_of(registration.errors_m.begin(), registration.errors_m.end(),
-                  [&](double error) { return error > options_.outlier_m; }))
-    return false;
-  if (registration.fixed == 3) live.hypothesis.T_map_local = registration.T_map_local;
-  return true;
-}
-
-void HypothesisSet::branch(const LocalFeature& feature, const LocalMap& local_map) {
-  std::vector<Live> grown;
-  for (Live& live : alive_) {
-    if (knows(live, feature.id)) {
-      grown.push_back(std::move(live));
-      continue;
-    }
-    bool first = true;
-    for (const Association& choice : choices_for(live, feature)) {
-      Live child = live;
-      child.hypothesis.associations.push_back(choice);
-      child.consecutive_not_on_map = choice.map_feature < 0 ? live.consecutive_not_on_map + 1 : 0;
-      if (options_.register_by_associations && choice.map_feature >= 0 && !register_anew(child, local_map))
-        continue;
-      child.leaf = tree_.add(live.leaf, {choice});
-      if (!first) child.hypothesis.id = next_id_++;
-      first = false;
-      grown.push_back(std::move(child));
-    }
-    if (first)
-      end(live, "local feature " + std::to_string(feature.id) + " fits nothing that is left to choose");
-    else
-      tree_.release(live.leaf);
-  }
-  alive_ = std::move(grown);
-}
-
-void HypothesisSet::grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map) {
-  const bool single = options_.max_branches == 1 && !options_.branch_not_on_map;
-  if (!single) {
-    for (const LocalFeature* feature : features) branch(*feature, local_map);
-    merge_similar();
-    prune();
-    return;
-  }
-  for (Live& live : alive_) {  // one choice per feature: the whole set is one node
-    std::vector<Association> pairs;
-    for (const LocalFeature* feature : features)
-      if (!knows(live, feature->id)) pairs.push_back(choices_for(live, *feature).front());
-    if (pairs.empty()) continue;
-    auto& known = live.hypothesis.associations;
-    known.insert(known.end(), pairs.begin(), pairs.end());
-    const int leaf = tree_.add(live.leaf, std::move(pairs));
-    tree_.release(live.leaf);
-    live.leaf = leaf;
-  }
-}
-
-void HypothesisSet::forget(const LocalMap& local_map) {
-  for (Live& live : alive_)
-    std::erase_if(live.hypothesis.associations, [&](const Association& pair) {
-      const LocalFeature* local = find_local(local_map, pair.local_feature);
-      if (!local) return true;
-      if (pair.map_feature < 0) return false;
-      const Geometry placed = transformed(live.hypothesis.T_map_local, local->feature.geometry);
-      const Mismatch off = mismatch(placed, map_->feature(pair.map_feature).geometry);
-      return off.position_m > options_.outlier_m || off.heading_rad > options_.outlier_rad;
-    });
 }
 
 void HypothesisSet::merge(const Pose2& T_local_base) {
@@ -234,7 +138,7 @@ void HypothesisSet::merge(const Pose2& T_local_base) {
       const Pose2 T_a = alive_[a].hypothesis.T_map_local * T_local_base;
       const Pose2 T_b = alive_[b].hypothesis.T_map_local * T_local_base;
       if (angle_between_rad(T_a, T_b) < options_.merge_rad && distance_m(T_a, T_b) < options_.merge_m)
-        end(alive_[b], "same place as hypothesis " + std::to_string(alive_[a].hypothesis.id));
+        end(alive_[b], "same place as hypothesis " + std::to_string(alive_[a].hypothesis.id), alive_[a].hypothesis.id);
     }
   }
   std::erase_if(alive_, ended);
@@ -257,7 +161,8 @@ void HypothesisSet::merge_similar() {
       const bool any_clutter =
           std::any_of(last.begin(), last.end(), [](const auto& pair) { return pair.second < 0; });
       if (!any_clutter && last == tail(alive_[b]))
-        end(alive_[b], "same newest associations as hypothesis " + std::to_string(alive_[a].hypothesis.id));
+        end(alive_[b], "same newest associations as hypothesis " + std::to_string(alive_[a].hypothesis.id),
+            alive_[a].hypothesis.id);
     }
   std::erase_if(alive_, ended);
 }
@@ -269,7 +174,8 @@ void HypothesisSet::prune() {
   for (std::size_t k = 0; k < alive_.size(); ++k) {
     Live& live = alive_[k];
     if (live.hypothesis.log_likelihood < best - options_.prune_nat)
-      end(live, "worse than the best by more than " + std::to_string(options_.prune_nat) + " nat");
+      end(live, "worse than the best by " + fixed(best - live.hypothesis.log_likelihood, 1) + " nat, more than " +
+                    fixed(options_.prune_nat, 1));
     else if (options_.max_consecutive_not_on_map > 0 &&
              live.consecutive_not_on_map > options_.max_consecutive_not_on_map)
       end(live, "too many features in a row that are not on the map");

@@ -5,7 +5,6 @@
 
 #include <opal/association.hpp>
 
-#include <functional>
 #include <vector>
 
 namespace opal {
@@ -20,14 +19,33 @@ struct Live {
   std::vector<Score> scores;    ///< of the newest scan, in the judge's order
 };
 
-/// Why a hypothesis ended, for the event stream.
-using PruneReport = std::function<void(const Live& ended, const std::string& reason)>;
+/// Why a hypothesis ended.
+struct Ending {
+  std::string reason;    ///< in words
+  int merged_into = -1;  ///< the hypothesis that is at the same place, if that is why
+};
+
+/// Hears what happens to hypotheses.
+class HypothesisListener {
+ public:
+  virtual ~HypothesisListener() = default;
+  /// @param parent    the hypothesis that it branches from, or -1.
+  /// @param pattern   the seeder's template that it comes from, or -1.
+  virtual void born(const Live& live, int parent, int pattern) = 0;
+  virtual void ended(const Live& live, const Ending& ending) = 0;
+  virtual void associated(const Live& live, std::span<const Association> pairs) = 0;
+  virtual void dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) = 0;
+  /// A branch of `parent` was tried and did not fit.
+  virtual void branch_rejected(const Live& parent, const Association& pair, const std::string& reason) = 0;
+  /// A candidate of a search did not become a hypothesis.
+  virtual void candidate_rejected(const Candidate& candidate, const std::string& reason) = 0;
+};
 
 /// All hypotheses that are alive, and the tree that they are the leaves of. Best first after every public call.
 class HypothesisSet {
  public:
   HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge, const AssociationOptions& options,
-                PruneReport report);
+                HypothesisListener& listener);
 
   /// Carries every hypothesis to the newest scan, aligns it with the map, and takes the scan's evidence.
   /// @param novelty  how much of a new piece of evidence the scan is, in (0, 1].
@@ -37,8 +55,7 @@ class HypothesisSet {
              const Eigen::Vector2d& window);
 
   /// Takes candidates that the sieves let pass as new hypotheses; those at the place of an old one renew it.
-  /// @return ids of the newborn.
-  std::vector<int> adopt(std::vector<Candidate> candidates, const Observation& observation);
+  void adopt(std::vector<Candidate> candidates, const Observation& observation);
 
   /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not.
   void grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map);
@@ -54,9 +71,11 @@ class HypothesisSet {
  private:
   std::vector<Association> choices_for(const Live& live, const LocalFeature& feature) const;
   void branch(const LocalFeature& feature, const LocalMap& local_map);
-  bool register_anew(Live& live, const LocalMap& local_map) const;
+  /// @return the worst error [m] if an association is an outlier under the new registration, else nothing.
+  std::optional<double> register_anew(Live& live, const LocalMap& local_map) const;
+  bool grow_child(const Live& parent, const Association& choice, bool first, const LocalMap& local_map, Live& child);
   Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
-  void end(Live& live, const std::string& reason);
+  void end(Live& live, const std::string& reason, int merged_into = -1);
   void merge(const Pose2& T_local_base);
   void merge_similar();
   void prune();
@@ -64,7 +83,7 @@ class HypothesisSet {
   std::shared_ptr<const MapView> map_;
   const Judge& judge_;
   AssociationOptions options_;
-  PruneReport report_;
+  HypothesisListener& listener_;
   AssociationTree tree_;
   std::vector<Live> alive_;
   int next_id_ = 0;

@@ -12,6 +12,7 @@ namespace opal {
 FeatureDetector::~FeatureDetector() = default;
 PatternTemplate::~PatternTemplate() = default;
 HypothesisScorer::~HypothesisScorer() = default;
+std::vector<Finding> HypothesisScorer::explain(const Hypothesis&, const Observation&, const MapView&) const { return {}; }
 LogReader::~LogReader() = default;
 LogSource::~LogSource() = default;
 MapImporter::~MapImporter() = default;

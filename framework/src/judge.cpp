@@ -6,19 +6,46 @@
 
 namespace opal {
 
-Score Judge::ask(const ActiveScorer& scorer, const Hypothesis& hypothesis, const Observation& observation) const {
-  std::string cause;
+namespace {
+
+/// Calls into a plugin; what it throws becomes a cause in words. Empty: it went well.
+template <class Call>
+std::string cause_of_failure(Call&& call) {
   try {
-    Score score = scorer.part->score(hypothesis, observation, *map_);
-    if (std::isfinite(score.log_likelihood)) return score;
-    cause = "score is not finite";
+    call();
+    return {};
   } catch (const std::exception& error) {
-    cause = error.what();
+    return error.what();
   } catch (...) {
-    cause = "threw something that is no std::exception";
+    return "threw something that is no std::exception";
   }
+}
+
+}  // namespace
+
+void Judge::count_failure(const ActiveScorer& scorer, const std::string& cause) const {
   if (failures_[scorer.name]++ == 0) spdlog::warn("{}: skipped: {}", scorer.name, cause);
+}
+
+Score Judge::ask(const ActiveScorer& scorer, const Hypothesis& hypothesis, const Observation& observation) const {
+  Score score;
+  std::string cause = cause_of_failure([&] { score = scorer.part->score(hypothesis, observation, *map_); });
+  if (cause.empty() && !std::isfinite(score.log_likelihood)) cause = "score is not finite";
+  if (cause.empty()) return score;
+  count_failure(scorer, cause);
   return {};
+}
+
+std::vector<Judge::NamedFinding> Judge::explain(const Hypothesis& hypothesis, const Observation& observation) const {
+  std::vector<NamedFinding> all;
+  for (const ActiveScorer& scorer : scorers_) {
+    std::vector<Finding> findings;
+    const std::string cause =
+        cause_of_failure([&] { findings = scorer.part->explain(hypothesis, observation, *map_); });
+    if (!cause.empty()) count_failure(scorer, cause);
+    for (Finding& finding : findings) all.push_back({scorer.name, std::move(finding)});
+  }
+  return all;
 }
 
 double Judge::decide(const Hypothesis& hypothesis, const Observation& observation) const {

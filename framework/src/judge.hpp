@@ -25,9 +25,17 @@ class Judge {
   };
   Verdict judge(const Hypothesis& hypothesis, const Observation& observation) const;
 
+  /// What all scorers can say about a hypothesis in words, with their names.
+  struct NamedFinding {
+    std::string scorer;
+    Finding finding;
+  };
+  std::vector<NamedFinding> explain(const Hypothesis& hypothesis, const Observation& observation) const;
+
   const std::vector<ActiveScorer>& scorers() const { return scorers_; }
 
  private:
+  void count_failure(const ActiveScorer& scorer, const std::string& cause) const;
   Score ask(const ActiveScorer& scorer, const Hypothesis& hypothesis, const Observation& observation) const;
 
   std::vector<ActiveScorer> scorers_;

@@ -3,6 +3,7 @@
 #include "hypothesis_set.hpp"
 #include "judge.hpp"
 #include "observation.hpp"
+#include "run_journal.hpp"
 #include "seeding.hpp"
 #include "status.hpp"
 
@@ -36,9 +37,7 @@ class StageClock {
   double start_s_;
 };
 
-nlohmann::ordered_json pose_json(const Pose2& pose) {
-  return nlohmann::ordered_json::array({pose.x(), pose.y(), pose.heading_rad()});
-}
+bool better_score(const Candidate& a, const Candidate& b) { return a.score > b.score; }
 
 }  // namespace
 
@@ -46,12 +45,11 @@ struct Localizer::State {
   State(LocalizerParts parts_given, EventSink* sink)
       : parts(std::move(parts_given)),
         options(read_association_options(parts.association, "association")),
-        events(sink ? *sink : nobody),
         local_map(parts.local_map, parts.matcher),
         judge(parts.scorers, parts.map, failures),
         seeder(parts.map, parts.patterns, options),
-        hypotheses(parts.map, judge, options,
-                   [this](const Live& live, const std::string& reason) { report_end(live, reason); }),
+        journal(sink ? *sink : nobody, parts.map, judge, seeder),
+        hypotheses(parts.map, judge, options, journal),
         status(options) {}
 
   bool moved_enough(const Pose2& T_odom_base) const;
@@ -64,23 +62,18 @@ struct Localizer::State {
   std::vector<SeedFeature> seed_features(const Observation& observation) const;
   bool worth_loose_search(const std::vector<Candidate>& found) const;
   void verify(std::vector<Candidate>& candidates, const Observation& observation, const Scan& scan,
-              std::size_t keep) const;
+              std::size_t keep);
+  void keep_best(std::vector<Candidate>& candidates, double distance_m, std::size_t keep);
   void grow();
-  void report_end(const Live& live, const std::string& reason);
-  void report_keyframe(const Observation& observation);
-  void report_born(const std::vector<int>& ids);
-  void report_scores();
-  void report_status(const PoseEstimate& estimate);
-  nlohmann::ordered_json event(const char* kind) const;
 
   NullEventSink nobody;
   LocalizerParts parts;
   AssociationOptions options;
-  EventSink& events;
   std::map<std::string, int> failures;
   LocalMap local_map;
   Judge judge;
   Seeder seeder;
+  RunJournal journal;
   HypothesisSet hypotheses;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
@@ -92,8 +85,6 @@ struct Localizer::State {
   Pose2 T_odom_base_seed;   ///< at the last search for new hypotheses
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   int searches_skipped = 0;
-  std::optional<Status> reported;  ///< status of the last event about it
-  std::vector<int> stable_known;  ///< local features that were stable before, sorted
   StageTimes times;
 };
 
@@ -113,13 +104,14 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   s.turn_rad = s.started ? angle_between_rad(s.T_odom_base, T_odom_base) : 0;
   s.T_odom_base = T_odom_base;
   const Observation observation = s.observe(scan, features);  // base_link frame
-  s.report_keyframe(observation);
+  s.journal.keyframe(s.stamp_s, s.keyframe, scan, s.parts.laser.T_base_laser, observation);
   s.track(observation, scan);                              // map frame from here on
   if (s.time_to_seed()) s.seed(observation, scan);
   s.grow();
   const PoseEstimate estimate =
       s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s, s.novelty());
-  s.report_status(estimate);
+  s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
+  s.journal.cost(s.times, s.times.total_s());
   s.started = true;
   ++s.keyframe;
   return estimate;
@@ -152,9 +144,10 @@ std::vector<Feature> Localizer::State::detect(const Scan& scan) {
 
 Observation Localizer::State::observe(const Scan& scan, const std::vector<Feature>& features) const {
   const Pose2& T_base_laser = parts.laser.T_base_laser;
-  Observation observation{local_map, thinned(scan.points, T_base_laser, 0.1, kPoints),
+  ThinnedScan seen = thinned(scan.points, T_base_laser, 0.1, kPoints);
+  Observation observation{local_map, std::move(seen.points),
                           thinned_bearings(scan.free_bearings_rad, T_base_laser, kFreeBeams),
-                          scan.range_max_m, T_base_laser.position(), {}};
+                          scan.range_max_m, T_base_laser.position(), {}, std::move(seen.beams)};
   for (const Feature& feature : features) observation.features.push_back(transformed(T_base_laser, feature));
   return observation;
 }
@@ -170,9 +163,8 @@ void Localizer::State::track(const Observation& observation, const Scan& scan) {
   Eigen::Vector2d window(0, 0);
   if (started && !local_map.last_match().converged && (step_m > 0.2 || turn_rad > 0.1))
     window = {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
-  const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints);
+  const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints).points;
   hypotheses.track(observation, novelty(), coarse, window);
-  report_scores();
 }
 
 bool Localizer::State::time_to_seed() {
@@ -200,10 +192,10 @@ std::vector<SeedFeature> Localizer::State::seed_features(const Observation& obse
 }
 
 void Localizer::State::verify(std::vector<Candidate>& candidates, const Observation& full, const Scan& scan,
-                              std::size_t keep) const {
+                              std::size_t keep) {
   // Two sieves: a few beams for all candidates, all beams for those that look good.
   const Pose2 T_base_local = local_map.T_local_base().inverse();
-  const Observation few{local_map, thinned(scan.points, parts.laser.T_base_laser, 0.1, kCoarsePoints), {},
+  const Observation few{local_map, thinned(scan.points, parts.laser.T_base_laser, 0.1, kCoarsePoints).points, {},
                         full.range_max_m, full.laser_position, full.features};
   struct Sieve {
     const Observation& observation;
@@ -216,30 +208,37 @@ void Localizer::State::verify(std::vector<Candidate>& candidates, const Observat
     refinement.sigma_m = sieve.sigma_m;
     refinement.prior_position = 0.01;
     refinement.prior_heading = 0.05;
-    std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       Pose2& pose = candidates[k].T_map_base;
       pose = refine_on_map(*parts.map, sieve.observation.points, full.laser_position, pose, refinement);
       Hypothesis trial;
       trial.T_map_local = pose * T_base_local;
       trial.associations = candidates[k].pairs;
-      candidates[k].nearness = judge.decide(trial, sieve.observation);
+      candidates[k].score = judge.decide(trial, sieve.observation);
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.nearness > b.nearness; });
-    std::vector<Pose2> poses;
-    for (const Candidate& candidate : candidates) poses.push_back(candidate.T_map_base);
-    std::vector<Candidate> kept;
-    for (std::size_t k : distinct_places(poses, sieve.distance_m, 0.06, keep))
-      kept.push_back(std::move(candidates[k]));
-    candidates = std::move(kept);
+    keep_best(candidates, sieve.distance_m, keep);
   }
+}
+
+/// Best first, one per place.
+void Localizer::State::keep_best(std::vector<Candidate>& candidates, double distance, std::size_t keep) {
+  constexpr double kAngle_rad = 0.06;
+  std::stable_sort(candidates.begin(), candidates.end(), better_score);
+  std::vector<Pose2> poses;
+  for (const Candidate& candidate : candidates) poses.push_back(candidate.T_map_base);
+  const std::vector<std::size_t> chosen = distinct_places(poses, distance, kAngle_rad, keep);
+  if (journal.listening() && chosen.size() == keep)
+    for (std::size_t k = chosen.back() + 1; k < candidates.size(); ++k)
+      journal.candidate_rejected(candidates[k], std::to_string(keep) + " places score better");
+  std::vector<Candidate> kept;
+  for (std::size_t k : chosen) kept.push_back(std::move(candidates[k]));
+  candidates = std::move(kept);
 }
 
 /// Patterns with a free parameter have many candidates: they are looked up where those that fix the pose found
 /// nothing good, and no hypothesis has gathered evidence yet.
 bool Localizer::State::worth_loose_search(const std::vector<Candidate>& found) const {
-  const bool found_good = !found.empty() && found.front().nearness >= options.loose_below_nat;
+  const bool found_good = !found.empty() && found.front().score >= options.loose_below_nat;
   const auto& alive_now = hypotheses.alive();
   const bool tracked_good =
       !alive_now.empty() && alive_now.front().hypothesis.log_likelihood >= options.loose_until_nat;
@@ -249,26 +248,32 @@ bool Localizer::State::worth_loose_search(const std::vector<Candidate>& found) c
 void Localizer::State::seed(const Observation& observation, const Scan& scan) {
   constexpr std::size_t kFewestPoints = 15;
   if (observation.points.size() < kFewestPoints) return;
-  const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints);
+  const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints).points;
   const std::vector<SeedFeature> features = seed_features(observation);
   std::vector<Candidate> candidates;
+  std::vector<Seeder::LookedUp> looked_up;
+  std::size_t places = 0;
   for (const bool loose : {false, true}) {
     if (loose && !worth_loose_search(candidates)) break;
-    std::vector<Candidate> proposed;
+    Seeder::Proposal proposed;
     {
       StageClock clock(times.associate_s);
       proposed = seeder.propose(features, coarse, loose);
     }
     StageClock clock(times.verify_s);
-    verify(proposed, observation, scan, options.seed_hypotheses);
-    for (Candidate& candidate : proposed) candidates.push_back(std::move(candidate));
+    places += proposed.candidates.size();
+    looked_up.insert(looked_up.end(), proposed.looked_up.begin(), proposed.looked_up.end());
+    verify(proposed.candidates, observation, scan, options.seed_hypotheses);
+    for (Candidate& candidate : proposed.candidates) candidates.push_back(std::move(candidate));
   }
-  StageClock clock(times.verify_s);
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.nearness > b.nearness; });
-  if (candidates.size() > static_cast<std::size_t>(options.seed_hypotheses))
-    candidates.resize(options.seed_hypotheses);
-  report_born(hypotheses.adopt(std::move(candidates), observation));
+  {
+    StageClock clock(times.verify_s);
+    std::stable_sort(candidates.begin(), candidates.end(), better_score);
+    if (candidates.size() > static_cast<std::size_t>(options.seed_hypotheses))
+      candidates.resize(options.seed_hypotheses);
+    hypotheses.adopt(std::move(candidates), observation);
+  }
+  journal.searched(looked_up, places);
 }
 
 void Localizer::State::grow() {
@@ -278,86 +283,6 @@ void Localizer::State::grow() {
     if (feature.stable) stable.push_back(&feature);
   hypotheses.forget(local_map);
   hypotheses.grow(stable, local_map);
-  std::vector<int> known;
-  for (const LocalFeature* feature : stable) {
-    known.push_back(feature->id);
-    if (!events.listening() || std::binary_search(stable_known.begin(), stable_known.end(), feature->id)) continue;
-    auto e = event("stable");
-    e["local_feature"] = feature->id;
-    e["type"] = feature->feature.type;
-    events.write(e);
-  }
-  stable_known = std::move(known);
-}
-
-// ---------------------------------------------------------------------------------------------- its events
-
-nlohmann::ordered_json Localizer::State::event(const char* kind) const {
-  return {{"event", kind}, {"stamp_s", stamp_s}, {"keyframe", keyframe}};
-}
-
-void Localizer::State::report_end(const Live& live, const std::string& reason) {
-  if (!events.listening()) return;
-  auto e = event("pruned");
-  e["hypothesis"] = live.hypothesis.id;
-  e["reason"] = reason;
-  e["log_likelihood"] = live.hypothesis.log_likelihood;
-  events.write(e);
-}
-
-void Localizer::State::report_keyframe(const Observation& observation) {
-  if (!events.listening()) return;
-  auto e = event("keyframe");
-  e["T_local_base"] = pose_json(local_map.T_local_base());
-  e["points"] = observation.points.size();
-  e["features"] = observation.features.size();
-  e["local_features"] = local_map.features().size();
-  e["scan_match"] = local_map.last_match().converged;
-  events.write(e);
-}
-
-void Localizer::State::report_born(const std::vector<int>& ids) {
-  if (!events.listening()) return;
-  for (const Live& live : hypotheses.alive()) {
-    const Hypothesis& hypothesis = live.hypothesis;
-    if (std::find(ids.begin(), ids.end(), hypothesis.id) == ids.end()) continue;
-    auto e = event("born");
-    e["hypothesis"] = hypothesis.id;
-    e["T_map_base"] = pose_json(hypothesis.T_map_local * local_map.T_local_base());
-    e["log_likelihood"] = hypothesis.log_likelihood;
-    for (const Association& pair : hypothesis.associations)
-      e["pairs"].push_back({pair.local_feature,
-                            pair.map_feature < 0 ? nlohmann::ordered_json(nullptr)
-                                                 : nlohmann::ordered_json(parts.map->feature(pair.map_feature).id)});
-    events.write(e);
-  }
-}
-
-void Localizer::State::report_scores() {
-  if (!events.listening()) return;
-  auto e = event("scored");
-  auto& rows = e["hypotheses"] = nlohmann::ordered_json::array();
-  for (const Live& live : hypotheses.alive()) {
-    nlohmann::ordered_json row{{"hypothesis", live.hypothesis.id},
-                               {"T_map_base", pose_json(live.hypothesis.T_map_local * local_map.T_local_base())},
-                               {"log_likelihood", live.hypothesis.log_likelihood},
-                               {"scan_nat", live.scan_nat}};
-    for (std::size_t k = 0; k < live.scores.size(); ++k)
-      for (const Score::Term& term : live.scores[k].breakdown)
-        row["scores"][judge.scorers()[k].name][term.name] = term.value;
-    rows.push_back(std::move(row));
-  }
-  events.write(e);
-}
-
-void Localizer::State::report_status(const PoseEstimate& estimate) {
-  if (!events.listening() || (started && reported == estimate.status)) return;
-  reported = estimate.status;
-  auto e = event("status");
-  e["status"] = name_of(estimate.status);
-  e["probability"] = estimate.probability;
-  e["hypothesis"] = estimate.best;
-  events.write(e);
 }
 
 // ---------------------------------------------------------------------------------------------- the rest
@@ -377,7 +302,7 @@ void Localizer::reset() {
   s.status.reset();
   s.started = false;
   s.searches_skipped = 0;
-  s.stable_known.clear();
+  s.journal.reset();
 }
 
 const LocalMap& Localizer::local_map() const { return state_->local_map; }

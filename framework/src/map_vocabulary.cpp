@@ -1,5 +1,7 @@
 #include "map_vocabulary.hpp"
 
+#include "json_ld_iri.hpp"
+
 #include <array>
 #include <unordered_map>
 
@@ -9,14 +11,14 @@ namespace {
 using Names = std::unordered_map<std::string, std::string>;
 
 struct Terms {
-  Names prefixes;      // "opal" -> "urn:opal:v1#"
+  Prefixes prefixes;   // "opal" -> "urn:opal:v1#"
   Names iri_of_term;   // "Wall" -> "urn:opal:v1#Wall"
   Names term_of_iri;
 };
 
 bool ends_like_a_namespace(const std::string& iri) { return iri.ends_with('#') || iri.ends_with('/'); }
 
-std::string with_prefix_replaced(const std::string& name, const Names& prefixes) {
+std::string with_prefix_replaced(const std::string& name, const Prefixes& prefixes) {
   const std::size_t colon = name.find(':');
   if (colon == std::string::npos || name.compare(colon + 1, 2, "//") == 0) return name;
   const auto found = prefixes.find(name.substr(0, colon));
@@ -49,16 +51,33 @@ const nlohmann::json& context_document() {
   return document;
 }
 
-std::string compact_name(const std::string& name) {
-  for (const auto& [prefix, iri] : terms().prefixes)
-    if (name.starts_with(iri) && name.compare(iri.size(), 2, "//") != 0)
-      return prefix + ":" + name.substr(iri.size());
-  return name;
+std::string compact_name(const std::string& name, const Prefixes& others) {
+  const std::string* best_prefix = nullptr;
+  std::size_t best_length = 0;
+  for (const Prefixes* prefixes : {&terms().prefixes, &others})
+    for (const auto& [prefix, iri] : *prefixes)
+      if (iri.size() > best_length && name.starts_with(iri) && name.compare(iri.size(), 2, "//") != 0) {
+        best_prefix = &prefix;
+        best_length = iri.size();
+      }
+  return best_prefix ? *best_prefix + ":" + name.substr(best_length) : name;
 }
 
 std::string full_iri(const std::string& name) {
   const auto term = terms().iri_of_term.find(name);
   return term != terms().iri_of_term.end() ? term->second : with_prefix_replaced(name, terms().prefixes);
+}
+
+std::string prefix_of(const std::string& name) {
+  const std::size_t colon = name.find(':');
+  return colon == std::string::npos || json_ld::is_spelled_out(name) ? "" : name.substr(0, colon);
+}
+
+bool is_term(const std::string& word) { return terms().iri_of_term.contains(word); }
+bool is_prefix(const std::string& word) { return terms().prefixes.contains(word); }
+
+std::string iri_of_nameless_prefix(const std::string& prefix) {
+  return std::string("urn:opal:prefix:").append(prefix).append(":");
 }
 
 std::string short_term(std::string_view name) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -49,10 +50,21 @@ inline constexpr std::string_view kDimensions = "urn:opal:v1#dimensions";
 extern const char* const kContextText;  ///< of maps/context/opal.jsonld, built in
 const nlohmann::json& context_document();
 
-/// "urn:opal:v1#Wall" -> "opal:Wall", for the prefixes of the context; other names stay as they are.
-std::string compact_name(const std::string& name);
+/// Prefixes of names, and the IRIs that they stand for.
+using Prefixes = std::map<std::string, std::string>;
+
+/// "urn:opal:v1#Wall" -> "opal:Wall", for the prefixes of Opal's context and then for others; other names stay as
+/// they are. Of several that fit, the prefix of the longest IRI is taken.
+std::string compact_name(const std::string& name, const Prefixes& others = {});
 /// "opal:Wall" and "Wall" -> "urn:opal:v1#Wall"; other names stay as they are.
 std::string full_iri(const std::string& name);
+/// "acme" of "acme:Kiosk"; empty for names whose beginning is no prefix: "https://acme.example/Kiosk", "urn:kiosk".
+std::string prefix_of(const std::string& name);
+/// True for the terms, and for the prefixes, that Opal's context defines.
+bool is_term(const std::string& word);
+bool is_prefix(const std::string& word);
+/// The IRI that a prefix stands for if nobody says: names must be IRIs in a document.
+std::string iri_of_nameless_prefix(const std::string& prefix);
 /// The shortest way to write a name in a document: "opal:Wall" -> "Wall", "sf:Line" -> "LineSegment".
 std::string short_term(std::string_view name);
 /// True for IRIs of Opal's own namespace that the context defines.

@@ -2,16 +2,19 @@
 
 namespace opal {
 
-std::vector<Point> thinned(const std::vector<ScanPoint>& points, const Pose2& T_base_laser, double spacing_m,
-                           std::size_t most) {
+ThinnedScan thinned(const std::vector<ScanPoint>& points, const Pose2& T_base_laser, double spacing_m,
+                    std::size_t most) {
   std::vector<const ScanPoint*> spaced;
   for (const ScanPoint& point : points)
     if (spaced.empty() || (point.position - spaced.back()->position).norm() >= spacing_m)
       spaced.push_back(&point);
   const std::size_t n = std::min(most, spaced.size());
-  std::vector<Point> chosen;
-  for (std::size_t k = 0; k < n; ++k)
-    chosen.push_back(T_base_laser * spaced[(2 * k + 1) * spaced.size() / (2 * n)]->position);
+  ThinnedScan chosen;
+  for (std::size_t k = 0; k < n; ++k) {
+    const ScanPoint& point = *spaced[(2 * k + 1) * spaced.size() / (2 * n)];
+    chosen.points.push_back(T_base_laser * point.position);
+    chosen.beams.push_back(point.beam);
+  }
   return chosen;
 }
 

@@ -7,10 +7,15 @@
 
 namespace opal {
 
-/// Every k-th point such that neighbours in scan order are at least spacing_m apart, at most `most` of them, spread
-/// evenly over the scan.
-std::vector<Point> thinned(const std::vector<ScanPoint>& points, const Pose2& T_base_laser, double spacing_m,
-                           std::size_t most);
+struct ThinnedScan {
+  std::vector<Point> points;  ///< base_link frame
+  std::vector<int> beams;     ///< the number of each point's beam
+};
+
+/// Points such that neighbours in scan order are at least spacing_m apart, at most `most` of them, spread evenly over
+/// the scan.
+ThinnedScan thinned(const std::vector<ScanPoint>& points, const Pose2& T_base_laser, double spacing_m,
+                    std::size_t most);
 
 /// At most `most` bearings, evenly chosen, turned from the laser's frame to the base's.
 std::vector<double> thinned_bearings(const std::vector<double>& bearings_rad, const Pose2& T_base_laser,

@@ -177,12 +177,18 @@ std::vector<Association> Seeder::pair_up(const Lookup& lookup, int mapped, const
   return pairs;
 }
 
-std::vector<Candidate> Seeder::propose(std::span<const SeedFeature> features, std::span<const Point> coarse,
-                                       bool loose) const {
+Seeder::Proposal Seeder::propose(std::span<const SeedFeature> features, std::span<const Point> coarse,
+                                 bool loose) const {
+  Proposal proposal;
   const std::vector<SeedFeature> best = best_per_geometry(features, options_.seed_features);
   const std::vector<Lookup> lookups = choose(best, loose);
   std::vector<Place> places;
-  for (std::size_t k = 0; k < lookups.size(); ++k) look_up(lookups[k], static_cast<int>(k), coarse, places);
+  for (std::size_t k = 0; k < lookups.size(); ++k) {
+    look_up(lookups[k], static_cast<int>(k), coarse, places);
+    proposal.looked_up.push_back({lookups[k].table, {}, lookups[k].expected});
+    for (int member : lookups[k].observed.members)
+      proposal.looked_up.back().local_features.push_back(best[member].local);
+  }
 
   constexpr std::size_t kSorted = 6000;
   const auto nearer = [](const Place& a, const Place& b) { return a.nearness > b.nearness; };
@@ -193,14 +199,13 @@ std::vector<Candidate> Seeder::propose(std::span<const SeedFeature> features, st
   std::stable_sort(places.begin(), places.end(), nearer);
   std::vector<Pose2> poses;
   for (const Place& place : places) poses.emplace_back(place.position, place.heading_rad);
-  std::vector<Candidate> candidates;
   for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.seed_candidates)) {
     const Place& place = places[k];
     const Lookup& lookup = lookups[place.lookup];
-    candidates.push_back(
+    proposal.candidates.push_back(
         {poses[k], place.nearness, lookup.table, pair_up(lookup, place.mapped, poses[k], best)});
   }
-  return candidates;
+  return proposal;
 }
 
 std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, double distance, double angle,

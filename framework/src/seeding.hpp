@@ -20,7 +20,7 @@ struct SeedFeature {
 /// A pose at which an observed pattern would be a mapped one.
 struct Candidate {
   Pose2 T_map_base;
-  double nearness = 0;  ///< mean nearness of the coarse scan, in [0, 1]
+  double score = 0;     ///< the seeder's: mean nearness of the coarse scan, in [0, 1]; once verified: evidence [nat]
   int pattern = -1;     ///< which of the seeder's templates
   std::vector<Association> pairs;
 };
@@ -33,8 +33,17 @@ class Seeder {
 
   /// @param coarse  a few dozen scan points, base_link, by which candidates are sieved.
   /// @param loose   look up patterns with a free parameter (true), or those that fix the pose (false).
-  /// @return the best candidates, one per place, nearest first.
-  std::vector<Candidate> propose(std::span<const SeedFeature> features, std::span<const Point> coarse,
+  /// What was looked up, for the event stream.
+  struct LookedUp {
+    int pattern = -1;
+    std::vector<int> local_features;
+    std::size_t expected = 0;  ///< places that the index predicts
+  };
+  struct Proposal {
+    std::vector<Candidate> candidates;  ///< the best, one per place, nearest first
+    std::vector<LookedUp> looked_up;
+  };
+  Proposal propose(std::span<const SeedFeature> features, std::span<const Point> coarse,
                                  bool loose) const;
 
   const std::string& pattern_name(int pattern) const { return tables_[pattern].name; }

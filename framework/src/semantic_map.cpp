@@ -19,12 +19,23 @@ std::vector<std::string> places_in(const std::string& list, const std::vector<El
   return places;
 }
 
-std::string type_name(const MapDraft& draft, const std::string& place, const std::string& type) {
-  const std::string iri = vocabulary::full_iri(type);
-  if (iri.find(':') == std::string::npos)
+bool is_word(const std::string& text) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
+         std::all_of(text.begin(), text.end(), fits);
+}
+
+/// A type's name with its prefix, which gets an IRI if it has none.
+std::string type_name(MapDraft& draft, const std::string& place, const std::string& type) {
+  const std::string name = vocabulary::compact_name(vocabulary::full_iri(type), draft.prefixes);
+  const std::string prefix = vocabulary::prefix_of(name);
+  const bool has_colon = name.find(':') != std::string::npos, blank = name.find_first_of(" \t\r\n") != std::string::npos;
+  if (!has_colon || blank || vocabulary::is_term(prefix) || (!prefix.empty() && !is_word(prefix)))
     draft.fail(place, "type '" + type + "', expected a term of " + vocabulary::kContextIri +
-                          " or a name with a prefix, such as opal:" + (type.empty() ? "Wall" : type));
-  return vocabulary::compact_name(iri);
+                          " or a name with a prefix, such as opal:Wall");
+  if (!prefix.empty() && !vocabulary::is_prefix(prefix))
+    draft.prefixes.try_emplace(prefix, vocabulary::iri_of_nameless_prefix(prefix));
+  return name;
 }
 
 std::vector<std::string> point_names(const MapFeature& feature) {
@@ -34,18 +45,37 @@ std::vector<std::string> point_names(const MapFeature& feature) {
   return names;
 }
 
-void compact(std::vector<std::string>& names) {
-  for (std::string& name : names) name = vocabulary::compact_name(name);
+void name_types(MapDraft& draft) {
+  for (std::size_t i = 0; i < draft.objects.size(); ++i) {
+    std::string& type = draft.objects[i].type;
+    type = type_name(draft, draft.object_places[i], type);
+    if (vocabulary::is_reserved_type(vocabulary::full_iri(type)))
+      draft.fail(draft.object_places[i], "object of type " + type + ", expected the type of a thing in a building");
+  }
+  for (std::size_t i = 0; i < draft.features.size(); ++i) {
+    MapFeature& feature = draft.features[i];
+    if (feature.type.empty()) feature.type = vocabulary::default_feature_type(feature.geometry);
+    feature.type = type_name(draft, draft.feature_places[i], feature.type);
+  }
+  for (std::size_t i = 0; i < draft.patterns.size(); ++i) {
+    std::string& type = draft.patterns[i].pattern_template;
+    type = type_name(draft, draft.pattern_places[i], type);
+  }
 }
 
-void name_feature(const MapDraft& draft, const std::string& place, MapFeature& feature) {
-  feature.id = vocabulary::compact_name(feature.id);
-  feature.sensor = vocabulary::compact_name(feature.sensor);
-  feature.representation = vocabulary::compact_name(feature.representation);
-  compact(feature.points);
-  if (feature.points.empty()) feature.points = point_names(feature);
-  if (feature.type.empty()) feature.type = vocabulary::default_feature_type(feature.geometry);
-  feature.type = type_name(draft, place, feature.type);
+/// Ids may be written in full or with a prefix; in memory they have the prefix.
+void name_ids(MapDraft& draft) {
+  const auto compact = [&draft](std::string& name) { name = vocabulary::compact_name(name, draft.prefixes); };
+  for (MapObject& object : draft.objects) compact(object.id);
+  for (MapFeature& feature : draft.features) {
+    for (std::string* name : {&feature.id, &feature.sensor, &feature.representation}) compact(*name);
+    for (std::string& point : feature.points) compact(point);
+    if (feature.points.empty()) feature.points = point_names(feature);
+  }
+  for (MapPattern& pattern : draft.patterns) {
+    compact(pattern.id);
+    for (std::string& part : pattern.subpatterns) compact(part);
+  }
 }
 
 /// Sorts elements and their places alike. @return for each old position the new one.
@@ -116,21 +146,8 @@ bool id_before(const std::string& a, const std::string& b) {
 }
 
 void name_everything(MapDraft& draft) {
-  for (std::size_t i = 0; i < draft.objects.size(); ++i) {
-    MapObject& object = draft.objects[i];
-    object.id = vocabulary::compact_name(object.id);
-    object.type = type_name(draft, draft.object_places[i], object.type);
-    if (vocabulary::is_reserved_type(vocabulary::full_iri(object.type)))
-      draft.fail(draft.object_places[i], "object of type " + object.type + ", expected the type of a thing in a building");
-  }
-  for (std::size_t i = 0; i < draft.features.size(); ++i)
-    name_feature(draft, draft.feature_places[i], draft.features[i]);
-  for (std::size_t i = 0; i < draft.patterns.size(); ++i) {
-    MapPattern& pattern = draft.patterns[i];
-    pattern.id = vocabulary::compact_name(pattern.id);
-    pattern.pattern_template = type_name(draft, draft.pattern_places[i], pattern.pattern_template);
-    compact(pattern.subpatterns);
-  }
+  name_types(draft);
+  name_ids(draft);
 }
 
 void sort_by_id(MapDraft& draft) {
@@ -152,6 +169,7 @@ SemanticMap::SemanticMap(MapDraft&& checked)
       objects_(std::move(checked.objects)),
       features_(std::move(checked.features)),
       patterns_(std::move(checked.patterns)),
+      prefixes_(std::move(checked.prefixes)),
       unused_(std::move(checked.unused)) {}
 
 std::shared_ptr<const SemanticMap> SemanticMap::finish(MapDraft draft) {

@@ -1,3 +1,4 @@
+#include "json_ld_iri.hpp"
 #include "map_vocabulary.hpp"
 #include "semantic_map_reader.hpp"
 
@@ -28,6 +29,7 @@ json_ld::Options strict_options(bool keep_pointers) {
 
 /// What the processor, which knows no vocabulary, cannot say.
 std::string expectation(const json_ld::JsonLdError& error) {
+  if (error.code() == "unknown prefix") return ", expected one that the document's @context defines";
   if (error.code() != "unknown term") return "";
   return std::string(", expected a term of ") + vocabulary::kContextIri + " or a name with a prefix, such as opal:Wall";
 }
@@ -41,6 +43,28 @@ nlohmann::json parsed(Parse parse) {
   }
 }
 
+/// Adds the prefixes that an object of a context defines; those of whole IRIs only, and none that Opal's context has.
+void add_prefixes(const nlohmann::json& context, vocabulary::Prefixes& prefixes) {
+  for (const auto& [word, definition] : context.items()) {
+    if (!definition.is_string() || vocabulary::is_term(word) || vocabulary::is_prefix(word)) continue;
+    const std::string iri = definition;
+    if (json_ld::is_spelled_out(iri) && json_ld::ends_with_delimiter(iri) && word.find_first_of(":@") == std::string::npos)
+      prefixes[word] = iri;
+  }
+}
+
+/// The prefixes of the document's outermost context.
+vocabulary::Prefixes prefixes_of(const nlohmann::json& document) {
+  vocabulary::Prefixes prefixes;
+  if (!document.is_object() || !document.contains("@context")) return prefixes;
+  const nlohmann::json& context = document["@context"];
+  if (context.is_object()) add_prefixes(context, prefixes);
+  if (context.is_array())
+    for (const nlohmann::json& part : context)
+      if (part.is_object()) add_prefixes(part, prefixes);
+  return prefixes;
+}
+
 nlohmann::json flattened(const nlohmann::json& document, const std::string& source, bool keep_pointers) {
   try {
     return json_ld::flatten(document, strict_options(keep_pointers));
@@ -51,7 +75,9 @@ nlohmann::json flattened(const nlohmann::json& document, const std::string& sour
 
 MapDraft draft_of(const nlohmann::json& document, const MapSource& source, bool keep_pointers) {
   const Graph graph(flattened(document, source.name, keep_pointers), source.name);
-  return read_graph(graph, source.name, source.default_map_name);
+  MapDraft draft = read_graph(graph, source.name, source.default_map_name);
+  draft.prefixes = prefixes_of(document);
+  return draft;
 }
 
 }  // namespace

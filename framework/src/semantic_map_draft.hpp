@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct MapDraft {
   std::vector<MapObject> objects;
   std::vector<MapFeature> features;
   std::vector<MapPattern> patterns;
+  std::map<std::string, std::string> prefixes = {};
   nlohmann::json unused = nlohmann::json::array();
   std::vector<std::string> object_places = {};
   std::vector<std::string> feature_places = {};
@@ -25,7 +27,8 @@ struct MapDraft {
   [[noreturn]] void fail(const std::string& place, const std::string& message) const;
 };
 
-/// Full IRIs and bare terms become prefixed names, missing types and point names are filled in. @throws MapError.
+/// Full IRIs and bare terms become prefixed names, missing types and point names are filled in, prefixes that have
+/// no IRI get one. @throws MapError.
 void name_everything(MapDraft& draft);
 /// Objects, features and patterns in natural order of id, references renumbered. Expects references in range.
 void sort_by_id(MapDraft& draft);

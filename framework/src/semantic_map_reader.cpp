@@ -1,5 +1,6 @@
 #include "semantic_map_reader.hpp"
 
+#include "json_ld_iri.hpp"
 #include "map_vocabulary.hpp"
 #include "semantic_map_unused.hpp"
 
@@ -39,11 +40,18 @@ class Reader {
   NodeUse& use_of(const GraphNode& node) { return uses_[node.position()]; }
   const NodeUse& use_of(const GraphNode& node) const { return uses_[node.position()]; }
 
-  /// A prefix lets any word through the context, so Opal's own words are looked up.
+  /// A prefix lets any word through the context, so Opal's own words are looked up; and a word must be one that can
+  /// be written again.
   static void check_words(const GraphNode& node) {
-    for (const auto& [key, value] : node.content().items())
+    for (const auto& [key, value] : node.content().items()) {
       if (is_own(key) && !is_own_term(key))
         node.fail("unknown key " + compact_name(key) + ", expected a term of " + kContextIri);
+      if (key[0] != '@' && !json_ld::is_spelled_out(key))
+        node.fail("key " + key + ", expected one that stands for an IRI such as https://... or urn:...");
+    }
+    const auto is_sayable = [](const std::string& type) { return json_ld::is_spelled_out(type) || is_blank(type); };
+    if (node.any_type([&](const std::string& type) { return !is_sayable(type); }))
+      node.fail(node.description() + " has a @type that stands for no IRI such as https://... or urn:...");
   }
 
   /// What a node is to the map decides which of Opal's properties it may have.

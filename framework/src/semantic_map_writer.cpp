@@ -24,10 +24,15 @@ class Writer {
     for (const MapObject& object : map_.objects()) graph.push_back(written(object));
     for (const MapPattern& pattern : map_.patterns()) graph.push_back(written(pattern));
     for (const nlohmann::json& node : map_.unused()) graph.push_back(Json(node));
-    return {{"@context", vocabulary::kContextIri}, {"@graph", std::move(graph)}};
+    return {{"@context", context()}, {"@graph", std::move(graph)}};
   }
 
  private:
+  Json context() const {
+    if (map_.prefixes().empty()) return vocabulary::kContextIri;
+    return Json::array({vocabulary::kContextIri, Json(map_.prefixes())});
+  }
+
   std::set<std::string> sensors() const {
     std::set<std::string> sensors;
     for (const MapFeature& feature : map_.features())

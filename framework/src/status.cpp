@@ -27,20 +27,29 @@ const char* name_of(Status status) {
 
 void StatusEstimator::reset() {
   last_ = {};
+  belief_ = {};
   sure_ = 0;
   none_nat_ = options_.none_nat;
   was_localized_ = false;
   mean_scan_nat_ = 0;
 }
 
-void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base,
-                            PoseEstimate& estimate) const {
-  const double top = std::max(alive.front().hypothesis.log_likelihood, none_nat_);
+void StatusEstimator::believe(const std::vector<Live>& alive) {
+  double top = none_nat_;
+  for (const Live& live : alive) top = std::max(top, live.hypothesis.log_likelihood);
   double total = std::exp(none_nat_ - top);
   for (const Live& live : alive) total += std::exp(live.hypothesis.log_likelihood - top);
-  for (const Live& live : alive) {
+  belief_.none = std::exp(none_nat_ - top) / total;
+  belief_.hypotheses.clear();
+  for (const Live& live : alive) belief_.hypotheses.push_back(std::exp(live.hypothesis.log_likelihood - top) / total);
+}
+
+void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base,
+                            PoseEstimate& estimate) const {
+  for (std::size_t k = 0; k < alive.size(); ++k) {
+    const Live& live = alive[k];
     const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
-    const double probability = std::exp(live.hypothesis.log_likelihood - top) / total;
+    const double probability = belief_.hypotheses[k];
     if (same_place(pose, estimate.T_map_base)) {
       estimate.probability += probability;
       continue;
@@ -72,6 +81,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
   none_nat_ = (1 - novelty * (1 - options_.memory)) * none_nat_ + novelty * options_.none_scan_nat;
+  believe(alive);
   if (alive.empty()) {
     sure_ = 0;
     estimate.status = was_localized_ ? Status::lost : Status::searching;

@@ -18,16 +18,25 @@ class StatusEstimator {
   /// The newest estimate, carried on to another pose in the local frame.
   PoseEstimate at(double stamp_s, const Pose2& T_local_base) const;
 
+  /// Probabilities behind the newest estimate.
+  struct Belief {
+    std::vector<double> hypotheses;  ///< in the order of `alive`
+    double none = 1;                 ///< that it is none of these
+  };
+  const Belief& belief() const { return belief_; }
+
   bool localized() const { return last_.status == Status::localized; }
   void reset();
 
  private:
+  void believe(const std::vector<Live>& alive);
   void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const;
   Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
                double novelty);
 
   AssociationOptions options_;
   PoseEstimate last_;
+  Belief belief_;
   Pose2 T_map_local_;
   double none_nat_ = 0;      ///< log weight of "none of these"
   double sure_ = 0;          ///< novelty since the required probability holds at one place

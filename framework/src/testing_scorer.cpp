@@ -161,6 +161,21 @@ class Judging {
                       again->breakdown.size() == score->breakdown.size();
     if (!same && std::isfinite(score->log_likelihood))
       violations_.add("repeat", "gives " + name + " another score when it is asked again");
+    check_findings(name, hypothesis, seen, view);
+  }
+
+  void check_findings(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
+                      const MapView& view) {
+    std::vector<Finding> findings;
+    violations_.expect_no_throw("explaining " + name, [&] { findings = scorer_.explain(hypothesis, seen, view); });
+    for (const Finding& finding : findings) {
+      if (finding.words.empty()) violations_.add("finding", "explains " + name + " with a finding without words");
+      if (finding.map_feature >= static_cast<int>(view.map().features().size()))
+        violations_.add("finding", "explains " + name + " with a mapped feature that does not exist");
+      const bool finite = std::all_of(finding.line.begin(), finding.line.end(), [](const Point& p) { return p.allFinite(); });
+      if (!finite || (finding.line.size() != 0 && finding.line.size() != 2))
+        violations_.add("finding", "explains " + name + " with a line that is not two finite points");
+    }
   }
 
   void check_poor(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,

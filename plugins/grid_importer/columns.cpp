@@ -20,7 +20,7 @@ constexpr std::size_t kMinBlobCells = 8;
 constexpr int kMinSectorsSeen = 7;
 // Around a column nothing is occupied, out to this distance, and most that is seen is free: its shadow is unknown.
 constexpr double kClearance_m = 0.20;
-constexpr double kMaxOccupiedShare = 0.03;
+constexpr double kMaxOccupiedShare = 0.05;
 constexpr double kMinFreeShare = 0.4;
 // Nobody looks into a column.
 constexpr double kMaxFreeShareInside = 0.1;

@@ -19,7 +19,7 @@ constexpr double kSmear = 1.5;
 
 struct Candidate {
   Corner corner;
-  double extension = 0;  // of both faces together
+  long extension = 0;  // of both faces together, in 1e-4 cells: rounding must not decide between equal ones
 };
 
 /// Numbers of faces by the place of their begin.
@@ -92,7 +92,8 @@ class CornerSearch {
     if (std::min(a.length(), b.length()) < min_arm_ || (a.end - b.begin).norm() > max_extension_) return std::nullopt;
     const std::optional<CellPoint> point = intersection(a.line(), b.line());
     if (!point || !may_end_at(a, a.end, *point) || !may_end_at(b, b.begin, *point)) return std::nullopt;
-    return Candidate{{*point, before, after}, (*point - a.end).norm() + (*point - b.begin).norm()};
+    const double extension = (*point - a.end).norm() + (*point - b.begin).norm();
+    return Candidate{{*point, before, after}, std::lround(1e4 * extension)};
   }
 
   /// An end may be drawn out a little, or cut back to the corner, but not by half of its face.

@@ -23,7 +23,7 @@ constexpr std::size_t kMinCells = 4;
 constexpr double kMinWeight = 1;  // of a fit: a line that leaves its cells behind
 constexpr double kMinLinearity = 0.6;
 // What Pass::min_coverage may fall to where free space ends at the face between its cells.
-constexpr double kMinCoveredShare = 0.6;
+constexpr double kMinCoveredShare = 0.5;
 constexpr int kMaxRefits = 24;  // each refit may double the length: enough for any building
 constexpr double kFirstReach_m = 0.6;
 
@@ -43,6 +43,9 @@ struct Candidate {
   Seed seed;
   Face face;
   BestPart part;
+
+  /// The surplus, rounded: equal ones must not differ in their last digits by where in the grid they are.
+  long rank() const { return std::lround(1e4 * part.surplus); }
 };
 
 class Growth {
@@ -113,7 +116,7 @@ class Growth {
       candidates.push_back(std::move(*candidate));
     }
     std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.part.surplus > b.part.surplus; });
+                     [](const Candidate& a, const Candidate& b) { return a.rank() > b.rank(); });
     return candidates;
   }
 

@@ -18,6 +18,7 @@ struct Chain {
   std::vector<int> corners;  ///< number k: between faces k and k + 1, or the last and the first if closed
   double length = 0;
 
+  long rank() const { return std::lround(1e4 * length); }  ///< rounding must not decide between equal ones
   bool is_closed() const { return faces.size() == corners.size(); }
 };
 
@@ -37,7 +38,7 @@ class Chains {
       if (!has_previous_[face]) chains.push_back(from(face));
     for (std::size_t face = 0; face < next_.size(); ++face)
       if (!taken_[face]) chains.push_back(from(face));  // closed: any face is as good a begin as another
-    std::stable_sort(chains.begin(), chains.end(), [](const Chain& a, const Chain& b) { return a.length > b.length; });
+    std::stable_sort(chains.begin(), chains.end(), [](const Chain& a, const Chain& b) { return a.rank() > b.rank(); });
     return chains;
   }
 

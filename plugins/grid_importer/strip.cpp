@@ -19,6 +19,12 @@ constexpr int kExplainedSectors = 2;
 constexpr double kOpenCost = 0.12;
 constexpr double kFrontierCost = 0.05;
 
+// A gap of as many cells as were asked for is not too long.
+constexpr double kRounding = 1e-6;
+
+// The biweight reaches farther than the tolerance: cells of even smear across the strip must all have a say.
+constexpr double kBiweightReach = 1.5;
+
 /// The cells that a line passes within a tolerance, slice by slice.
 class SlicedLine {
  public:
@@ -61,7 +67,7 @@ class Walk {
         strip_(strip),
         sector_(DirectionSet::sector_of(line.normal())),
         tangent_(line.tangent),
-        max_gap_(strip.gap / sliced_.slice_length()),
+        max_gap_(strip.gap / sliced_.slice_length() + kRounding),
         max_reach_(strip.reach / sliced_.slice_length()) {}
 
   Support run(int start, int step) const {
@@ -124,7 +130,7 @@ CellPoint position(const Boundary& boundary, const Supporter& supporter) {
 }
 
 double biweight(double distance, double tolerance) {
-  const double share = distance / tolerance;
+  const double share = distance / (kBiweightReach * tolerance);
   return std::abs(share) < 1 ? std::pow(1 - share * share, 2) : 0;
 }
 

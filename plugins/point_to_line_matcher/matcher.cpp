@@ -9,7 +9,7 @@ namespace opal::point_to_line {
 namespace {
 
 constexpr std::size_t kFewestPoints = 10;
-constexpr double kJump_m = 0.5;        ///< steps between neighbours longer than this count as this when thinning
+constexpr double kJump_m = 0.25;       ///< steps between neighbours longer than this count as this when thinning
 constexpr double kLeastSigma = 1e-4;   ///< [m], [rad]: a guess is never certain
 constexpr double kMostDoubt = 4;       ///< standard deviations that a match may lie off the guess, beyond the search
 
@@ -70,13 +70,14 @@ ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<
   ScanMatch nothing;
   nothing.T_reference_scan = guess;
   nothing.covariance = prior.sigma.cwiseAbs2().asDiagonal();
-  const std::vector<Point> seen = without_grazed(finite(scan));
+  const std::vector<Point> seen = finite(scan);
+  const std::vector<Point> dense = without_grazed(seen);
   const std::vector<Point> known = finite(reference);
-  if (seen.size() < kFewestPoints || known.size() < kFewestPoints || !prior.sigma.allFinite()) return nothing;
+  if (dense.size() < kFewestPoints || known.size() < kFewestPoints || !prior.sigma.allFinite()) return nothing;
 
   const ReferenceGrid grid(known);
   const std::vector<Pose2> starts =
-      search_poses(grid, evenly(seen, options_.search_points), guess, prior.sigma, options_.search_sigmas);
+      search_poses(grid, evenly(dense, options_.search_points), guess, prior.sigma, options_.search_sigmas);
   const std::vector<Point> points = evenly(seen, options_.max_points);
   Refined best = refine(grid, points, starts.front(), prior, options_.refinement);
   for (std::size_t i = 1; i < starts.size(); ++i) {

@@ -15,6 +15,7 @@ constexpr double kArm_m = 0.15;
 constexpr double kLongestArm_m = 1.2;
 constexpr double kInLineCosine = 0.95;
 
+constexpr double kNear_m = 0.15;
 constexpr double kAgreement = 0.9;  ///< mean length of a cell's normals below which it is a corner or clutter
 
 /// The first point at least an arm's length from points[i], going by `step`; null: the scan ends or jumps before.
@@ -35,6 +36,11 @@ Point normal_at(std::span<const Point> points, std::size_t i) {
   const Point in = (points[i] - *before).normalized();
   const Point out = (*after - points[i]).normalized();
   return in.dot(out) > kInLineCosine ? left_of((*after - *before).normalized()) : Point::Zero();
+}
+
+bool has_near_neighbour(std::span<const Point> points, std::size_t i) {
+  return (i > 0 && (points[i] - points[i - 1]).squaredNorm() < kNear_m * kNear_m) ||
+         (i + 1 < points.size() && (points[i + 1] - points[i]).squaredNorm() < kNear_m * kNear_m);
 }
 
 }  // namespace
@@ -72,6 +78,7 @@ void ReferenceGrid::gather(std::span<const Point> reference) {
     Surfel& surfel = surfels_[index];
     const Point normal = normal_at(reference, i);
     surfel.normal += normal.dot(surfel.normal) < 0 ? Point(-normal) : normal;
+    surfel.dense = surfel.dense || has_near_neighbour(reference, i);
     surfel.mean += p;
     ++surfel.points;
   }

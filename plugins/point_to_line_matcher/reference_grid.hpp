@@ -13,6 +13,7 @@ namespace opal::point_to_line {
 struct Surfel {
   Point mean = Point::Zero();
   Point normal = Point::Zero();
+  bool dense = false;  ///< some of its points have a near neighbour; if not, they say little about where a surface is
   int points = 0;
 };
 

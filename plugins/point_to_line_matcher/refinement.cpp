@@ -81,7 +81,7 @@ class Refinement {
     if (on_line) {
       const Point& n = surfel->normal;
       e.add({n.x(), n.y(), n.dot(lever)}, residual, weight);
-    } else {
+    } else if (surfel->dense) {
       e.add({1, 0, lever.x()}, away.x(), kPointToPoint * weight);
       e.add({0, 1, lever.y()}, away.y(), kPointToPoint * weight);
     }

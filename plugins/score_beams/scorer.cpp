@@ -31,7 +31,7 @@ void BeamScorer::judge_hit(const opal::MapView& map, const Point& eye, const Poi
     const double z = map.surface(number).distance_m(end) / sigma;
     hit = std::exp(-0.5 * z * z);
   }
-  const auto wall = map.first_crossing(eye, end, margin_m_ + margin_per_m_ * range);
+  const auto wall = map.first_crossing(eye, end, margin_at(range));
   ++tally.beams;
   if (wall.feature >= 0) {
     ++tally.throughs;
@@ -48,7 +48,7 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
   const double range = std::min(range_max_m, free_range_m_);
   const Point end = eye + range * opal::unit_vector(bearing_rad);
   ++tally.beams;
-  if (map.first_crossing(eye, end, margin_m_ + margin_per_m_ * range).feature < 0) return;
+  if (map.first_crossing(eye, end, margin_at(range)).feature < 0) return;
   ++tally.throughs;
   tally.value += free_through_;
 }

@@ -64,6 +64,10 @@ EvidenceScorer::Match EvidenceScorer::best_match(const opal::Feature& observed, 
   return segment ? match_face(*segment, eye, map) : match_point(observed, map);
 }
 
+bool EvidenceScorer::matches(const opal::Feature& observed, const Point& eye, const opal::MapView& map) const {
+  return best_match(observed, eye, map).found;
+}
+
 opal::Score EvidenceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                   const opal::MapView& map) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();

@@ -12,10 +12,14 @@ class EvidenceScorer final : public opal::HypothesisScorer {
   explicit EvidenceScorer(const nlohmann::json& options);
   opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                     const opal::MapView& map) const override;
+  /// The largest features of the scan that no mapped feature explains.
+  std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                     const opal::MapView& map) const override;
 
  private:
   struct Match;
   Match best_match(const opal::Feature& observed, const opal::Point& eye, const opal::MapView& map) const;
+  bool matches(const opal::Feature& observed, const opal::Point& eye, const opal::MapView& map) const;
   Match match_face(const opal::Segment& observed, const opal::Point& eye, const opal::MapView& map) const;
   Match match_point(const opal::Feature& observed, const opal::MapView& map) const;
 

@@ -1,6 +1,7 @@
 #include "scorer.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace {
 
@@ -31,29 +32,60 @@ LackOfFitScorer::LackOfFitScorer(const nlohmann::json& options)
       not_on_map_probability_(options.at("not_on_map_probability")),
       veto_m_(options.at("veto_m")) {}
 
-opal::Score LackOfFitScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                   const opal::MapView& map) const {
-  double squares = 0, worst = 0;
+/// The newest associations whose local feature is still known.
+struct LackOfFitScorer::Fit {
+  double squares = 0, worst_m = 0;
+  opal::Association worst;
   int matched = 0, unmatched = 0;
+};
+
+LackOfFitScorer::Fit LackOfFitScorer::fit_of(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                             const opal::MapView& map) const {
+  Fit fit;
   const auto& all = hypothesis.associations;
-  for (auto it = all.rbegin(); it != all.rend() && matched + unmatched < horizon_; ++it) {
+  for (auto it = all.rbegin(); it != all.rend() && fit.matched + fit.unmatched < horizon_; ++it) {
     const opal::LocalFeature* local = find(observation.local_map, it->local_feature);
     if (!local) continue;
     if (it->map_feature < 0) {
-      ++unmatched;
+      ++fit.unmatched;
       continue;
     }
     const double error = error_m(transformed(hypothesis.T_map_local, local->feature.geometry),
                                  map.feature(it->map_feature).geometry);
-    squares += error * error;
-    worst = std::max(worst, error);
-    ++matched;
+    fit.squares += error * error;
+    ++fit.matched;
+    if (error <= fit.worst_m) continue;
+    fit.worst_m = error;
+    fit.worst = *it;
   }
-  const int n = std::max(1, matched + unmatched);
-  const double fit = -squares / (sigma_m_ * sigma_m_) / n;
-  const double clutter = unmatched * std::log(not_on_map_probability_) / n;
-  opal::Score score{weight_ * (fit + clutter), {}, {{"fit", fit}, {"not_on_map", clutter}, {"worst_m", worst}}};
-  if (veto_m_ > 0 && worst > veto_m_)
-    score.veto = "an association is " + std::to_string(worst) + " m off, more than " + std::to_string(veto_m_);
+  return fit;
+}
+
+opal::Score LackOfFitScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                   const opal::MapView& map) const {
+  const Fit all = fit_of(hypothesis, observation, map);
+  const int n = std::max(1, all.matched + all.unmatched);
+  const double fit = -all.squares / (sigma_m_ * sigma_m_) / n;
+  const double clutter = all.unmatched * std::log(not_on_map_probability_) / n;
+  opal::Score score{weight_ * (fit + clutter), {}, {{"fit", fit}, {"not_on_map", clutter}, {"worst_m", all.worst_m}}};
+  if (veto_m_ > 0 && all.worst_m > veto_m_)
+    score.veto = "an association is " + std::to_string(all.worst_m) + " m off, more than " + std::to_string(veto_m_);
   return score;
+}
+
+std::vector<opal::Finding> LackOfFitScorer::explain(const opal::Hypothesis& hypothesis,
+                                                    const opal::Observation& observation,
+                                                    const opal::MapView& map) const {
+  const Fit fit = fit_of(hypothesis, observation, map);
+  if (fit.worst.map_feature < 0) return {};
+  const opal::MapFeature& mapped = map.feature(fit.worst.map_feature);
+  const opal::MapObject& object = map.map().objects()[mapped.object];
+  const opal::LocalFeature* local = find(observation.local_map, fit.worst.local_feature);
+  const opal::Geometry placed = transformed(hypothesis.T_map_local, local->feature.geometry);
+  char off[32];
+  std::snprintf(off, sizeof off, "%.2f m", fit.worst_m);
+  return {{"local feature " + std::to_string(fit.worst.local_feature) + " is " + off + " off " + object.type + " " +
+               object.id + ", more than any other",
+           fit.worst.map_feature,
+           {anchor_of(placed), anchor_of(mapped.geometry)}}};
 }

@@ -11,8 +11,14 @@ class LackOfFitScorer final : public opal::HypothesisScorer {
   explicit LackOfFitScorer(const nlohmann::json& options);
   opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                     const opal::MapView& map) const override;
+  /// The association that fits worst.
+  std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                     const opal::MapView& map) const override;
 
  private:
+  struct Fit;
+  Fit fit_of(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map) const;
+
   int horizon_;
   double sigma_m_, weight_, not_on_map_probability_, veto_m_;
 };

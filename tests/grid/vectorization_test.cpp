@@ -125,7 +125,7 @@ TEST_CASE("a slanted wall is one straight face and no staircase") {
 }
 
 TEST_CASE("a dotted wall before the unknown is one face") {
-  const int pitch = GENERATE(2, 4);  // cells: 0.1 and 0.2 m; dots that are farther apart are no wall
+  const int pitch = GENERATE(2, 4, 5);  // cells: 0.1 to 0.25 m
   CAPTURE(pitch);
   DrawnGrid grid(200, 80);
   grid.fill(DrawnGrid::kFree, 10, 30, 189, 70);
@@ -137,7 +137,7 @@ TEST_CASE("a dotted wall before the unknown is one face") {
 }
 
 TEST_CASE("gaps up to the bridging length are bridged, doors are not") {
-  const auto [gap_cells, faces] = GENERATE(table<int, int>({{8, 1}, {13, 2}, {18, 2}, {40, 2}}));
+  const auto [gap_cells, faces] = GENERATE(table<int, int>({{8, 1}, {12, 1}, {13, 2}, {18, 2}, {40, 2}}));
   CAPTURE(gap_cells);
   DrawnGrid grid(260, 80);
   grid.fill(DrawnGrid::kFree, 10, 20, 249, 70).fill(DrawnGrid::kOccupied, 10, 20, 109, 20);
@@ -155,7 +155,7 @@ TEST_CASE("the bridging length is an option") {
   CHECK(all<Segment>(*import(grid, {{"bridge_gap_m", 0.5}}).map).size() == 1);
 }
 
-TEST_CASE("noise of a cell moves no face by more than half of one") {
+TEST_CASE("noise of a cell moves no face by more than a fifth of one") {
   DrawnGrid grid(300, 80);
   grid.fill(DrawnGrid::kFree, 10, 30, 289, 70);
   std::uint32_t seed = 12345;
@@ -172,7 +172,7 @@ TEST_CASE("noise of a cell moves no face by more than half of one") {
   });
   REQUIRE(longest != faces.end());
   CHECK(longest->length_m() == Approx(0.05 * 279).margin(0.15));
-  CHECK(longest->midpoint().y() == Approx(centre(0, 29).y()).margin(0.025));
+  CHECK(longest->midpoint().y() == Approx(centre(0, 29).y()).margin(0.01));
   CHECK(longest->heading_rad() == Approx(0).margin(0.005));
 }
 
@@ -264,10 +264,7 @@ TEST_CASE("a grid shifted by whole cells gives the shifted map") {
     CAPTURE(feature.id);
     CHECK(moved->features()[k].id == feature.id);
     const Geometry expected = transformed(T_moved_map, feature.geometry);
-    // Equal faces of one pillar may change places.
-    CHECK(std::any_of(moved->features().begin(), moved->features().end(), [&](const MapFeature& other) {
-      return other.type == feature.type && (anchor_of(other.geometry) - anchor_of(expected)).norm() < 1e-9;
-    }));
+    CHECK((anchor_of(moved->features()[k].geometry) - anchor_of(expected)).norm() < 1e-9);
   }
 }
 

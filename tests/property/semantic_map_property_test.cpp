@@ -29,7 +29,7 @@ class RandomMap {
   int count(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
   std::string pick(const std::vector<std::string>& choices) { return choices[count(0, static_cast<int>(choices.size()) - 1)]; }
   std::string name(const std::string& what) {
-    return pick({"", "urn:x:", "https://example.org/b#", "3cUk\"z/", "W\xc3\xa4nde ", "opal:", "a b\n", "#", "../", "?"}) + what +
+    return pick({"", "urn:x:", "https://example.org/b#", "3cUk\"z/", "W\xc3\xa4nde ", "opal:", "acme:", "other:", "a b\n", "#", "../", "?"}) + what +
            std::to_string(next_++);
   }
 
@@ -108,7 +108,7 @@ std::string numbers_of(const Geometry& geometry) {
 
 /// Everything that a map holds, bit by bit, without the writer that is under test.
 std::vector<std::string> contents_of(const SemanticMap& map) {
-  std::vector<std::string> lines{map.name(), map.unused().dump()};
+  std::vector<std::string> lines{map.name(), map.unused().dump(), nlohmann::json(map.prefixes()).dump()};
   for (const MapObject& object : map.objects()) lines.push_back(nlohmann::json{object.id, object.type, object.features}.dump());
   for (const MapFeature& f : map.features())
     lines.push_back(nlohmann::json{f.id, f.object, f.type, f.sensor, f.position_sigma_m, f.existence, f.points,

@@ -106,6 +106,8 @@ TEST_CASE("a map made in memory is refused with the element and what was expecte
   odd = feature("w", Point(0, 0));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}}, {odd}), Catch::Contains("stands for an object and a point"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wal"}}, {}), Catch::Contains("type 'Wal', expected a term"));
+  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall:Thick"}}, {}), Catch::Contains("expected a term"));
+  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "a b:Thick"}}, {}), Catch::Contains("expected a term"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"", "Wall"}}, {}), Catch::Contains("is empty, expected a name"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"_:w", "Wall"}}, {}), Catch::Contains("meaning of its own in JSON-LD"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"\xff", "Wall"}}, {}), Catch::Contains("not UTF-8"));
@@ -217,7 +219,7 @@ TEST_CASE("what other vocabularies say is kept and written back") {
 }
 
 TEST_CASE("one geometry can be perceived by two sensors, and a pattern says for which it is") {
-  const std::string map_text = R"({"@context": "urn:opal:v1", "@graph": [
+  const std::string map_text = R"({"@context": ["urn:opal:v1", {"acme": "https://acme.example/types#"}], "@graph": [
       {"@id": "c", "@type": "Column", "represented_by": [
         {"@type": "ObjectFeatureRepresentation", "perceivable_by": {"@id": "lidar"}, "represented_by": "k"},
         {"@type": "ObjectFeatureRepresentation", "perceivable_by": {"@id": "camera"}, "feature_type": "acme:Pillar", "geometry": "k"}]},
@@ -234,9 +236,22 @@ TEST_CASE("one geometry can be perceived by two sensors, and a pattern says for 
   CHECK(SemanticMap::parse(map->to_json_ld().dump(), "two")->to_json_ld() == map->to_json_ld());
 }
 
+TEST_CASE("names have the prefix that the document defines, so that they are those that plugins register") {
+  const std::string rest = R"("@id": "acme:k1", "@type": "acme:Kiosk", "represented_by": {"@type": "ObjectFeatureRepresentation",
+      "feature_type": "acme:Edge", "represented_by": {"@id": "e", "@type": "Point", "x": 1, "y": 1}}})";
+  const auto map = SemanticMap::parse(
+      R"({"@context": ["urn:opal:v1", {"acme": "https://acme.example/types#"}], )" + rest, "kiosk");
+  CHECK(map->objects()[0].id == "acme:k1");
+  CHECK(map->objects()[0].type == "acme:Kiosk");
+  CHECK(map->features()[0].type == "acme:Edge");
+  CHECK(map->to_json_ld()["@context"][1]["acme"] == "https://acme.example/types#");
+  CHECK_THROWS_WITH(SemanticMap::parse(R"({"@context": "urn:opal:v1", )" + rest, "kiosk"),
+                    Catch::Contains("'acme:k1' has a @type that stands for no IRI"));
+}
+
 TEST_CASE("a representation without a sensor stays in the map and is not perceivable") {
   const auto map = SemanticMap::parse(
-      R"({"@context": "urn:opal:v1", "@id": "c", "@type": "acme:Sign", "represented_by": {"@type": "ObjectFeatureRepresentation",
+      R"({"@context": "urn:opal:v1", "@id": "c", "@type": "opal:Sign", "represented_by": {"@type": "ObjectFeatureRepresentation",
           "represented_by": {"@id": "k", "@type": "Point", "x": 1, "y": 1}}})", "off");
   CHECK(map->features()[0].sensor.empty());
   CHECK(SemanticMap::parse(map->to_json_ld().dump(), "off")->to_json_ld() == map->to_json_ld());

@@ -18,6 +18,13 @@ struct Score {
   std::vector<Term> breakdown;  ///< what it is made of, for people and for A/B records
 };
 
+/// One thing that a scorer saw for or against a hypothesis, for people.
+struct Finding {
+  std::string words;        ///< "beam 221 passes 1.8 m through opal:Wall wall-12"
+  int map_feature = -1;     ///< position in SemanticMap::features(); -1: none
+  std::vector<Point> line;  ///< where: two points in the `map` frame [m], or empty
+};
+
 /// What hypotheses are judged against: what the robot sees now.
 struct Observation {
   const LocalMap& local_map;
@@ -29,6 +36,8 @@ struct Observation {
   Point laser_position = Point::Zero();  ///< where beams start, base_link frame
   /// Features of the newest scan, base_link frame.
   std::vector<Feature> features;
+  /// For each of `points`, the number of its beam.
+  std::vector<int> beams = {};
 };
 
 }  // namespace opal

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,6 +72,10 @@ class OPAL_EXPORT SemanticMap {
   const std::vector<MapFeature>& features() const { return features_; }
   const std::vector<MapPattern>& patterns() const { return patterns_; }
 
+  /// Prefixes in the names of other makers ("acme:Kiosk") and the IRIs that they stand for, as the document's context
+  /// defines them. Names in memory have their prefix, so that they are those that plugins register.
+  const std::map<std::string, std::string>& prefixes() const { return prefixes_; }
+
   /// What the document says in other vocabularies, or about geometry that no representation uses: an array of node
   /// objects in expanded JSON-LD. Opal makes no use of it, reports it (map_check.hpp) and writes it back.
   const nlohmann::json& unused() const { return unused_; }
@@ -87,6 +92,7 @@ class OPAL_EXPORT SemanticMap {
   std::vector<MapObject> objects_;
   std::vector<MapFeature> features_;
   std::vector<MapPattern> patterns_;
+  std::map<std::string, std::string> prefixes_;
   nlohmann::json unused_;
 };
 

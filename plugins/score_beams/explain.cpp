@@ -1,0 +1,91 @@
+#include "scorer.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+using opal::Point;
+
+namespace {
+
+constexpr std::size_t kMostFindings = 3;
+
+/// The beams that pass through one mapped object.
+struct Passage {
+  int beams = 0;
+  double depth_m = 0;    ///< how far the deepest of them reaches beyond the surface
+  std::string beam;      ///< its name
+  int map_feature = -1;
+  std::vector<Point> line;
+};
+
+class Passages {
+ public:
+  Passages(const opal::MapView& map, const Point& eye) : map_(map), eye_(eye) {}
+
+  void add(const std::string& beam, const Point& end, double margin_m) {
+    ++judged_;
+    const auto wall = map_.first_crossing(eye_, end, margin_m);
+    if (wall.feature < 0) return;
+    const double range_m = (end - eye_).norm();
+    Passage& passage = by_object_[map_.feature(wall.feature).object];
+    ++passage.beams;
+    if (range_m - wall.range_m <= passage.depth_m) return;
+    passage.depth_m = range_m - wall.range_m;
+    passage.beam = beam;
+    passage.map_feature = wall.feature;
+    passage.line = {eye_ + wall.range_m / range_m * (end - eye_), end};
+  }
+
+  /// Those with most beams first.
+  std::vector<opal::Finding> findings() const {
+    std::vector<const Passage*> order;
+    for (const auto& [object, passage] : by_object_)
+      if (passage.map_feature >= 0) order.push_back(&passage);
+    std::stable_sort(order.begin(), order.end(), [](const Passage* a, const Passage* b) { return a->beams > b->beams; });
+    if (order.size() > kMostFindings) order.resize(kMostFindings);
+    std::vector<opal::Finding> findings;
+    for (const Passage* passage : order) findings.push_back({words(*passage), passage->map_feature, passage->line});
+    return findings;
+  }
+
+ private:
+  std::string words(const Passage& passage) const {
+    const opal::MapObject& object = map_.map().objects()[map_.feature(passage.map_feature).object];
+    char depth[32];
+    std::snprintf(depth, sizeof depth, "%.1f m", passage.depth_m);
+    std::string words = passage.beam + " passes " + depth + " through " + object.type + " " + object.id;
+    if (passage.beams > 1)
+      words += ", as do " + std::to_string(passage.beams - 1) + " others of " + std::to_string(judged_) + " judged";
+    return words;
+  }
+
+  const opal::MapView& map_;
+  const Point eye_;
+  int judged_ = 0;
+  std::map<int, Passage> by_object_;
+};
+
+std::string beam_without_return(double bearing_rad) {
+  char text[64];
+  std::snprintf(text, sizeof text, "the beam at %.0f deg, which met nothing,", bearing_rad * 180 / std::numbers::pi);
+  return text;
+}
+
+}  // namespace
+
+std::vector<opal::Finding> BeamScorer::explain(const opal::Hypothesis& hypothesis,
+                                               const opal::Observation& observation, const opal::MapView& map) const {
+  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  Passages passages(map, T_map_base * observation.laser_position);
+  for (std::size_t k = 0; k < observation.points.size(); ++k) {
+    const Point& point = observation.points[k];
+    const std::string beam = k < observation.beams.size() ? "beam " + std::to_string(observation.beams[k]) : "a beam";
+    passages.add(beam, T_map_base * point, margin_at((point - observation.laser_position).norm()));
+  }
+  const double range = std::min(observation.range_max_m, free_range_m_);
+  for (double bearing : observation.free_bearings_rad)
+    passages.add(beam_without_return(bearing),
+                 T_map_base * (observation.laser_position + range * opal::unit_vector(bearing)), margin_at(range));
+  return passages.findings();
+}

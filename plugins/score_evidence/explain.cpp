@@ -1,0 +1,44 @@
+#include "scorer.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace {
+
+constexpr std::size_t kMostFindings = 3;
+
+double size_m(const opal::Feature& feature) {
+  const auto* segment = std::get_if<opal::Segment>(&feature.geometry);
+  return segment ? segment->length_m() : 0;
+}
+
+opal::Finding unexplained(const opal::Feature& placed) {
+  const auto* segment = std::get_if<opal::Segment>(&placed.geometry);
+  char text[96];
+  if (segment)
+    std::snprintf(text, sizeof text, " of %.1f m matches nothing on the map", segment->length_m());
+  else
+    std::snprintf(text, sizeof text, " matches nothing on the map");
+  std::vector<opal::Point> line;
+  if (segment) line = {segment->begin, segment->end};
+  return {"a seen " + placed.type + text, -1, line};
+}
+
+}  // namespace
+
+std::vector<opal::Finding> EvidenceScorer::explain(const opal::Hypothesis& hypothesis,
+                                                   const opal::Observation& observation,
+                                                   const opal::MapView& map) const {
+  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const opal::Point eye = T_map_base * observation.laser_position;
+  std::vector<opal::Feature> missed;
+  for (const opal::Feature& feature : observation.features)
+    if (opal::Feature placed = transformed(T_map_base, feature); !matches(placed, eye, map))
+      missed.push_back(std::move(placed));
+  std::stable_sort(missed.begin(), missed.end(),
+                   [](const opal::Feature& a, const opal::Feature& b) { return size_m(a) > size_m(b); });
+  if (missed.size() > kMostFindings) missed.resize(kMostFindings);
+  std::vector<opal::Finding> findings;
+  for (const opal::Feature& feature : missed) findings.push_back(unexplained(feature));
+  return findings;
+}
