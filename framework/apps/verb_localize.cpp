@@ -59,11 +59,11 @@ int localize(const LocalizeOptions& options) {
   const std::vector<opal::Query> windows = windows_of(options);
   const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
 
+  std::optional<LiveView> live;
+  if (options.serve) live.emplace(options.port);
   std::ofstream file = event_file(options.out);
   opal::JsonLinesSink recorder(file);
   opal::NullEventSink nobody;
-  std::optional<LiveView> live;
-  if (options.serve) live.emplace(options.port);
   EventSplitter events(recorder, live ? live->events() : nobody);
   events.write(opal::run_event({options.log, options.config, deployment.map}, parts.laser));
   events.write(opal::map_event(*parts.map));
