@@ -225,7 +225,6 @@ export class App {
   }
 
   settle() {
-    if (this.due) return;
     for (const resolve of this.waiting.splice(0)) resolve();
   }
 
