@@ -1,6 +1,6 @@
 import { kAssociationChoices, kLayers } from './app_state.js';
 
-const kPause_ms = 250;
+const kPause_ms = 250, kPausePlaying_ms = 2000;
 const kNames = kLayers.map(([name]) => name);
 const kUsual = kLayers.filter(([, , on]) => on).map(([name]) => name).join();
 
@@ -55,7 +55,7 @@ export class DeepLink {
   }
 
   note() {
-    if (!this.timer) this.timer = setTimeout(() => this.write(), kPause_ms);
+    if (!this.timer) this.timer = setTimeout(() => this.write(), this.state.playing ? kPausePlaying_ms : kPause_ms);
   }
 
   write() {
