@@ -20,6 +20,9 @@ void add_localize_verb(CLI::App& app, int& exit_code);
 /// `opal explain OUT --at T`: why the localizer believed what it believed, in words.
 void add_explain_verb(CLI::App& app, int& exit_code);
 
+/// `opal view OUT...`: the run as one HTML file, or a moment of it as a picture.
+void add_view_verb(CLI::App& app, int& exit_code);
+
 /// `opal bench PREFIX -o OUT`: one recorded place from end to end. Never reads ground truth.
 void add_bench_verb(CLI::App& app, int& exit_code);
 

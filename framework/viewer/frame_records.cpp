@@ -5,7 +5,7 @@
 namespace opal {
 namespace {
 
-constexpr int kMetreDecimals = 3, kAngleDecimals = 4, kNatDecimals = 3, kProbabilityDecimals = 4, kCpuDecimals = 3;
+constexpr int kMetreDecimals = 3, kPoseDecimals = 3, kAngleDecimals = 4, kNatDecimals = 2, kProbabilityDecimals = 4, kCpuDecimals = 3;
 constexpr double kShownProbability = 0.0005;
 
 /// Kind and numbers, as elements or as one member.
@@ -106,7 +106,7 @@ void write_local_features(const RunFrame& frame, RecordText& record) {
 
 void write_tree(const RunFrame& frame, RecordText& record) {
   write_list("born", frame.births, record, [&](const RecordedBirth& birth) {
-    record.integer(birth.id).integer(birth.parent).text(birth.pattern_template).pose(birth.T_map_base);
+    record.integer(birth.id).integer(birth.parent).text(birth.pattern_template).pose(birth.T_map_base, kPoseDecimals);
     record.number(birth.log_likelihood, kNatDecimals);
     write_pairs(birth.pairs, record);
   });
@@ -123,7 +123,7 @@ void write_tree(const RunFrame& frame, RecordText& record) {
     record.text(rejection.reason);
   });
   write_list("ended", frame.ends, record, [&](const RecordedEnd& end) {
-    record.integer(end.id).text(end.reason).integer(end.merged_into).pose(end.T_map_base);
+    record.integer(end.id).text(end.reason).integer(end.merged_into).pose(end.T_map_base, kPoseDecimals);
     record.number(end.log_likelihood, kNatDecimals).number(end.scan_nat, kNatDecimals);
     write_scores(end.scores, record);
     write_findings(end.findings, record);
@@ -136,7 +136,7 @@ void write_search(const RecordedSearch& search, RecordText& record) {
     record.open('[').text(lookup.pattern_template).ids(lookup.local_features).integer(lookup.candidates).close(']');
   record.close(']').key("proposed").integer(search.proposed).key("rejected").open('[');
   for (const auto& rejected : search.rejected) {
-    record.open('[').text(rejected.pattern_template).pose(rejected.T_map_base).number(rejected.nat, kNatDecimals);
+    record.open('[').text(rejected.pattern_template).pose(rejected.T_map_base, kPoseDecimals).number(rejected.nat, kNatDecimals);
     write_pairs(rejected.pairs, record);
     record.text(rejected.reason).close(']');
   }
@@ -162,7 +162,7 @@ void write_answer(const RunFrame& frame, RecordText& record) {
   record.key("probability").number(frame.probability, kProbabilityDecimals);
   record.key("none").number(frame.none, kProbabilityDecimals).key("best").integer(frame.best).key("findings");
   write_findings(frame.findings, record);
-  if (frame.truth) record.key("truth").open('[').pose(*frame.truth).close(']');
+  if (frame.truth) record.key("truth").open('[').pose(*frame.truth, kPoseDecimals).close(']');
   record.key("cpu").open('{');
   for (const auto& [stage, ms] : frame.cpu_ms) record.key(stage).number(ms, kCpuDecimals);
   record.close('}');

@@ -18,7 +18,7 @@ std::span<const PageDetail> page_details() {
       {0.005, 0.002, 0.05, 0.01, 1, 5, kAll, {kFine}},
       {0.01, 0.005, 0.1, 0.02, 1, 3, kAll, {kCoarse, "Scores are those of the best three hypotheses."}},
       {0.02, 0.01, 0.2, 0.02, 2, 1, kAll, {kCoarser, "Every second point of the scans is left out.", kScores}},
-      {0.05, 0.02, 0.5, 0.05, 3, 1, kAll, {kCoarsest, "Two of three points of the scans are left out.", kScores}},
+      {0.05, 0.02, 0.5, 0.05, 4, 1, kAll, {kCoarsest, "Three of four points of the scans are left out.", kScores}},
       {0.05, 0.02, 0.5, 0.05, 6, 1, 60,
        {kCoarsest, "Five of six points of the scans are left out.", kScores,
         "Only the 60 most likely hypotheses of each update are shown."}},

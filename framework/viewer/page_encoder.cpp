@@ -7,16 +7,19 @@
 namespace opal {
 namespace {
 
-/// The precision of the record's `local`, which rows are carried along with.
+/// Of the record's `local`, which rows are carried along with.
+constexpr int kLocalDecimals = 4;
+
 Pose2 as_written(const Pose2& pose) {
-  return {rounded(pose.x(), 4), rounded(pose.y(), 4), rounded(pose.heading_rad(), 4)};
+  return {rounded(pose.x(), kLocalDecimals), rounded(pose.y(), kLocalDecimals),
+          rounded(pose.heading_rad(), kLocalDecimals)};
 }
 
 void write_moment(const RunFrame& frame, RecordText& record) {
   record.key("r").text("frame").key("keyframe").integer(frame.keyframe);
   record.key("stamp").number(frame.stamp_s, 6).key("time").number(frame.time_s, 4);
   if (frame.starts) record.key("start").text(*frame.starts);
-  record.key("local").open('[').pose(frame.T_local_base).close(']');
+  record.key("local").open('[').pose(frame.T_local_base, kLocalDecimals).close(']');
   record.key("match").integer(frame.scan_match ? 1 : 0);
 }
 
@@ -33,7 +36,7 @@ std::string PageEncoder::run_record(const RunHeader& header) const {
   record.open('{').key("r").text("run").key("format").integer(2).key("opal").text(header.opal);
   record.key("log").text(header.log).key("config").text(header.config).key("map").text(header.map_file);
   record.key("sensor").text(header.sensor);
-  record.key("T_base_laser").open('[').pose(header.T_base_laser).close(']');
+  record.key("T_base_laser").open('[').pose(header.T_base_laser, kLocalDecimals).close(']');
   record.key("range_max_m").number(header.range_max_m, 3);
   record.key("unit_m").number(detail_.unit_m, 6).key("unit_rad").number(detail_.unit_rad, 6);
   record.key("unit_nat").number(detail_.unit_nat, 6).key("scan_unit_m").number(detail_.scan_unit_m, 6);

@@ -66,8 +66,8 @@ RecordText& RecordText::number(double value, int decimals) {
   return *this;
 }
 
-RecordText& RecordText::pose(const Pose2& pose) {
-  return number(pose.x(), 4).number(pose.y(), 4).number(pose.heading_rad(), 4);
+RecordText& RecordText::pose(const Pose2& pose, int decimals) {
+  return number(pose.x(), decimals).number(pose.y(), decimals).number(pose.heading_rad(), decimals);
 }
 
 RecordText& RecordText::points(std::span<const Point> points, double unit_m, int stride) {

@@ -19,7 +19,7 @@ class RecordText {
   RecordText& integer(long long value);
   /// Rounded to this many decimals.
   RecordText& number(double value, int decimals);
-  RecordText& pose(const Pose2& pose);  ///< three elements, four decimals
+  RecordText& pose(const Pose2& pose, int decimals);  ///< three elements
   /// [x, y, dx, dy, ...] in steps of `unit_m`; only every `stride`-th point.
   RecordText& points(std::span<const Point> points, double unit_m, int stride);
   RecordText& ids(std::span<const int> ids);
