@@ -55,7 +55,7 @@ void add_best(opal::DrawingScene& scene, const opal::Localizer& localizer, const
   scene.scan_points = moved(T_map_laser, record.last_points);
   scene.free_space = moved(T_map_laser, seen_free(record.last_points));
   for (const opal::LocalFeature& local : localizer.local_map().features())
-    if (local.stable) scene.local_features.push_back(transformed(T_map_local, local.feature));
+    if (local.stable) scene.local_features.push_back({transformed(T_map_local, local.feature.geometry)});
   for (const NamedAssociation& named : associations_of(localizer))
     scene.associations.push_back({named.local, named.mapped});
   scene.notes.push_back(pose_text(record.last.T_map_base));

@@ -48,7 +48,7 @@ TEST_CASE("a moment is the newest update that is not after it") {
   CHECK(newest(run, "0.25") == "q0 1");
   CHECK(newest(run, "0.49") == "q0 1");
   CHECK(newest(run, "stamp:1001.5") == "q0 6");
-  CHECK(newest(run, "1e3") == "q0 19");
+  CHECK(newest(run, "4.75") == "q0 19");
 }
 
 TEST_CASE("a moment is looked for in the time line that is named, in the first one otherwise") {
@@ -66,6 +66,18 @@ TEST_CASE("a moment that is none, or is not in the run, is an error that says wh
     CHECK_THROWS_WITH(parse_moment(text, ""), Contains("'" + std::string(text) + "'") && Contains("expected seconds"));
   }
   CHECK_THROWS_WITH(newest(run, "1", "q7"), Contains("'q7'") && Contains("q0, q1, q2"));
-  CHECK_THROWS_WITH(newest(run, "-1"), Contains("-1.000 s"));
+  CHECK_THROWS_WITH(newest(run, "-1"), Contains("moment -1.000 s, expected one from 0.000 s on"));
+  CHECK_THROWS_WITH(newest(run, "4.76"), Contains("moment 4.760 s, expected one in [0.000, 4.750]"));
+  CHECK_THROWS_WITH(newest(run, "stamp:21004.76", "q2"), Contains("in [21000.000, 21004.750]"));
   CHECK_THROWS_AS(newest(run, "stamp:10", "q1"), EventError);
+}
+
+TEST_CASE("a run that ended before its first update is an error that says so") {
+  const WrittenRun run;
+  std::ifstream whole(run.path());
+  std::string line, two;
+  for (int k = 0; k < 2 && std::getline(whole, line); ++k) two += line + '\n';
+  whole.close();
+  std::ofstream(run.path()) << two;
+  CHECK_THROWS_WITH(newest(run, "end"), Contains("no complete update"));
 }
