@@ -64,7 +64,9 @@ Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Po
 void HypothesisSet::track(const Observation& observation, double novelty, std::span<const Point> coarse,
                           const Eigen::Vector2d& window) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
-  const RefinementOptions refinement;
+  RefinementOptions refinement;
+  refinement.prior_position = options_.track_prior_position;
+  refinement.prior_heading = options_.track_prior_heading;
   int rank = 0;
   for (Live& live : alive_) {
     Hypothesis& hypothesis = live.hypothesis;

@@ -54,6 +54,8 @@ struct AssociationOptions {
   double novelty_m = 0.4;           ///< driving that makes a scan a whole new piece of evidence
   double novelty_rad = 0.8;
   double least_novelty = 0.15;
+  double track_prior_position = 0.05; ///< how much dead reckoning weighs when a hypothesis is aligned with the map,
+  double track_prior_heading = 0.3;   ///< as RefinementOptions: maps are wrong more often than the scan matcher
   int track_search = 15;            ///< hypotheses that get an alignment search when odometry is uncertain
   double merge_m = 0.3;             ///< hypotheses nearer than this
   double merge_rad = 0.1;           ///< and this are one
