@@ -17,6 +17,12 @@ void add_map_verb(CLI::App& app, int& exit_code);
 /// `opal localize CONFIG LOG`: the pose along a recorded log. Exit code 1 if there is none at the end.
 void add_localize_verb(CLI::App& app, int& exit_code);
 
+/// `opal explain OUT --at T`: why the localizer believed what it believed, in words.
+void add_explain_verb(CLI::App& app, int& exit_code);
+
+/// `opal view OUT...`: the run as one HTML file, or a moment of it as a picture.
+void add_view_verb(CLI::App& app, int& exit_code);
+
 /// `opal bench PREFIX -o OUT`: one recorded place from end to end. Never reads ground truth.
 void add_bench_verb(CLI::App& app, int& exit_code);
 

@@ -8,7 +8,7 @@ namespace opal {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
-constexpr double kCornerMark_px = 2.2;
+constexpr double kCornerMark_px = 1.2;
 
 bool finite(const Point& p) { return p.allFinite(); }
 
@@ -100,6 +100,13 @@ void DrawingCanvas::dots(std::span<const Point> points, const Color& color, doub
 void DrawingCanvas::arrow_head(const Pose2& pose, double size_px, const Color& fill, const Color& outline) {
   if (finite(pose.position()) && std::isfinite(pose.heading_rad()))
     page_arrow_head(frame_.to_page(pose.position()), pose.heading_rad(), size_px, fill, outline);
+}
+
+void DrawingCanvas::cross(const Point& center, double half_px, const Color& color, double width_px) {
+  if (!finite(center)) return;
+  const Point at = frame_.to_page(center), rising(half_px, -half_px), falling(half_px, half_px);
+  page_line(at - rising, at + rising, color, width_px);
+  page_line(at - falling, at + falling, color, width_px);
 }
 
 void DrawingCanvas::geometry(const Geometry& geometry, const Color& color, double width_px) {

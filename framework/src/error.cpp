@@ -7,6 +7,7 @@ Error::~Error() = default;
 ConfigError::~ConfigError() = default;
 MapError::~MapError() = default;
 LogError::~LogError() = default;
+EventError::~EventError() = default;
 PluginError::~PluginError() = default;
 
 }  // namespace opal

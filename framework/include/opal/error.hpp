@@ -37,6 +37,13 @@ class OPAL_EXPORT LogError : public Error {
   ~LogError() override;
 };
 
+/// An event stream (docs/events.md) is unusable from some event on.
+class OPAL_EXPORT EventError : public Error {
+ public:
+  using Error::Error;
+  ~EventError() override;
+};
+
 /// A plugin was refused, or failed when called. The message names the file or the type and the cause.
 class OPAL_EXPORT PluginError : public Error {
  public:

@@ -1,0 +1,258 @@
+import { Announcer } from './announcer.js';
+import { AppState } from './app_state.js';
+import { DeepLink, wishesOf } from './deep_link.js';
+import { DetailsPanel } from './details_panel.js';
+import { element } from './dom.js';
+import { Header } from './header.js';
+import { HelpDialog } from './help_dialog.js';
+import { HypothesisList, hypothesesBestFirst } from './hypothesis_list.js';
+import { listenToKeys } from './keyboard.js';
+import { ObjectsPanel } from './objects_panel.js';
+import { readPalette } from './palette.js';
+import { Player } from './player.js';
+import { RunView } from './run_view.js';
+import { kStatuses } from './recording.js';
+import { shortcutsOf } from './shortcuts.js';
+import { Tabs } from './tabs.js';
+import { Theme } from './theme.js';
+import { TimeLine } from './time_line.js';
+import { TimePanel } from './time_panel.js';
+import { Transport } from './transport.js';
+import { TreePanel } from './tree_panel.js';
+import { probabilityWords, seconds } from './words_of.js';
+
+/// Words and lists follow a playing recording this often; the maps follow every picture.
+const kPanels_ms = 140;
+/// A growing recording redraws its plots at most this often, and never for more than a twentieth of the time.
+const kPlots_ms = 500, kPlotsShare = 20;
+
+/// The page: one state, the views that show it, and the loop that paints when something has changed.
+export class App {
+  constructor(root) {
+    this.root = root;
+    this.state = new AppState();
+    this.timeLine = new TimeLine([]);
+    this.views = [];
+    this.paints = 0;
+    this.waiting = [];
+    this.theme = new Theme(() => this.recolor());
+    this.palette = readPalette();
+    this.player = new Player(this.state, this.timeLine);
+    this.link = new DeepLink(this.state, (wishes) => this.visit(wishes));
+    this.build();
+    this.state.onChange((changed) => this.changed(changed));
+  }
+
+  build() {
+    const seek = (frame) => this.seek(frame, this.state.run), seekTime = (time) => this.seekTime(time);
+    this.tree = new TreePanel(this.state, seek);
+    this.list = new HypothesisList(this.state);
+    this.objects = new ObjectsPanel(this.state, (feature) => this.showFeature(feature));
+    this.details = new DetailsPanel(this.state, seek);
+    this.tabs = new Tabs('Lists', [['list', 'Hypotheses', this.list], ['tree', 'Tree', this.tree], ['map', 'Map', this.objects]], () => this.updatePanels());
+    this.time = new TimePanel(this.state, seekTime);
+    this.transport = new Transport(this.state, {
+      play: () => this.player.toggle(), step: (by) => this.step(by), event: (by) => this.jump(by),
+      speed: (speed) => this.state.set({ speed }), newest: () => this.toNewest(),
+    });
+    this.announcer = new Announcer();
+    this.shortcuts = shortcutsOf(this);
+    this.help = new HelpDialog(this.shortcuts);
+    this.header = new Header(this.state, {
+      window: (window) => this.selectWindow(window), theme: () => this.theme.next(), help: () => this.help.open(), run: (run) => this.state.set({ run, selected: -1 }),
+    });
+    this.maps = element('div', { class: 'maps' });
+    this.wordsPlace = element('div', { class: 'words-place' });
+    const stage = element('div', { class: 'stage' }, this.maps, this.time.root);
+    const side = element('div', { class: 'side' }, this.wordsPlace, this.tabs.root, this.details.root);
+    this.root.replaceChildren(this.header.root, element('main', {}, stage, side), this.transport.root, this.help.root, this.announcer.root);
+    listenToKeys(this.shortcuts, () => this.help.root.open);
+    new ResizeObserver(() => this.invalidate()).observe(this.maps);
+  }
+
+  /// Shows these runs from now on; the moment and the look stay as far as they can.
+  setRecordings(recordings) {
+    const letters = recordings.length > 1 ? ['A', 'B'] : [''];
+    this.timeLine.recordings = recordings;
+    this.views = recordings.map((recording, run) => new RunView(run, recording, this.state, letters[run]));
+    this.maps.replaceChildren(...this.views.flatMap(({ global, local }) => [global.root, local.root]));
+    this.root.classList.toggle('compare', recordings.length > 1);
+    this.wordsPlace.replaceChildren(...this.views.map(({ words }) => words.root));
+    this.timeLine.select(this.state.window);
+    this.header.setRecordings(recordings, this.timeLine);
+    this.dataChanged();
+  }
+
+  /// The first look, once data is there: what the address asks for, else the whole map at the start.
+  start() {
+    this.visit(wishesOf(location.hash));
+    this.started = true;
+    this.fitOnce();
+    this.invalidate();
+  }
+
+  visit(wishes) {
+    const run = Math.min(wishes.run ?? 0, Math.max(0, this.views.length - 1));
+    const window = wishes.window ?? this.state.window;
+    if (window !== this.timeLine.window) this.timeLine.select(window);
+    const time = Math.min(this.timeLine.end, Math.max(this.timeLine.begin, wishes.time ?? this.timeLine.begin));
+    this.state.set({ selected: -1, ...wishes, run, window: this.timeLine.window, time, playing: false });
+    this.dataChanged();
+  }
+
+  /// Recordings have grown, or another window is on show.
+  dataChanged() {
+    this.timeLine.refresh();
+    this.fitOnce();
+    this.header.update();
+    if (this.state.newest) this.state.set({ time: this.timeLine.end });
+    this.showPlotsSoon();
+    this.invalidate();
+  }
+
+  fitOnce() {
+    const [view] = this.views;
+    if (!this.started || this.state.view.fitted || !view?.recording.map) return;
+    view.global.setMap(view.recording.map);
+    view.global.fit();
+  }
+
+  showPlotsSoon() {
+    if (this.plotsTimer) return;
+    const wait = Math.max(0, (this.plotsNext ?? 0) - performance.now());
+    this.plotsTimer = setTimeout(() => this.showPlots(), wait);
+  }
+
+  showPlots() {
+    clearTimeout(this.plotsTimer);
+    this.plotsTimer = 0;
+    const began = performance.now();
+    this.time.show(this.timeLine, this.palette);
+    this.plotsNext = performance.now() + Math.max(kPlots_ms, kPlotsShare * (performance.now() - began));
+    this.invalidate();
+  }
+
+  recolor() {
+    this.palette = readPalette();
+    if (this.views.length > 0) this.showPlots();
+    this.invalidate();
+  }
+
+  changed(changed) {
+    if (changed.has('object')) this.showFeature(this.state.object, false);
+    if (changed.has('selected') || changed.has('run')) this.panelsDue = 0;
+    if (changed.has('run')) this.time.repaint();
+    if (changed.has('window') && this.timeLine.window !== this.state.window) this.selectWindow(this.state.window);
+    this.link.note();
+    this.invalidate();
+  }
+
+  selectWindow(window) {
+    this.timeLine.select(window);
+    this.state.set({ window: this.timeLine.window, time: this.timeLine.begin, playing: false, selected: -1 });
+    this.header.update();
+    this.showPlots();
+  }
+
+  seekTime(time) {
+    this.state.set({ time: Math.min(this.timeLine.end, Math.max(this.timeLine.begin, time)), newest: false });
+  }
+
+  /// To an update of a run, in whichever window it is.
+  seek(frame, run = 0) {
+    const recording = this.timeLine.recordings[run];
+    if (!recording || !(frame >= 0 && frame < recording.frames)) return;
+    const window = recording.window.values[frame];
+    if (run === 0 && window !== this.timeLine.window) this.selectWindow(window);
+    this.player.toggle(false);
+    this.seekTime(this.timeLine.timeOf(this.timeLine.parts[run], frame));
+  }
+
+  step(by) {
+    this.player.toggle(false);
+    this.seekTime(this.timeLine.step(this.state.time, by));
+  }
+
+  jump(by) {
+    const time = this.timeLine.event(this.state.time, by, this.state.eventKind);
+    if (time === null) return;
+    this.player.toggle(false);
+    this.seekTime(time);
+  }
+
+  toNewest() { this.state.set({ newest: true, playing: false, time: this.timeLine.end }); }
+
+  /// To the next (1) or previous (-1) of the live hypotheses, best first.
+  cycle(by) {
+    const { scene } = this.views[this.state.run] ?? {};
+    if (!scene) return;
+    const ids = hypothesesBestFirst(scene).map(({ key }) => key), at = ids.indexOf(this.state.selected);
+    if (ids.length > 0) this.state.set({ selected: ids[at < 0 ? (by > 0 ? 0 : ids.length - 1) : (at + by + ids.length) % ids.length] });
+  }
+
+  cycleObjects(by) {
+    const count = this.views[0]?.recording.map?.features.length ?? 0;
+    if (count > 0) this.state.set({ object: (this.state.object + by + count + (this.state.object < 0 && by < 0 ? 1 : 0)) % count });
+  }
+
+  showFeature(feature, move = true) {
+    const { global } = this.views[this.state.run] ?? {};
+    if (!global) return;
+    if (feature < 0) global.pane.showTip('', 0, 0);
+    else if (move || document.activeElement !== global.pane.moving || !global.pane.tip.textContent) global.showFeature(feature);
+  }
+
+  invalidate() {
+    if (this.due) return;
+    this.due = true;
+    requestAnimationFrame((now) => this.paint(now));
+  }
+
+  paint(now) {
+    this.due = false;
+    this.player.tick(now);
+    if (this.state.playing) this.invalidate();
+    if (this.views.length === 0) return this.settle();
+    if (!this.time.timeLine) this.showPlots();
+    const frames = this.views.map((_, run) => this.timeLine.frameAt(run, this.state.time));
+    if (this.state.follow) this.follow(frames);
+    this.views.forEach((view, run) => view.paint(frames[run], this.palette, this.theme.name));
+    this.time.update(frames);
+    this.transport.update(this.timeLine.end, frames.map((f, run) => (f < 0 ? '–' : this.views[run].recording.keyframe.values[f])).join(' | '));
+    this.paints += 1;
+    if (!this.state.playing || now >= (this.panelsDue ?? 0)) this.updatePanels(now);
+    this.settle();
+  }
+
+  settle() {
+    for (const resolve of this.waiting.splice(0)) resolve();
+  }
+
+  /// Keeps the hypothesis on show in the middle.
+  follow(frames) {
+    const { recording, global } = this.views[this.state.run], frame = frames[this.state.run];
+    if (frame < 0) return;
+    const id = recording.rows.find(frame, this.state.selected) >= 0 ? this.state.selected : recording.best.values[frame];
+    const row = recording.rows.find(frame, id);
+    if (row < 0) return;
+    const [x, y] = recording.rows.poseOf(row), { view } = this.state;
+    if (view.x !== x || view.y !== y) this.state.view = { ...view, x, y, auto: false };
+    global.transform.view = this.state.view;
+  }
+
+  updatePanels(now = performance.now()) {
+    this.panelsDue = now + kPanels_ms;
+    const view = this.views[this.state.run];
+    if (!view) return;
+    for (const { words, recording, frame } of this.views) words.update(recording, frame);
+    this.tabs.panel.update(view.scene);
+    this.details.update(view.scene);
+    this.header.update();
+    if (view.frame >= 0) this.announce(view);
+  }
+
+  announce({ recording, frame }) {
+    const status = kStatuses[recording.status.values[frame]], p = recording.probability.values[frame];
+    this.announcer.note(status, `${seconds(this.state.time)}: ${status}, probability ${probabilityWords(p)}`, this.state.playing);
+  }
+}
