@@ -44,3 +44,10 @@ export function writePage(name, ...runs) {
   writeFileSync(path, pageWith(runs.map(([data, title]) => dataBlock(data, title)).join('\n')));
   return `file://${path}`;
 }
+
+/// The data of a page that `opal view` wrote, in a page of these sources.
+export function repack(file) {
+  const path = join(kFolder, 'repacked.html');
+  writeFileSync(path, pageWith(readFileSync(file, 'utf8').match(/<script type="text\/plain"[^>]*>[^<]*<\/script>/g).join('\n')));
+  return `file://${path}`;
+}

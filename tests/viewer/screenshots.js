@@ -1,8 +1,9 @@
-/// Pictures of the page for the eye: node screenshots.js OUT [PAGE.html]; without a page, of a made-up run.
+/// Pictures of the page for the eye: node screenshots.js OUT [PAGE.html]; with a page, of its data in the page as it is in
+/// these sources, else of a made-up run.
 import { mkdirSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { launch, open } from './browser.js';
-import { writePage } from './page_file.js';
+import { repack, writePage } from './page_file.js';
 import { syntheticRun } from './synthetic_run.js';
 
 const [, , out = 'screenshots', file] = process.argv;
@@ -12,7 +13,7 @@ const kShots = [
   ['tablet-wide', { width: 1180, height: 820 }, 'dark', 0.3, true], ['phone', { width: 390, height: 844 }, 'light', 0.5, true],
 ];
 mkdirSync(out, { recursive: true });
-const address = file ? `file://${resolve(file)}` : writePage('shots', [syntheticRun({ frames: 300, hypotheses: 40 }).lines, 'out']);
+const address = file ? repack(file) : writePage('shots', [syntheticRun({ frames: 300, hypotheses: 40 }).lines, 'out']);
 const browser = await launch();
 for (const [name, viewport, colorScheme, part, selects] of kShots) {
   const { page, context, troubles } = await open(browser, address, { viewport, colorScheme });

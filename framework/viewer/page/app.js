@@ -225,7 +225,6 @@ export class App {
   }
 
   settle() {
-    if (this.due) return;
     for (const resolve of this.waiting.splice(0)) resolve();
   }
 
@@ -237,7 +236,7 @@ export class App {
     const row = recording.rows.find(frame, id);
     if (row < 0) return;
     const [x, y] = recording.rows.poseOf(row), { view } = this.state;
-    if (view.x !== x || view.y !== y) this.state.view = { ...view, x, y };
+    if (view.x !== x || view.y !== y) this.state.view = { ...view, x, y, auto: false };
     global.transform.view = this.state.view;
   }
 

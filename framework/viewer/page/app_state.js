@@ -36,7 +36,7 @@ export class AppState {
     this.follow = false;
     this.eventKind = -1;
     this.newest = false;      ///< live: stay at the newest update
-    this.view = { x: 0, y: 0, scale: 20, fitted: false };
+    this.view = { x: 0, y: 0, scale: 20, fitted: false, auto: false };
     this.localScale = 0;      ///< px per m; 0: as large as the local map allows
   }
 

@@ -1,6 +1,6 @@
 import { kAssociationChoices, kLayers } from './app_state.js';
 
-const kPause_ms = 250;
+const kPause_ms = 250, kPausePlaying_ms = 2000;
 const kNames = kLayers.map(([name]) => name);
 const kUsual = kLayers.filter(([, , on]) => on).map(([name]) => name).join();
 
@@ -14,8 +14,8 @@ export function linkOf(state) {
   if (layers !== kUsual) fields.push(['layers', layers || 'none']);
   if (state.associations !== 'selected') fields.push(['assoc', state.associations]);
   if (state.follow) fields.push(['follow', 1]);
-  const { x, y, scale } = state.view;
-  fields.push(['view', [trimmed(x, 3), trimmed(y, 3), trimmed(scale, 3)].join()]);
+  const { x, y, scale, auto } = state.view;
+  if (!auto) fields.push(['view', [trimmed(x, 3), trimmed(y, 3), trimmed(scale, 3)].join()]);
   return fields.map(([name, value]) => `${name}=${value}`).join('&');
 }
 
@@ -39,7 +39,7 @@ export function wishesOf(hash) {
   if (kAssociationChoices.includes(fields.get('assoc'))) wishes.associations = fields.get('assoc');
   if (fields.has('follow')) wishes.follow = fields.get('follow') === '1';
   const view = (fields.get('view') ?? '').split(',').map(Number);
-  if (view.length === 3 && view.every(Number.isFinite) && view[2] > 0) wishes.view = { x: view[0], y: view[1], scale: view[2], fitted: true };
+  if (view.length === 3 && view.every(Number.isFinite) && view[2] > 0) wishes.view = { x: view[0], y: view[1], scale: view[2], fitted: true, auto: false };
   return wishes;
 }
 
@@ -55,7 +55,7 @@ export class DeepLink {
   }
 
   note() {
-    if (!this.timer) this.timer = setTimeout(() => this.write(), kPause_ms);
+    if (!this.timer) this.timer = setTimeout(() => this.write(), this.state.playing ? kPausePlaying_ms : kPause_ms);
   }
 
   write() {

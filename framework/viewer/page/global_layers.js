@@ -258,11 +258,15 @@ export function paintSelected({ context, view, palette, marks, scene }) {
   marks.add(kMark.selected, scene.selected, pose[0], pose[1], pose[2]);
 }
 
+/// The findings on show: about the selected hypothesis if it is over, else about the best one if that is shown.
+export function findingsOfScene({ recording, frame, picked, shown, best }) {
+  if (picked?.end && picked.endFrame <= frame) return { about: picked.id, findings: picked.end.findings };
+  return { about: shown, findings: shown >= 0 && shown === best ? recording.findingsAt(frame) : [] };
+}
+
 /// Where scorers saw something against (or for) a hypothesis: numbered as in the details.
 export function paintFindings({ context, view, palette, marks, scene }) {
-  const ended = scene.picked?.end && scene.picked.endFrame <= scene.frame ? scene.picked : null;
-  const about = ended ? ended.id : scene.shown;
-  const findings = ended ? ended.end.findings : about === scene.best ? scene.recording.findingsAt(scene.frame) : [];
+  const { about, findings } = findingsOfScene(scene);
   context.font = `600 11px ${palette.font}`;
   context.textAlign = 'center';
   context.textBaseline = 'middle';
@@ -277,7 +281,7 @@ export function paintFindings({ context, view, palette, marks, scene }) {
     context.lineTo(view.x(u), view.y(v));
     context.stroke();
     context.setLineDash([]);
-    label(context, String(k + 1), view.x(u), view.y(v) - 9, palette.finding, palette.plot);
+    if (scene.picked) label(context, String(k + 1), view.x(u), view.y(v) - 9, palette.finding, palette.plot);
     marks.add(kMark.finding, about, x, y, u, v, k, feature);
   });
 }

@@ -54,8 +54,10 @@ export class GlobalPane {
   fit() {
     if (!this.mapLayer) return;
     this.pane.resize();
-    this.look(fitView(this.mapLayer.map.bounds, this.transform.width, this.transform.height));
+    this.look(this.fitted());
   }
+
+  fitted() { return fitView(this.mapLayer.map.bounds, this.transform.width, this.transform.height); }
 
   look(view) { this.state.set({ view }); }
 
@@ -66,7 +68,7 @@ export class GlobalPane {
   move(dx_px, dy_px) {
     const { view } = this.state;
     this.state.set({ follow: false });
-    this.look({ ...view, x: view.x - dx_px / view.scale, y: view.y + dy_px / view.scale });
+    this.look({ ...view, x: view.x - dx_px / view.scale, y: view.y + dy_px / view.scale, auto: false });
   }
 
   listen() {
@@ -109,8 +111,17 @@ export class GlobalPane {
   hover(x, y) {
     const id = this.hypothesisAt(x, y);
     if (id >= 0) return this.pane.showTip(this.hypothesisWords(id), x, y);
+    const finding = this.findingAt(x, y);
+    if (finding) return this.pane.showTip(finding.words, x, y);
     const feature = this.featureAt(x, y);
     this.pane.showTip(feature < 0 ? '' : featureWords(this.mapLayer.map, feature), x, y);
+  }
+
+  findingAt(x, y) {
+    if (!this.scene || !this.state.layers.has('findings')) return null;
+    const t = this.transform, place = [t.mapX(x), t.mapY(y)], within_m = kFeatureReach_px / t.scale;
+    return layer.findingsOfScene(this.scene).findings
+      .find(({ line }) => line.length === 4 && distanceTo({ kind: 'segment', numbers: line }, ...place) < within_m);
   }
 
   hypothesisWords(id) {
@@ -125,7 +136,7 @@ export class GlobalPane {
     const feature = this.mapLayer?.map.features[number];
     if (!feature) return;
     const [x, y] = anchorOf(feature.geometry), t = this.transform;
-    if (t.x(x) < 0 || t.x(x) > t.width || t.y(y) < 0 || t.y(y) > t.height) this.look({ ...this.state.view, x, y });
+    if (t.x(x) < 0 || t.x(x) > t.width || t.y(y) < 0 || t.y(y) > t.height) this.look({ ...this.state.view, x, y, auto: false });
     this.pane.transform.view = this.state.view;
     this.pane.showTip(featureWords(this.mapLayer.map, number), t.x(x), t.y(y));
   }
@@ -133,8 +144,9 @@ export class GlobalPane {
   /// Paints a scene, or the bare map if there is none at this moment.
   paint(scene, palette, theme) {
     this.scene = scene;
-    this.transform.view = this.state.view;
     const resized = this.pane.resize();
+    if (resized && this.state.view.auto && this.run === 0 && this.mapLayer) this.state.view = this.fitted();
+    this.transform.view = this.state.view;
     const { view, layers } = this.state;
     const stillFor = [view.x, view.y, view.scale, theme, [...layers].join()].join();
     if (resized || stillFor !== this.stillFor) this.paintStill(palette, stillFor);

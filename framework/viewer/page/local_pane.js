@@ -9,7 +9,7 @@ import { clampScale } from './view_transform.js';
 import { shortName } from './words_of.js';
 
 const kHelp = 'Plus and minus zoom; the robot stays in the middle.';
-const kReach_px = 9, kLeastRadius_m = 3;
+const kReach_px = 9, kLeastRadius_m = 3, kShownPart = 0.9;
 
 const kPaintingOrder = [
   ['free', layer.paintFreeSpace], ['trajectory', layer.paintPoses], ['scan', layer.paintScan], ['observed', layer.paintObserved],
@@ -67,7 +67,7 @@ export class LocalPane {
     const t = this.pane.transform, [x, y] = scene.recording.localPose(scene.frame);
     t.view.x = x;
     t.view.y = y;
-    t.view.scale = this.state.localScale || this.fittingScale(scene, x, y);
+    t.view.scale = this.state.localScale || this.fittingScale(scene);
     paintGrid(this.context, t, palette.grid);
     const painter = { context: this.context, view: t, palette, marks: this.marks, scene, state: this.state };
     for (const [name, paint] of kPaintingOrder) if (this.state.layers.has(name)) paint(painter);
@@ -75,15 +75,14 @@ export class LocalPane {
     paintScaleBar(this.context, t, palette);
   }
 
-  /// So that the scan fits; the radius only grows within a time line, for a calm picture.
-  fittingScale({ recording, frame }, x, y) {
-    const key = `${recording.window.values[frame]}`;
-    if (this.radiusFor !== key || this.radiusOf !== recording) [this.radiusFor, this.radiusOf, this.radius_m] = [key, recording, kLeastRadius_m];
-    const { scan } = recording, xy = scan.xy.values;
-    for (let k = scan.begin(frame); k < scan.end(frame); k += 2) this.radius_m = Math.max(this.radius_m, Math.hypot(xy[k], xy[k + 1]));
-    recording.features.forEach(frame, ({ geometry }) => {
-      this.radius_m = Math.max(this.radius_m, Math.min(distanceTo(geometry, x, y), 1.5 * this.radius_m));
-    });
+  /// So that nine tenths of the scan fit; the radius only grows within a time line, for a calm picture.
+  fittingScale({ recording, frame }) {
+    const window = recording.window.values[frame];
+    if (this.radiusFor !== window || this.radiusOf !== recording) [this.radiusFor, this.radiusOf, this.radius_m] = [window, recording, kLeastRadius_m];
+    const { scan } = recording, xy = scan.xy.values, ranges = [];
+    for (let k = scan.begin(frame); k < scan.end(frame); k += 2) ranges.push(Math.hypot(xy[k], xy[k + 1]));
+    ranges.sort((a, b) => a - b);
+    if (ranges.length > 0) this.radius_m = Math.max(this.radius_m, 1.1 * ranges[Math.floor(kShownPart * (ranges.length - 1))]);
     const t = this.pane.transform;
     return clampScale((Math.min(t.width, t.height) / 2 - 10) / this.radius_m);
   }

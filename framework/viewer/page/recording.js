@@ -134,8 +134,8 @@ export class Recording {
       return entries.length > 0;
     };
     const born = each('born');
+    each('lost');  // before they grow: the same local feature may find another counterpart
     each('grown');
-    each('lost');
     each('tried');
     const ended = each('ended');
     for (let row = this.rows.begin(frame); row < this.rows.end(frame); ++row)

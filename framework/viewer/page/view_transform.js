@@ -27,11 +27,11 @@ export const kLeastScale = 0.05, kGreatestScale = 4000;  ///< px per m
 
 export const clampScale = (scale) => Math.min(kGreatestScale, Math.max(kLeastScale, scale));
 
-/// The view that shows a box [x, y, x, y] in a pane.
+/// The view that shows a box [x, y, x, y] in a pane; `auto`: it stays fitted when the pane changes its size.
 export function fitView(box, width, height, margin_px = 24) {
   const w = Math.max(box[2] - box[0], 1e-3), h = Math.max(box[3] - box[1], 1e-3);
   const scale = Math.min(Math.max(width - 2 * margin_px, 40) / w, Math.max(height - 2 * margin_px, 40) / h);
-  return { x: (box[0] + box[2]) / 2, y: (box[1] + box[3]) / 2, scale: clampScale(scale), fitted: true };
+  return { x: (box[0] + box[2]) / 2, y: (box[1] + box[3]) / 2, scale: clampScale(scale), fitted: true, auto: true };
 }
 
 /// Moved so that the point of the pane at (x_px, y_px) stays where it is.
