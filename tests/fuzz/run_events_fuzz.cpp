@@ -24,9 +24,7 @@ class Viewer {
     if (!explainer_) explainer_.emplace(header);
     explainer_->take(frame);
     state_.apply(frame);
-    opal::Words words;
-    for (const opal::Sentence& sentence : explainer_->explanation())
-      words.emplace_back(opal::name_of(sentence.kind), sentence.text);
+    const opal::Words words = opal::words_of(explainer_->explanation());
     // The page must be able to read what is written.
     if (!opal::parse_event(encoder_.frame_record(frame, words)).is_object()) throw std::logic_error("no record");
     opal::scene_of(header, state_, {});
