@@ -28,10 +28,7 @@ opal::Narrator explaining() {
   return [explainer](const opal::RunHeader& header, const opal::RunFrame& frame) {
     if (!*explainer) explainer->emplace(header);
     (*explainer)->take(frame);
-    opal::Words words;
-    for (const opal::Sentence& sentence : (*explainer)->explanation())
-      words.emplace_back(opal::name_of(sentence.kind), sentence.text);
-    return words;
+    return opal::words_of((*explainer)->explanation());
   };
 }
 
@@ -87,7 +84,11 @@ int draw_moment(const ViewOptions& options) {
 }
 
 int view(const ViewOptions& options) {
-  if (options.svg.empty() && options.png.empty()) return write_page(options);
+  if (options.svg.empty() && options.png.empty()) {
+    if (options.at != "end" || !options.query.empty())
+      throw CLI::ValidationError("--at and --query choose the moment of a picture, expected --svg or --png");
+    return write_page(options);
+  }
   if (options.outs.size() != 1) throw CLI::ValidationError("a picture shows one run, expected one OUT");
   draw_moment(options);
   return options.file.empty() ? 0 : write_page(options);
