@@ -134,7 +134,7 @@ const worstContrast = () => {
     if (ratio < 4.5) found.push(`${ratio.toFixed(2)} ${node.tagName}.${node.className}: ${node.textContent.slice(0, 30)}`);
   }
   const style = getComputedStyle(document.documentElement), plot = parse(style.getPropertyValue('--plot'));
-  const drawn = ['text', 'faint', 'finding', 'pattern', 'status-searching', 'status-ambiguous', 'status-localized', 'status-lost'];
+  const drawn = ['text', 'faint', 'finding', 'pattern', 'run-a', 'run-b', 'status-searching', 'status-ambiguous', 'status-localized', 'status-lost'];
   for (const ink of drawn) {
     const ratio = contrast(parse(style.getPropertyValue(`--${ink}`)), plot);
     if (ratio < 4.5) found.push(`${ratio.toFixed(2)} drawn with --${ink}`);

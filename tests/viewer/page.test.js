@@ -220,3 +220,17 @@ test('what was left out of the file is told', () => withPage({}, async (page) =>
   await page.getByText('About').click();
   assert.match(await page.locator('.notes .menu-body').innerText(), /Scans are thinned to every second point/);
 }));
+
+test('time can be stretched, and what is on show follows the moment', () => withPage({}, async (page) => {
+  await page.evaluate(() => window.opal.seek(60));
+  for (let k = 0; k < 3; ++k) await page.keyboard.press('z');
+  const range = () => page.evaluate(() => window.opal.settled().then(() => ['min', 'max'].map((name) => Number(document.querySelector('.slider')[name]))));
+  const [from, to] = await range();
+  near(to - from, 23.8 / 8, 0.1, 'an eighth of the time');
+  assert.ok(from < 12 && 12 < to);
+  await page.keyboard.press('End');
+  assert.equal((await page.evaluate(() => window.opal.settled().then(() => window.opal.state()))).frame, 119);
+  near((await range())[1], 23.8, 0.01, 'the end is on show');
+  await page.getByRole('button', { name: 'All' }).click();
+  assert.deepEqual(await range(), [0, 23.8]);
+}));

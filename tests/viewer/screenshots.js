@@ -19,6 +19,7 @@ for (const [name, viewport, colorScheme, part, selects] of kShots) {
   const { page, context, troubles } = await open(browser, address, { viewport, colorScheme });
   await page.evaluate(([p]) => window.opal.seek(Math.floor(p * (window.opal.frames() - 1))), [part]);
   if (selects) await page.keyboard.press('b');
+  if (name === 'laptop-dark') await page.keyboard.press('2');
   await page.waitForTimeout(500);
   await page.screenshot({ path: join(out, `${name}.png`), fullPage: name === 'phone' || name === 'tablet' });
   if (troubles.length > 0) console.log(name, troubles);

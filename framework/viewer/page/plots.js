@@ -31,16 +31,20 @@ export class Plot {
     new ResizeObserver(() => this.resize()).observe(this.root);
   }
 
-  /// `parts` of a TimeLine. Returns whether there is anything to show.
-  show(timeLine, palette) {
+  /// `range`: the time on show [from, to]. Returns whether there is anything to show.
+  show(timeLine, palette, range) {
     const rows = rowsOf(timeLine, this.definition);
     this.root.hidden = !rows.some((row) => row.slice(1).some((v) => v !== null && !Number.isNaN(v)));
     if (this.root.hidden) return false;
     const runs = timeLine.parts.length, labels = ['time', 'A', 'B'].slice(0, 1 + runs);
-    const look = this.look(palette, runs, [timeLine.begin, Math.max(timeLine.end, timeLine.begin + 1e-3)], this.rangeOf(rows));
+    const look = this.look(palette, runs, range, this.rangeOf(rows));
     if (this.chart && this.chart.getLabels().length === labels.length) this.chart.updateOptions({ file: rows, ...look });
     else this.create(rows, { labels, ...look });
     return true;
+  }
+
+  setRange(dateWindow) {
+    if (this.chart && !this.root.hidden) this.chart.updateOptions({ dateWindow });
   }
 
   create(rows, options) {

@@ -18,6 +18,8 @@ export function shortcutsOf(app) {
     [['>'], 'faster', () => app.player.faster(1)],
     [['<'], 'slower', () => app.player.faster(-1)],
     [['Home', 'End'], 'first, last update', (event) => app.seekTime(event.key === 'Home' ? app.timeLine.begin : app.timeLine.end)],
+    [['z'], 'stretch time around the moment', () => app.time.stretch(0.5)],
+    [['Z'], 'more time', () => app.time.stretch(2)],
     [['+', '='], 'zoom in', zoom(kZoom)],
     [['-', '_'], 'zoom out', zoom(1 / kZoom)],
     [['0'], 'fit the map', () => pane()?.fit()],
