@@ -8,9 +8,12 @@ import { syntheticRun } from './synthetic_run.js';
 
 const [, , out = 'screenshots', file] = process.argv;
 const kShots = [
-  ['laptop', { width: 1366, height: 768 }, 'light', 0.1, false], ['laptop-late', { width: 1366, height: 768 }, 'light', 0.75, true],
-  ['laptop-dark', { width: 1366, height: 768 }, 'dark', 0.5, true], ['tablet', { width: 820, height: 1180 }, 'light', 0.5, true],
-  ['tablet-wide', { width: 1180, height: 820 }, 'dark', 0.3, true], ['phone', { width: 390, height: 844 }, 'light', 0.5, true],
+  ['laptop', { width: 1366, height: 768 }, 'light', 0.1, false],
+  ['laptop-late', { width: 1366, height: 768 }, 'light', 0.75, true],
+  ['laptop-dark', { width: 1366, height: 768 }, 'dark', 0.5, true],
+  ['tablet', { width: 820, height: 1180 }, 'light', 0.5, true],
+  ['tablet-wide', { width: 1180, height: 820 }, 'dark', 0.3, true],
+  ['phone', { width: 390, height: 844 }, 'light', 0.5, true],
 ];
 mkdirSync(out, { recursive: true });
 const address = file ? repack(file) : writePage('shots', [syntheticRun({ frames: 300, hypotheses: 40 }).lines, 'out']);

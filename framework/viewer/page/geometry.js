@@ -28,7 +28,9 @@ export function anchorOf({ kind, numbers: n }) {
 export function nearestOn(geometry, x, y) {
   const n = geometry.numbers;
   if (geometry.kind !== 'segment') return [n[0], n[1]];
-  const dx = n[2] - n[0], dy = n[3] - n[1], square = dx * dx + dy * dy;
+  const dx = n[2] - n[0],
+    dy = n[3] - n[1],
+    square = dx * dx + dy * dy;
   if (!(square > 0)) return [n[0], n[1]];
   const part = Math.min(1, Math.max(0, ((x - n[0]) * dx + (y - n[1]) * dy) / square));
   return [n[0] + part * dx, n[1] + part * dy];
@@ -43,8 +45,10 @@ export function distanceTo(geometry, x, y) {
 
 /// The same geometry in the frame that `T` leads to.
 export function transformed(T, { kind, numbers: n }) {
-  const c = Math.cos(T[2]), s = Math.sin(T[2]);
-  const x = (k) => T[0] + c * n[k] - s * n[k + 1], y = (k) => T[1] + s * n[k] + c * n[k + 1];
+  const c = Math.cos(T[2]),
+    s = Math.sin(T[2]);
+  const x = (k) => T[0] + c * n[k] - s * n[k + 1],
+    y = (k) => T[1] + s * n[k] + c * n[k + 1];
   if (kind === 'segment') return { kind, numbers: [x(0), y(0), x(2), y(2)] };
   if (kind === 'oriented_point') return { kind, numbers: [x(0), y(0), n[2] + T[2], n[3]] };
   return { kind, numbers: kind === 'circle' ? [x(0), y(0), n[2]] : [x(0), y(0)] };
