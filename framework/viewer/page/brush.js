@@ -60,7 +60,7 @@ const kMostGridLines = 12,
   kLongestBar_px = 140;
 
 /// The distance between grid lines: 1, 2 or 5 times a power of ten.
-export function gridStep_m(extent_m) {
+function gridStep_m(extent_m) {
   const least = extent_m / kMostGridLines,
     power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].map((factor) => factor * power).find((step) => step >= least);

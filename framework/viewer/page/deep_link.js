@@ -9,7 +9,7 @@ const kUsual = kLayers
   .join();
 
 /// The moment and the look as text for the address: `t=14.2&sel=17&window=2&view=1,2,20`.
-export function linkOf(state) {
+function linkOf(state) {
   const fields = [['t', trimmed(state.time, 4)]];
   if (state.window > 0) fields.push(['window', state.window]);
   if (state.run > 0) fields.push(['run', state.run]);

@@ -11,7 +11,7 @@ const kBest_px = 17,
 const kAfterglow_s = 1;
 
 /// The more probable, the larger and the more opaque, as in the static pictures.
-export const rivalSize_px = (probability) => 9 + 6 * Math.sqrt(Math.min(1, Math.max(0, probability)));
+const rivalSize_px = (probability) => 9 + 6 * Math.sqrt(Math.min(1, Math.max(0, probability)));
 
 const rivalOpacity = (probability) => 0.42 + 0.58 * Math.sqrt(Math.min(1, Math.max(0, probability)));
 

@@ -1,6 +1,6 @@
 /// What was painted, as the painting code reports it, mark by mark: kind, who it is, and where in the frame of the pane [m].
 /// For tests and the curious; cheap enough to be always on.
-export const kMarkKinds = [
+const kMarkKinds = [
   'map_feature',
   'pattern',
   'free_space',

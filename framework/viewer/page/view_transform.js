@@ -35,7 +35,7 @@ export class ViewTransform {
   }
 }
 
-export const kLeastScale = 0.05,
+const kLeastScale = 0.05,
   kGreatestScale = 4000; ///< px per m
 
 export const clampScale = (scale) => Math.min(kGreatestScale, Math.max(kLeastScale, scale));
