@@ -203,6 +203,12 @@ function evolve(run, frame, alive, T_map_base, k, known, wanted) {
   }
   if (k % 7 === 0 && alive.length - ended.length < wanted)
     give(run, frame, alive, T_map_base, wanted - (alive.length - ended.length), stable, pairOf);
+  const best = alive[0];
+  if (k % 20 === 15 && best?.pairs.size > 2) {
+    const [local] = best.pairs.keys();
+    frame.lost = [[best.id, [local], 'the local feature was merged into another']];
+    best.pairs.delete(local);
+  }
   if (k % 10 === 5 && stable.length > 0) {
     frame.grown = [];
     for (const hypothesis of alive) {
@@ -217,12 +223,6 @@ function evolve(run, frame, alive, T_map_base, k, known, wanted) {
       for (const [local, mapped] of added) hypothesis.pairs.set(local, mapped);
     }
     if (alive[1]) frame.tried = [[alive[1].id, [[stable[0].id, 3]], 'wall-4 would lie 0.8 m behind its measurements']];
-  }
-  const best = alive[0];
-  if (k % 20 === 18 && best?.pairs.size > 2) {
-    const [local] = best.pairs.keys();
-    frame.lost = [[best.id, [local], 'the local feature was merged into another']];
-    best.pairs.delete(local);
   }
   return ended;
 }

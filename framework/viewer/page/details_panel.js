@@ -1,6 +1,6 @@
 import { element } from './dom.js';
 import { pairsAt } from './hypothesis_log.js';
-import { fixed, poseWords, probabilityWords, seconds, shortName } from './words_of.js';
+import { fixed, localName, poseWords, probabilityWords, seconds, shortName } from './words_of.js';
 
 const kMostPairs = 60;
 
@@ -152,7 +152,7 @@ export class DetailsPanel {
             title: 'Show on the map',
             onclick: () => this.state.set({ object: mapped }),
           });
-    return element('li', {}, element('span', { class: 'number', text: String(local) }), ' → ', target);
+    return element('li', {}, element('span', { class: 'number', text: localName(local) }), ' → ', target);
   }
 
   history(recording, { nodes, children }, frame) {

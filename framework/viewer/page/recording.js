@@ -130,9 +130,9 @@ export class Recording {
       entries.forEach((entry, k) => this.hypotheses[name](entry, frame, `${name}[${k}]`));
       return entries.length > 0;
     };
+    each('lost'); // what no longer fits is dropped before hypotheses grow
     const born = each('born');
     each('grown');
-    each('lost');
     each('tried');
     const ended = each('ended');
     for (let row = this.rows.begin(frame); row < this.rows.end(frame); ++row)

@@ -17,11 +17,14 @@ export const poseWords = (pose) =>
 export const probabilityWords = (value) =>
   value > 0 ? (value >= 0.9995 ? '1.00' : value.toFixed(value < 0.0995 ? 3 : 2)) : '< 0.001';
 
+/// A local feature by its number; -1 is one that the local map could not use.
+export const localName = (local) => (local < 0 ? 'none' : String(local));
+
 /// `{7, 12} -> {wall-3, not on the map}`
 export function nodeWords(pairs, map) {
   if (pairs.length === 0) return 'no associations';
   const mapped = [...new Set(pairs.map(([, feature]) => map.nameOf(feature)))];
-  return `{${pairs.map(([local]) => local).join(', ')}} → {${mapped.join(', ')}}`;
+  return `{${pairs.map(([local]) => localName(local)).join(', ')}} → {${mapped.join(', ')}}`;
 }
 
 /// The last part of a prefixed name: `opal:LShape` is `LShape`.
