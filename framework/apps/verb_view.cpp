@@ -1,7 +1,10 @@
 #include "verbs.hpp"
 
 #include <viewer/explanation.hpp>
+#include <viewer/frame_scene.hpp>
+#include <viewer/moment.hpp>
 #include <viewer/page.hpp>
+#include <viewer/quantity_text.hpp>
 
 #include <opal/error.hpp>
 
@@ -17,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct ViewOptions {
   std::vector<std::string> outs;
-  std::string file;
+  std::string file, svg, png, at = "end", query;
 };
 
 /// Says what `opal explain` says, at every frame.
@@ -62,6 +65,54 @@ int write_page(const ViewOptions& options) {
   return 0;
 }
 
+/// A picture of what was never recorded would be a picture of something else.
+void require_recorded(const std::string& out, const opal::Moment& moment, const opal::RunState& found) {
+  constexpr double kWritten_s = 5e-4;  // as in read_until
+  const bool by_stamp = moment.clock == opal::Moment::Clock::stamp;
+  const auto time_of = [&](const opal::RunFrame& frame) { return by_stamp ? frame.stamp_s : frame.time_s; };
+  if (moment.clock == opal::Moment::Clock::end || moment.seconds <= time_of(found.frame()) + kWritten_s) return;
+  double first_s = 0, last_s = 0;
+  opal::read_until(out, {opal::Moment::Clock::end, 0, found.time_line()},
+                   [&](const opal::RunHeader&, const opal::RunFrame& frame) {
+                     if (frame.starts) first_s = time_of(frame);
+                     last_s = time_of(frame);
+                   });
+  if (moment.seconds > last_s + kWritten_s)
+    throw opal::EventError(out + ": moment " + opal::fixed_text(moment.seconds, 3) + " s, expected one in [" +
+                           opal::fixed_text(first_s, 3) + ", " + opal::fixed_text(last_s, 3) + "] of time line '" +
+                           found.time_line() + "'");
+}
+
+int draw_moment(const ViewOptions& options) {
+  const std::string& out = options.outs.front();
+  const opal::Moment moment = opal::parse_moment(options.at, options.query);
+  std::optional<opal::Explainer> explainer;
+  opal::RunState state;
+  const auto reading = opal::read_until(out, moment, [&](const opal::RunHeader& header, const opal::RunFrame& frame) {
+    if (!explainer) explainer.emplace(header);
+    explainer->take(frame);
+    state.apply(frame);
+  });
+  require_recorded(out, moment, state);
+  std::vector<std::string> notes;
+  for (const opal::Sentence& sentence : explainer->explanation())
+    notes.push_back(std::string(opal::name_of(sentence.kind)) + ": " + sentence.text);
+  for (const std::string& note : reading.notes) notes.push_back("note: " + note);
+  const opal::DrawingScene scene = opal::scene_of(*reading.header, state, notes);
+  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
+  if (!options.png.empty()) opal::write_png(scene, options.png);
+  for (const std::string& file : {options.svg, options.png})
+    if (!file.empty()) std::cout << "written: " << file << '\n';
+  return 0;
+}
+
+int view(const ViewOptions& options) {
+  if (options.svg.empty() && options.png.empty()) return write_page(options);
+  if (options.outs.size() != 1) throw CLI::ValidationError("a picture shows one run, expected one OUT");
+  draw_moment(options);
+  return options.file.empty() ? 0 : write_page(options);
+}
+
 }  // namespace
 
 void opal::add_view_verb(CLI::App& app, int& exit_code) {
@@ -71,5 +122,11 @@ void opal::add_view_verb(CLI::App& app, int& exit_code) {
       ->required()
       ->expected(1, 2);
   verb->add_option("-o,--out", options->file, "file to write (default: OUT/view.html)");
-  verb->callback([options, &exit_code] { exit_code = write_page(*options); });
+  verb->add_option("--svg", options->svg, "draw one moment into this file instead");
+  verb->add_option("--png", options->png, "the same as a PNG");
+  verb->add_option("--at", options->at, "which: seconds since the start (12.5), a stamp of the log (stamp:1626.25), or 'end'")
+      ->capture_default_str();
+  verb->add_option("--query", options->query, "name of the query, if the run has several (default: the first; at the "
+                                              "end: the last)");
+  verb->callback([options, &exit_code] { exit_code = view(*options); });
 }

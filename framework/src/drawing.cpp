@@ -70,7 +70,7 @@ std::array<Point, 2> view_of(const DrawingScene& scene) {
   for (const auto& hypothesis : scene.hypotheses) extent.add(hypothesis.T_map_base.position());
   if (extent.empty()) {
     for (const Point& p : scene.scan_points) extent.add(p);
-    for (const Feature& feature : scene.local_features) extent.add(feature.geometry);
+    for (const auto& feature : scene.local_features) extent.add(feature.geometry);
   }
   return extent.corners();
 }
@@ -83,6 +83,8 @@ struct Page {
 
 Page lay_out(const DrawingScene& scene) {
   const auto [min, max] = view_of(scene);
+  const Surface measuring(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  DrawingCanvas canvas(measuring.get(), {});
   const Point extent_m = max - min;
   Page page;
   page.frame.map_min = min;
@@ -91,13 +93,11 @@ Page lay_out(const DrawingScene& scene) {
   const double top_px = kMargin_px + (scene.title.empty() ? 0 : kTitleRow_px);
   // A long, low plot is given room below, so that the legend fits beside it.
   const double rows_px =
-      std::max({page.frame.plot_size_px.y(), legend_height_px(scene), kLeastPlotHeight_px});
+      std::max({page.frame.plot_size_px.y(), legend_height_px(canvas, scene), kLeastPlotHeight_px});
   page.frame.map_min.y() -= (rows_px - page.frame.plot_size_px.y()) / 2 / page.frame.px_per_m;
   page.frame.plot_size_px.y() = rows_px;
   page.frame.plot_origin_px = {kMargin_px, top_px + rows_px};
 
-  const Surface measuring(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
-  DrawingCanvas canvas(measuring.get(), page.frame);
   const double legend_width = legend_width_px(canvas, scene);
   const double title_width = canvas.text_width_px(scene.title, kTitle_px, true);
   page.legend_px = {kMargin_px + page.frame.plot_size_px.x() + kMargin_px, top_px};

@@ -102,6 +102,13 @@ void DrawingCanvas::arrow_head(const Pose2& pose, double size_px, const Color& f
     page_arrow_head(frame_.to_page(pose.position()), pose.heading_rad(), size_px, fill, outline);
 }
 
+void DrawingCanvas::cross(const Point& center, double half_px, const Color& color, double width_px) {
+  if (!finite(center)) return;
+  const Point at = frame_.to_page(center), rising(half_px, -half_px), falling(half_px, half_px);
+  page_line(at - rising, at + rising, color, width_px);
+  page_line(at - falling, at + falling, color, width_px);
+}
+
 void DrawingCanvas::geometry(const Geometry& geometry, const Color& color, double width_px) {
   if (const auto* s = std::get_if<Segment>(&geometry))
     segment(*s, color, width_px);

@@ -46,6 +46,8 @@ class DrawingCanvas {
   void dots(std::span<const Point> points, const Color& color, double radius_px);
   /// An arrow head of some size in pixels that points along a pose's heading.
   void arrow_head(const Pose2& pose, double size_px, const Color& fill, const Color& outline);
+  /// A diagonal cross of some size in pixels.
+  void cross(const Point& center, double half_px, const Color& color, double width_px);
   /// Any geometry: lines for segments, rims for circles, small marks for points and corners.
   void geometry(const Geometry& geometry, const Color& color, double width_px);
 

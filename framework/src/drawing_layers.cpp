@@ -85,6 +85,40 @@ void draw_association_lines(DrawingCanvas& canvas, const DrawingScene& scene) {
   }
 }
 
+void draw_local_features(DrawingCanvas& canvas, const DrawingScene& scene) {
+  for (const auto& feature : scene.local_features) {
+    const Stroke stroke = stroke_of(feature.perception);
+    canvas.geometry(feature.geometry, stroke.color, stroke.width_px);
+  }
+}
+
+void draw_patterns(DrawingCanvas& canvas, const DrawingScene& scene) {
+  for (const std::vector<Point>& members : scene.patterns) {
+    canvas.line(members, ink::kPattern.with_opacity(0.7), kPattern_px, kDash_px);
+    canvas.dots(members, ink::kPattern, kScanDot_px + 1);
+  }
+}
+
+void draw_ended(DrawingCanvas& canvas, const DrawingScene& scene) {
+  for (const Pose2& pose : scene.ended) {
+    canvas.arrow_head(pose, kEndedHead_px, ink::kPlot.with_opacity(0.6), ink::kEnded);
+    canvas.cross(pose.position(), kEndedHead_px / 2, ink::kEnded, 1);
+  }
+}
+
+/// Numbers beside the few hypotheses that matter.
+void draw_probabilities(DrawingCanvas& canvas, const DrawingScene& scene) {
+  constexpr std::size_t kMost = 6;
+  constexpr double kLeast = 0.01, kText_px = 11;
+  if (scene.hypotheses.size() < 2) return;
+  for (std::size_t k = 0; k < std::min(kMost, scene.hypotheses.size()); ++k) {
+    const auto& hypothesis = scene.hypotheses[k];
+    if (!(hypothesis.probability >= kLeast) || !hypothesis.T_map_base.position().allFinite()) continue;
+    const Point at_px = canvas.frame().to_page(hypothesis.T_map_base.position());
+    canvas.text(at_px + Point(kBestHead_px / 2 + 3, -5), percent(hypothesis.probability), kText_px, ink::kText, k == 0);
+  }
+}
+
 void draw_hypotheses(DrawingCanvas& canvas, const DrawingScene& scene) {
   for (std::size_t k = scene.hypotheses.size(); k-- > 0;) {
     const auto& hypothesis = scene.hypotheses[k];
@@ -110,6 +144,17 @@ std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map) {
 
 double rival_head_px(double probability) { return 9 + 6 * std::sqrt(std::clamp(probability, 0.0, 1.0)); }
 
+Stroke stroke_of(DrawingScene::Perception perception) {
+  if (perception == DrawingScene::Perception::candidate) return {ink::kLocalFeature.with_opacity(0.45), 1.1};
+  if (perception == DrawingScene::Perception::matched) return {ink::kAssociation, kLocalFeature_px};
+  return {ink::kLocalFeature.with_opacity(0.8), kLocalFeature_px};
+}
+
+std::string percent(double probability) {
+  const double value = 100 * probability;
+  return value > 99 && value < 100 ? "> 99 %" : std::to_string(std::lround(value)) + " %";
+}
+
 Color rival_color(double probability) {
   return ink::kRival.with_opacity(0.3 + 0.7 * std::sqrt(std::clamp(probability, 0.0, 1.0)));
 }
@@ -122,11 +167,14 @@ void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {
   if (scene.map) draw_map(canvas, *scene.map);
   canvas.line(scene.truth, ink::kTruth, kTruth_px, kDash_px);
   canvas.line(scene.trajectory, ink::kTrajectory, kTrajectory_px);
-  for (const Feature& feature : scene.local_features)
-    canvas.geometry(feature.geometry, ink::kLocalFeature.with_opacity(0.8), kLocalFeature_px);
+  draw_local_features(canvas, scene);
+  draw_patterns(canvas, scene);
   draw_association_lines(canvas, scene);
+  for (const auto& line : scene.contradictions) canvas.line(line, ink::kContradiction, kContradiction_px, kDash_px);
   canvas.dots(scene.scan_points, ink::kScan, kScanDot_px);
+  draw_ended(canvas, scene);
   draw_hypotheses(canvas, scene);
+  draw_probabilities(canvas, scene);
   canvas.unclip();
 }
 

@@ -22,12 +22,16 @@ inline constexpr Color kLocalFeature{0.10, 0.42, 0.82};
 inline constexpr Color kAssociation{0.05, 0.62, 0.38};
 inline constexpr Color kBest{0.02, 0.50, 0.30};
 inline constexpr Color kRival{0.93, 0.55, 0.08};
+inline constexpr Color kEnded{0.45, 0.47, 0.52};
+inline constexpr Color kContradiction{0.78, 0.10, 0.10};
+inline constexpr Color kPattern{0.62, 0.12, 0.52};
 inline constexpr Color kTrajectory{0.48, 0.23, 0.68};
 inline constexpr Color kTruth{0.16, 0.18, 0.22, 0.75};
 }  // namespace ink
 
 inline constexpr double kScanDot_px = 1.3, kLocalFeature_px = 2.2, kAssociation_px = 1.2, kMatched_px = 7;
 inline constexpr double kTrajectory_px = 1.6, kTruth_px = 1.1, kDash_px = 4, kBestHead_px = 17;
+inline constexpr double kEndedHead_px = 10, kContradiction_px = 1.3, kPattern_px = 1.1;
 
 /// One colour per object type of a map, and how many objects have it.
 struct TypeInk {
@@ -40,12 +44,22 @@ std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map);
 double rival_head_px(double probability);
 Color rival_color(double probability);
 
+/// How a local feature looks.
+struct Stroke {
+  Color color;
+  double width_px = 0;
+};
+Stroke stroke_of(DrawingScene::Perception perception);
+
+/// "98 %"
+std::string percent(double probability);
+
 void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene);
 /// Legend and notes in a column that starts here.
 void draw_legend(DrawingCanvas& canvas, const DrawingScene& scene, const Point& corner_px);
 /// Below the plot.
 void draw_scale_bar(DrawingCanvas& canvas);
 double legend_width_px(DrawingCanvas& canvas, const DrawingScene& scene);
-double legend_height_px(const DrawingScene& scene);
+double legend_height_px(DrawingCanvas& canvas, const DrawingScene& scene);
 
 }  // namespace opal

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 namespace opal {
 namespace {
 
 constexpr double kSymbol_px = 30, kSymbolGap_px = 12, kRow_px = 24, kText_px = 13, kNote_px = 12,
-                 kNoteRow_px = 19;
+                 kNoteRow_px = 17, kNoteGap_px = 5, kNoteWidth_px = 380;
 constexpr double kNotesGap_px = 18;
 
 struct LegendRow {
@@ -45,9 +46,21 @@ std::string short_name(const std::string& type) {
   return type.rfind("opal:", 0) == 0 ? type.substr(5) : type;
 }
 
-std::string percent(double probability) {
-  const double value = 100 * probability;
-  return value > 99 && value < 100 ? "> 99 %" : std::to_string(std::lround(value)) + " %";
+void ended_symbol(DrawingCanvas& canvas, const Point& middle_px) {
+  const double half_px = kEndedHead_px / 2;
+  canvas.page_arrow_head(middle_px, 0, kEndedHead_px, ink::kPlot, ink::kEnded);
+  canvas.page_line(middle_px - Point(half_px, half_px), middle_px + Point(half_px, half_px), ink::kEnded, 1);
+  canvas.page_line(middle_px - Point(half_px, -half_px), middle_px + Point(half_px, -half_px), ink::kEnded, 1);
+}
+
+auto perception_symbol(DrawingScene::Perception perception) {
+  return stroke_symbol(stroke_of(perception).color, stroke_of(perception).width_px);
+}
+
+std::size_t count(const DrawingScene& scene, DrawingScene::Perception perception) {
+  return static_cast<std::size_t>(
+      std::count_if(scene.local_features.begin(), scene.local_features.end(),
+                    [&](const auto& feature) { return feature.perception == perception; }));
 }
 
 std::vector<LegendRow> map_rows(const SemanticMap& map) {
@@ -66,17 +79,65 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
   };
   add(!scene.free_space.empty(), "seen to be free", area_symbol);
   add(!scene.scan_points.empty(), "scan", dots_symbol);
-  add(!scene.local_features.empty(), "local feature", stroke_symbol(ink::kLocalFeature, kLocalFeature_px));
-  add(!scene.associations.empty(), "associated (" + std::to_string(scene.associations.size()) + ")",
+  using Perception = DrawingScene::Perception;
+  for (const auto& [perception, name] : {std::pair(Perception::candidate, "local feature, seen too little yet ("),
+                                         std::pair(Perception::stable, "local feature ("),
+                                         std::pair(Perception::matched, "local feature, associated (")})
+    if (const std::size_t found = count(scene, perception); found > 0)
+      add(true, name + std::to_string(found) + ")", perception_symbol(perception));
+  add(!scene.patterns.empty(), "patterns looked up (" + std::to_string(scene.patterns.size()) + ")",
+      stroke_symbol(ink::kPattern, kPattern_px, kDash_px));
+  add(!scene.associations.empty(), "mapped counterpart (" + std::to_string(scene.associations.size()) + ")",
       stroke_symbol(ink::kAssociation.with_opacity(0.45), kMatched_px));
   if (!scene.hypotheses.empty())
     add(true, "pose, " + percent(scene.hypotheses.front().probability),
         head_symbol(ink::kBest, kBestHead_px));
   add(scene.hypotheses.size() > 1, "other hypotheses (" + std::to_string(scene.hypotheses.size() - 1) + ")",
       head_symbol(rival_color(0.5), rival_head_px(0.5)));
+  add(!scene.ended.empty(), "ended (" + std::to_string(scene.ended.size()) + ")", ended_symbol);
+  add(!scene.contradictions.empty(), "speaks against it (" + std::to_string(scene.contradictions.size()) + ")",
+      stroke_symbol(ink::kContradiction, kContradiction_px, kDash_px));
   add(!scene.trajectory.empty(), "trajectory", stroke_symbol(ink::kTrajectory, kTrajectory_px));
   add(!scene.truth.empty(), "recorded truth", stroke_symbol(ink::kTruth, kTruth_px, kDash_px));
   return rows;
+}
+
+/// A space in every word that would not fit on a line, between characters (UTF-8).
+std::string with_short_words(const std::string& sentence) {
+  constexpr int kLongestWord = 48;
+  std::string result;
+  int characters = 0;
+  for (const char c : sentence) {
+    const bool begins_character = (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    characters = c == ' ' ? 0 : characters + (begins_character ? 1 : 0);
+    if (begins_character && characters > kLongestWord) {
+      result += ' ';
+      characters = 1;
+    }
+    result += c;
+  }
+  return result;
+}
+
+/// The words of a sentence in lines of bounded width.
+std::vector<std::string> wrapped(DrawingCanvas& canvas, const std::string& sentence) {
+  std::vector<std::string> lines;
+  std::istringstream words(with_short_words(sentence));
+  for (std::string word; words >> word;) {
+    const std::string longer = lines.empty() ? word : lines.back() + ' ' + word;
+    if (!lines.empty() && canvas.text_width_px(longer, kNote_px) <= kNoteWidth_px)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
+
+/// All notes; each begins a little lower than the line before.
+std::vector<std::vector<std::string>> note_lines(DrawingCanvas& canvas, const DrawingScene& scene) {
+  std::vector<std::vector<std::string>> notes;
+  for (const std::string& note : scene.notes) notes.push_back(wrapped(canvas, note));
+  return notes;
 }
 
 double round_length_m(double about_m) {
@@ -97,13 +158,15 @@ double legend_width_px(DrawingCanvas& canvas, const DrawingScene& scene) {
   double width_px = 0;
   for (const LegendRow& row : legend_rows(scene))
     width_px = std::max(width_px, kSymbol_px + kSymbolGap_px + canvas.text_width_px(row.label, kText_px));
-  for (const std::string& note : scene.notes)
-    width_px = std::max(width_px, canvas.text_width_px(note, kNote_px));
+  for (const auto& note : note_lines(canvas, scene))
+    for (const std::string& line : note) width_px = std::max(width_px, canvas.text_width_px(line, kNote_px));
   return width_px;
 }
 
-double legend_height_px(const DrawingScene& scene) {
-  const double notes_px = static_cast<double>(scene.notes.size()) * kNoteRow_px;
+double legend_height_px(DrawingCanvas& canvas, const DrawingScene& scene) {
+  double notes_px = 0;
+  for (const auto& note : note_lines(canvas, scene))
+    notes_px += static_cast<double>(note.size()) * kNoteRow_px + kNoteGap_px;
   return static_cast<double>(legend_rows(scene).size()) * kRow_px +
          (notes_px > 0 ? kNotesGap_px + notes_px : 0);
 }
@@ -117,9 +180,12 @@ void draw_legend(DrawingCanvas& canvas, const DrawingScene& scene, const Point& 
     place_px.y() += kRow_px;
   }
   place_px.y() += kNotesGap_px;
-  for (const std::string& note : scene.notes) {
-    canvas.text(place_px + Point(0, 0.7 * kNoteRow_px), note, kNote_px, ink::kFaintText);
-    place_px.y() += kNoteRow_px;
+  for (const auto& note : note_lines(canvas, scene)) {
+    for (const std::string& line : note) {
+      canvas.text(place_px + Point(0, 0.7 * kNoteRow_px), line, kNote_px, ink::kFaintText);
+      place_px.y() += kNoteRow_px;
+    }
+    place_px.y() += kNoteGap_px;
   }
 }
 

@@ -49,7 +49,13 @@ DrawingScene hall() {
   scene.associations = {{Segment{{1, 0.02}, {2, -0.01}}, Segment{{0, 0}, {20, 0}}}};
   scene.trajectory = {{3, 1}, {3.5, 1.5}, {4, 2}};
   scene.truth = {{3, 1.1}, {3.5, 1.4}, {4, 2.1}};
-  scene.notes = {"a note"};
+  scene.local_features = {{Segment{{1, 0.02}, {2, -0.01}}, DrawingScene::Perception::matched},
+                          {Point(7, 1), DrawingScene::Perception::candidate},
+                          {Circle{{5.02, 4.01}, 0.29}, DrawingScene::Perception::stable}};
+  scene.patterns = {{{1.5, 0}, {5, 4}}};
+  scene.ended = {Pose2(10, 6, 1)};
+  scene.contradictions = {{Point(4, 2), Point(9, 8)}};
+  scene.notes = {"a note", "a note of so many words that it needs more than one line to be read beside the picture"};
   return scene;
 }
 
@@ -84,7 +90,11 @@ TEST_CASE("an empty scene and one full of nonsense can be drawn") {
   nonsense.trajectory = {{nan, nan}, {1, 1}, {1e12, 0}};
   nonsense.free_space = {{nan, 0}};
   nonsense.hypotheses = {{Pose2(nan, 0, 0), nan}, {Pose2(1, 1, nan), -5}};
-  nonsense.local_features = {{"opal:Column", Circle{{0, 0}, nan}}, {"opal:Wall", Segment{{1, 1}, {1, 1}}}};
+  nonsense.local_features = {{Circle{{0, 0}, nan}}, {Segment{{1, 1}, {1, 1}}}};
+  nonsense.ended = {Pose2(nan, 0, nan)};
+  nonsense.patterns = {{}, {{nan, nan}, {1, 1}}};
+  nonsense.contradictions = {{Point(nan, 0), Point(1e300, infinity)}};
+  nonsense.notes = {"", std::string(5000, 'x'), std::string(3000, ' ') + "\xff \n\t"};
   nonsense.view = {Point(3, 3), Point(1, 1)};
   for (const DrawingScene& scene : {DrawingScene{}, nonsense}) {
     const std::string svg = picture_path("odd.svg"), png = picture_path("odd.png");

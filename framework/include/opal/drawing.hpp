@@ -1,6 +1,5 @@
 #pragma once
 
-#include <opal/feature.hpp>
 #include <opal/semantic_map.hpp>
 
 #include <array>
@@ -14,24 +13,36 @@ namespace opal {
 /// What a picture shows. Everything is in the `map` frame; what is empty is not drawn and not in the legend.
 struct DrawingScene {
   std::string title;
-  std::vector<std::string> notes;  ///< sentences below the legend
+  std::vector<std::string> notes;  ///< sentences below the legend, of any length
 
   std::shared_ptr<const SemanticMap> map;  ///< objects are coloured by type
   std::vector<Point> scan_points;
   std::vector<Point> free_space;  ///< outline of what the laser sees to be empty, in order
-  std::vector<Feature> local_features;
+
+  /// What has been perceived: seen too little yet, seen often enough, associated with a mapped feature.
+  enum class Perception { candidate, stable, matched };
+  struct DrawnLocalFeature {
+    Geometry geometry;
+    Perception perception = Perception::stable;
+  };
+  std::vector<DrawnLocalFeature> local_features;
+  std::vector<std::vector<Point>> patterns;  ///< places of the local features that make a pattern, each
 
   struct DrawnHypothesis {
     Pose2 T_map_base;
     double probability = 0;
   };
   std::vector<DrawnHypothesis> hypotheses;  ///< most probable first; the first is the best
+  std::vector<Pose2> ended;                 ///< poses of hypotheses that did not survive
 
   struct DrawnAssociation {
     Geometry local;
     Geometry mapped;
   };
   std::vector<DrawnAssociation> associations;
+
+  /// Where something speaks against the best hypothesis: a beam that passes through a wall.
+  std::vector<std::array<Point, 2>> contradictions;
 
   std::vector<Point> trajectory;  ///< as estimated
   std::vector<Point> truth;       ///< as recorded by other means
