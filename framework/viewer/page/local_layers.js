@@ -6,7 +6,9 @@ import { shortName } from './words_of.js';
 /// The layers of the local map, in painting order; painter as in global_layers.js. Frame: local.
 
 const kScanDot_px = 2,
-  kMostPoses = 120;
+  kMostPoses = 120,
+  kIdWidth_px = 26,
+  kIdHeight_px = 14;
 /// What was looked up in a search stays on show this long [s].
 const kAfterglow_s = 1;
 
@@ -125,9 +127,13 @@ export function paintIds({ context, view, palette, scene }) {
   context.font = `11px ${palette.font}`;
   context.textAlign = 'left';
   context.textBaseline = 'middle';
+  const taken = new Set(); // no two ids on top of each other
   scene.recording.features.forEach(scene.frame, (feature) => {
     const [x, y] = anchorOf(feature.geometry);
-    if (feature.stable) label(context, String(feature.id), view.x(x) + 6, view.y(y) - 7, palette.text, palette.plot);
+    const cell = `${Math.round(view.x(x) / kIdWidth_px)},${Math.round(view.y(y) / kIdHeight_px)}`;
+    if (!feature.stable || taken.has(cell)) return;
+    taken.add(cell);
+    label(context, String(feature.id), view.x(x) + 6, view.y(y) - 7, palette.text, palette.plot);
   });
 }
 
