@@ -3,7 +3,7 @@ import { anchorOf } from './geometry.js';
 import { kMark } from './marks.js';
 import { shortName } from './words_of.js';
 
-/// The layers of the local map, in painting order; painter as in global_layers.js. Frame: local.
+/// The layers of the local map, in painting order; painter as in placed_layers.js. Frame: local.
 
 const kScanDot_px = 2,
   kMostPoses = 120,
