@@ -18,8 +18,9 @@ test('Tab comes by every control, with a visible focus, and never gets stuck', a
   await page.keyboard.press('b');
   await page.evaluate(() => window.opal.settled());
   const wanted = await page.evaluate(() => {
-    const all = [...document.querySelectorAll('button, select, input, summary, [tabindex="0"]')]
-      .filter((node) => node.checkVisibility() && node.tabIndex >= 0 && !node.disabled);
+    const all = [...document.querySelectorAll('button, select, input, summary, [tabindex="0"]')].filter(
+      (node) => node.checkVisibility() && node.tabIndex >= 0 && !node.disabled,
+    );
     all.forEach((node, k) => (node.dataset.stop = String(k)));
     return all.map((node) => node.outerHTML.slice(0, 90));
   });
@@ -34,13 +35,19 @@ test('Tab comes by every control, with a visible focus, and never gets stuck', a
     seen.add(Number(stop));
     assert.match(outline, /^(solid|auto) [1-9]/, `focus shows on ${wanted[stop]}`);
   }
-  assert.deepEqual(wanted.filter((_, k) => !seen.has(k)), []);
+  assert.deepEqual(
+    wanted.filter((_, k) => !seen.has(k)),
+    [],
+  );
   await context.close();
 });
 
 test('keys do what the help says', async () => {
   const { page, context, troubles } = await open(browser, address);
-  const state = () => page.evaluate(() => window.opal.settled().then(() => ({ ...window.opal.choices(), ...window.opal.view(), frame: window.opal.state().frame })));
+  const state = () =>
+    page.evaluate(() =>
+      window.opal.settled().then(() => ({ ...window.opal.choices(), ...window.opal.view(), frame: window.opal.state().frame })),
+    );
   await page.keyboard.press('ArrowRight');
   assert.equal((await state()).frame, 1);
   await page.keyboard.press('n');
@@ -82,10 +89,11 @@ test('the tree opens, closes and selects by arrow keys', async () => {
   const { page, context } = await open(browser, address);
   await page.evaluate(() => window.opal.seek(59));
   await page.keyboard.press('2');
-  const active = () => page.evaluate(() => {
-    const list = document.activeElement;
-    return document.getElementById(list.getAttribute('aria-activedescendant'))?.getAttribute('aria-expanded');
-  });
+  const active = () =>
+    page.evaluate(() => {
+      const list = document.activeElement;
+      return document.getElementById(list.getAttribute('aria-activedescendant'))?.getAttribute('aria-expanded');
+    });
   await page.keyboard.press('Home');
   assert.equal(await active(), 'false');
   await page.keyboard.press('ArrowRight');
@@ -133,8 +141,20 @@ const worstContrast = () => {
     const ratio = contrast(parse(getComputedStyle(node).color), behind(node));
     if (ratio < 4.5) found.push(`${ratio.toFixed(2)} ${node.tagName}.${node.className}: ${node.textContent.slice(0, 30)}`);
   }
-  const style = getComputedStyle(document.documentElement), plot = parse(style.getPropertyValue('--plot'));
-  const drawn = ['text', 'faint', 'finding', 'pattern', 'status-searching', 'status-ambiguous', 'status-localized', 'status-lost'];
+  const style = getComputedStyle(document.documentElement),
+    plot = parse(style.getPropertyValue('--plot'));
+  const drawn = [
+    'text',
+    'faint',
+    'finding',
+    'pattern',
+    'run-a',
+    'run-b',
+    'status-searching',
+    'status-ambiguous',
+    'status-localized',
+    'status-lost',
+  ];
   for (const ink of drawn) {
     const ratio = contrast(parse(style.getPropertyValue(`--${ink}`)), plot);
     if (ratio < 4.5) found.push(`${ratio.toFixed(2)} drawn with --${ink}`);
@@ -171,7 +191,12 @@ test('the switch goes from the system to light to dark', async () => {
   await context.close();
 });
 
-for (const [name, width, height] of [['laptop', 1366, 768], ['tablet', 820, 1180], ['tablet on its side', 1180, 820], ['phone', 390, 844]])
+for (const [name, width, height] of [
+  ['laptop', 1366, 768],
+  ['tablet', 820, 1180],
+  ['tablet on its side', 1180, 820],
+  ['phone', 390, 844],
+])
   test(`nothing runs out of a ${name}`, async () => {
     const { page, context } = await open(browser, address, { viewport: { width, height }, hasTouch: width < 1200 });
     await page.keyboard.press('b');

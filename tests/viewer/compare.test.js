@@ -5,7 +5,8 @@ import { launch, open } from './browser.js';
 import { writePage } from './page_file.js';
 import { syntheticRun } from './synthetic_run.js';
 
-const a = syntheticRun({ frames: 60, hypotheses: 8, seed: 1, config: 'a.jsonld' }), b = syntheticRun({ frames: 60, hypotheses: 5, seed: 2, config: 'b.jsonld', stampShift: 2 });
+const a = syntheticRun({ frames: 60, hypotheses: 8, seed: 1, config: 'a.jsonld' }),
+  b = syntheticRun({ frames: 60, hypotheses: 5, seed: 2, config: 'b.jsonld', stampShift: 2 });
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser?.close());
@@ -21,9 +22,18 @@ test('by stamp where the runs overlap, with panes that move together', async () 
   assert.equal(first.frame, 40);
   assert.equal(second.frame, 30);
   assert.ok(Math.abs(first.stamp - second.stamp) < 1e-6);
-  for (const [run, truth] of [[0, a.truth[40]], [1, b.truth[30]]]) {
+  for (const [run, truth] of [
+    [0, a.truth[40]],
+    [1, b.truth[30]],
+  ]) {
     const drawn = await page.evaluate((r) => window.opal.drawn(r), run);
-    assert.deepEqual(drawn.filter(({ kind }) => kind === 'hypothesis').map(({ id }) => id).sort(), truth.hypotheses.map(({ id }) => id).sort());
+    assert.deepEqual(
+      drawn
+        .filter(({ kind }) => kind === 'hypothesis')
+        .map(({ id }) => id)
+        .sort(),
+      truth.hypotheses.map(({ id }) => id).sort(),
+    );
   }
   assert.equal(await page.locator('.words').count(), 2);
   assert.match(await page.locator('.run-name').innerText(), /A: .*a\.jsonld.*B: .*b\.jsonld/);

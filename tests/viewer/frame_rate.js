@@ -6,32 +6,46 @@ import { repack, writePage } from './page_file.js';
 import { syntheticRun } from './synthetic_run.js';
 
 const [, , updates = '10000', hypotheses = '200', file] = process.argv;
-const address = file ? repack(file) : writePage('fluid', [syntheticRun({ frames: Number(updates), hypotheses: Number(hypotheses), beams: 120 }).lines, 'out']);
+const address = file
+  ? repack(file)
+  : writePage('fluid', [syntheticRun({ frames: Number(updates), hypotheses: Number(hypotheses), beams: 120 }).lines, 'out']);
 console.log(`page: ${(statSync(address.slice('file://'.length)).size / 1e6).toFixed(1)} MB`);
 
 /// Pictures per second while `act(k)` is called once per picture, for some seconds.
 async function measure(page, seconds, act) {
-  return page.evaluate(async ([duration, source]) => {
-    const step = new Function('k', source);
-    const before = window.opal.paints, begin = performance.now(), gaps = [];
-    let last = begin, k = 0;
-    while (performance.now() - begin < 1000 * duration) {
-      step(k++);
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-      gaps.push(performance.now() - last);
-      last = performance.now();
-    }
-    gaps.sort((a, b) => a - b);
-    return { fps: ((window.opal.paints - before) * 1000) / (performance.now() - begin), slow_ms: gaps[Math.floor(0.95 * gaps.length)] };
-  }, [seconds, act]);
+  return page.evaluate(
+    async ([duration, source]) => {
+      const step = new Function('k', source);
+      const before = window.opal.paints,
+        begin = performance.now(),
+        gaps = [];
+      let last = begin,
+        k = 0;
+      while (performance.now() - begin < 1000 * duration) {
+        step(k++);
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+        gaps.push(performance.now() - last);
+        last = performance.now();
+      }
+      gaps.sort((a, b) => a - b);
+      return {
+        fps: ((window.opal.paints - before) * 1000) / (performance.now() - begin),
+        slow_ms: gaps[Math.floor(0.95 * gaps.length)],
+      };
+    },
+    [seconds, act],
+  );
 }
 
 const browser = await launch();
 const began = performance.now();
 const { page, troubles } = await open(browser, address, { bypassCSP: true });
 const memory = await page.evaluate(() => performance.memory?.usedJSHeapSize ?? 0);
-console.log(`load: ${((performance.now() - began) / 1000).toFixed(1)} s for ${await page.evaluate(() => window.opal.frames())} updates; heap ${(memory / 1e6).toFixed(0)} MB`);
-const report = (name, { fps, slow_ms }) => console.log(`${name}: ${fps.toFixed(0)} frames per second, 95 % within ${slow_ms.toFixed(0)} ms`);
+console.log(
+  `load: ${((performance.now() - began) / 1000).toFixed(1)} s for ${await page.evaluate(() => window.opal.frames())} updates; heap ${(memory / 1e6).toFixed(0)} MB`,
+);
+const report = (name, { fps, slow_ms }) =>
+  console.log(`${name}: ${fps.toFixed(0)} frames per second, 95 % within ${slow_ms.toFixed(0)} ms`);
 
 await page.getByLabel('Speed', { exact: true }).selectOption({ label: '32×' });
 await page.keyboard.press('Escape');
@@ -39,7 +53,8 @@ const play = async (name) => {
   await page.evaluate(() => window.opal.seek(Math.floor(window.opal.frames() * 0.6)));
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   report(`playing at 32×${name}`, await measure(page, 4, ''));
-  if (await page.evaluate(() => window.opal.choices().playing)) await page.getByRole('button', { name: 'Pause', exact: true }).click();
+  if (await page.evaluate(() => window.opal.choices().playing))
+    await page.getByRole('button', { name: 'Pause', exact: true }).click();
 };
 await play('');
 await page.getByRole('tab', { name: 'Tree' }).click();

@@ -13,14 +13,19 @@ after(() => browser?.close());
 
 async function shown(name, ...runs) {
   const { page, context, troubles } = await open(browser, writePage(name, ...runs));
-  const frames = await page.evaluate(() => window.opal.frames()), errors = await page.evaluate(() => window.opal.errors);
+  const frames = await page.evaluate(() => window.opal.frames()),
+    errors = await page.evaluate(() => window.opal.errors);
   const alert = await page.locator('.alerts').innerText();
   return { page, context, troubles, frames, errors, alert };
 }
 
 test('markup in names, reasons, words and everywhere is text', async () => {
   const hostile = syntheticRun({ frames: 30, hypotheses: 6, names: (k) => `${k} ${kScript}`, log: kScript, config: kScript });
-  const lines = hostile.lines.map((line) => line.replace(/beam 221 passes|a column would stand|column column-1 is|the local feature was/g, kScript.replace(/"/g, '\\"')).replaceAll('opal:Likelihood', kScript));
+  const lines = hostile.lines.map((line) =>
+    line
+      .replace(/beam 221 passes|a column would stand|column column-1 is|the local feature was/g, kScript.replace(/"/g, '\\"'))
+      .replaceAll('opal:Likelihood', kScript),
+  );
   const { page, context, troubles, frames, errors } = await shown('hostile', [lines, kScript]);
   assert.deepEqual(errors, []);
   assert.equal(frames, 30);
@@ -44,19 +49,32 @@ test('markup in names, reasons, words and everywhere is text', async () => {
 });
 
 const refused = [
-  ['a coordinate beyond all buildings', (f) => (f.local = [1e308, 0, 0]), /record 13 \(frame\): local: expected a coordinate within 1000 km, found 1e\+308/],
+  [
+    'a coordinate beyond all buildings',
+    (f) => (f.local = [1e308, 0, 0]),
+    /record 13 \(frame\): local: expected a coordinate within 1000 km, found 1e\+308/,
+  ],
   ['null for a pose', (f) => (f.local = null), /local: expected \[x, y, heading\], found null/],
   ['rows for another number of hypotheses', (f) => f.rows[0].push(1), /rows: expected 6 in each list, found 7/],
   ['no rows for those that are carried on', (f) => delete f.rows, /rows: expected 4 lists for 6 rows, found nothing/],
-  ['a status that does not exist', (f) => (f.status = 'fine'), /status: expected searching, ambiguous, localized, lost, found "fine"/],
+  [
+    'a status that does not exist',
+    (f) => (f.status = 'fine'),
+    /status: expected searching, ambiguous, localized, lost, found "fine"/,
+  ],
   ['fractions for steps', (f) => (f.scan[3] = 0.5), /scan: expected integers/],
   ['a probability of nobody', (f) => f.p.push([99999, 0.1]), /p: expected the id of a hypothesis that is alive, found 99999/],
-  ['a feature of no kind', (f) => (f.features = [[1, 'x', 1, 1, 'toString', 1, 2]]), /expected point, oriented_point, segment or circle/],
+  [
+    'a feature of no kind',
+    (f) => (f.features = [[1, 'x', 1, 1, 'toString', 1, 2]]),
+    /expected point, oriented_point, segment or circle/,
+  ],
   ['a mapped feature that is not on the map', (f) => (f.grown = [[0, [[100, 999]]]]), /expected a position below/],
 ];
 for (const [name, damage, words] of refused)
   test(`${name}: an error names record and place; what is before is shown`, async () => {
-    const lines = [...run.lines], frame = JSON.parse(lines[12]);
+    const lines = [...run.lines],
+      frame = JSON.parse(lines[12]);
     damage(frame);
     lines[12] = JSON.stringify(frame);
     const { page, context, troubles, frames, alert } = await shown('refused', [lines, 'out']);
@@ -79,8 +97,12 @@ test('a file that is cut short shows what it still has', async () => {
 });
 
 test('what is no data at all is told', async () => {
-  for (const [data, words] of [[Buffer.from('no gzip'), /expected gzip/], [packed(['{"r": "frame"}']), /expected run and map records before it/], [packed(['<html>']), /record 1: expected a JSON object/],
-    [packed([]), /expected updates, found none/]]) {
+  for (const [data, words] of [
+    [Buffer.from('no gzip'), /expected gzip/],
+    [packed(['{"r": "frame"}']), /expected run and map records before it/],
+    [packed(['<html>']), /record 1: expected a JSON object/],
+    [packed([]), /expected updates, found none/],
+  ]) {
     const { context, troubles, alert } = await shown('none', [data, 'out']);
     assert.match(alert, words);
     assert.deepEqual(troubles, []);
@@ -89,8 +111,12 @@ test('what is no data at all is told', async () => {
 });
 
 test('long texts and empty lists are shown or left out', async () => {
-  const lines = [...run.lines], frame = JSON.parse(lines[2]);
-  frame.words = [['answer', 'x'.repeat(100000)], ['__proto__', 'y']];
+  const lines = [...run.lines],
+    frame = JSON.parse(lines[2]);
+  frame.words = [
+    ['answer', 'x'.repeat(100000)],
+    ['__proto__', 'y'],
+  ];
   Object.assign(frame, { scan: [], free: [], scores: [], findings: [], cpu: {} });
   lines[2] = JSON.stringify(frame);
   const { page, context, troubles, errors } = await shown('long', [lines, 'z'.repeat(5000)]);

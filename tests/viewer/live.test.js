@@ -46,7 +46,11 @@ async function openLive() {
   return { page, context, troubles };
 }
 
-const reached = (page, frame) => page.waitForFunction((f) => window.opal.frames() > f && window.opal.settled().then(() => window.opal.state()?.frame === f), frame);
+const reached = (page, frame) =>
+  page.waitForFunction(
+    (f) => window.opal.frames() > f && window.opal.settled().then(() => window.opal.state()?.frame === f),
+    frame,
+  );
 
 test('follows the newest, unless the reader has gone back; says when it is over', async () => {
   const { page, context, troubles } = await openLive();
@@ -62,7 +66,13 @@ test('follows the newest, unless the reader has gone back; says when it is over'
   send(102, 202);
   await reached(page, 199);
   const drawn = await page.evaluate(() => window.opal.drawn());
-  assert.deepEqual(drawn.filter(({ kind }) => kind === 'hypothesis').map(({ id }) => id).sort(), run.truth[199].hypotheses.map(({ id }) => id).sort());
+  assert.deepEqual(
+    drawn
+      .filter(({ kind }) => kind === 'hypothesis')
+      .map(({ id }) => id)
+      .sort(),
+    run.truth[199].hypotheses.map(({ id }) => id).sort(),
+  );
   streams.at(-1).write('event: end\ndata: over\n\n');
   await page.waitForFunction(() => /over/.test(document.querySelector('.live').textContent));
   assert.deepEqual(troubles, []);

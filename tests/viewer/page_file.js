@@ -33,7 +33,8 @@ export function pageWith(data) {
   const policy = `default-src 'none'; style-src 'nonce-${nonce}'; script-src 'nonce-${nonce}'; connect-src 'self'; img-src data: blob:`;
   const marks = {
     '<!-- opal:style -->': `<meta http-equiv="Content-Security-Policy" content="${policy}">\n<style nonce="${nonce}">${readFileSync(join(kPageFolder, 'style.css'), 'utf8')}</style>`,
-    '<!-- opal:data -->': data, '<!-- opal:script -->': `<script nonce="${nonce}">${bundle()}</script>`,
+    '<!-- opal:data -->': data,
+    '<!-- opal:script -->': `<script nonce="${nonce}">${bundle()}</script>`,
   };
   return readFileSync(join(kPageFolder, 'index.html'), 'utf8').replace(/<!-- opal:\w+ -->/g, (mark) => marks[mark]);
 }
@@ -48,6 +49,13 @@ export function writePage(name, ...runs) {
 /// The data of a page that `opal view` wrote, in a page of these sources.
 export function repack(file) {
   const path = join(kFolder, 'repacked.html');
-  writeFileSync(path, pageWith(readFileSync(file, 'utf8').match(/<script type="text\/plain"[^>]*>[^<]*<\/script>/g).join('\n')));
+  writeFileSync(
+    path,
+    pageWith(
+      readFileSync(file, 'utf8')
+        .match(/<script type="text\/plain"[^>]*>[^<]*<\/script>/g)
+        .join('\n'),
+    ),
+  );
   return `file://${path}`;
 }

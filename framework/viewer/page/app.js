@@ -5,13 +5,14 @@ import { DetailsPanel } from './details_panel.js';
 import { element } from './dom.js';
 import { Header } from './header.js';
 import { HelpDialog } from './help_dialog.js';
-import { HypothesisList, hypothesesBestFirst } from './hypothesis_list.js';
+import { HypothesisList } from './hypothesis_list.js';
 import { listenToKeys } from './keyboard.js';
 import { ObjectsPanel } from './objects_panel.js';
 import { readPalette } from './palette.js';
+import { Moves } from './moves.js';
 import { Player } from './player.js';
 import { RunView } from './run_view.js';
-import { kStatuses } from './recording.js';
+import { kStatuses } from './frame_check.js';
 import { shortcutsOf } from './shortcuts.js';
 import { Tabs } from './tabs.js';
 import { Theme } from './theme.js';
@@ -24,7 +25,8 @@ import { probabilityWords, seconds } from './words_of.js';
 /// Words and lists follow a playing recording this often; the maps follow every picture.
 const kPanels_ms = 140;
 /// A growing recording redraws its plots at most this often, and never for more than a twentieth of the time.
-const kPlots_ms = 500, kPlotsShare = 20;
+const kPlots_ms = 500,
+  kPlotsShare = 20;
 
 /// The page: one state, the views that show it, and the loop that paints when something has changed.
 export class App {
@@ -38,34 +40,56 @@ export class App {
     this.theme = new Theme(() => this.recolor());
     this.palette = readPalette();
     this.player = new Player(this.state, this.timeLine);
+    this.moves = new Moves(this);
     this.link = new DeepLink(this.state, (wishes) => this.visit(wishes));
     this.build();
     this.state.onChange((changed) => this.changed(changed));
   }
 
   build() {
-    const seek = (frame) => this.seek(frame, this.state.run), seekTime = (time) => this.seekTime(time);
+    const seek = (frame) => this.moves.seek(frame, this.state.run),
+      seekTime = (time) => this.moves.seekTime(time);
     this.tree = new TreePanel(this.state, seek);
     this.list = new HypothesisList(this.state);
     this.objects = new ObjectsPanel(this.state, (feature) => this.showFeature(feature));
     this.details = new DetailsPanel(this.state, seek);
-    this.tabs = new Tabs('Lists', [['list', 'Hypotheses', this.list], ['tree', 'Tree', this.tree], ['map', 'Map', this.objects]], () => this.updatePanels());
+    this.tabs = new Tabs(
+      'Lists',
+      [
+        ['list', 'Hypotheses', this.list],
+        ['tree', 'Tree', this.tree],
+        ['map', 'Map', this.objects],
+      ],
+      () => this.updatePanels(),
+    );
     this.time = new TimePanel(this.state, seekTime);
     this.transport = new Transport(this.state, {
-      play: () => this.player.toggle(), step: (by) => this.step(by), event: (by) => this.jump(by),
-      speed: (speed) => this.state.set({ speed }), newest: () => this.toNewest(),
+      play: () => this.player.toggle(),
+      step: (by) => this.moves.step(by),
+      event: (by) => this.moves.jump(by),
+      speed: (speed) => this.state.set({ speed }),
+      newest: () => this.moves.toNewest(),
     });
     this.announcer = new Announcer();
     this.shortcuts = shortcutsOf(this);
     this.help = new HelpDialog(this.shortcuts);
     this.header = new Header(this.state, {
-      window: (window) => this.selectWindow(window), theme: () => this.theme.next(), help: () => this.help.open(), run: (run) => this.state.set({ run, selected: -1 }),
+      window: (window) => this.moves.selectWindow(window),
+      theme: () => this.theme.next(),
+      help: () => this.help.open(),
+      run: (run) => this.state.set({ run, selected: -1 }),
     });
     this.maps = element('div', { class: 'maps' });
     this.wordsPlace = element('div', { class: 'words-place' });
     const stage = element('div', { class: 'stage' }, this.maps, this.time.root);
     const side = element('div', { class: 'side' }, this.wordsPlace, this.tabs.root, this.details.root);
-    this.root.replaceChildren(this.header.root, element('main', {}, stage, side), this.transport.root, this.help.root, this.announcer.root);
+    this.root.replaceChildren(
+      this.header.root,
+      element('main', {}, stage, side),
+      this.transport.root,
+      this.help.root,
+      this.announcer.root,
+    );
     listenToKeys(this.shortcuts, () => this.help.root.open);
     new ResizeObserver(() => this.invalidate()).observe(this.maps);
   }
@@ -142,57 +166,9 @@ export class App {
     if (changed.has('object')) this.showFeature(this.state.object, false);
     if (changed.has('selected') || changed.has('run')) this.panelsDue = 0;
     if (changed.has('run')) this.time.repaint();
-    if (changed.has('window') && this.timeLine.window !== this.state.window) this.selectWindow(this.state.window);
+    if (changed.has('window') && this.timeLine.window !== this.state.window) this.moves.selectWindow(this.state.window);
     this.link.note();
     this.invalidate();
-  }
-
-  selectWindow(window) {
-    this.timeLine.select(window);
-    this.state.set({ window: this.timeLine.window, time: this.timeLine.begin, playing: false, selected: -1 });
-    this.header.update();
-    this.showPlots();
-  }
-
-  seekTime(time) {
-    this.state.set({ time: Math.min(this.timeLine.end, Math.max(this.timeLine.begin, time)), newest: false });
-  }
-
-  /// To an update of a run, in whichever window it is.
-  seek(frame, run = 0) {
-    const recording = this.timeLine.recordings[run];
-    if (!recording || !(frame >= 0 && frame < recording.frames)) return;
-    const window = recording.window.values[frame];
-    if (run === 0 && window !== this.timeLine.window) this.selectWindow(window);
-    this.player.toggle(false);
-    this.seekTime(this.timeLine.timeOf(this.timeLine.parts[run], frame));
-  }
-
-  step(by) {
-    this.player.toggle(false);
-    this.seekTime(this.timeLine.step(this.state.time, by));
-  }
-
-  jump(by) {
-    const time = this.timeLine.event(this.state.time, by, this.state.eventKind);
-    if (time === null) return;
-    this.player.toggle(false);
-    this.seekTime(time);
-  }
-
-  toNewest() { this.state.set({ newest: true, playing: false, time: this.timeLine.end }); }
-
-  /// To the next (1) or previous (-1) of the live hypotheses, best first.
-  cycle(by) {
-    const { scene } = this.views[this.state.run] ?? {};
-    if (!scene) return;
-    const ids = hypothesesBestFirst(scene).map(({ key }) => key), at = ids.indexOf(this.state.selected);
-    if (ids.length > 0) this.state.set({ selected: ids[at < 0 ? (by > 0 ? 0 : ids.length - 1) : (at + by + ids.length) % ids.length] });
-  }
-
-  cycleObjects(by) {
-    const count = this.views[0]?.recording.map?.features.length ?? 0;
-    if (count > 0) this.state.set({ object: (this.state.object + by + count + (this.state.object < 0 && by < 0 ? 1 : 0)) % count });
   }
 
   showFeature(feature, move = true) {
@@ -218,7 +194,10 @@ export class App {
     if (this.state.follow) this.follow(frames);
     this.views.forEach((view, run) => view.paint(frames[run], this.palette, this.theme.name));
     this.time.update(frames);
-    this.transport.update(this.timeLine.end, frames.map((f, run) => (f < 0 ? '–' : this.views[run].recording.keyframe.values[f])).join(' | '));
+    this.transport.update(
+      this.timeLine.end,
+      frames.map((f, run) => (f < 0 ? '–' : this.views[run].recording.keyframe.values[f])).join(' | '),
+    );
     this.paints += 1;
     if (!this.state.playing || now >= (this.panelsDue ?? 0)) this.updatePanels(now);
     this.settle();
@@ -230,12 +209,14 @@ export class App {
 
   /// Keeps the hypothesis on show in the middle.
   follow(frames) {
-    const { recording, global } = this.views[this.state.run], frame = frames[this.state.run];
+    const { recording, global } = this.views[this.state.run],
+      frame = frames[this.state.run];
     if (frame < 0) return;
     const id = recording.rows.find(frame, this.state.selected) >= 0 ? this.state.selected : recording.best.values[frame];
     const row = recording.rows.find(frame, id);
     if (row < 0) return;
-    const [x, y] = recording.rows.poseOf(row), { view } = this.state;
+    const [x, y] = recording.rows.poseOf(row),
+      { view } = this.state;
     if (view.x !== x || view.y !== y) this.state.view = { ...view, x, y, auto: false };
     global.transform.view = this.state.view;
   }
@@ -252,7 +233,8 @@ export class App {
   }
 
   announce({ recording, frame }) {
-    const status = kStatuses[recording.status.values[frame]], p = recording.probability.values[frame];
+    const status = kStatuses[recording.status.values[frame]],
+      p = recording.probability.values[frame];
     this.announcer.note(status, `${seconds(this.state.time)}: ${status}, probability ${probabilityWords(p)}`, this.state.playing);
   }
 }

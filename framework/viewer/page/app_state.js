@@ -28,16 +28,16 @@ export class AppState {
     this.playing = false;
     this.speed = 1;
     this.window = 0;
-    this.run = 0;             ///< the run that lists and details are about
-    this.selected = -1;       ///< hypothesis of that run
-    this.object = -1;         ///< mapped feature that was picked from the list
+    this.run = 0; ///< the run that lists and details are about
+    this.selected = -1; ///< hypothesis of that run
+    this.object = -1; ///< mapped feature that was picked from the list
     this.layers = new Set(kLayers.filter(([, , on]) => on).map(([name]) => name));
     this.associations = 'selected';
     this.follow = false;
     this.eventKind = -1;
-    this.newest = false;      ///< live: stay at the newest update
+    this.newest = false; ///< live: stay at the newest update
     this.view = { x: 0, y: 0, scale: 20, fitted: false, auto: false };
-    this.localScale = 0;      ///< px per m; 0: as large as the local map allows
+    this.localScale = 0; ///< px per m; 0: as large as the local map allows
   }
 
   set(patch) {
@@ -57,5 +57,7 @@ export class AppState {
     this.set({ layers });
   }
 
-  onChange(listener) { this.listeners.push(listener); }
+  onChange(listener) {
+    this.listeners.push(listener);
+  }
 }

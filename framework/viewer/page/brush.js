@@ -1,10 +1,13 @@
 /// Primitives of drawing on a pane, in pixels; nothing is allocated.
 
-const kArrowBack = 0.62, kArrowNotch = 0.3, kArrowHalf = 0.5;
+const kArrowBack = 0.62,
+  kArrowNotch = 0.3,
+  kArrowHalf = 0.5;
 
 /// The outline of a dart whose middle is at (x, y), nose along the heading (y up).
 export function dartPath(context, x, y, heading_rad, size_px) {
-  const c = Math.cos(heading_rad) * size_px, s = -Math.sin(heading_rad) * size_px;
+  const c = Math.cos(heading_rad) * size_px,
+    s = -Math.sin(heading_rad) * size_px;
   context.moveTo(x + c * kArrowBack, y + s * kArrowBack);
   context.lineTo(x - c * kArrowBack - s * kArrowHalf, y - s * kArrowBack + c * kArrowHalf);
   context.lineTo(x - c * kArrowNotch, y - s * kArrowNotch);
@@ -21,7 +24,8 @@ export function crossPath(context, x, y, half_px) {
 
 /// The outline of a geometry after a rigid motion (cos, sin, x, y), in a pane.
 export function geometryPath(context, view, { kind, numbers: n }, c = 1, s = 0, tx = 0, ty = 0) {
-  const x = view.x(tx + c * n[0] - s * n[1]), y = view.y(ty + s * n[0] + c * n[1]);
+  const x = view.x(tx + c * n[0] - s * n[1]),
+    y = view.y(ty + s * n[0] + c * n[1]);
   if (kind === 'segment') {
     context.moveTo(x, y);
     context.lineTo(view.x(tx + c * n[2] - s * n[3]), view.y(ty + s * n[2] + c * n[3]));
@@ -52,11 +56,13 @@ export function label(context, words, x, y, ink, paper) {
   context.fillText(words, x, y);
 }
 
-const kMostGridLines = 12, kLongestBar_px = 140;
+const kMostGridLines = 12,
+  kLongestBar_px = 140;
 
 /// The distance between grid lines: 1, 2 or 5 times a power of ten.
-export function gridStep_m(extent_m) {
-  const least = extent_m / kMostGridLines, power = 10 ** Math.floor(Math.log10(least));
+function gridStep_m(extent_m) {
+  const least = extent_m / kMostGridLines,
+    power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].map((factor) => factor * power).find((step) => step >= least);
 }
 
@@ -80,10 +86,12 @@ export function paintGrid(context, view, ink) {
 
 /// A bar of 1, 2 or 5 times a power of ten metres, bottom left.
 export function paintScaleBar(context, view, palette) {
-  const most_m = kLongestBar_px / view.scale, power = 10 ** Math.floor(Math.log10(most_m));
+  const most_m = kLongestBar_px / view.scale,
+    power = 10 ** Math.floor(Math.log10(most_m));
   const length = [5, 2, 1].map((factor) => factor * power).find((m) => m <= most_m) ?? power;
   const words = length >= 1 ? `${length} m` : `${Math.round(length * 100)} cm`;
-  const x = 14, y = view.height - 14;
+  const x = 14,
+    y = view.height - 14;
   context.strokeStyle = palette.faint;
   context.lineWidth = 1.5;
   context.beginPath();

@@ -1,7 +1,7 @@
 import { RecordError } from './record_error.js';
 
-const kBase64Step = 1 << 20;  ///< characters at a time, a multiple of 4
-const kLongestTask_ms = 40;   ///< then the browser may paint
+const kBase64Step = 1 << 20; ///< characters at a time, a multiple of 4
+const kLongestTask_ms = 40; ///< then the browser may paint
 
 function bytesOf(base64) {
   const text = base64.replace(/\s+/g, '');
@@ -38,7 +38,8 @@ export async function readDataBlock(element, recording, progress) {
 }
 
 async function readLines(reader, recording, progress) {
-  let rest = '', since = performance.now();
+  let rest = '',
+    since = performance.now();
   for (;;) {
     const { value, done } = await reader.read();
     const lines = (rest + (value ?? '')).split('\n');

@@ -1,11 +1,15 @@
 import { kAssociationChoices, kLayers } from './app_state.js';
 
-const kPause_ms = 250, kPausePlaying_ms = 2000;
+const kPause_ms = 250,
+  kPausePlaying_ms = 2000;
 const kNames = kLayers.map(([name]) => name);
-const kUsual = kLayers.filter(([, , on]) => on).map(([name]) => name).join();
+const kUsual = kLayers
+  .filter(([, , on]) => on)
+  .map(([name]) => name)
+  .join();
 
 /// The moment and the look as text for the address: `t=14.2&sel=17&window=2&view=1,2,20`.
-export function linkOf(state) {
+function linkOf(state) {
   const fields = [['t', trimmed(state.time, 4)]];
   if (state.window > 0) fields.push(['window', state.window]);
   if (state.run > 0) fields.push(['run', state.run]);
@@ -25,7 +29,8 @@ const trimmed = (value, digits) => String(Number(value.toFixed(digits)));
 export function wishesOf(hash) {
   const fields = new URLSearchParams(hash.replace(/^#/, ''));
   const wishes = {};
-  const number = (name) => (fields.has(name) && fields.get(name) !== '' && Number.isFinite(Number(fields.get(name))) ? Number(fields.get(name)) : null);
+  const number = (name) =>
+    fields.has(name) && fields.get(name) !== '' && Number.isFinite(Number(fields.get(name))) ? Number(fields.get(name)) : null;
   const take = (name, key, fits) => {
     const value = number(name);
     if (value !== null && fits(value)) wishes[key] = value;
@@ -35,11 +40,18 @@ export function wishesOf(hash) {
   take('window', 'window', whole);
   take('run', 'run', whole);
   take('sel', 'selected', whole);
-  if (fields.has('layers')) wishes.layers = new Set(fields.get('layers').split(',').filter((name) => kNames.includes(name)));
+  if (fields.has('layers'))
+    wishes.layers = new Set(
+      fields
+        .get('layers')
+        .split(',')
+        .filter((name) => kNames.includes(name)),
+    );
   if (kAssociationChoices.includes(fields.get('assoc'))) wishes.associations = fields.get('assoc');
   if (fields.has('follow')) wishes.follow = fields.get('follow') === '1';
   const view = (fields.get('view') ?? '').split(',').map(Number);
-  if (view.length === 3 && view.every(Number.isFinite) && view[2] > 0) wishes.view = { x: view[0], y: view[1], scale: view[2], fitted: true, auto: false };
+  if (view.length === 3 && view.every(Number.isFinite) && view[2] > 0)
+    wishes.view = { x: view[0], y: view[1], scale: view[2], fitted: true, auto: false };
   return wishes;
 }
 

@@ -1,6 +1,6 @@
 import { element } from './dom.js';
 import { pairsAt } from './hypothesis_log.js';
-import { fixed, poseWords, probabilityWords, seconds, shortName } from './words_of.js';
+import { fixed, localName, poseWords, probabilityWords, seconds, shortName } from './words_of.js';
 
 const kMostPairs = 60;
 
@@ -9,12 +9,30 @@ export class DetailsPanel {
   constructor(state, seek) {
     this.state = state;
     this.seek = seek;
-    this.body = element('div', { class: 'details-body', tabindex: '0', role: 'region', 'aria-label': 'Details of the selected hypothesis' });
+    this.body = element('div', {
+      class: 'details-body',
+      tabindex: '0',
+      role: 'region',
+      'aria-label': 'Details of the selected hypothesis',
+    });
     this.title = element('h2', { text: 'Selected' });
-    this.root = element('section', { class: 'details', 'aria-label': 'Selected hypothesis' },
-      element('header', {}, this.title, element('button', {
-        type: 'button', class: 'tool', text: 'Close', title: 'Select none (Escape)', onclick: () => state.set({ selected: -1 }),
-      })), this.body);
+    this.root = element(
+      'section',
+      { class: 'details', 'aria-label': 'Selected hypothesis' },
+      element(
+        'header',
+        {},
+        this.title,
+        element('button', {
+          type: 'button',
+          class: 'tool',
+          text: 'Close',
+          title: 'Select none (Escape)',
+          onclick: () => state.set({ selected: -1 }),
+        }),
+      ),
+      this.body,
+    );
     this.shownFor = '';
   }
 
@@ -37,7 +55,8 @@ export class DetailsPanel {
   }
 
   describe(scene, hypothesis) {
-    const { recording, frame } = scene, over = hypothesis.endFrame <= frame;
+    const { recording, frame } = scene,
+      over = hypothesis.endFrame <= frame;
     const parts = [this.facts(scene, hypothesis, over)];
     if (over) parts.push(...this.end(recording, hypothesis));
     else if (hypothesis.id === scene.best) parts.push(...findingsList('Findings', recording.findingsAt(frame), recording.map));
@@ -49,10 +68,20 @@ export class DetailsPanel {
   }
 
   facts({ recording, frame }, hypothesis, over) {
-    const { rows } = recording, row = rows.find(frame, hypothesis.id), at = (f) => recording.time.values[f];
+    const { rows } = recording,
+      row = rows.find(frame, hypothesis.id),
+      at = (f) => recording.time.values[f];
     const facts = [['Pose', poseWords(recording.poseAt(frame, hypothesis.id))]];
-    if (row >= 0) facts.push(['Probability', probabilityWords(rows.probability.values[row])], ['Log-likelihood', `${fixed(rows.nat.values[row], 2)} nat`]);
-    if (over && hypothesis.end) facts.push(['Log-likelihood', `${fixed(hypothesis.end.nat, 2)} nat`], ['Last scan', `${fixed(hypothesis.end.scan_nat, 2)} nat`]);
+    if (row >= 0)
+      facts.push(
+        ['Probability', probabilityWords(rows.probability.values[row])],
+        ['Log-likelihood', `${fixed(rows.nat.values[row], 2)} nat`],
+      );
+    if (over && hypothesis.end)
+      facts.push(
+        ['Log-likelihood', `${fixed(hypothesis.end.nat, 2)} nat`],
+        ['Last scan', `${fixed(hypothesis.end.scan_nat, 2)} nat`],
+      );
     const origin = hypothesis.parent >= 0 ? `branch of #${hypothesis.parent}` : shortName(hypothesis.template);
     facts.push(['Born', this.moment(at(hypothesis.bornFrame), hypothesis.bornFrame, origin && `, ${origin}`)]);
     if (over) facts.push(['Ended', this.moment(at(hypothesis.endFrame), hypothesis.endFrame)]);
@@ -68,7 +97,16 @@ export class DetailsPanel {
   /// A time that leads to its moment.
   moment(time, frame, more = '') {
     const span = element('span');
-    span.append(element('button', { type: 'button', class: 'link', text: seconds(time), title: 'Go to this moment', onclick: () => this.seek(frame) }), more);
+    span.append(
+      element('button', {
+        type: 'button',
+        class: 'link',
+        text: seconds(time),
+        title: 'Go to this moment',
+        onclick: () => this.seek(frame),
+      }),
+      more,
+    );
     return span;
   }
 
@@ -76,9 +114,19 @@ export class DetailsPanel {
     if (!end) return [element('p', { class: 'reason', text: 'Ended with its time line.' })];
     const parts = [element('p', { class: 'reason', text: end.reason })];
     if (end.mergedInto >= 0)
-      parts.push(element('p', {}, 'At the same place as ', element('button', {
-        type: 'button', class: 'link', text: `#${end.mergedInto}`, onclick: () => this.state.set({ selected: end.mergedInto }),
-      })));
+      parts.push(
+        element(
+          'p',
+          {},
+          'At the same place as ',
+          element('button', {
+            type: 'button',
+            class: 'link',
+            text: `#${end.mergedInto}`,
+            onclick: () => this.state.set({ selected: end.mergedInto }),
+          }),
+        ),
+      );
     return [...parts, ...findingsList('Findings', end.findings, recording.map)];
   }
 
@@ -94,22 +142,44 @@ export class DetailsPanel {
 
   pair(recording, local, mapped) {
     const name = recording.map.nameOf(mapped);
-    const target = mapped < 0 ? element('span', { class: 'quiet', text: name })
-      : element('button', { type: 'button', class: 'link', text: name, title: 'Show on the map', onclick: () => this.state.set({ object: mapped }) });
-    return element('li', {}, element('span', { class: 'number', text: String(local) }), ' → ', target);
+    const target =
+      mapped < 0
+        ? element('span', { class: 'quiet', text: name })
+        : element('button', {
+            type: 'button',
+            class: 'link',
+            text: name,
+            title: 'Show on the map',
+            onclick: () => this.state.set({ object: mapped }),
+          });
+    return element('li', {}, element('span', { class: 'number', text: localName(local) }), ' → ', target);
   }
 
   history(recording, { nodes, children }, frame) {
-    const past = nodes.filter((node) => node.frame <= frame && node.kind !== 'grown').slice(-6).reverse();
+    const past = nodes
+      .filter((node) => node.frame <= frame && node.kind !== 'grown')
+      .slice(-6)
+      .reverse();
     const branches = children.filter((child) => child.bornFrame <= frame);
     const parts = [];
     if (past.length > 0) {
-      const entries = past.map((node) => element('li', {
-        text: `${seconds(recording.time.values[node.frame])}: ${node.kind === 'tried' ? 'tried' : 'dropped'} ${node.pairs.map(([l, m]) => `${l} → ${recording.map.nameOf(m)}`).join(', ')}: ${node.reason}`,
-      }));
+      const entries = past.map((node) =>
+        element('li', {
+          text: `${seconds(recording.time.values[node.frame])}: ${node.kind === 'tried' ? 'tried' : 'dropped'} ${node.pairs.map(([l, m]) => `${l} → ${recording.map.nameOf(m)}`).join(', ')}: ${node.reason}`,
+        }),
+      );
       parts.push(element('h3', { text: 'What did not hold' }), element('ul', {}, ...entries));
     }
-    if (branches.length > 0) parts.push(element('h3', { text: 'Branches' }), element('p', { text: branches.slice(0, 20).map(({ id }) => `#${id}`).join(' ') }));
+    if (branches.length > 0)
+      parts.push(
+        element('h3', { text: 'Branches' }),
+        element('p', {
+          text: branches
+            .slice(0, 20)
+            .map(({ id }) => `#${id}`)
+            .join(' '),
+        }),
+      );
     return parts;
   }
 }
@@ -124,17 +194,35 @@ function scoreTable(scores) {
   const rows = [];
   for (const [scorer, terms] of Object.entries(scores)) {
     const entries = terms && typeof terms === 'object' ? Object.entries(terms) : [['', terms]];
-    entries.forEach(([term, value], k) => rows.push(element('tr', {},
-      element('td', { text: k === 0 ? shortName(scorer) : '' }), element('td', { text: term }),
-      element('td', { class: 'number', text: typeof value === 'number' ? fixed(value, 3) : '–' }))));
+    entries.forEach(([term, value], k) =>
+      rows.push(
+        element(
+          'tr',
+          {},
+          element('td', { text: k === 0 ? shortName(scorer) : '' }),
+          element('td', { text: term }),
+          element('td', { class: 'number', text: typeof value === 'number' ? fixed(value, 3) : '–' }),
+        ),
+      ),
+    );
   }
-  const head = element('thead', {}, element('tr', {}, ...['Scorer', 'Term', 'Value'].map((text) => element('th', { scope: 'col', text }))));
+  const head = element(
+    'thead',
+    {},
+    element('tr', {}, ...['Scorer', 'Term', 'Value'].map((text) => element('th', { scope: 'col', text }))),
+  );
   return [element('h3', { text: 'Scores' }), element('table', { class: 'scores' }, head, element('tbody', {}, ...rows))];
 }
 
 function findingsList(title, findings, map) {
   if (findings.length === 0) return [];
-  const entries = findings.map(({ scorer, words, feature }) => element('li', {},
-    `${words}`, element('span', { class: 'quiet', text: ` · ${shortName(scorer)}${feature >= 0 ? `, ${map.nameOf(feature)}` : ''}` })));
+  const entries = findings.map(({ scorer, words, feature }) =>
+    element(
+      'li',
+      {},
+      `${words}`,
+      element('span', { class: 'quiet', text: ` · ${shortName(scorer)}${feature >= 0 ? `, ${map.nameOf(feature)}` : ''}` }),
+    ),
+  );
   return [element('h3', { text: title }), element('ol', { class: 'findings' }, ...entries)];
 }

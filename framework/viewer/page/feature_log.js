@@ -8,13 +8,14 @@ export class FeatureLog {
   constructor() {
     this.versions = [];
     this.alive = new Column(Int32Array);
-    this.begin = new Column(Int32Array);  ///< per frame, into alive
+    this.begin = new Column(Int32Array); ///< per frame, into alive
     this.end = new Column(Int32Array);
-    this.current = new Map();             ///< id -> version
+    this.current = new Map(); ///< id -> version
   }
 
   append(record, starts) {
-    const features = optionalList(record.features, 'features'), gone = optionalList(record.gone, 'gone');
+    const features = optionalList(record.features, 'features'),
+      gone = optionalList(record.gone, 'gone');
     const changed = starts || features.length > 0 || gone.length > 0 || this.begin.length === 0;
     if (starts) this.current.clear();
     features.forEach((entry, k) => this.change(entry, `features[${k}]`));
@@ -27,7 +28,10 @@ export class FeatureLog {
     const [id, type, stable, measurements, kind, ...numbers] = list(entry, place);
     this.current.set(integer(id, place), this.versions.length);
     this.versions.push({
-      id, type: text(type, place), stable: flag(stable, place) === 1, measurements: integer(measurements, place),
+      id,
+      type: text(type, place),
+      stable: flag(stable, place) === 1,
+      measurements: integer(measurements, place),
       geometry: geometryOf(kind, numbers, place),
     });
   }

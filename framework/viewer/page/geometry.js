@@ -1,7 +1,7 @@
 import { coordinate, refuse } from './record_error.js';
 
 /// The closed set of geometries: how many numbers each has.
-export const kNumbersOfKind = { point: 2, oriented_point: 4, segment: 4, circle: 3 };
+const kNumbersOfKind = { point: 2, oriented_point: 4, segment: 4, circle: 3 };
 
 /// `{kind, numbers}` from a kind and its numbers, checked.
 export function geometryOf(kind, numbers, place) {
@@ -28,7 +28,9 @@ export function anchorOf({ kind, numbers: n }) {
 export function nearestOn(geometry, x, y) {
   const n = geometry.numbers;
   if (geometry.kind !== 'segment') return [n[0], n[1]];
-  const dx = n[2] - n[0], dy = n[3] - n[1], square = dx * dx + dy * dy;
+  const dx = n[2] - n[0],
+    dy = n[3] - n[1],
+    square = dx * dx + dy * dy;
   if (!(square > 0)) return [n[0], n[1]];
   const part = Math.min(1, Math.max(0, ((x - n[0]) * dx + (y - n[1]) * dy) / square));
   return [n[0] + part * dx, n[1] + part * dy];
@@ -39,13 +41,4 @@ export function distanceTo(geometry, x, y) {
   const [nx, ny] = nearestOn(geometry, x, y);
   const distance_m = Math.hypot(x - nx, y - ny);
   return geometry.kind === 'circle' ? Math.abs(distance_m - geometry.numbers[2]) : distance_m;
-}
-
-/// The same geometry in the frame that `T` leads to.
-export function transformed(T, { kind, numbers: n }) {
-  const c = Math.cos(T[2]), s = Math.sin(T[2]);
-  const x = (k) => T[0] + c * n[k] - s * n[k + 1], y = (k) => T[1] + s * n[k] + c * n[k + 1];
-  if (kind === 'segment') return { kind, numbers: [x(0), y(0), x(2), y(2)] };
-  if (kind === 'oriented_point') return { kind, numbers: [x(0), y(0), n[2] + T[2], n[3]] };
-  return { kind, numbers: kind === 'circle' ? [x(0), y(0), n[2]] : [x(0), y(0)] };
 }

@@ -1,21 +1,31 @@
 import { paintGrid, paintScaleBar } from './brush.js';
 import { element } from './dom.js';
 import { distanceTo, anchorOf } from './geometry.js';
-import * as layer from './global_layers.js';
+import * as hypothesis from './hypothesis_layers.js';
 import { MapLayer, featureWords } from './map_layer.js';
 import { Marks } from './marks.js';
 import { Pane } from './pane.js';
 import { listenToPointers } from './pan_zoom.js';
+import * as placed from './placed_layers.js';
+import * as track from './track_layers.js';
 import { fitView, zoomed } from './view_transform.js';
 import { poseWords, probabilityWords } from './words_of.js';
 
-const kHelp = 'Arrow keys move, plus and minus zoom, 0 fits, brackets go from hypothesis to hypothesis, semicolon and comma from object to object.';
-const kReach_px = 14, kFeatureReach_px = 8;
+const kHelp =
+  'Arrow keys move, plus and minus zoom, 0 fits, brackets go from hypothesis to hypothesis, semicolon and comma from object to object.';
+const kReach_px = 14,
+  kFeatureReach_px = 8;
 const kPaintingOrder = [
-  ['free', layer.paintFreeSpace], ['truth', layer.paintTruth], ['trajectory', layer.paintTrajectory],
-  ['associations', layer.paintAssociations], ['features', layer.paintLocalFeatures], ['scan', layer.paintScan],
-  ['ended', layer.paintEnded], ['hypotheses', layer.paintHypotheses], ['findings', layer.paintFindings],
-  ['labels', layer.paintLabels],
+  ['free', placed.paintFreeSpace],
+  ['truth', track.paintTruth],
+  ['trajectory', track.paintTrajectory],
+  ['associations', placed.paintAssociations],
+  ['features', placed.paintLocalFeatures],
+  ['scan', placed.paintScan],
+  ['ended', hypothesis.paintEnded],
+  ['hypotheses', hypothesis.paintHypotheses],
+  ['findings', hypothesis.paintFindings],
+  ['labels', hypothesis.paintLabels],
 ];
 
 /// The global map of one run, with hypotheses and all that they place. Frame: map.
@@ -34,12 +44,18 @@ export class GlobalPane {
     this.context = this.pane.moving.getContext('2d');
     this.listen();
     this.pane.tools.append(
-      this.tool('+', 'Zoom in', () => this.zoom(1.4)), this.tool('\u2212', 'Zoom out', () => this.zoom(1 / 1.4)),
-      this.tool('Fit', 'Fit the map into the pane', () => this.fit()));
+      this.tool('+', 'Zoom in', () => this.zoom(1.4)),
+      this.tool('\u2212', 'Zoom out', () => this.zoom(1 / 1.4)),
+      this.tool('Fit', 'Fit the map into the pane', () => this.fit()),
+    );
   }
 
-  get root() { return this.pane.root; }
-  get transform() { return this.pane.transform; }
+  get root() {
+    return this.pane.root;
+  }
+  get transform() {
+    return this.pane.transform;
+  }
 
   tool(words, help, act) {
     return element('button', { type: 'button', class: 'tool', text: words, title: help, 'aria-label': help, onclick: act });
@@ -57,9 +73,13 @@ export class GlobalPane {
     this.look(this.fitted());
   }
 
-  fitted() { return fitView(this.mapLayer.map.bounds, this.transform.width, this.transform.height); }
+  fitted() {
+    return fitView(this.mapLayer.map.bounds, this.transform.width, this.transform.height);
+  }
 
-  look(view) { this.state.set({ view }); }
+  look(view) {
+    this.state.set({ view });
+  }
 
   zoom(factor, x = this.transform.width / 2, y = this.transform.height / 2) {
     this.look(zoomed(this.transform, factor, x, y));
@@ -73,16 +93,22 @@ export class GlobalPane {
 
   listen() {
     listenToPointers(this.pane.moving, {
-      pan: (dx, dy) => this.move(dx, dy), zoom: (factor, x, y) => this.zoom(factor, x, y),
-      click: (x, y) => this.pick(x, y), hover: (x, y) => this.hover(x, y), leave: () => this.pane.showTip('', 0, 0),
+      pan: (dx, dy) => this.move(dx, dy),
+      zoom: (factor, x, y) => this.zoom(factor, x, y),
+      click: (x, y) => this.pick(x, y),
+      hover: (x, y) => this.hover(x, y),
+      leave: () => this.pane.showTip('', 0, 0),
     });
   }
 
   /// The hypothesis at a place of the pane, or -1.
   hypothesisAt(x, y) {
     if (!this.scene || !this.state.layers.has('hypotheses')) return -1;
-    const { recording, frame } = this.scene, { rows } = recording, t = this.transform;
-    let found = -1, least = kReach_px;
+    const { recording, frame } = this.scene,
+      { rows } = recording,
+      t = this.transform;
+    let found = -1,
+      least = kReach_px;
     const consider = (id, mx, my, bonus) => {
       const distance = Math.hypot(t.x(mx) - x, t.y(my) - y) - bonus;
       if (distance < least) [least, found] = [distance, id];
@@ -119,15 +145,21 @@ export class GlobalPane {
 
   findingAt(x, y) {
     if (!this.scene || !this.state.layers.has('findings')) return null;
-    const t = this.transform, place = [t.mapX(x), t.mapY(y)], within_m = kFeatureReach_px / t.scale;
-    return layer.findingsOfScene(this.scene).findings
-      .find(({ line }) => line.length === 4 && distanceTo({ kind: 'segment', numbers: line }, ...place) < within_m);
+    const t = this.transform,
+      place = [t.mapX(x), t.mapY(y)],
+      within_m = kFeatureReach_px / t.scale;
+    return hypothesis
+      .findingsOfScene(this.scene)
+      .findings.find(({ line }) => line.length === 4 && distanceTo({ kind: 'segment', numbers: line }, ...place) < within_m);
   }
 
   hypothesisWords(id) {
-    const { recording, frame } = this.scene, row = recording.rows.find(frame, id);
-    const state = row >= 0 ? `probability ${probabilityWords(recording.rows.probability.values[row])}`
-      : `ended: ${recording.hypotheses.byId.get(id)?.end?.reason ?? ''}`;
+    const { recording, frame } = this.scene,
+      row = recording.rows.find(frame, id);
+    const state =
+      row >= 0
+        ? `probability ${probabilityWords(recording.rows.probability.values[row])}`
+        : `ended: ${recording.hypotheses.byId.get(id)?.end?.reason ?? ''}`;
     return `Hypothesis #${id}\n${state}\n${poseWords(recording.poseAt(frame, id))}`;
   }
 
@@ -135,7 +167,8 @@ export class GlobalPane {
   showFeature(number) {
     const feature = this.mapLayer?.map.features[number];
     if (!feature) return;
-    const [x, y] = anchorOf(feature.geometry), t = this.transform;
+    const [x, y] = anchorOf(feature.geometry),
+      t = this.transform;
     if (t.x(x) < 0 || t.x(x) > t.width || t.y(y) < 0 || t.y(y) > t.height) this.look({ ...this.state.view, x, y, auto: false });
     this.pane.transform.view = this.state.view;
     this.pane.showTip(featureWords(this.mapLayer.map, number), t.x(x), t.y(y));
@@ -166,10 +199,12 @@ export class GlobalPane {
 
   paintMoving(scene, palette) {
     const painter = { context: this.context, view: this.transform, palette, marks: this.marks, scene, state: this.state };
-    layer.paintPicked(painter);
+    placed.paintPicked(painter);
     for (const [name, paint] of kPaintingOrder) if (this.state.layers.has(name)) paint(painter);
-    layer.paintSelected(painter);
+    hypothesis.paintSelected(painter);
   }
 
-  drawn() { return [...this.stillMarks.list(), ...this.marks.list()]; }
+  drawn() {
+    return [...this.stillMarks.list(), ...this.marks.list()];
+  }
 }

@@ -8,10 +8,20 @@ const kRow_px = 26;
 export class HypothesisList {
   constructor(state) {
     this.state = state;
-    this.list = new VirtualList('hypotheses', 'Live hypotheses, best first', 'listbox', 'option', kRow_px,
-      (node, item) => this.fillRow(node, item), { open: ({ key }) => this.state.set({ selected: key }) });
-    this.head = element('div', { class: 'row head', 'aria-hidden': 'true' },
-      ...['', 'id', 'prob.', 'x, y [m]', 'heading', 'log-lik.'].map((text) => element('span', { text })));
+    this.list = new VirtualList(
+      'hypotheses',
+      'Live hypotheses, best first',
+      'listbox',
+      'option',
+      kRow_px,
+      (node, item) => this.fillRow(node, item),
+      { open: ({ key }) => this.state.set({ selected: key }) },
+    );
+    this.head = element(
+      'div',
+      { class: 'row head', 'aria-hidden': 'true' },
+      ...['', 'id', 'prob.', 'x, y [m]', 'heading', 'log-lik.'].map((text) => element('span', { text })),
+    );
     this.root = element('div', { class: 'list-panel hypotheses' }, this.head, this.list.root);
   }
 
@@ -22,7 +32,8 @@ export class HypothesisList {
   }
 
   fillRow(node, { key, row }) {
-    const { rows } = this.scene.recording, p = rows.probability.values[row];
+    const { rows } = this.scene.recording,
+      p = rows.probability.values[row];
     if (node.childElementCount === 0)
       node.append(element('span', { class: 'bar' }), ...Array.from({ length: 5 }, () => element('span')));
     const [bar, id, probability, place, heading, nat] = node.children;
@@ -35,12 +46,16 @@ export class HypothesisList {
     setText(nat, fixed(rows.nat.values[row], 1));
     node.classList.toggle('best', best);
     node.setAttribute('aria-selected', String(key === this.state.selected));
-    node.setAttribute('aria-label', `Hypothesis ${key}${best ? ', the best' : ''}: probability ${probability.textContent}, at ${place.textContent} metres, ${heading.textContent}`);
+    node.setAttribute(
+      'aria-label',
+      `Hypothesis ${key}${best ? ', the best' : ''}: probability ${probability.textContent}, at ${place.textContent} metres, ${heading.textContent}`,
+    );
   }
 }
 
 export function hypothesesBestFirst({ recording: { rows }, frame }) {
-  const order = [], seen = new Set();
+  const order = [],
+    seen = new Set();
   const add = (row) => {
     if (!seen.has(row)) order.push(row);
     seen.add(row);

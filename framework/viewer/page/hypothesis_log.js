@@ -4,8 +4,19 @@ import { coordinate, integer, list, numberOrNull, optionalList, position, refuse
 /// `nodes` what happened to it: `{frame, kind: grown | lost | tried, pairs or locals, reason}`.
 function newborn(id, frame) {
   return {
-    id, parent: -1, template: '', bornFrame: frame, pose: null, nat: NaN, pairs: [], links: [], nodes: [], children: [],
-    endFrame: Infinity, end: null, known: false,
+    id,
+    parent: -1,
+    template: '',
+    bornFrame: frame,
+    pose: null,
+    nat: NaN,
+    pairs: [],
+    links: [],
+    nodes: [],
+    children: [],
+    endFrame: Infinity,
+    end: null,
+    known: false,
   };
 }
 
@@ -34,7 +45,7 @@ export class HypothesisLog {
   constructor() {
     this.byId = new Map();
     this.inOrder = [];
-    this.features = 0;  ///< how many the map has
+    this.features = 0; ///< how many the map has
   }
 
   /// The hypothesis of that id; one that was never announced as born begins here.
@@ -84,8 +95,12 @@ export class HypothesisLog {
   }
 
   tried([id, pairs, reason], frame, place) {
-    this.of(id, frame, place).nodes.push(
-      { frame, kind: 'tried', pairs: pairsOf(pairs, this.features, place), reason: text(reason ?? '', place) });
+    this.of(id, frame, place).nodes.push({
+      frame,
+      kind: 'tried',
+      pairs: pairsOf(pairs, this.features, place),
+      reason: text(reason ?? '', place),
+    });
   }
 
   ended(entry, frame, place) {
@@ -93,9 +108,13 @@ export class HypothesisLog {
     const hypothesis = this.of(id, frame, place);
     hypothesis.endFrame = frame;
     hypothesis.end = {
-      reason: text(reason, place), mergedInto: integer(into ?? -1, place),
-      pose: [x, y, heading].map((v) => coordinate(v, place)), nat: numberOrNull(nat, place),
-      scan_nat: numberOrNull(scan_nat, place), scores: scores ?? {}, findings: findingsOf(findings, this.features, place),
+      reason: text(reason, place),
+      mergedInto: integer(into ?? -1, place),
+      pose: [x, y, heading].map((v) => coordinate(v, place)),
+      nat: numberOrNull(nat, place),
+      scan_nat: numberOrNull(scan_nat, place),
+      scores: scores ?? {},
+      findings: findingsOf(findings, this.features, place),
     };
   }
 

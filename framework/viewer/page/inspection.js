@@ -1,5 +1,5 @@
 import { pairsAt } from './hypothesis_log.js';
-import { kStatuses } from './recording.js';
+import { kStatuses } from './frame_check.js';
 
 /// `window.opal`: the page from outside, for tests and for the curious. Numbers of runs and updates count from 0.
 export function inspectionOf(app, ready, errors) {
@@ -7,11 +7,13 @@ export function inspectionOf(app, ready, errors) {
   return {
     ready,
     errors,
-    get paints() { return app.paints; },
+    get paints() {
+      return app.paints;
+    },
     frames: (run = 0) => app.timeLine.recordings[run]?.frames ?? 0,
     /// Shows an update; the promise is kept once it is painted.
     seek: (frame, run = 0) => {
-      app.seek(frame, run);
+      app.moves.seek(frame, run);
       return settled(app);
     },
     settled: () => settled(app),
@@ -19,7 +21,14 @@ export function inspectionOf(app, ready, errors) {
     /// What the last picture really has: marks, in the order of painting.
     drawn: (run = 0, pane = 'global') => view(run)?.[pane].drawn() ?? [],
     view: () => ({ ...app.state.view }),
-    choices: () => ({ time: app.state.time, selected: app.state.selected, window: app.state.window, run: app.state.run, playing: app.state.playing, layers: [...app.state.layers] }),
+    choices: () => ({
+      time: app.state.time,
+      selected: app.state.selected,
+      window: app.state.window,
+      run: app.state.run,
+      playing: app.state.playing,
+      layers: [...app.state.layers],
+    }),
   };
 }
 
@@ -31,21 +40,40 @@ function settled(app) {
 }
 
 function stateOf({ recording, frame, best, shown, T_map_base, pairs }) {
-  const { rows, map } = recording, hypotheses = [], localFeatures = [];
+  const { rows, map } = recording,
+    hypotheses = [],
+    localFeatures = [];
   for (let row = rows.begin(frame); row < rows.end(frame); ++row) {
     const id = rows.id.values[row];
     hypotheses.push({
-      id, pose: rows.poseOf(row), nat: rows.nat.values[row], probability: rows.probability.values[row],
+      id,
+      pose: rows.poseOf(row),
+      nat: rows.nat.values[row],
+      probability: rows.probability.values[row],
       associations: named(map, pairsAt(recording.hypotheses.byId.get(id), frame)),
     });
   }
   recording.features.forEach(frame, (feature) => localFeatures.push({ ...feature }));
   const detail = recording.detail(frame);
   return {
-    frame, keyframe: recording.keyframe.values[frame], stamp: recording.stamp.values[frame], time: recording.time.values[frame],
-    window: recording.window.values[frame], status: kStatuses[recording.status.values[frame]], probability: recording.probability.values[frame],
-    best, shown, T_map_base, associations: named(map, pairs), hypotheses, localFeatures, local: recording.localPose(frame), truth: recording.truthPose(frame),
-    words: recording.wordsAt(frame), cpu: detail.cpu ?? {}, search: detail.search ?? null,
+    frame,
+    keyframe: recording.keyframe.values[frame],
+    stamp: recording.stamp.values[frame],
+    time: recording.time.values[frame],
+    window: recording.window.values[frame],
+    status: kStatuses[recording.status.values[frame]],
+    probability: recording.probability.values[frame],
+    best,
+    shown,
+    T_map_base,
+    associations: named(map, pairs),
+    hypotheses,
+    localFeatures,
+    local: recording.localPose(frame),
+    truth: recording.truthPose(frame),
+    words: recording.wordsAt(frame),
+    cpu: detail.cpu ?? {},
+    search: detail.search ?? null,
   };
 }
 

@@ -6,11 +6,25 @@ export class LayersMenu {
   constructor(state) {
     this.state = state;
     this.boxes = new Map(kLayers.map(([name, label]) => [name, this.box(name, label)]));
-    this.choice = element('select', { 'aria-label': 'Associations of', onchange: () => state.set({ associations: this.choice.value }) },
-      ...kAssociationChoices.map((value) => element('option', { value, text: `of ${value === 'all' ? 'all' : `the ${value} one`}` })));
+    this.choice = element(
+      'select',
+      { 'aria-label': 'Associations of', onchange: () => state.set({ associations: this.choice.value }) },
+      ...kAssociationChoices.map((value) =>
+        element('option', { value, text: `of ${value === 'all' ? 'all' : `the ${value} one`}` }),
+      ),
+    );
     this.summary = element('summary', { class: 'tool', text: 'Layers', title: 'What is drawn (l)' });
-    this.root = element('details', { class: 'menu' }, this.summary, element('div', { class: 'menu-body', role: 'group', 'aria-label': 'Layers' },
-      ...[...this.boxes.values()].map(({ root }) => root), element('label', { class: 'check' }, 'Association lines ', this.choice)));
+    this.root = element(
+      'details',
+      { class: 'menu' },
+      this.summary,
+      element(
+        'div',
+        { class: 'menu-body', role: 'group', 'aria-label': 'Layers' },
+        ...[...this.boxes.values()].map(({ root }) => root),
+        element('label', { class: 'check' }, 'Association lines ', this.choice),
+      ),
+    );
     this.root.addEventListener('keydown', (event) => {
       if (event.key === 'Escape' && this.root.open) this.close(event);
     });

@@ -2,9 +2,10 @@ import { Recording } from './recording.js';
 import { RecordError } from './record_error.js';
 
 const kBatch_ms = 60;
+const kBeginsRun = /^\s*\{\s*"r"\s*:\s*"run"/;
 
 /// Records as a server sends them. They are taken in batches, so that a fast run costs the page no more than a slow one.
-/// A connection that comes back tells the run from its first record on; then a new recording replaces the old one.
+/// A connection that comes back goes on where it was, or tells the run from its first record on; then a new recording replaces the old one.
 /// `on` has: recording(recording) for the first and every replacing one, appended(recording), state(name, words).
 export class LiveFeed {
   constructor(url, on) {
@@ -53,7 +54,7 @@ export class LiveFeed {
   }
 
   take(line) {
-    if (!this.recording || (line.startsWith('{"r":"run"') && this.recording.records > 0)) {
+    if (!this.recording || (kBeginsRun.test(line) && this.recording.records > 0)) {
       this.recording = new Recording('live');
       this.on.recording(this.recording);
     }

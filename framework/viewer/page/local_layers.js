@@ -3,9 +3,12 @@ import { anchorOf } from './geometry.js';
 import { kMark } from './marks.js';
 import { shortName } from './words_of.js';
 
-/// The layers of the local map, in painting order; painter as in global_layers.js. Frame: local.
+/// The layers of the local map, in painting order; painter as in placed_layers.js. Frame: local.
 
-const kScanDot_px = 2, kMostPoses = 120;
+const kScanDot_px = 2,
+  kMostPoses = 120,
+  kIdWidth_px = 26,
+  kIdHeight_px = 14;
 /// What was looked up in a search stays on show this long [s].
 const kAfterglow_s = 1;
 
@@ -15,8 +18,11 @@ function placeOf(xy, k, T, c, s, out) {
 }
 
 export function paintFreeSpace({ context, view, palette, marks, scene }) {
-  const { free } = scene.recording, T = scene.recording.localPose(scene.frame), out = [0, 0];
-  const c = Math.cos(T[2]), s = Math.sin(T[2]);
+  const { free } = scene.recording,
+    T = scene.recording.localPose(scene.frame),
+    out = [0, 0];
+  const c = Math.cos(T[2]),
+    s = Math.sin(T[2]);
   context.beginPath();
   for (let k = free.begin(scene.frame); k < free.end(scene.frame); k += 2) {
     placeOf(free.xy.values, k, T, c, s, out);
@@ -35,8 +41,11 @@ export function paintFreeSpace({ context, view, palette, marks, scene }) {
 }
 
 export function paintScan({ context, view, palette, marks, scene }) {
-  const { scan } = scene.recording, T = scene.recording.localPose(scene.frame), out = [0, 0];
-  const c = Math.cos(T[2]), s = Math.sin(T[2]);
+  const { scan } = scene.recording,
+    T = scene.recording.localPose(scene.frame),
+    out = [0, 0];
+  const c = Math.cos(T[2]),
+    s = Math.sin(T[2]);
   context.fillStyle = palette.scan;
   for (let k = scan.begin(scene.frame); k < scan.end(scene.frame); k += 2) {
     placeOf(scan.xy.values, k, T, c, s, out);
@@ -69,13 +78,31 @@ export function paintFeatures({ context, view, palette, marks, scene }) {
   };
   const matched = ({ id }) => mapped.get(id) >= 0;
   pass(() => setPen(context, palette.match, 7, 0.32, []), matched);
-  pass(() => setPen(context, palette.candidate, 1.2, 1, [2, 3]), (feature) => !feature.stable);
-  pass(() => setPen(context, palette.local, 2.2, 1, []), (feature) => feature.stable && !matched(feature));
-  pass(() => setPen(context, palette.match, 2.6, 1, []), (feature) => feature.stable && matched(feature));
+  pass(
+    () => setPen(context, palette.candidate, 1.2, 1, [2, 3]),
+    (feature) => !feature.stable,
+  );
+  pass(
+    () => setPen(context, palette.local, 2.2, 1, []),
+    (feature) => feature.stable && !matched(feature),
+  );
+  pass(
+    () => setPen(context, palette.match, 2.6, 1, []),
+    (feature) => feature.stable && matched(feature),
+  );
   setPen(context, palette.local, 1.4, 1, []);
   scene.recording.features.forEach(scene.frame, (feature) => {
     const [x, y] = anchorOf(feature.geometry);
-    marks.add(kMark.local_feature, feature.id, x, y, NaN, NaN, feature.stable ? 1 : 0, matched(feature) ? mapped.get(feature.id) : -1);
+    marks.add(
+      kMark.local_feature,
+      feature.id,
+      x,
+      y,
+      NaN,
+      NaN,
+      feature.stable ? 1 : 0,
+      matched(feature) ? mapped.get(feature.id) : -1,
+    );
     if (mapped.has(feature.id)) paintBadge(context, view.x(x), view.y(y), matched(feature), palette);
   });
 }
@@ -100,9 +127,13 @@ export function paintIds({ context, view, palette, scene }) {
   context.font = `11px ${palette.font}`;
   context.textAlign = 'left';
   context.textBaseline = 'middle';
+  const taken = new Set(); // no two ids on top of each other
   scene.recording.features.forEach(scene.frame, (feature) => {
     const [x, y] = anchorOf(feature.geometry);
-    if (feature.stable) label(context, String(feature.id), view.x(x) + 6, view.y(y) - 7, palette.text, palette.plot);
+    const cell = `${Math.round(view.x(x) / kIdWidth_px)},${Math.round(view.y(y) / kIdHeight_px)}`;
+    if (!feature.stable || taken.has(cell)) return;
+    taken.add(cell);
+    label(context, String(feature.id), view.x(x) + 6, view.y(y) - 7, palette.text, palette.plot);
   });
 }
 
@@ -114,14 +145,18 @@ export function paintObserved({ context, view, palette, marks, scene: { recordin
   context.font = `11px ${palette.font}`;
   context.textAlign = 'center';
   (recording.searchAt(search).patterns ?? []).forEach(([template, locals, candidates], k) => {
-    const places = locals.map((id) => recording.features.find(search, id)).filter(Boolean).map((f) => anchorOf(f.geometry));
+    const places = locals
+      .map((id) => recording.features.find(search, id))
+      .filter(Boolean)
+      .map((f) => anchorOf(f.geometry));
     if (places.length === 0) return;
     setPen(context, palette.pattern, 1.3, 1, [6, 3]);
     context.beginPath();
     places.forEach(([x, y]) => context.lineTo(view.x(x), view.y(y)));
     if (places.length > 2) context.closePath();
     context.stroke();
-    const x = places.reduce((sum, p) => sum + p[0], 0) / places.length, y = places.reduce((sum, p) => sum + p[1], 0) / places.length;
+    const x = places.reduce((sum, p) => sum + p[0], 0) / places.length,
+      y = places.reduce((sum, p) => sum + p[1], 0) / places.length;
     marks.add(kMark.observed_pattern, k, x, y);
     context.setLineDash([]);
     if (k < 4) label(context, `${shortName(template)} × ${candidates}`, view.x(x), view.y(y), palette.pattern, palette.plot);

@@ -9,11 +9,17 @@ import { clampScale } from './view_transform.js';
 import { shortName } from './words_of.js';
 
 const kHelp = 'Plus and minus zoom; the robot stays in the middle.';
-const kReach_px = 9, kLeastRadius_m = 3, kShownPart = 0.9;
+const kReach_px = 9,
+  kLeastRadius_m = 3,
+  kShownPart = 0.9;
 
 const kPaintingOrder = [
-  ['free', layer.paintFreeSpace], ['trajectory', layer.paintPoses], ['scan', layer.paintScan], ['observed', layer.paintObserved],
-  ['features', layer.paintFeatures], ['features', layer.paintIds],
+  ['free', layer.paintFreeSpace],
+  ['trajectory', layer.paintPoses],
+  ['scan', layer.paintScan],
+  ['observed', layer.paintObserved],
+  ['features', layer.paintFeatures],
+  ['features', layer.paintIds],
 ];
 
 /// The local map of one run, with the robot in the middle. Frame: local.
@@ -27,23 +33,43 @@ export class LocalPane {
     this.radius_m = kLeastRadius_m;
     this.context = this.pane.moving.getContext('2d');
     listenToPointers(this.pane.moving, {
-      pan: () => {}, zoom: (factor) => this.zoom(factor), click: (x, y) => this.hover(x, y),
-      hover: (x, y) => this.hover(x, y), leave: () => this.pane.showTip('', 0, 0),
+      pan: () => {},
+      zoom: (factor) => this.zoom(factor),
+      click: (x, y) => this.hover(x, y),
+      hover: (x, y) => this.hover(x, y),
+      leave: () => this.pane.showTip('', 0, 0),
     });
     const tool = (words, help, act) =>
-      element('button', { type: 'button', class: 'tool', text: words, title: help, 'aria-label': `Local map: ${help}`, onclick: act });
-    this.pane.tools.append(tool('+', 'zoom in', () => this.zoom(1.4)), tool('\u2212', 'zoom out', () => this.zoom(1 / 1.4)),
-      tool('Fit', 'fit', () => state.set({ localScale: 0 })));
+      element('button', {
+        type: 'button',
+        class: 'tool',
+        text: words,
+        title: help,
+        'aria-label': `Local map: ${help}`,
+        onclick: act,
+      });
+    this.pane.tools.append(
+      tool('+', 'zoom in', () => this.zoom(1.4)),
+      tool('\u2212', 'zoom out', () => this.zoom(1 / 1.4)),
+      tool('Fit', 'fit', () => state.set({ localScale: 0 })),
+    );
   }
 
-  get root() { return this.pane.root; }
+  get root() {
+    return this.pane.root;
+  }
 
-  zoom(factor) { this.state.set({ localScale: clampScale(this.pane.transform.scale * factor) }); }
+  zoom(factor) {
+    this.state.set({ localScale: clampScale(this.pane.transform.scale * factor) });
+  }
 
   hover(x_px, y_px) {
     if (!this.scene) return;
-    const t = this.pane.transform, x = t.mapX(x_px), y = t.mapY(y_px);
-    let found = null, least = kReach_px / t.scale;
+    const t = this.pane.transform,
+      x = t.mapX(x_px),
+      y = t.mapY(y_px);
+    let found = null,
+      least = kReach_px / t.scale;
     this.scene.recording.features.forEach(this.scene.frame, (feature) => {
       const distance_m = distanceTo(feature.geometry, x, y);
       if (distance_m < least) [least, found] = [distance_m, feature];
@@ -54,8 +80,10 @@ export class LocalPane {
   wordsOf(feature) {
     const pair = this.scene.pairs.find(([local]) => local === feature.id);
     const taken = pair ? `\ntaken for ${this.scene.recording.map.nameOf(pair[1])}` : '';
-    return `Local feature ${feature.id} · ${shortName(feature.type)}\n${feature.stable ? 'stable' : 'candidate'}, `
-      + `${feature.measurements} measurements${taken}`;
+    return (
+      `Local feature ${feature.id} · ${shortName(feature.type)}\n${feature.stable ? 'stable' : 'candidate'}, ` +
+      `${feature.measurements} measurements${taken}`
+    );
   }
 
   paint(scene, palette) {
@@ -64,7 +92,8 @@ export class LocalPane {
     this.pane.clear(this.pane.moving, this.context);
     this.marks.clear();
     if (!scene) return;
-    const t = this.pane.transform, [x, y] = scene.recording.localPose(scene.frame);
+    const t = this.pane.transform,
+      [x, y] = scene.recording.localPose(scene.frame);
     t.view.x = x;
     t.view.y = y;
     t.view.scale = this.state.localScale || this.fittingScale(scene);
@@ -78,8 +107,11 @@ export class LocalPane {
   /// So that nine tenths of the scan fit; the radius only grows within a time line, for a calm picture.
   fittingScale({ recording, frame }) {
     const window = recording.window.values[frame];
-    if (this.radiusFor !== window || this.radiusOf !== recording) [this.radiusFor, this.radiusOf, this.radius_m] = [window, recording, kLeastRadius_m];
-    const { scan } = recording, xy = scan.xy.values, ranges = [];
+    if (this.radiusFor !== window || this.radiusOf !== recording)
+      [this.radiusFor, this.radiusOf, this.radius_m] = [window, recording, kLeastRadius_m];
+    const { scan } = recording,
+      xy = scan.xy.values,
+      ranges = [];
     for (let k = scan.begin(frame); k < scan.end(frame); k += 2) ranges.push(Math.hypot(xy[k], xy[k + 1]));
     ranges.sort((a, b) => a - b);
     if (ranges.length > 0) this.radius_m = Math.max(this.radius_m, 1.1 * ranges[Math.floor(kShownPart * (ranges.length - 1))]);
@@ -87,5 +119,7 @@ export class LocalPane {
     return clampScale((Math.min(t.width, t.height) / 2 - 10) / this.radius_m);
   }
 
-  drawn() { return this.marks.list(); }
+  drawn() {
+    return this.marks.list();
+  }
 }

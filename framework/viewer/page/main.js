@@ -17,9 +17,14 @@ function complain(words) {
 async function readBlocks(blocks) {
   const recordings = [];
   for (const [k, block] of blocks.entries()) {
-    const name = block.dataset.name || `run ${k + 1}`, recording = new Recording(name);
+    const name = block.dataset.name || `run ${k + 1}`,
+      recording = new Recording(name);
     progress.textContent = `Reading ${name} …`;
-    const error = await readDataBlock(block, recording, ({ frames }) => (progress.textContent = `Reading ${name}: ${frames} updates`));
+    const error = await readDataBlock(
+      block,
+      recording,
+      ({ frames }) => (progress.textContent = `Reading ${name}: ${frames} updates`),
+    );
     if (error) complain(`${name}: ${error.message}. ${recording.frames} updates before it are shown.`);
     if (recording.map) recordings.push(recording);
   }
@@ -45,7 +50,7 @@ function follow(url) {
     },
     state: (name, words) => {
       app.header.setLive(name, name === 'live' ? 'Live' : words);
-      if (name === 'broken' && dead !== words) complain(dead = words);
+      if (name === 'broken' && dead !== words) complain((dead = words));
     },
   });
   const show = (recording) => {
@@ -66,4 +71,8 @@ async function start() {
   progress.hidden ||= !live;
 }
 
-window.opal = inspectionOf(app, start().catch((error) => complain(`The page failed: ${error.message}`)), errors);
+window.opal = inspectionOf(
+  app,
+  start().catch((error) => complain(`The page failed: ${error.message}`)),
+  errors,
+);

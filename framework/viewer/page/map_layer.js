@@ -4,13 +4,17 @@ import { kMark } from './marks.js';
 import { shortName } from './words_of.js';
 
 /// The side of a face that cannot be seen is shaded this deep.
-const kBody_m = 0.12, kBodyOpacity = 0.2, kWall_px = 1.6, kDash_px = 4, kNames_px = 46;
+const kBody_m = 0.12,
+  kBodyOpacity = 0.2,
+  kWall_px = 1.6,
+  kDash_px = 4,
+  kNames_px = 46;
 
 /// What is on the map, drawn once per view: paths are built once, in metres, one per colour.
 export class MapLayer {
   constructor(map) {
     this.map = map;
-    this.batches = new Map();  ///< colour type -> {solid, dashed, body, points}
+    this.batches = new Map(); ///< colour type -> {solid, dashed, body, points}
     map.features.forEach((feature) => this.collect(feature));
     this.patterns = new Path2D();
     for (const pattern of map.patterns) this.link(pattern.features.map((number) => anchorOf(map.features[number].geometry)));
@@ -19,7 +23,8 @@ export class MapLayer {
   collect(feature) {
     if (!this.batches.has(feature.colorType))
       this.batches.set(feature.colorType, { solid: new Path2D(), dashed: new Path2D(), body: new Path2D(), points: [] });
-    const batch = this.batches.get(feature.colorType), { kind, numbers: n } = feature.geometry;
+    const batch = this.batches.get(feature.colorType),
+      { kind, numbers: n } = feature.geometry;
     const path = feature.perceivable ? batch.solid : batch.dashed;
     if (kind === 'segment') {
       path.moveTo(n[0], n[1]);
@@ -76,9 +81,13 @@ export class MapLayer {
       context.fillStyle = context.strokeStyle = palette.type(this.map.types, type);
       context.lineWidth = 1.2;
       context.beginPath();
-      for (const { geometry: { kind, numbers: n }, perceivable } of points) {
+      for (const {
+        geometry: { kind, numbers: n },
+        perceivable,
+      } of points) {
         if (!perceivable && !layers.has('unperceivable')) continue;
-        const x = view.x(n[0]), y = view.y(n[1]);
+        const x = view.x(n[0]),
+          y = view.y(n[1]);
         if (perceivable) context.fillRect(x - 2, y - 2, 4, 4);
         else context.rect(x - 2, y - 2, 4, 4);
         if (kind !== 'oriented_point') continue;
@@ -115,7 +124,9 @@ export class MapLayer {
     const taken = new Set();
     for (const object of this.map.objects) {
       if (object.features.length === 0) continue;
-      const [mx, my] = anchorOf(this.map.features[object.features[0]].geometry), x = view.x(mx), y = view.y(my);
+      const [mx, my] = anchorOf(this.map.features[object.features[0]].geometry),
+        x = view.x(mx),
+        y = view.y(my);
       const cell = `${Math.floor(x / (2 * kNames_px))},${Math.floor(y / 16)}`;
       if (x < 0 || y < 0 || x > view.width || y > view.height || taken.has(cell)) continue;
       taken.add(cell);
@@ -125,7 +136,8 @@ export class MapLayer {
 
   /// The feature that is nearest to a place of the map, within a distance; -1 if there is none.
   at(x, y, within_m, layers, distanceTo) {
-    let found = -1, least = within_m;
+    let found = -1,
+      least = within_m;
     this.map.features.forEach((feature, number) => {
       if (!feature.perceivable && !layers.has('unperceivable')) return;
       const distance_m = distanceTo(feature.geometry, x, y);
@@ -140,7 +152,8 @@ export class MapLayer {
 function shadeBehind(path, [x, y, u, v]) {
   const length = Math.hypot(u - x, v - y);
   if (!(length > 0)) return;
-  const nx = ((v - y) / length) * kBody_m, ny = (-(u - x) / length) * kBody_m;  // right of the direction: not visible
+  const nx = ((v - y) / length) * kBody_m,
+    ny = (-(u - x) / length) * kBody_m; // right of the direction: not visible
   path.moveTo(x, y);
   path.lineTo(u, v);
   path.lineTo(u + nx, v + ny);
@@ -153,7 +166,8 @@ const shorten = (name) => (name.length > kLongestName ? `${name.slice(0, kLonges
 
 /// `wall-3 · Wall · wall-3/face-1`
 export function featureWords(map, number) {
-  const feature = map.features[number], object = map.objects[feature.object];
+  const feature = map.features[number],
+    object = map.objects[feature.object];
   const parts = object ? [`${object.id} · ${shortName(object.type)}`] : [];
   parts.push(`${feature.id} · ${shortName(feature.type)}${feature.perceivable ? '' : ' · not seen by this sensor'}`);
   return parts.join('\n');

@@ -1,7 +1,22 @@
 /// What was painted, as the painting code reports it, mark by mark: kind, who it is, and where in the frame of the pane [m].
 /// For tests and the curious; cheap enough to be always on.
-export const kMarkKinds = ['map_feature', 'pattern', 'free_space', 'scan', 'trajectory', 'truth', 'local_feature', 'association',
-  'hypothesis', 'selected', 'finding', 'ended', 'rejected', 'robot', 'observed_pattern'];
+const kMarkKinds = [
+  'map_feature',
+  'pattern',
+  'free_space',
+  'scan',
+  'trajectory',
+  'truth',
+  'local_feature',
+  'association',
+  'hypothesis',
+  'selected',
+  'finding',
+  'ended',
+  'rejected',
+  'robot',
+  'observed_pattern',
+];
 
 export class Marks {
   constructor() {
@@ -11,7 +26,9 @@ export class Marks {
     this.count = 0;
   }
 
-  clear() { this.count = 0; }
+  clear() {
+    this.count = 0;
+  }
 
   /// `other` and `third` say more about some kinds: association: local feature, mapped feature; local_feature: 0 candidate, 1 stable.
   add(kind, id, x, y, u = NaN, v = NaN, other = -1, third = -1) {
@@ -40,8 +57,14 @@ export class Marks {
 
   list() {
     return Array.from({ length: this.count }, (_, k) => ({
-      kind: kMarkKinds[this.kind[k]], id: this.ids[3 * k], other: this.ids[3 * k + 1], third: this.ids[3 * k + 2],
-      x: this.places[4 * k], y: this.places[4 * k + 1], u: this.places[4 * k + 2], v: this.places[4 * k + 3],
+      kind: kMarkKinds[this.kind[k]],
+      id: this.ids[3 * k],
+      other: this.ids[3 * k + 1],
+      third: this.ids[3 * k + 2],
+      x: this.places[4 * k],
+      y: this.places[4 * k + 1],
+      u: this.places[4 * k + 2],
+      v: this.places[4 * k + 3],
     }));
   }
 }

@@ -9,16 +9,32 @@ export class ObjectsPanel {
   constructor(state, show) {
     this.state = state;
     this.map = null;
-    this.list = new VirtualList('objects', 'Mapped features', 'listbox', 'option', kRow_px, (node, item) => this.fillRow(node, item), {
-      open: ({ key }) => {
-        state.set({ object: key });
-        show(key);
+    this.list = new VirtualList(
+      'objects',
+      'Mapped features',
+      'listbox',
+      'option',
+      kRow_px,
+      (node, item) => this.fillRow(node, item),
+      {
+        open: ({ key }) => {
+          state.set({ object: key });
+          show(key);
+        },
       },
-    });
+    );
     this.search = element('input', {
-      type: 'search', placeholder: 'Search: id or type', 'aria-label': 'Search the map', oninput: () => this.refresh(),
+      type: 'search',
+      placeholder: 'Search: id or type',
+      'aria-label': 'Search the map',
+      oninput: () => this.refresh(),
     });
-    this.root = element('div', { class: 'list-panel objects' }, element('div', { class: 'list-tools' }, this.search), this.list.root);
+    this.root = element(
+      'div',
+      { class: 'list-panel objects' },
+      element('div', { class: 'list-tools' }, this.search),
+      this.list.root,
+    );
   }
 
   update(scene) {
@@ -38,7 +54,12 @@ export class ObjectsPanel {
   itemOf(feature, key) {
     const object = this.map.objects[feature.object];
     const type = shortName(object?.type ?? feature.type);
-    return { key, id: feature.id, type: feature.perceivable ? type : `${type}, unseen`, text: `${feature.id} ${object?.id ?? ''} ${type}` };
+    return {
+      key,
+      id: feature.id,
+      type: feature.perceivable ? type : `${type}, unseen`,
+      text: `${feature.id} ${object?.id ?? ''} ${type}`,
+    };
   }
 
   fillRow(node, item) {

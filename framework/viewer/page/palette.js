@@ -1,6 +1,26 @@
 /// Colours by meaning, read from style.css, where light and dark are defined once for page and canvas.
-const kInks = ['paper', 'plot', 'text', 'faint', 'grid', 'free', 'scan', 'local', 'candidate', 'match', 'association', 'best',
-  'rival', 'selected', 'trajectory', 'truth', 'finding', 'pattern', 'run-a', 'run-b'];
+const kInks = [
+  'paper',
+  'plot',
+  'text',
+  'faint',
+  'grid',
+  'free',
+  'scan',
+  'local',
+  'candidate',
+  'match',
+  'association',
+  'best',
+  'rival',
+  'selected',
+  'trajectory',
+  'truth',
+  'finding',
+  'pattern',
+  'run-a',
+  'run-b',
+];
 const kStatusInks = ['searching', 'ambiguous', 'localized', 'lost'];
 const kOtherTypes = 4;
 const kOwnTypes = { 'opal:Wall': 'wall', 'opal:Column': 'column', 'opal:Door': 'door', 'opal:Window': 'window' };
@@ -11,7 +31,9 @@ export function readPalette() {
   const palette = Object.fromEntries(kInks.map((name) => [name.replace(/-(.)/g, (_, c) => c.toUpperCase()), read(name)]));
   palette.status = kStatusInks.map((name) => read(`status-${name}`));
   palette.font = style.getPropertyValue('--font').trim();
-  palette.type = (types, type) => (Object.hasOwn(kOwnTypes, type)
-    ? read(`type-${kOwnTypes[type]}`) : read(`type-other-${1 + (types.indexOf(type) % kOtherTypes)}`));
+  palette.type = (types, type) =>
+    Object.hasOwn(kOwnTypes, type)
+      ? read(`type-${kOwnTypes[type]}`)
+      : read(`type-other-${1 + (types.indexOf(type) % kOtherTypes)}`);
   return palette;
 }

@@ -1,10 +1,12 @@
 /// Mouse, touch and wheel on a pane, as what they mean. `on` has pan(dx, dy), zoom(factor, x, y), click(x, y), hover(x, y),
 /// leave(); all in pixels of the pane.
-const kClick_px = 6, kWheelStep = 0.0016;
+const kClick_px = 6,
+  kWheelStep = 0.0016;
 
 export function listenToPointers(target, on) {
   const held = new Map();
-  let travelled = 0, spread = 0;
+  let travelled = 0,
+    spread = 0;
   const place = (event) => {
     const box = target.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
@@ -51,9 +53,13 @@ export function listenToPointers(target, on) {
   target.addEventListener('pointerup', release);
   target.addEventListener('pointercancel', release);
   target.addEventListener('pointerleave', () => on.leave());
-  target.addEventListener('wheel', (event) => {
-    event.preventDefault();
-    const lines = event.deltaMode === 1 ? 16 : 1;
-    on.zoom(Math.exp(-kWheelStep * lines * event.deltaY), ...place(event));
-  }, { passive: false });
+  target.addEventListener(
+    'wheel',
+    (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      on.zoom(Math.exp(-kWheelStep * lines * event.deltaY), ...place(event));
+    },
+    { passive: false },
+  );
 }

@@ -1,7 +1,7 @@
 import { element, setHidden, setText } from './dom.js';
 import { ViewTransform } from './view_transform.js';
 
-const kSharpest = 2;  ///< device pixels per CSS pixel: more costs much and shows little
+const kSharpest = 2; ///< device pixels per CSS pixel: more costs much and shows little
 
 /// A picture with a title and a tooltip: a canvas that keeps what rarely changes, and one for the rest.
 export class Pane {
@@ -11,13 +11,22 @@ export class Pane {
     this.title = element('h2', { class: 'pane-title', text: title });
     this.tip = element('div', { class: 'tip', role: 'status', hidden: true });
     this.tools = element('div', { class: 'pane-tools' });
-    this.root = element('section', { class: `pane pane-${name}`, 'aria-label': title }, this.still, this.moving, this.title, this.tools, this.tip);
+    this.root = element(
+      'section',
+      { class: `pane pane-${name}`, 'aria-label': title },
+      this.still,
+      this.moving,
+      this.title,
+      this.tools,
+      this.tip,
+    );
     this.transform = new ViewTransform(view);
   }
 
   /// Follows the size of its place; true if it has changed.
   resize() {
-    const { clientWidth: width, clientHeight: height } = this.root, ratio = Math.min(window.devicePixelRatio || 1, kSharpest);
+    const { clientWidth: width, clientHeight: height } = this.root,
+      ratio = Math.min(window.devicePixelRatio || 1, kSharpest);
     const t = this.transform;
     if (width === t.width && height === t.height && ratio === t.ratio) return false;
     t.width = Math.max(width, 1);

@@ -13,7 +13,8 @@ export class PointLog {
   append(differences, place) {
     const numbers = optionalList(differences, place);
     if (numbers.length % 2 !== 0) refuse(place, 'pairs of x and y', numbers.length);
-    let x = 0, y = 0;
+    let x = 0,
+      y = 0;
     for (let k = 0; k < numbers.length; k += 2) {
       if (!Number.isInteger(numbers[k]) || !Number.isInteger(numbers[k + 1])) refuse(place, 'integers', numbers.slice(k, k + 2));
       x += numbers[k];
@@ -24,6 +25,10 @@ export class PointLog {
     this.begins.push(this.xy.length);
   }
 
-  begin(frame) { return this.begins.values[frame]; }
-  end(frame) { return this.begins.values[frame + 1]; }
+  begin(frame) {
+    return this.begins.values[frame];
+  }
+  end(frame) {
+    return this.begins.values[frame + 1];
+  }
 }

@@ -1,13 +1,14 @@
 import { Column } from './column.js';
 import { FeatureLog } from './feature_log.js';
-import { HypothesisLog, findingsOf } from './hypothesis_log.js';
+import { checkedFrame } from './frame_check.js';
+import { HypothesisLog } from './hypothesis_log.js';
 import { PointLog } from './point_log.js';
 import { compose, inverse } from './pose.js';
-import { RecordError, integer, list, number, numberOrNull, object, optionalList, pose, refuse, text } from './record_error.js';
+import { RecordError, number, numberOrNull, object, optionalList, refuse, text } from './record_error.js';
 import { RowLog } from './row_log.js';
 import { RunMap } from './run_map.js';
+import { WrittenRecords } from './written_records.js';
 
-export const kStatuses = ['searching', 'ambiguous', 'localized', 'lost'];
 /// What one can jump to, each with how the page calls it.
 export const kEventKinds = ['status', 'born', 'ended', 'search'];
 
@@ -21,27 +22,38 @@ export class Recording {
     this.header = null;
     this.map = null;
     this.records = 0;
-    this.windows = [];  ///< {name, begin, end}: time lines, by frames
+    this.windows = []; ///< {name, begin, end}: time lines, by frames
     this.hypotheses = new HypothesisLog();
     this.features = new FeatureLog();
-    this.lines = [];
+    this.written = new WrittenRecords();
     const ints = ['keyframe', 'window', 'best', 'bestRow', 'wordsFrame', 'searchFrame'];
-    const floats = ['time', 'stamp', 'probability', 'none', 'x', 'y', 'heading', 'truthX', 'truthY', 'truthHeading', 'error', 'cpu'];
+    const floats = [
+      'time',
+      'stamp',
+      'probability',
+      'none',
+      'x',
+      'y',
+      'heading',
+      'truthX',
+      'truthY',
+      'truthHeading',
+      'error',
+      'cpu',
+    ];
     for (const column of ints) this[column] = new Column(Int32Array);
     for (const column of floats) this[column] = new Column(Float64Array);
     this.status = new Column(Uint8Array);
     this.matched = new Column(Uint8Array);
     this.eventFrame = new Column(Int32Array);
     this.eventKind = new Column(Uint8Array);
-    this.endedBy = new Map();    ///< frame -> hypotheses
-    this.refusedBy = new Map();  ///< frame -> places
-    this.detailOf = { frame: -1, record: null };
-    this.searchOf = { frame: -1, search: null };
-    this.findingsOf = { frame: -1, findings: [] };
-    this.wordsOf = { frame: -1, words: [] };
+    this.endedBy = new Map(); ///< frame -> hypotheses
+    this.refusedBy = new Map(); ///< frame -> places
   }
 
-  get frames() { return this.lines.length; }
+  get frames() {
+    return this.written.lines.length;
+  }
 
   /// Throws RecordError; what was appended before stays as it was.
   append(line) {
@@ -50,7 +62,9 @@ export class Recording {
     try {
       record = JSON.parse(line);
     } catch {
-      throw new RecordError(`record ${number}: expected a JSON object, found ${JSON.stringify(line.slice(0, 40))}${line.length > 40 ? '…' : ''}`);
+      throw new RecordError(
+        `record ${number}: expected a JSON object, found ${JSON.stringify(line.slice(0, 40))}${line.length > 40 ? '…' : ''}`,
+      );
     }
     try {
       this.take(object(record, 'record'), line);
@@ -71,7 +85,9 @@ export class Recording {
   takeRun(record) {
     if (this.header) refuse('run', 'one run per data block', 'a second one');
     const units = {
-      m: number(record.unit_m, 'unit_m'), rad: number(record.unit_rad, 'unit_rad'), nat: number(record.unit_nat, 'unit_nat'),
+      m: number(record.unit_m, 'unit_m'),
+      rad: number(record.unit_rad, 'unit_rad'),
+      nat: number(record.unit_nat, 'unit_nat'),
     };
     const scan_m = number(record.scan_unit_m, 'scan_unit_m');
     const reduced = optionalList(record.reduced, 'reduced').map((sentence) => text(sentence, 'reduced'));
@@ -89,8 +105,9 @@ export class Recording {
 
   takeFrame(record, line) {
     if (!this.map) refuse('frame', 'run and map records before it', 'none');
-    const frame = this.frames, first = frame === 0;
-    const now = this.check(record, first);
+    const frame = this.frames,
+      first = frame === 0;
+    const now = checkedFrame(record, first, first ? 0 : this.time.values[frame - 1], this.map.features.length);
     if (now.starts) this.startWindow(text(record.start ?? '', 'start'), frame);
     this.rows.append(record, now.local);
     this.features.append(record, now.starts);
@@ -98,28 +115,8 @@ export class Recording {
     this.scan.append(record.scan, 'scan');
     this.free.append(record.free, 'free');
     this.takeMoment(record, now, frame);
-    this.lines.push(line);
+    this.written.lines.push(line);
     this.windows[this.windows.length - 1].end = frame + 1;
-  }
-
-  /// What has to be right before anything of the frame is taken.
-  check(record, first) {
-    const starts = record.start !== undefined || first;
-    const time = number(record.time, 'time');
-    if (!starts && time < this.time.values[this.frames - 1])
-      refuse('time', `not before ${this.time.values[this.frames - 1]}`, time);
-    const status = kStatuses.indexOf(record.status);
-    if (status < 0) refuse('status', kStatuses.join(', '), record.status);
-    if (record.scores !== undefined) list(record.scores, 'scores');
-    if (record.cpu !== undefined) object(record.cpu, 'cpu');
-    if (record.search !== undefined) checkSearch(record.search);
-    if (record.words !== undefined) checkWords(record.words);
-    findingsOf(record.findings, this.map.features.length, 'findings');
-    return {
-      starts, time, status, local: pose(record.local, 'local'), stamp: number(record.stamp, 'stamp'),
-      keyframe: integer(record.keyframe, 'keyframe'), best: integer(record.best ?? -1, 'best'),
-      truth: record.truth === undefined || record.truth === null ? null : pose(record.truth, 'truth'),
-    };
   }
 
   startWindow(name, frame) {
@@ -140,8 +137,16 @@ export class Recording {
     const ended = each('ended');
     for (let row = this.rows.begin(frame); row < this.rows.end(frame); ++row)
       this.hypotheses.of(this.rows.id.values[row], frame, 'enter');
-    if (ended) this.endedBy.set(frame, record.ended.map(([id]) => this.hypotheses.byId.get(id)));
-    if (record.search?.rejected?.length) this.refusedBy.set(frame, record.search.rejected.map(([, x, y]) => [x, y]));
+    if (ended)
+      this.endedBy.set(
+        frame,
+        record.ended.map(([id]) => this.hypotheses.byId.get(id)),
+      );
+    if (record.search?.rejected?.length)
+      this.refusedBy.set(
+        frame,
+        record.search.rejected.map(([, x, y]) => [x, y]),
+      );
     if (born) this.mark(frame, 'born');
     if (ended) this.mark(frame, 'ended');
     if (record.search) this.mark(frame, 'search');
@@ -182,37 +187,31 @@ export class Recording {
     this.error.push(truth && row >= 0 ? Math.hypot(this.rows.x.values[row] - truth[0], this.rows.y.values[row] - truth[1]) : NaN);
   }
 
-  /// The record of a frame, as written.
-  detail(frame) {
-    if (this.detailOf.frame !== frame) this.detailOf = { frame, record: JSON.parse(this.lines[frame]) };
-    return this.detailOf.record;
-  }
-
-  wordsAt(frame) {
-    const from = this.wordsFrame.values[frame];
-    if (from < 0) return [];
-    if (this.wordsOf.frame !== from) this.wordsOf = { frame: from, words: JSON.parse(this.lines[from]).words };
-    return this.wordsOf.words;
-  }
-
   /// Hypotheses that ended in a frame, and places that its search refused.
-  endedAt(frame) { return this.endedBy.get(frame) ?? kNone; }
-  refusedAt(frame) { return this.refusedBy.get(frame) ?? kNone; }
+  endedAt(frame) {
+    return this.endedBy.get(frame) ?? kNone;
+  }
+  refusedAt(frame) {
+    return this.refusedBy.get(frame) ?? kNone;
+  }
 
-  /// The search of a frame that has one.
+  /// What is read again from the records themselves.
+  detail(frame) {
+    return this.written.record(frame);
+  }
+  wordsAt(frame) {
+    return this.written.words(this.wordsFrame.values[frame]);
+  }
   searchAt(frame) {
-    if (this.searchOf.frame !== frame) this.searchOf = { frame, search: JSON.parse(this.lines[frame]).search };
-    return this.searchOf.search;
+    return this.written.search(frame);
   }
-
-  /// About the best hypothesis of a frame.
   findingsAt(frame) {
-    if (this.findingsOf.frame !== frame)
-      this.findingsOf = { frame, findings: findingsOf(this.detail(frame).findings, this.map.features.length, 'findings') };
-    return this.findingsOf.findings;
+    return this.written.findings(frame, this.map.features.length);
   }
 
-  localPose(frame) { return [this.x.values[frame], this.y.values[frame], this.heading.values[frame]]; }
+  localPose(frame) {
+    return [this.x.values[frame], this.y.values[frame], this.heading.values[frame]];
+  }
 
   truthPose(frame) {
     const x = this.truthX.values[frame];
@@ -228,7 +227,9 @@ export class Recording {
   }
 
   /// T_map_local that a hypothesis means at a frame.
-  registrationAt(frame, T_map_base) { return compose(T_map_base, inverse(this.localPose(frame))); }
+  registrationAt(frame, T_map_base) {
+    return compose(T_map_base, inverse(this.localPose(frame)));
+  }
 
   /// The next (step 1) or previous (step -1) frame within its time line that has an event of that kind (-1: any), or -1.
   eventFrom(frame, step, kind) {
@@ -243,34 +244,12 @@ export class Recording {
 
 /// The first position whose value is not less.
 export function lowerBound(values, length, value) {
-  let low = 0, high = length;
+  let low = 0,
+    high = length;
   while (low < high) {
     const middle = (low + high) >> 1;
     if (values[middle] < value) low = middle + 1;
     else high = middle;
   }
   return low;
-}
-
-function checkSearch(search) {
-  object(search, 'search');
-  for (const entry of optionalList(search.patterns, 'search.patterns')) {
-    const [template, locals] = list(entry, 'search.patterns');
-    text(template, 'search.patterns');
-    list(locals, 'search.patterns').forEach((id) => integer(id, 'search.patterns'));
-  }
-  for (const entry of optionalList(search.rejected, 'search.rejected')) {
-    const [, x, y, heading, , pairs, reason] = list(entry, 'search.rejected');
-    pose([x, y, heading], 'search.rejected');
-    list(pairs, 'search.rejected').forEach((pair) => list(pair, 'search.rejected'));
-    text(reason, 'search.rejected');
-  }
-}
-
-function checkWords(words) {
-  for (const entry of list(words, 'words')) {
-    const [kind, sentence] = list(entry, 'words');
-    text(kind, 'words');
-    text(sentence, 'words');
-  }
 }

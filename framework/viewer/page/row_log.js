@@ -17,13 +17,13 @@ export class RowLog {
     this.probability = new Column(Float32Array, 1024);
     this.begins = new Column(Int32Array);
     this.begins.push(0);
-    this.tops = new Column(Int32Array);       ///< rows with a probability worth writing, best first
+    this.tops = new Column(Int32Array); ///< rows with a probability worth writing, best first
     this.topBegins = new Column(Int32Array);
     this.topBegins.push(0);
     this.live = { id: [], x: [], y: [], heading: [], nat: [] };
-    this.rowOf = new Map();                   ///< id -> place in the list of rows
-    this.stale = false;                       ///< rowOf is older than the list
-    this.previous = null;                     ///< T_local_base of the frame before
+    this.rowOf = new Map(); ///< id -> place in the list of rows
+    this.stale = false; ///< rowOf is older than the list
+    this.previous = null; ///< T_local_base of the frame before
   }
 
   /// Ids that a new time line ends.
@@ -54,7 +54,8 @@ export class RowLog {
   }
 
   carry(rows, T_local_base) {
-    const { live, units } = this, count = live.id.length;
+    const { live, units } = this,
+      count = live.id.length;
     if (rows === undefined ? count > 0 : list(rows, 'rows').length !== 4) refuse('rows', `4 lists for ${count} rows`, rows);
     const columns = rows ?? [kNeverNumbers, kNeverNumbers, kNeverNumbers, kNeverNumbers];
     for (const column of columns) {
@@ -107,7 +108,8 @@ export class RowLog {
     }
     const begin = this.begins.values[this.begins.length - 2];
     for (const entry of entries) {
-      const [id, value] = list(entry, 'p'), row = this.rowOf.get(id);
+      const [id, value] = list(entry, 'p'),
+        row = this.rowOf.get(id);
       if (row === undefined) refuse('p', 'the id of a hypothesis that is alive', id);
       this.probability.values[begin + row] = numberOrNull(value, 'p');
       this.tops.push(begin + row);
@@ -115,8 +117,12 @@ export class RowLog {
     this.topBegins.push(this.tops.length);
   }
 
-  begin(frame) { return this.begins.values[frame]; }
-  end(frame) { return this.begins.values[frame + 1]; }
+  begin(frame) {
+    return this.begins.values[frame];
+  }
+  end(frame) {
+    return this.begins.values[frame + 1];
+  }
 
   /// Row of a hypothesis at a frame, or -1.
   find(frame, id) {
@@ -125,5 +131,7 @@ export class RowLog {
     return -1;
   }
 
-  poseOf(row) { return [this.x.values[row], this.y.values[row], this.heading.values[row]]; }
+  poseOf(row) {
+    return [this.x.values[row], this.y.values[row], this.heading.values[row]];
+  }
 }

@@ -18,13 +18,19 @@ export class RunMap {
 
   featureOf(entry, place, number) {
     object(entry, place);
-    const owner = entry.object === null || entry.object === undefined || entry.object === -1
-      ? -1 : position(entry.object, this.objects.length, `${place}.object`);
+    const owner =
+      entry.object === null || entry.object === undefined || entry.object === -1
+        ? -1
+        : position(entry.object, this.objects.length, `${place}.object`);
     if (owner >= 0) this.objects[owner].features.push(number);
     const type = text(entry.type, `${place}.type`);
     return {
-      id: text(entry.id, `${place}.id`), object: owner, type, perceivable: entry.perceivable !== false,
-      geometry: geometryMember(entry, place), colorType: owner >= 0 ? this.objects[owner].type : type,
+      id: text(entry.id, `${place}.id`),
+      object: owner,
+      type,
+      perceivable: entry.perceivable !== false,
+      geometry: geometryMember(entry, place),
+      colorType: owner >= 0 ? this.objects[owner].type : type,
     };
   }
 
@@ -51,7 +57,9 @@ function boundsOf(features) {
     box[2] = Math.max(box[2], x + r);
     box[3] = Math.max(box[3], y + r);
   };
-  for (const { geometry: { kind, numbers: n } } of features) {
+  for (const {
+    geometry: { kind, numbers: n },
+  } of features) {
     cover(n[0], n[1], kind === 'circle' ? Math.abs(n[2]) : 0);
     if (kind === 'segment') cover(n[2], n[3]);
   }

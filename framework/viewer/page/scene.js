@@ -10,7 +10,12 @@ export function sceneAt(recording, frame, selected) {
   const shown = usable ? selected : rows.find(frame, best) >= 0 ? best : -1;
   const T_map_base = shown < 0 ? null : recording.poseAt(frame, shown);
   return {
-    recording, frame, best, selected: picked ? selected : -1, shown, T_map_base,
+    recording,
+    frame,
+    best,
+    selected: picked ? selected : -1,
+    shown,
+    T_map_base,
     T_map_local: T_map_base && recording.registrationAt(frame, T_map_base),
     pairs: shown < 0 ? [] : pairsAt(hypotheses.byId.get(shown), frame),
     picked: picked && picked.bornFrame <= frame ? picked : null,

@@ -10,15 +10,27 @@ export class Tabs {
       panel.root.setAttribute('role', 'tabpanel');
       panel.root.setAttribute('aria-labelledby', `tab-${name}`);
       return element('button', {
-        type: 'button', role: 'tab', id: `tab-${name}`, 'aria-controls': `panel-${name}`, text, onclick: () => this.open(k), onkeydown: (event) => this.onKey(event),
+        type: 'button',
+        role: 'tab',
+        id: `tab-${name}`,
+        'aria-controls': `panel-${name}`,
+        text,
+        onclick: () => this.open(k),
+        onkeydown: (event) => this.onKey(event),
       });
     });
-    this.root = element('section', { class: 'tabs' }, element('div', { class: 'tab-list', role: 'tablist', 'aria-label': label }, ...this.buttons),
-      ...entries.map(([, , panel]) => panel.root));
+    this.root = element(
+      'section',
+      { class: 'tabs' },
+      element('div', { class: 'tab-list', role: 'tablist', 'aria-label': label }, ...this.buttons),
+      ...entries.map(([, , panel]) => panel.root),
+    );
     this.open(0, false);
   }
 
-  get panel() { return this.entries[this.current][2]; }
+  get panel() {
+    return this.entries[this.current][2];
+  }
 
   open(position, tell = true) {
     this.current = position;

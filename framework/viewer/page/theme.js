@@ -11,13 +11,17 @@ export class Theme {
     this.apply(false);
   }
 
-  get name() { return this.choice === 'auto' ? (kDark.matches ? 'dark' : 'light') : this.choice; }
+  get name() {
+    return this.choice === 'auto' ? (kDark.matches ? 'dark' : 'light') : this.choice;
+  }
 
   next() {
     this.choice = kOrder[(kOrder.indexOf(this.choice) + 1) % kOrder.length];
     try {
       localStorage.setItem(kKey, this.choice);
-    } catch { /* a page from a file may have no storage: the choice lasts as long as the page */ }
+    } catch {
+      /* a page from a file may have no storage: the choice lasts as long as the page */
+    }
     this.apply();
   }
 

@@ -1,6 +1,6 @@
 import { lowerBound } from './recording.js';
 
-const kSameTime_s = 1e-4;  ///< updates are never closer; deep links round to half of it
+const kSameTime_s = 1e-4; ///< updates are never closer; deep links round to half of it
 
 /// One time axis [s] for the runs on show: the first run's time since the start of its window. A second run goes by stamp
 /// if the two overlap in stamps, else by time since its own start.
@@ -41,13 +41,16 @@ export class TimeLine {
     const first = this.parts[0];
     if (part.end === part.begin || first.end === first.begin) return 0;
     const stamp = (p, frame) => p.recording.stamp.values[frame];
-    const overlap = stamp(part, part.begin) <= stamp(first, first.end - 1) && stamp(first, first.begin) <= stamp(part, part.end - 1);
+    const overlap =
+      stamp(part, part.begin) <= stamp(first, first.end - 1) && stamp(first, first.begin) <= stamp(part, part.end - 1);
     this.byStamp = overlap;
     const zero = (p) => stamp(p, p.begin) - p.recording.time.values[p.begin];
     return overlap ? zero(part) - zero(first) : 0;
   }
 
-  timeOf(part, frame) { return part.recording.time.values[frame] + part.shift; }
+  timeOf(part, frame) {
+    return part.recording.time.values[frame] + part.shift;
+  }
 
   /// The update that is on show at a time, per run; -1 before the first.
   frameAt(run, time) {
@@ -60,7 +63,8 @@ export class TimeLine {
 
   /// The nearest update of a run.
   frameNear(run, time) {
-    const part = this.parts[run], frame = this.frameAt(run, time);
+    const part = this.parts[run],
+      frame = this.frameAt(run, time);
     if (frame < 0) return part && part.end > part.begin ? part.begin : -1;
     if (frame + 1 >= part.end) return frame;
     return time - this.timeOf(part, frame) <= this.timeOf(part, frame + 1) - time ? frame : frame + 1;

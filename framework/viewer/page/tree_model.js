@@ -3,16 +3,19 @@ import { nodeWords, poseWords, probabilityWords, seconds, shortName } from './wo
 /// What the tree panel shows at a moment, as rows: `{key, level, words, state, note, id, open, frame}`. Hypotheses are the
 /// branches; under each what happened to it: what it was associated with later, what ended, what was tried and did not fit.
 
-const kRecent_s = 3, kMostRows = 20000;
+const kRecent_s = 3,
+  kMostRows = 20000;
 
 export class TreeModel {
   constructor() {
-    this.all = false;        ///< also what ended long ago
+    this.all = false; ///< also what ended long ago
     this.query = '';
     this.opened = new Map(); ///< key -> open or closed by the reader
   }
 
-  toggle(row, open = !row.open) { this.opened.set(row.key, open); }
+  toggle(row, open = !row.open) {
+    this.opened.set(row.key, open);
+  }
 
   rowsAt(recording, frame, selected) {
     this.recording = recording;
@@ -33,7 +36,8 @@ export class TreeModel {
 
   /// Hypotheses of this time line: alive, ended of late (or ever), and the ancestors of those.
   wantedFrom(begin) {
-    const { recording, frame } = this, wanted = new Set();
+    const { recording, frame } = this,
+      wanted = new Set();
     for (const hypothesis of recording.hypotheses.inOrder) {
       if (hypothesis.bornFrame < begin || hypothesis.bornFrame > frame) continue;
       if (!this.all && !this.isFresh(hypothesis)) continue;
@@ -48,9 +52,15 @@ export class TreeModel {
   }
 
   addHypothesis(rows, hypothesis, level) {
-    const { recording, frame } = this, alive = hypothesis.endFrame > frame;
+    const { recording, frame } = this,
+      alive = hypothesis.endFrame > frame;
     const row = {
-      key: `h${hypothesis.id}`, level, id: hypothesis.id, expandable: true, state: alive ? 'alive' : 'ended', frame: hypothesis.bornFrame,
+      key: `h${hypothesis.id}`,
+      level,
+      id: hypothesis.id,
+      expandable: true,
+      state: alive ? 'alive' : 'ended',
+      frame: hypothesis.bornFrame,
       words: `#${hypothesis.id} ${nodeWords(this.ownPairs(hypothesis), recording.map)}`,
       note: alive ? this.aliveNote(hypothesis) : this.endedNote(hypothesis),
     };
@@ -69,13 +79,16 @@ export class TreeModel {
   ownPairs(hypothesis) {
     const parent = this.recording.hypotheses.byId.get(hypothesis.parent);
     if (!parent) return hypothesis.pairs;
-    const inherited = new Set(parent.links.filter((link) => link.from < hypothesis.bornFrame).map((l) => `${l.local} ${l.mapped}`));
+    const inherited = new Set(
+      parent.links.filter((link) => link.from < hypothesis.bornFrame).map((l) => `${l.local} ${l.mapped}`),
+    );
     const own = hypothesis.pairs.filter(([local, mapped]) => !inherited.has(`${local} ${mapped}`));
     return own.length > 0 ? own : hypothesis.pairs;
   }
 
   aliveNote(hypothesis) {
-    const { rows } = this.recording, row = rows.find(this.frame, hypothesis.id);
+    const { rows } = this.recording,
+      row = rows.find(this.frame, hypothesis.id);
     return row < 0 ? '' : `p ${probabilityWords(rows.probability.values[row])}`;
   }
 
@@ -86,11 +99,18 @@ export class TreeModel {
   }
 
   addNode(rows, hypothesis, node, number, level) {
-    const { map, time } = this.recording, when = seconds(time.values[node.frame]);
+    const { map, time } = this.recording,
+      when = seconds(time.values[node.frame]);
     const signs = { grown: '+', lost: '\u2212', tried: '×' };
     const row = {
-      key: `n${hypothesis.id}.${number}`, level, id: hypothesis.id, expandable: false, open: false, frame: node.frame,
-      state: node.kind, words: `${signs[node.kind]} ${nodeWords(node.pairs, map)}`,
+      key: `n${hypothesis.id}.${number}`,
+      level,
+      id: hypothesis.id,
+      expandable: false,
+      open: false,
+      frame: node.frame,
+      state: node.kind,
+      words: `${signs[node.kind]} ${nodeWords(node.pairs, map)}`,
       note: node.kind === 'grown' ? when : `${node.kind === 'tried' ? 'rejected' : 'dropped'} ${when}: ${node.reason}`,
     };
     row.found = this.matches(row);
@@ -99,12 +119,20 @@ export class TreeModel {
 
   /// The last search: places that did not become hypotheses.
   addSearch(rows) {
-    const { recording } = this, frame = recording.searchFrame.values[this.frame];
+    const { recording } = this,
+      frame = recording.searchFrame.values[this.frame];
     if (frame < 0) return;
-    const { rejected = [], patterns = [], proposed = 0 } = recording.searchAt(frame), when = seconds(recording.time.values[frame]);
+    const { rejected = [], patterns = [], proposed = 0 } = recording.searchAt(frame),
+      when = seconds(recording.time.values[frame]);
     const row = {
-      key: `s${frame}`, level: 1, id: -1, expandable: rejected.length > 0, state: 'search', frame,
-      words: `Search at ${when}`, note: `${patterns.length} patterns, ${proposed} places proposed, ${rejected.length} refused`,
+      key: `s${frame}`,
+      level: 1,
+      id: -1,
+      expandable: rejected.length > 0,
+      state: 'search',
+      frame,
+      words: `Search at ${when}`,
+      note: `${patterns.length} patterns, ${proposed} places proposed, ${rejected.length} refused`,
     };
     row.open = this.opened.get(row.key) ?? this.query !== '';
     row.found = this.matches(row);
@@ -116,7 +144,13 @@ export class TreeModel {
 
   addRefused(rows, frame, [template, x, y, heading, nat, pairs, reason], k) {
     const row = {
-      key: `r${frame}.${k}`, level: 2, id: -1, expandable: false, open: false, state: 'tried', frame,
+      key: `r${frame}.${k}`,
+      level: 2,
+      id: -1,
+      expandable: false,
+      open: false,
+      state: 'tried',
+      frame,
       words: `× ${nodeWords(pairs, this.recording.map)}`,
       note: `rejected: ${reason} · ${shortName(String(template))} at ${poseWords([x, y, heading])}`,
     };

@@ -2,7 +2,8 @@ import { element, setText } from './dom.js';
 import { TreeModel } from './tree_model.js';
 import { VirtualList } from './virtual_list.js';
 
-const kRow_px = 38, kIndent_px = 14;
+const kRow_px = 38,
+  kIndent_px = 14;
 
 /// The hypothesis tree: (local set → map set or "not on the map"), with how each branch stands or fell.
 export class TreePanel {
@@ -11,14 +12,22 @@ export class TreePanel {
     this.seek = seek;
     this.model = new TreeModel();
     this.list = new VirtualList('tree', 'Hypothesis tree', 'tree', 'treeitem', kRow_px, fillRow, {
-      open: (row) => this.open(row), key: (event, row) => this.onKey(event, row),
+      open: (row) => this.open(row),
+      key: (event, row) => this.onKey(event, row),
     });
     this.search = element('input', {
-      type: 'search', placeholder: 'Search: id, feature, reason', 'aria-label': 'Search the tree', oninput: () => this.query(),
+      type: 'search',
+      placeholder: 'Search: id, feature, reason',
+      'aria-label': 'Search the tree',
+      oninput: () => this.query(),
     });
     this.all = element('input', { type: 'checkbox', onchange: () => this.showAll() });
-    this.root = element('div', { class: 'list-panel' },
-      element('div', { class: 'list-tools' }, this.search, element('label', { class: 'check' }, this.all, ' all ended')), this.list.root);
+    this.root = element(
+      'div',
+      { class: 'list-panel' },
+      element('div', { class: 'list-tools' }, this.search, element('label', { class: 'check' }, this.all, ' all ended')),
+      this.list.root,
+    );
   }
 
   query() {
@@ -68,7 +77,11 @@ export class TreePanel {
 
 function fillRow(node, row) {
   if (node.childElementCount === 0)
-    node.append(element('span', { class: 'twist', 'aria-hidden': 'true' }), element('span', { class: 'row-words' }), element('span', { class: 'row-note' }));
+    node.append(
+      element('span', { class: 'twist', 'aria-hidden': 'true' }),
+      element('span', { class: 'row-words' }),
+      element('span', { class: 'row-note' }),
+    );
   const [twist, words, note] = node.children;
   setText(twist, row.expandable ? (row.open ? '▾' : '▸') : '');
   setText(words, row.words);

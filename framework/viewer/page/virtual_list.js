@@ -1,6 +1,6 @@
 import { element } from './dom.js';
 
-const kSpare = 4;  ///< rows beyond the visible ones
+const kSpare = 4; ///< rows beyond the visible ones
 
 /// A list, or tree, of any length of which only the visible rows exist. `fill(node, item)` writes a row; rows are reused.
 /// The list has the focus, and points at its active row (aria-activedescendant). Arrow keys, Home, End, PageUp, PageDown;
@@ -12,7 +12,11 @@ export class VirtualList {
     this.active = -1;
     this.rows = [];
     this.space = element('div', { class: 'rows', role: 'presentation' });
-    this.root = element('div', { class: 'virtual-list', role, tabindex: '0', 'aria-label': label, id: `${name}-list` }, this.space);
+    this.root = element(
+      'div',
+      { class: 'virtual-list', role, tabindex: '0', 'aria-label': label, id: `${name}-list` },
+      this.space,
+    );
     this.root.addEventListener('scroll', () => this.paint());
     this.root.addEventListener('keydown', (event) => this.onKey(event));
     this.root.addEventListener('focus', () => this.activate(this.active < 0 ? 0 : this.active, false));
@@ -31,7 +35,8 @@ export class VirtualList {
   paint() {
     const { scrollTop, clientHeight } = this.root;
     const first = Math.max(0, Math.floor(scrollTop / this.rowHeight) - kSpare);
-    const count = clientHeight === 0 ? 0 : Math.min(this.items.length - first, Math.ceil(clientHeight / this.rowHeight) + 2 * kSpare);
+    const count =
+      clientHeight === 0 ? 0 : Math.min(this.items.length - first, Math.ceil(clientHeight / this.rowHeight) + 2 * kSpare);
     while (this.rows.length < count) this.addRow();
     this.rows.forEach((row, k) => {
       row.hidden = k >= count;
@@ -68,13 +73,15 @@ export class VirtualList {
   }
 
   reveal(position) {
-    const top = position * this.rowHeight, { scrollTop, clientHeight } = this.root;
+    const top = position * this.rowHeight,
+      { scrollTop, clientHeight } = this.root;
     if (top < scrollTop) this.root.scrollTop = top;
     else if (top + this.rowHeight > scrollTop + clientHeight) this.root.scrollTop = top + this.rowHeight - clientHeight;
   }
 
   onKey(event) {
-    const item = this.items[this.active], page = Math.max(1, Math.floor(this.root.clientHeight / this.rowHeight) - 1);
+    const item = this.items[this.active],
+      page = Math.max(1, Math.floor(this.root.clientHeight / this.rowHeight) - 1);
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const moves = { ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -Infinity, End: Infinity };
     if (item && this.on.key?.(event, item)) event.preventDefault();

@@ -1,5 +1,5 @@
 import { element, setText } from './dom.js';
-import { kStatuses } from './recording.js';
+import { kStatuses } from './frame_check.js';
 import { probabilityWords } from './words_of.js';
 
 const kKinds = { answer: 'Answer', support: 'For it', against: 'Against it', rival: 'Rivals', fell: 'Fell', note: 'Note' };
@@ -10,21 +10,30 @@ export class WordsPanel {
     this.status = element('span', { class: 'status' });
     this.probability = element('span', { class: 'quiet' });
     this.body = element('div', { class: 'words-body', tabindex: '0', role: 'region', 'aria-label': `${title}: explanation` });
-    this.root = element('section', { class: 'words', 'aria-label': title },
-      element('header', {}, element('h2', { text: title }), this.status, this.probability), this.body);
+    this.root = element(
+      'section',
+      { class: 'words', 'aria-label': title },
+      element('header', {}, element('h2', { text: title }), this.status, this.probability),
+      this.body,
+    );
     this.shown = null;
   }
 
   update(recording, frame) {
     if (frame < 0) return this.nothing('No update yet at this time.');
-    const status = kStatuses[recording.status.values[frame]], p = recording.probability.values[frame];
+    const status = kStatuses[recording.status.values[frame]],
+      p = recording.probability.values[frame];
     setText(this.status, status);
     this.status.dataset.status = status;
     setText(this.probability, Number.isNaN(p) ? '' : `probability ${probabilityWords(p)}`);
     const words = recording.wordsAt(frame);
     if (words === this.shown) return;
     this.shown = words;
-    this.body.replaceChildren(...(words.length > 0 ? paragraphs(words) : [element('p', { class: 'quiet', text: 'The recording has no words for this moment.' })]));
+    this.body.replaceChildren(
+      ...(words.length > 0
+        ? paragraphs(words)
+        : [element('p', { class: 'quiet', text: 'The recording has no words for this moment.' })]),
+    );
   }
 
   nothing(words) {
@@ -41,6 +50,11 @@ function paragraphs(words) {
     const name = Object.hasOwn(kKinds, kind) ? kKinds[kind] : kind;
     const tag = kind === before ? '' : name;
     before = kind;
-    return element('p', { class: 'sentence', 'data-kind': Object.hasOwn(kKinds, kind) ? kind : 'note' }, element('span', { class: 'tag', text: tag }), element('span', { text }));
+    return element(
+      'p',
+      { class: 'sentence', 'data-kind': Object.hasOwn(kKinds, kind) ? kind : 'note' },
+      element('span', { class: 'tag', text: tag }),
+      element('span', { text }),
+    );
   });
 }
