@@ -56,7 +56,7 @@ class Passages {
     std::snprintf(depth, sizeof depth, "%.1f m", passage.depth_m);
     std::string words = passage.beam + " passes " + depth + " through " + object.type + " " + object.id;
     if (passage.beams > 1)
-      words += ", as do " + std::to_string(passage.beams - 1) + " others of " + std::to_string(judged_) + " judged";
+      words += "; " + std::to_string(passage.beams) + " of the " + std::to_string(judged_) + " judged do";
     return words;
   }
 

@@ -1,6 +1,7 @@
 #include "scorer.hpp"
 
 #include <algorithm>
+#include <array>
 
 using opal::Point;
 
@@ -8,6 +9,29 @@ struct BeamScorer::Tally {
   double value = 0;
   double hits = 0, shorts = 0, throughs = 0;
   int beams = 0;
+
+  /// The beams that pass through one mapped object.
+  struct Passed {
+    int object = -1;
+    double there = 0;   ///< what they are worth if the object is there,
+    double absent = 0;  ///< and if it is not
+  };
+  std::array<Passed, 24> passed;
+  std::size_t objects = 0;
+
+  /// The entry of an object; those beyond what there is room for share the last one.
+  Passed& through(int object) {
+    for (std::size_t k = 0; k < objects; ++k)
+      if (passed[k].object == object) return passed[k];
+    if (objects < passed.size()) passed[objects++] = {object, 0, 0};
+    return passed[objects - 1];
+  }
+  /// Each object is taken to be there or not, whichever explains its beams better at the price of an absence.
+  double passed_value(double price) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < objects; ++k) sum += std::max(passed[k].there, passed[k].absent - price);
+    return sum;
+  }
 };
 
 BeamScorer::BeamScorer(const nlohmann::json& options)
@@ -20,6 +44,7 @@ BeamScorer::BeamScorer(const nlohmann::json& options)
       margin_m_(options.at("margin_m")),
       margin_per_m_(options.at("margin_per_m")),
       free_range_m_(options.at("free_range_m")),
+      absence_(options.at("absence")),
       floor_(options.at("floor")),
       min_beams_(options.at("min_beams")) {}
 
@@ -35,7 +60,9 @@ void BeamScorer::judge_hit(const opal::MapView& map, const Point& eye, const Poi
   ++tally.beams;
   if (wall.feature >= 0) {
     ++tally.throughs;
-    tally.value += through_ * (1 - 0.3 * hit);
+    Tally::Passed& passed = tally.through(map.feature(wall.feature).object);
+    passed.there += through_ * (1 - 0.3 * hit);
+    passed.absent += hit + (1 - hit) * short_;
   } else {
     tally.hits += hit;
     tally.shorts += 1 - hit;
@@ -48,9 +75,10 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
   const double range = std::min(range_max_m, free_range_m_);
   const Point end = eye + range * opal::unit_vector(bearing_rad);
   ++tally.beams;
-  if (map.first_crossing(eye, end, margin_at(range)).feature < 0) return;
+  const auto wall = map.first_crossing(eye, end, margin_at(range));
+  if (wall.feature < 0) return;
   ++tally.throughs;
-  tally.value += free_through_;
+  tally.through(map.feature(wall.feature).object).there += free_through_;
 }
 
 opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
@@ -62,7 +90,8 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
   const double n = std::max(tally.beams, min_beams_);
-  const double share = std::max(tally.value / n, floor_);
+  const double value = tally.value + tally.passed_value(absence_ * n);
+  const double share = std::max(value / n, floor_);
   return {weight_nat_ * share,
           {},
           {{"hit", tally.hits / n}, {"short", tally.shorts / n}, {"through", tally.throughs / n}}};

@@ -6,7 +6,8 @@
 
 /// Casts the scan's beams against the mapped surfaces, and judges them lopsidedly: the map holds only the static
 /// building, so a beam that ends early met something unmapped and means little, while a beam that passes through a
-/// mapped wall speaks against the hypothesis.
+/// mapped wall speaks against the hypothesis. Beams that pass through the same object share one cause, so an object is
+/// taken for absent (glass, an open door, a wall that was never built) where that explains its beams better, at a price.
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
@@ -25,6 +26,6 @@ class BeamScorer final : public opal::HypothesisScorer {
   double margin_at(double range_m) const { return margin_m_ + margin_per_m_ * range_m; }
 
   double weight_nat_, short_, through_, free_through_, sigma_m_, sigma_per_m_, margin_m_, margin_per_m_;
-  double free_range_m_, floor_;
+  double free_range_m_, absence_, floor_;
   int min_beams_;
 };
