@@ -33,7 +33,7 @@ struct AssociationOptions {
   double loose_until_nat = 8;       ///< and only while no hypothesis has gathered this much
   double slide_step_m = 0.2;        ///< step along a pattern's free parameter
   double birth_nat = -3.0;          ///< log prior of a new hypothesis against clutter
-  int hindsight_scans = 20;         ///< scans seen before that a candidate is judged by, too; 0: none
+  int hindsight_scans = 60;         ///< scans seen before that a candidate is judged by, too; 0: none
   double hindsight_behind_nat = 17; ///< a candidate that falls behind the best ones of the time by more is no hypothesis
   bool seed_from_stable = false;    ///< only stable local features may seed (thesis)
 
@@ -50,7 +50,7 @@ struct AssociationOptions {
   double outlier_rad = 0.5;         ///< alpha_c
 
   // Life.
-  double memory = 0.98;             ///< share of gathered evidence kept per update
+  double memory = 0.99;             ///< share of gathered evidence kept per update
   double novelty_m = 0.4;           ///< driving that makes a scan a whole new piece of evidence
   double novelty_rad = 0.8;
   double least_novelty = 0.15;
