@@ -34,7 +34,9 @@ opal::Narrator explaining() {
 
 /// What the page calls a run: its folder, or more of the path if two folders have the same name.
 std::string name_of_run(const ViewOptions& options, std::size_t which) {
-  const auto leaf = [&](std::size_t k) { return fs::path(options.outs[k]).lexically_normal().filename().string(); };
+  const auto leaf = [&](std::size_t k) {
+    return fs::path(options.outs[k]).lexically_normal().filename().string();
+  };
   const bool twins = options.outs.size() == 2 && leaf(0) == leaf(1);
   return twins || leaf(which).empty() ? options.outs[which] : leaf(which);
 }
@@ -49,7 +51,8 @@ int write_page(const ViewOptions& options) {
   std::vector<opal::PackedRun> runs;
   for (std::size_t k = 0; k < options.outs.size(); ++k) {
     const std::string& out = options.outs[k];
-    runs.push_back(opal::pack_run(out, name_of_run(options, k), opal::room_for_data(options.outs.size()), explaining));
+    runs.push_back(
+        opal::pack_run(out, name_of_run(options, k), opal::room_for_data(options.outs.size()), explaining));
     for (const std::string& note : runs.back().notes) std::cerr << "opal: " << out << ": " << note << '\n';
     for (const std::string& sentence : runs.back().reduced) std::cout << out << ": " << sentence << '\n';
   }
@@ -66,11 +69,12 @@ int draw_moment(const ViewOptions& options) {
   const opal::Moment moment = opal::parse_moment(options.at, options.query);
   std::optional<opal::Explainer> explainer;
   opal::RunState state;
-  const auto reading = opal::read_until(out, moment, [&](const opal::RunHeader& header, const opal::RunFrame& frame) {
-    if (!explainer) explainer.emplace(header);
-    explainer->take(frame);
-    state.apply(frame);
-  });
+  const auto reading =
+      opal::read_until(out, moment, [&](const opal::RunHeader& header, const opal::RunFrame& frame) {
+        if (!explainer) explainer.emplace(header);
+        explainer->take(frame);
+        state.apply(frame);
+      });
   std::vector<std::string> notes;
   for (const opal::Sentence& sentence : explainer->explanation())
     notes.push_back(std::string(opal::name_of(sentence.kind)) + ": " + sentence.text);
@@ -98,16 +102,19 @@ int view(const ViewOptions& options) {
 
 void opal::add_view_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* verb = app.add_subcommand("view", "look at a run, or at two of one log: one HTML file for the browser");
+  CLI::App* verb =
+      app.add_subcommand("view", "look at a run, or at two of one log: one HTML file for the browser");
   verb->add_option("OUT", options->outs, "folder that 'opal localize -o' wrote; two to compare them")
       ->required()
       ->expected(1, 2);
   verb->add_option("-o,--out", options->file, "file to write (default: OUT/view.html)");
   verb->add_option("--svg", options->svg, "draw one moment into this file instead");
   verb->add_option("--png", options->png, "the same as a PNG");
-  verb->add_option("--at", options->at, "which: seconds since the start (12.5), a stamp of the log (stamp:1626.25), or 'end'")
+  verb->add_option("--at", options->at,
+                   "which: seconds since the start (12.5), a stamp of the log (stamp:1626.25), or 'end'")
       ->capture_default_str();
-  verb->add_option("--query", options->query, "name of the query, if the run has several (default: the first; at the "
-                                              "end: the last)");
+  verb->add_option("--query", options->query,
+                   "name of the query, if the run has several (default: the first; at the "
+                   "end: the last)");
   verb->callback([options, &exit_code] { exit_code = view(*options); });
 }

@@ -12,8 +12,9 @@ namespace opal {
 
 using Event = nlohmann::ordered_json;
 
-/// A value inside an event that knows where it stands, so that an error can say so. Everything that is read through it is
-/// checked; errors are EventError "POINTER: what was found, what was expected". Lives no longer than the event.
+/// A value inside an event that knows where it stands, so that an error can say so. Everything that is read
+/// through it is checked; errors are EventError "POINTER: what was found, what was expected". Lives no longer
+/// than the event.
 class EventPlace {
  public:
   explicit EventPlace(const Event& event) : value_(&event) {}
@@ -32,7 +33,7 @@ class EventPlace {
   }
 
   double number(double least, double most) const;
-  double coordinate() const;   ///< [m], at most 1e6 from the origin
+  double coordinate() const;  ///< [m], at most 1e6 from the origin
   double stamp_s() const;
   double probability() const;  ///< null: 0
   double nat() const;          ///< null (no number): kWorst_nat

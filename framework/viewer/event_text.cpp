@@ -27,9 +27,11 @@ class EventAssembly {
 
   bool key(std::string& name) {
     auto& members = open_.back()->get_ref<Event::object_t&>();
-    if (members.size() >= kMostMembers) throw EventError("an object of more than 500 members, expected fewer");
+    if (members.size() >= kMostMembers)
+      throw EventError("an object of more than 500 members, expected fewer");
     for (const auto& member : members)
-      if (member.first == name) throw EventError("the key '" + name + "' stands twice in one object, expected once");
+      if (member.first == name)
+        throw EventError("the key '" + name + "' stands twice in one object, expected once");
     // The underlying vector's: ordered_map's own insertion would search a second time.
     members.Event::object_t::Container::emplace_back(std::move(name), nullptr);
     return true;

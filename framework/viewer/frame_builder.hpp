@@ -8,13 +8,14 @@
 
 namespace opal {
 
-/// Turns an event stream into frames, event by event. It checks everything, so that whoever gets a frame can rely on it:
-/// numbers are finite and at most 1e6 m from the origin, ids of mapped features are positions in the header, a
-/// hypothesis stands once among those that are alive.
+/// Turns an event stream into frames, event by event. It checks everything, so that whoever gets a frame can
+/// rely on it: numbers are finite and at most 1e6 m from the origin, ids of mapped features are positions in
+/// the header, a hypothesis stands once among those that are alive.
 class FrameBuilder {
  public:
   /// @return the frame that this event completes (it is its `cost`); nullopt if it completes none.
-  /// @throws EventError "KIND: POINTER: what was found, what was expected"; the builder is then of no further use.
+  /// @throws EventError "KIND: POINTER: what was found, what was expected"; the builder is then of no further
+  /// use.
   std::optional<RunFrame> add(const Event& event);
 
   /// What `run` and `map` said; null before `map`.

@@ -61,13 +61,15 @@ std::vector<RecordedFinding> read_findings(const EventPlace& event, const Featur
     RecordedFinding finding{place.member("scorer").name(), place.member("words").sentence(), -1,
                             optional_points(place, "line")};
     if (!finding.line.empty() && finding.line.size() != 2) place.member("line").fail("[x, y, x, y]");
-    if (const auto mapped = place.find("map_feature")) finding.map_feature = mapped_feature(*mapped, features);
+    if (const auto mapped = place.find("map_feature"))
+      finding.map_feature = mapped_feature(*mapped, features);
     findings.push_back(std::move(finding));
   }
   return findings;
 }
 
-// ---------------------------------------------------------------------------------------------- kinds of events
+// ---------------------------------------------------------------------------------------------- kinds of
+// events
 
 void read_keyframe(const EventPlace& event, const FeaturePositions&, RunFrame& frame) {
   frame.keyframe = event.member("keyframe").count();
@@ -174,7 +176,8 @@ void read_estimate(const EventPlace& event, const FeaturePositions& features, Ru
   const EventPlace array = event.member("hypotheses");
   frame.hypotheses.clear();
   frame.hypotheses.reserve(array.elements());
-  for (std::size_t k = 0; k < array.elements(); ++k) frame.hypotheses.push_back(read_hypothesis(array.element(k)));
+  for (std::size_t k = 0; k < array.elements(); ++k)
+    frame.hypotheses.push_back(read_hypothesis(array.element(k)));
   require_distinct(array, frame.hypotheses);
   frame.findings = read_findings(event, features);
 }
@@ -194,11 +197,16 @@ void read_cost(const EventPlace& event, const FeaturePositions&, RunFrame& frame
 using Reader = void (*)(const EventPlace&, const FeaturePositions&, RunFrame&);
 
 const std::map<std::string, Reader>& readers() {
-  static const std::map<std::string, Reader> kReaders{
-      {"keyframe", read_keyframe},       {"local_features", read_local_features}, {"pruned", read_pruned},
-      {"searched", read_searched},       {"born", read_born},                     {"associated", read_associated},
-      {"dissociated", read_dissociated}, {"rejected", read_rejected},             {"estimate", read_estimate},
-      {"cost", read_cost}};
+  static const std::map<std::string, Reader> kReaders{{"keyframe", read_keyframe},
+                                                      {"local_features", read_local_features},
+                                                      {"pruned", read_pruned},
+                                                      {"searched", read_searched},
+                                                      {"born", read_born},
+                                                      {"associated", read_associated},
+                                                      {"dissociated", read_dissociated},
+                                                      {"rejected", read_rejected},
+                                                      {"estimate", read_estimate},
+                                                      {"cost", read_cost}};
   return kReaders;
 }
 

@@ -4,7 +4,8 @@
 
 namespace opal {
 
-/// Whether events of this kind say something about an update that a frame holds (docs/events.md, "Once per update").
+/// Whether events of this kind say something about an update that a frame holds (docs/events.md, "Once per
+/// update").
 bool is_frame_event(const std::string& kind);
 
 /// Reads such an event into the frame. @throws EventError (event_place.hpp).

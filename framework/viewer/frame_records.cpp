@@ -5,7 +5,8 @@
 namespace opal {
 namespace {
 
-constexpr int kMetreDecimals = 3, kPoseDecimals = 3, kAngleDecimals = 4, kNatDecimals = 2, kProbabilityDecimals = 4, kCpuDecimals = 3;
+constexpr int kMetreDecimals = 3, kPoseDecimals = 3, kAngleDecimals = 4, kNatDecimals = 2,
+              kProbabilityDecimals = 4, kCpuDecimals = 3;
 constexpr double kShownProbability = 0.0005;
 
 /// Kind and numbers, as elements or as one member.
@@ -16,7 +17,9 @@ struct WriteGeometry {
   RecordText& named(const char* kind) const {
     return as_member ? record.key(kind).open('[') : record.text(kind);
   }
-  RecordText& at(const Point& p) const { return record.number(p.x(), kMetreDecimals).number(p.y(), kMetreDecimals); }
+  RecordText& at(const Point& p) const {
+    return record.number(p.x(), kMetreDecimals).number(p.y(), kMetreDecimals);
+  }
   void done() const {
     if (as_member) record.close(']');
   }
@@ -98,7 +101,10 @@ void write_mapped_feature(const RunHeader::Feature& feature, RecordText& record)
 
 void write_local_features(const RunFrame& frame, RecordText& record) {
   write_list("features", frame.changed, record, [&](const RecordedLocalFeature& feature) {
-    record.integer(feature.id).text(feature.type).integer(feature.stable ? 1 : 0).integer(feature.measurements);
+    record.integer(feature.id)
+        .text(feature.type)
+        .integer(feature.stable ? 1 : 0)
+        .integer(feature.measurements);
     std::visit(WriteGeometry{record, false}, feature.geometry);
   });
   if (!frame.gone.empty()) record.key("gone").ids(frame.gone);
@@ -106,7 +112,10 @@ void write_local_features(const RunFrame& frame, RecordText& record) {
 
 void write_tree(const RunFrame& frame, RecordText& record) {
   write_list("born", frame.births, record, [&](const RecordedBirth& birth) {
-    record.integer(birth.id).integer(birth.parent).text(birth.pattern_template).pose(birth.T_map_base, kPoseDecimals);
+    record.integer(birth.id)
+        .integer(birth.parent)
+        .text(birth.pattern_template)
+        .pose(birth.T_map_base, kPoseDecimals);
     record.number(birth.log_likelihood, kNatDecimals);
     write_pairs(birth.pairs, record);
   });
@@ -133,17 +142,25 @@ void write_tree(const RunFrame& frame, RecordText& record) {
 void write_search(const RecordedSearch& search, RecordText& record) {
   record.key("search").open('{').key("patterns").open('[');
   for (const auto& lookup : search.patterns)
-    record.open('[').text(lookup.pattern_template).ids(lookup.local_features).integer(lookup.candidates).close(']');
+    record.open('[')
+        .text(lookup.pattern_template)
+        .ids(lookup.local_features)
+        .integer(lookup.candidates)
+        .close(']');
   record.close(']').key("proposed").integer(search.proposed).key("rejected").open('[');
   for (const auto& rejected : search.rejected) {
-    record.open('[').text(rejected.pattern_template).pose(rejected.T_map_base, kPoseDecimals).number(rejected.nat, kNatDecimals);
+    record.open('[')
+        .text(rejected.pattern_template)
+        .pose(rejected.T_map_base, kPoseDecimals)
+        .number(rejected.nat, kNatDecimals);
     write_pairs(rejected.pairs, record);
     record.text(rejected.reason).close(']');
   }
   record.close(']').close('}');
 }
 
-void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t most_scores, RecordText& record) {
+void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t most_scores,
+                   RecordText& record) {
   record.key("p").open('[');
   for (const RecordedHypothesis& hypothesis : hypotheses)
     if (hypothesis.probability > kShownProbability)

@@ -7,11 +7,12 @@
 namespace opal {
 namespace {
 
-/// The map as far as it is drawn. Ids are made up: the recording's are not needed for that, and may clash where one
-/// geometry stands once per sensor.
+/// The map as far as it is drawn. Ids are made up: the recording's are not needed for that, and may clash
+/// where one geometry stands once per sensor.
 std::shared_ptr<const SemanticMap> drawn_map(const RunHeader& header) {
   std::vector<MapObject> objects;
-  for (const auto& object : header.objects) objects.push_back({"o" + std::to_string(objects.size()), object.type});
+  for (const auto& object : header.objects)
+    objects.push_back({"o" + std::to_string(objects.size()), object.type});
   std::vector<MapFeature> features;
   for (const auto& recorded : header.features) {
     MapFeature feature;
@@ -28,7 +29,10 @@ std::shared_ptr<const SemanticMap> drawn_map(const RunHeader& header) {
 class PlacedByBest {
  public:
   PlacedByBest(const RunHeader& header, const RunState& state, DrawingScene& scene)
-      : header_(header), state_(state), best_(*state.best()), scene_(scene),
+      : header_(header),
+        state_(state),
+        best_(*state.best()),
+        scene_(scene),
         T_map_local_(best_.T_map_base * state.frame().T_local_base.inverse()) {}
 
   void add_scan() {
@@ -55,7 +59,8 @@ class PlacedByBest {
     for (const auto& lookup : state_.frame().search->patterns) {
       std::vector<Point> members;
       for (const int id : lookup.local_features)
-        if (const RecordedLocalFeature* local = find(id)) members.push_back(T_map_local_ * anchor_of(local->geometry));
+        if (const RecordedLocalFeature* local = find(id))
+          members.push_back(T_map_local_ * anchor_of(local->geometry));
       if (members.size() > 1) scene_.patterns.push_back(std::move(members));
     }
   }
@@ -85,12 +90,13 @@ class PlacedByBest {
   const Pose2 T_map_local_;
 };
 
-/// Those that ended just now, and those that had to be reckoned with once. A place that another hypothesis took over
-/// did not fall.
+/// Those that ended just now, and those that had to be reckoned with once. A place that another hypothesis
+/// took over did not fall.
 void add_ended(const RunState& state, DrawingScene& scene) {
   constexpr double kReckonedWith = 0.05;
   for (const EndedHypothesis& ended : state.ended()) {
-    const bool shown = ended.end_keyframe == state.frame().keyframe || ended.life.highest_probability >= kReckonedWith;
+    const bool shown =
+        ended.end_keyframe == state.frame().keyframe || ended.life.highest_probability >= kReckonedWith;
     if (shown && ended.end.merged_into < 0) scene.ended.push_back(ended.end.T_map_base);
   }
 }
@@ -101,7 +107,8 @@ void add_hypotheses(const RunState& state, DrawingScene& scene) {
   // The scene's first is the best; the estimate's best is the recorder's word for it.
   if (const TracedHypothesis* best = state.best()) {
     const auto& rows = state.frame().hypotheses;
-    const auto place = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.id == best->id; });
+    const auto place =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.id == best->id; });
     std::rotate(scene.hypotheses.begin(), scene.hypotheses.begin() + (place - rows.begin()),
                 scene.hypotheses.begin() + (place - rows.begin()) + 1);
   }
@@ -119,8 +126,9 @@ std::string shortened(const std::string& name) {
 std::string title_of(const RunHeader& header, const RunState& state) {
   const RunFrame& frame = state.frame();
   const std::string log = header.log.substr(header.log.find_last_of('/') + 1);
-  return (log.empty() ? "" : shortened(log) + ", ") + shortened(state.time_line()) + " at " + fixed_text(frame.time_s, 2) + " s: " +
-         frame.status + ", probability " + probability_text(frame.probability);
+  return (log.empty() ? "" : shortened(log) + ", ") + shortened(state.time_line()) + " at " +
+         fixed_text(frame.time_s, 2) + " s: " + frame.status + ", probability " +
+         probability_text(frame.probability);
 }
 
 }  // namespace

@@ -15,11 +15,12 @@ class LineReader {
   /// @throws EventError naming the file if it cannot be opened.
   explicit LineReader(const std::string& path);
 
-  /// Goes to the next line. @return false at the end. @throws EventError if it cannot be read, or a line is too long.
+  /// Goes to the next line. @return false at the end. @throws EventError if it cannot be read, or a line is
+  /// too long.
   bool next();
   std::string_view line() const { return line_; }
-  std::size_t number() const { return number_; }    ///< of the line, from 1
-  bool is_whole() const { return whole_; }          ///< it ends with a newline
+  std::size_t number() const { return number_; }  ///< of the line, from 1
+  bool is_whole() const { return whole_; }        ///< it ends with a newline
 
  private:
   struct Close {

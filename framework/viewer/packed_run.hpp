@@ -16,14 +16,15 @@ using MakeNarrator = std::function<Narrator()>;
 
 /// A run as it stands in the page.
 struct PackedRun {
-  std::string name;                  ///< what the page calls it
-  std::string data;                  ///< base64 of gzip of records
+  std::string name;  ///< what the page calls it
+  std::string data;  ///< base64 of gzip of records
   std::size_t frames = 0;
   std::vector<std::string> notes;    ///< of the reader: what is missing at the end
   std::vector<std::string> reduced;  ///< what was left out to keep it small
 };
 
-/// Packs a run with as much detail as fits. A run that is too long even for the least detail is packed with that.
+/// Packs a run with as much detail as fits. A run that is too long even for the least detail is packed with
+/// that.
 /// @param out  as for event_file. @param name  what the page calls it. @param limit  characters of data.
 /// @throws EventError as read_run; also if the run has no update.
 PackedRun pack_run(const std::string& out, const std::string& name, std::size_t limit,

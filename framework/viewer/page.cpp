@@ -14,11 +14,16 @@ namespace {
 std::string attribute(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
-    if (c == '&') escaped += "&amp;";
-    else if (c == '"') escaped += "&quot;";
-    else if (c == '<') escaped += "&lt;";
-    else if (c == '>') escaped += "&gt;";
-    else escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '"')
+      escaped += "&quot;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '>')
+      escaped += "&gt;";
+    else
+      escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return escaped;
 }
@@ -29,8 +34,8 @@ std::uint64_t hash(std::string_view text, std::uint64_t offset) {
   return offset;
 }
 
-/// A name for "this style and this script", the same whenever the page is the same. Data is base64 or escaped and cannot
-/// begin an element, so that it need not be secret.
+/// A name for "this style and this script", the same whenever the page is the same. Data is base64 or escaped
+/// and cannot begin an element, so that it need not be secret.
 std::string nonce_of(const std::string& data) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%016llx%016llx",
@@ -40,8 +45,9 @@ std::string nonce_of(const std::string& data) {
 }
 
 std::string policy(const std::string& nonce) {
-  return "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'nonce-" + nonce +
-         "'; script-src 'nonce-" + nonce + "'; connect-src 'self'; img-src data: blob:; base-uri 'none'; form-action 'none'\">\n";
+  return "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'nonce-" +
+         nonce + "'; script-src 'nonce-" + nonce +
+         "'; connect-src 'self'; img-src data: blob:; base-uri 'none'; form-action 'none'\">\n";
 }
 
 /// The template with a text in the place of each mark `<!-- opal:NAME -->`.
@@ -77,8 +83,8 @@ std::size_t room_for_data(std::size_t runs) {
 std::string page_of(const std::vector<PackedRun>& runs) {
   std::string data;
   for (const PackedRun& run : runs)
-    data += "<script type=\"text/plain\" class=\"opal-run\" data-name=\"" + attribute(run.name) + "\">" + run.data +
-            "</script>\n";
+    data += "<script type=\"text/plain\" class=\"opal-run\" data-name=\"" + attribute(run.name) + "\">" +
+            run.data + "</script>\n";
   return page_with(data);
 }
 

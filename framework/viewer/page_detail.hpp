@@ -10,9 +10,9 @@ namespace opal {
 struct PageDetail {
   double unit_m = 0.001, unit_rad = 0.0005, unit_nat = 0.01;  ///< steps of hypothesis rows
   double scan_unit_m = 0.005;
-  int scan_stride = 1;              ///< every n-th point of scan and free space; 0: neither
-  int most_scores = 5;              ///< hypotheses per update whose scores are kept
-  int most_hypotheses = 1'000'000;  ///< hypotheses per update that are kept, best first
+  int scan_stride = 1;                    ///< every n-th point of scan and free space; 0: neither
+  int most_scores = 5;                    ///< hypotheses per update whose scores are kept
+  int most_hypotheses = 1'000'000;        ///< hypotheses per update that are kept, best first
   std::vector<std::string> reduced = {};  ///< sentences: what is left out
 };
 

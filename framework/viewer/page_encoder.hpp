@@ -11,7 +11,8 @@ namespace opal {
 /// What is said about a moment: (kind, text) each; kinds as in framework/viewer/page/README.md.
 using Words = std::vector<std::pair<std::string, std::string>>;
 
-/// Turns a run into the records that the page reads, one by one. Each is one line of JSON, without the newline.
+/// Turns a run into the records that the page reads, one by one. Each is one line of JSON, without the
+/// newline.
 class PageEncoder {
  public:
   explicit PageEncoder(const PageDetail& detail = {}) : detail_(detail), rows_(detail) {}

@@ -8,7 +8,8 @@
 
 namespace opal {
 
-/// Puts one record together: JSON without spaces, numbers as short as their precision allows. Commas set themselves.
+/// Puts one record together: JSON without spaces, numbers as short as their precision allows. Commas set
+/// themselves.
 class RecordText {
  public:
   RecordText& open(char bracket);  ///< '[' or '{'

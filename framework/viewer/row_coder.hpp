@@ -9,8 +9,9 @@
 
 namespace opal {
 
-/// Codes the poses and likelihoods of hypotheses from frame to frame: `leave`, `rows`, `enter` of a record. It keeps what
-/// a reader has decoded and codes the difference to that, so that errors of rounding never add up.
+/// Codes the poses and likelihoods of hypotheses from frame to frame: `leave`, `rows`, `enter` of a record.
+/// It keeps what a reader has decoded and codes the difference to that, so that errors of rounding never add
+/// up.
 class RowCoder {
  public:
   explicit RowCoder(const PageDetail& detail) : detail_(detail) {}
@@ -23,8 +24,8 @@ class RowCoder {
  private:
   struct Row {
     int id = -1;
-    Pose2 T_map_base;  ///< as decoded
-    long long nat = 0;   ///< in steps
+    Pose2 T_map_base;   ///< as decoded
+    long long nat = 0;  ///< in steps
   };
   struct Step {
     long long x = 0, y = 0, heading = 0, nat = 0;

@@ -29,7 +29,8 @@ RunHeader::Feature read_feature(const EventPlace& place, std::size_t objects) {
   feature.id = place.member("id").name();
   const EventPlace object = place.member("object");
   feature.object = object.count();
-  if (feature.object >= static_cast<int>(objects)) object.fail("one of " + std::to_string(objects) + " objects");
+  if (feature.object >= static_cast<int>(objects))
+    object.fail("one of " + std::to_string(objects) + " objects");
   feature.type = place.member("type").name();
   if (const auto perceivable = place.find("perceivable")) feature.perceivable = perceivable->flag();
   feature.geometry = place.geometry();
@@ -62,7 +63,8 @@ void read_run_event(const EventPlace& event, RunHeader& header) {
   header.map_file = optional_sentence(event, "map");
   header.sensor = optional_sentence(event, "sensor");
   if (const auto pose = event.find("T_base_laser")) header.T_base_laser = pose->pose();
-  if (const auto range = event.find("range_max_m")) header.range_max_m = range->number(0, EventPlace::kFarthest_m);
+  if (const auto range = event.find("range_max_m"))
+    header.range_max_m = range->number(0, EventPlace::kFarthest_m);
 }
 
 FeaturePositions read_map_event(const EventPlace& event, RunHeader& header) {

@@ -20,7 +20,8 @@ struct RunReading {
 };
 
 /// The event file of a run.
-/// @param out  the folder that `opal localize -o` wrote, or the file itself. @throws EventError if there is none.
+/// @param out  the folder that `opal localize -o` wrote, or the file itself. @throws EventError if there is
+/// none.
 std::string event_file(const std::string& out);
 
 /// Reads a run, frame by frame; holds one at a time. A last line that is cut off is a note, not an error.

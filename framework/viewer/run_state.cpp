@@ -6,7 +6,9 @@
 namespace opal {
 namespace {
 
-bool contains(const std::vector<int>& ids, int id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
+bool contains(const std::vector<int>& ids, int id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
 
 }  // namespace
 
@@ -17,7 +19,8 @@ void RunState::apply(const RunFrame& frame) {
   ++frames_;
   apply_local_features();
   for (const RecordedBirth& birth : frame_.births) bear(birth);
-  // What no longer fits is dropped before hypotheses grow; the same local feature may find another counterpart.
+  // What no longer fits is dropped before hypotheses grow; the same local feature may find another
+  // counterpart.
   for (const RecordedLoss& loss : frame_.losses) lose(loss);
   for (const RecordedGrowth& growth : frame_.growths) grow(growth);
   for (const RecordedEnd& ending : frame_.ends) end(ending);

@@ -14,7 +14,8 @@ struct TracedHypothesis {
   std::string pattern_template;
   double born_s = 0;  ///< time since the start of the time line
   int born_keyframe = 0;
-  std::vector<RecordedPair> pairs;  ///< associations that hold now (at the end, if it has ended), oldest first
+  std::vector<RecordedPair>
+      pairs;  ///< associations that hold now (at the end, if it has ended), oldest first
 
   // Newest, or the last there were.
   Pose2 T_map_base;
@@ -24,7 +25,7 @@ struct TracedHypothesis {
   std::vector<RecordedTerm> scores;
 
   double highest_probability = 0;
-  double highest_s = 0;  ///< when it had that
+  double highest_s = 0;         ///< when it had that
   std::optional<double> led_s;  ///< when it was last the best one
 };
 
@@ -35,7 +36,8 @@ struct EndedHypothesis {
   int end_keyframe = 0;
 };
 
-/// What holds after some updates of a time line: frames are applied in order, a frame that starts a time line clears it.
+/// What holds after some updates of a time line: frames are applied in order, a frame that starts a time line
+/// clears it.
 class RunState {
  public:
   void apply(const RunFrame& frame);
@@ -52,7 +54,8 @@ class RunState {
   const std::map<int, TracedHypothesis>& alive() const { return alive_; }
   /// The best one; null if there is none.
   const TracedHypothesis* best() const;
-  /// Those that have ended, oldest first. When there are very many, those that were never likely are forgotten.
+  /// Those that have ended, oldest first. When there are very many, those that were never likely are
+  /// forgotten.
   const std::vector<EndedHypothesis>& ended() const { return ended_; }
 
   const std::vector<Point>& trajectory() const { return trajectory_; }  ///< of the best ones [m], map frame

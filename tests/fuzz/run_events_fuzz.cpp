@@ -1,5 +1,5 @@
-// Whatever the bytes of an event stream, reading it line by line ends with frames or with an opal::Error; frames that come
-// out can be followed, explained, encoded and placed in a picture.
+// Whatever the bytes of an event stream, reading it line by line ends with frames or with an opal::Error;
+// frames that come out can be followed, explained, encoded and placed in a picture.
 #include "viewer/event_text.hpp"
 #include "viewer/explanation.hpp"
 #include "viewer/frame_builder.hpp"
@@ -26,7 +26,8 @@ class Viewer {
     state_.apply(frame);
     const opal::Words words = opal::words_of(explainer_->explanation());
     // The page must be able to read what is written.
-    if (!opal::parse_event(encoder_.frame_record(frame, words)).is_object()) throw std::logic_error("no record");
+    if (!opal::parse_event(encoder_.frame_record(frame, words)).is_object())
+      throw std::logic_error("no record");
     opal::scene_of(header, state_, {});
   }
 

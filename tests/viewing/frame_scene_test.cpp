@@ -1,5 +1,5 @@
-#include "recorded_run.hpp"
 #include "viewer/frame_scene.hpp"
+#include "recorded_run.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include "recorded_run.hpp"
 #include "viewer/page_encoder.hpp"
+#include "recorded_run.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -25,9 +25,11 @@ class RecordReader {
   void read(const Event& frame) {
     if (frame.contains("start")) rows_.clear();
     const Pose2 local = pose(frame["local"]);
-    for (const Event& place : frame.value("leave", Event::array())) rows_.erase(rows_.begin() + place.get<int>());
+    for (const Event& place : frame.value("leave", Event::array()))
+      rows_.erase(rows_.begin() + place.get<int>());
     REQUIRE(frame.contains("rows") == !rows_.empty());
-    for (std::size_t k = 0; k < rows_.size(); ++k) carry(rows_[k], frame["rows"], k, local_.inverse() * local);
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      carry(rows_[k], frame["rows"], k, local_.inverse() * local);
     for (const Event& row : frame.value("enter", Event::array()))
       rows_.push_back({row[0], scaled(row[1], row[2], row[3]), row[4].get<double>() * unit_nat_});
     local_ = local;
@@ -87,7 +89,8 @@ TEST_CASE("after thousands of frames a reader has every pose within half a step"
 TEST_CASE("a record holds what the frame holds") {
   const ReadRun run = frames_of({60, 45, 30});
   PageEncoder encoder;
-  const Event header = Event::parse(encoder.run_record(*run.header)), map = Event::parse(encoder.map_record(*run.header));
+  const Event header = Event::parse(encoder.run_record(*run.header)),
+              map = Event::parse(encoder.map_record(*run.header));
   CHECK(header["log"] == "hall.log.gz");
   CHECK(header["reduced"].empty());
   CHECK(map["features"].size() == run.header->features.size());
@@ -99,7 +102,8 @@ TEST_CASE("a record holds what the frame holds") {
     check_points(record["scan"], frame.scan, header["scan_unit_m"]);
     check_points(record["free"], frame.free_space, header["scan_unit_m"]);
     CHECK(record.value("features", Event::array()).size() == frame.changed.size());
-    CHECK(record.value("gone", Event::array()) == Event(frame.gone.empty() ? Event::array() : Event(frame.gone)));
+    CHECK(record.value("gone", Event::array()) ==
+          Event(frame.gone.empty() ? Event::array() : Event(frame.gone)));
     CHECK(record.value("born", Event::array()).size() == frame.births.size());
     CHECK(record.value("grown", Event::array()).size() == frame.growths.size());
     CHECK(record.value("lost", Event::array()).size() == frame.losses.size());
@@ -124,7 +128,9 @@ TEST_CASE("words are said when they change, and again when a time line begins") 
   frame.starts = "a";
   PageEncoder encoder;
   const Words words{{"answer", "here"}};
-  const auto said = [&](const Words& w) { return Event::parse(encoder.frame_record(frame, w)).value("words", Event()); };
+  const auto said = [&](const Words& w) {
+    return Event::parse(encoder.frame_record(frame, w)).value("words", Event());
+  };
   CHECK(said(words) == Event::array({Event::array({"answer", "here"})}));
   frame.starts.reset();
   CHECK(said(words).is_null());

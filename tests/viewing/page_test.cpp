@@ -1,10 +1,10 @@
-#include "recorded_run.hpp"
 #include "viewer/page.hpp"
+#include "recorded_run.hpp"
 
 #include <opal/error.hpp>
 
-#include <catch2/catch.hpp>
 #include <zlib.h>
+#include <catch2/catch.hpp>
 
 using namespace opal;
 using namespace opal::synthetic;
@@ -125,7 +125,8 @@ TEST_CASE("nothing from a recording becomes markup") {
 
 TEST_CASE("the page runs its own script and style only, and needs no network") {
   const EventFile file(text_of({3, 3, 4}));
-  const std::string page = page_of({pack_run(file.path(), "a", 1'000'000, silent), pack_run(file.path(), "b", 1'000'000, silent)});
+  const std::string page =
+      page_of({pack_run(file.path(), "a", 1'000'000, silent), pack_run(file.path(), "b", 1'000'000, silent)});
   CHECK_THAT(page, Contains("default-src 'none'"));
   const std::size_t at = page.find("script-src 'nonce-") + 18;
   const std::string nonce = page.substr(at, page.find('\'', at) - at);
@@ -135,7 +136,8 @@ TEST_CASE("the page runs its own script and style only, and needs no network") {
   CHECK(page.find("Content-Security-Policy") < page.find("<style"));
   CHECK(count(page, "class=\"opal-run\"") == 2);
   CHECK(page.find("<!-- opal:") == std::string::npos);
-  for (const char* loading : {"src=\"http", "href=\"http", "@import", "url(http"}) CHECK(page.find(loading) == std::string::npos);
+  for (const char* loading : {"src=\"http", "href=\"http", "@import", "url(http"})
+    CHECK(page.find(loading) == std::string::npos);
 }
 
 TEST_CASE("the same run is the same page") {

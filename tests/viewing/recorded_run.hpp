@@ -3,11 +3,11 @@
 #include "synthetic_run.hpp"
 #include "viewer/frame_builder.hpp"
 
+#include <unistd.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace opal::synthetic {

@@ -68,29 +68,46 @@ class Run {
   double uniform(double least, double most) { return std::uniform_real_distribution<>(least, most)(random_); }
   double normal(double sigma) { return std::normal_distribution<>(0, sigma)(random_); }
 
-  Json event(const char* kind) const { return {{"event", kind}, {"stamp_s", stamp_s_}, {"keyframe", keyframe_}}; }
+  Json event(const char* kind) const {
+    return {{"event", kind}, {"stamp_s", stamp_s_}, {"keyframe", keyframe_}};
+  }
 
   void write_header() {
-    events_.write({{"event", "run"}, {"format", 2}, {"opal", "0.1.0"}, {"log", "hall.log.gz"},
-                   {"config", "default.jsonld"}, {"map", "hall.jsonld"}, {"sensor", "PlanarLidar2D"},
-                   {"T_base_laser", {0.1, 0, 0}}, {"range_max_m", 30}});
+    events_.write({{"event", "run"},
+                   {"format", 2},
+                   {"opal", "0.1.0"},
+                   {"log", "hall.log.gz"},
+                   {"config", "default.jsonld"},
+                   {"map", "hall.jsonld"},
+                   {"sensor", "PlanarLidar2D"},
+                   {"T_base_laser", {0.1, 0, 0}},
+                   {"range_max_m", 30}});
     Json objects = Json::array(), features = Json::array(), pattern = Json::array();
     const Point corners[] = {{0, 0}, {kWidth_m, 0}, {kWidth_m, kDepth_m}, {0, kDepth_m}};
     for (int k = 0; k < 4; ++k) {
       const Point a = corners[k], b = corners[(k + 1) % 4];
       objects.push_back({"wall-" + std::to_string(k), "opal:Wall"});
-      features.push_back({{"id", "wall-" + std::to_string(k) + "/face"}, {"object", k}, {"type", "opal:Wall"},
-                          {"perceivable", true}, {"segment", {a.x(), a.y(), b.x(), b.y()}}});
+      features.push_back({{"id", "wall-" + std::to_string(k) + "/face"},
+                          {"object", k},
+                          {"type", "opal:Wall"},
+                          {"perceivable", true},
+                          {"segment", {a.x(), a.y(), b.x(), b.y()}}});
     }
     for (int k = 0; k < kColumns; ++k) {
       const std::string id = "column-" + std::to_string(k);
       const Circle circle = column(k);
       objects.push_back({id, "opal:Column"});
-      features.push_back({{"id", id + "/rim"}, {"object", 4 + k}, {"type", "opal:Column"}, {"perceivable", true},
+      features.push_back({{"id", id + "/rim"},
+                          {"object", 4 + k},
+                          {"type", "opal:Column"},
+                          {"perceivable", true},
                           {"circle", {circle.center.x(), circle.center.y(), circle.radius_m}}});
       pattern.push_back(id + "/rim");
     }
-    events_.write({{"event", "map"}, {"name", "hall"}, {"objects", objects}, {"features", features},
+    events_.write({{"event", "map"},
+                   {"name", "hall"},
+                   {"objects", objects},
+                   {"features", features},
                    {"patterns", {{{"id", "row"}, {"template", "opal:Row"}, {"features", pattern}}}}});
   }
 
@@ -154,7 +171,10 @@ class Run {
   Json local_row(int id) {
     const Pose2 T_local_map = T_local_base_ * truth_.inverse();
     const Point p = T_local_map * column(id % kColumns).center;
-    return {{"id", id}, {"type", "opal:Column"}, {"stable", id % 3 != 0}, {"measurements", 3 + keyframe_ % 40},
+    return {{"id", id},
+            {"type", "opal:Column"},
+            {"stable", id % 3 != 0},
+            {"measurements", 3 + keyframe_ % 40},
             {"circle", {p.x() + normal(0.005), p.y() + normal(0.005), 0.3 + normal(0.002)}}};
   }
 
@@ -173,7 +193,8 @@ class Run {
       stable_ = e;
     }
     for (std::size_t k = 0; k < local_.size(); k += 5) changed.push_back(local_row(local_[k]));
-    if (keyframe_ % 10 == 0 && local_.back() != local_[(local_.size() - 1) / 5 * 5]) changed.push_back(local_row(local_.back()));
+    if (keyframe_ % 10 == 0 && local_.back() != local_[(local_.size() - 1) / 5 * 5])
+      changed.push_back(local_row(local_.back()));
     auto e = event("local_features");
     e["changed"] = changed;
     e["gone"] = gone;
@@ -183,7 +204,8 @@ class Run {
 
   void move(Rival& rival) {
     rival.T_map_base = rival.T_map_base * step_ * Pose2(normal(0.006), normal(0.006), normal(0.002));
-    if (rival.id == rivals_.front().id) rival.T_map_base = truth_ * Pose2(normal(0.01), normal(0.01), normal(0.002));
+    if (rival.id == rivals_.front().id)
+      rival.T_map_base = truth_ * Pose2(normal(0.01), normal(0.01), normal(0.002));
     rival.nat = 0.98 * rival.nat + normal(0.3) + (rival.id == rivals_.front().id ? 0.4 : 0.1);
   }
 
@@ -193,8 +215,10 @@ class Run {
   }
 
   Json findings() {
-    return {{{"scorer", "opal:FreeSpaceScorer"}, {"words", "beam 221 passes 1.8 m through wall-1"},
-             {"map_feature", "wall-1/face"}, {"line", {truth_.x(), truth_.y(), kWidth_m, 10.0}}}};
+    return {{{"scorer", "opal:FreeSpaceScorer"},
+             {"words", "beam 221 passes 1.8 m through wall-1"},
+             {"map_feature", "wall-1/face"},
+             {"line", {truth_.x(), truth_.y(), kWidth_m, 10.0}}}};
   }
 
   void end_some() {
@@ -219,14 +243,20 @@ class Run {
   void bear_some() {
     if (static_cast<int>(rivals_.size()) >= size_.hypotheses) return;
     auto search = event("searched");
-    search["patterns"] = {{{"template", "opal:Row"}, {"local_features", {local_.front(), local_.back()}}, {"candidates", 40}}};
+    search["patterns"] = {
+        {{"template", "opal:Row"}, {"local_features", {local_.front(), local_.back()}}, {"candidates", 40}}};
     search["proposed"] = 12;
-    search["rejected"] = {{{"template", "opal:Row"}, {"T_map_base", {5, 5, 1}}, {"pairs", {{local_.front(), "column-1/rim"}}},
-                           {"nat", -2.5}, {"reason", "beams pass through wall-2"}}};
+    search["rejected"] = {{{"template", "opal:Row"},
+                           {"T_map_base", {5, 5, 1}},
+                           {"pairs", {{local_.front(), "column-1/rim"}}},
+                           {"nat", -2.5},
+                           {"reason", "beams pass through wall-2"}}};
     events_.write(search);
     while (static_cast<int>(rivals_.size()) < size_.hypotheses) {
-      Rival rival{next_hypothesis_++, {uniform(1, kWidth_m - 1), uniform(1, kDepth_m - 1), uniform(-3, 3)},
-                  rivals_.empty() ? 5.0 : uniform(-3, 2), {}};
+      Rival rival{next_hypothesis_++,
+                  {uniform(1, kWidth_m - 1), uniform(1, kDepth_m - 1), uniform(-3, 3)},
+                  rivals_.empty() ? 5.0 : uniform(-3, 2),
+                  {}};
       if (rivals_.empty()) rival.T_map_base = truth_;
       auto e = event("born");
       e["hypothesis"] = rival.id;
@@ -243,7 +273,8 @@ class Run {
 
   void associate(Rival& rival, int local, Json& pairs) {
     const bool on_map = rival.id % 5 != 4;
-    pairs.push_back({local, on_map ? Json("column-" + std::to_string((local + rival.id) % kColumns) + "/rim") : Json(nullptr)});
+    pairs.push_back({local, on_map ? Json("column-" + std::to_string((local + rival.id) % kColumns) + "/rim")
+                                   : Json(nullptr)});
     rival.known.push_back(local);
   }
 
@@ -281,9 +312,12 @@ class Run {
     e["T_map_base"] = json_of(rivals_.front().T_map_base);
     auto& rows = e["hypotheses"] = Json::array();
     for (std::size_t k = 0; k < rivals_.size(); ++k)
-      rows.push_back({{"hypothesis", rivals_[k].id}, {"T_map_base", json_of(rivals_[k].T_map_base)},
-                      {"log_likelihood", rivals_[k].nat}, {"scan_nat", uniform(-3, 3)},
-                      {"probability", k == 0 ? (sure ? 0.98 : 0.4) : 0.01 / double(k * k)}, {"scores", scores()}});
+      rows.push_back({{"hypothesis", rivals_[k].id},
+                      {"T_map_base", json_of(rivals_[k].T_map_base)},
+                      {"log_likelihood", rivals_[k].nat},
+                      {"scan_nat", uniform(-3, 3)},
+                      {"probability", k == 0 ? (sure ? 0.98 : 0.4) : 0.01 / double(k * k)},
+                      {"scores", scores()}});
     e["findings"] = findings();
     events_.write(e);
     if (keyframe_ != 0 && keyframe_ != 6) return;

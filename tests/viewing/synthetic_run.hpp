@@ -4,7 +4,8 @@
 
 namespace opal::synthetic {
 
-/// A made-up run, as large as one likes: a robot drives round a hall and every event of docs/events.md happens.
+/// A made-up run, as large as one likes: a robot drives round a hall and every event of docs/events.md
+/// happens.
 struct RunSize {
   int updates = 100;
   int hypotheses = 20;  ///< alive at a time
