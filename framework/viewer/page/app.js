@@ -24,6 +24,7 @@ import { probabilityWords, seconds } from './words_of.js';
 
 /// Words and lists follow a playing recording this often; the maps follow every picture.
 const kPanels_ms = 140;
+const kPanelsShare = 5; // and never for more than a fifth of the time
 /// A growing recording redraws its plots at most this often, and never for more than a twentieth of the time.
 const kPlots_ms = 500,
   kPlotsShare = 20;
@@ -222,7 +223,7 @@ export class App {
   }
 
   updatePanels(now = performance.now()) {
-    this.panelsDue = now + kPanels_ms;
+    const began = performance.now();
     const view = this.views[this.state.run];
     if (!view) return;
     for (const { words, recording, frame } of this.views) words.update(recording, frame);
@@ -230,6 +231,7 @@ export class App {
     this.details.update(view.scene);
     this.header.update();
     if (view.frame >= 0) this.announce(view);
+    this.panelsDue = now + Math.max(kPanels_ms, kPanelsShare * (performance.now() - began));
   }
 
   announce({ recording, frame }) {
