@@ -38,10 +38,11 @@ void RunRecord::append(const RunRecord& other) {
 }
 
 RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opal::Replay& replay,
-                  const std::string& query, const RunProgress& progress) {
+                  const std::string& query, const RunObserver& observer) {
   RunRecord record;
   double before_s = cpu_now_s();  // the replay cleans the scan: that is part of an update's cost
   while (const auto sample = replay.next()) {
+    if (observer.ready && !observer.ready(sample->scan.stamp_s)) break;
     const auto updated = localizer.update(sample->scan, sample->T_odom_base);
     if (updated) {
       record.update_cpu_ms.push_back(1e3 * (cpu_now_s() - before_s));
@@ -57,7 +58,8 @@ RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opa
                              record.last.status == opal::Status::localized});
       record.trajectory.push_back({sample->scan.stamp_s, record.last.T_map_base});
     }
-    progress(replay.progress());
+    if (updated && observer.updated) observer.updated(record);
+    if (observer.progress) observer.progress(replay.progress());
     before_s = cpu_now_s();
   }
   return record;

@@ -10,20 +10,25 @@
 
 /// What one replay of a log through a localizer leaves behind.
 struct RunRecord {
-  std::vector<opal::ResultRow> rows;               ///< one per scan that had a pose
-  std::vector<opal::StampedPose> trajectory;       ///< T_map_base, the same scans
-  std::vector<double> update_cpu_ms;               ///< per keyframe: cleaning, detection and everything after
-  opal::StageTimes stages;                         ///< sums
-  double hypotheses = 0;                           ///< sum over keyframes
+  std::vector<opal::ResultRow> rows;          ///< one per scan that had a pose
+  std::vector<opal::StampedPose> trajectory;  ///< T_map_base, the same scans
+  std::vector<double> update_cpu_ms;          ///< per keyframe: cleaning, detection and everything after
+  opal::StageTimes stages;                    ///< sums
+  double hypotheses = 0;                      ///< sum over keyframes
   opal::PoseEstimate last;
-  std::vector<opal::Point> last_points;            ///< of the last keyframe's scan, laser frame
+  std::vector<opal::Point> last_points;  ///< of the last keyframe's scan, laser frame
   opal::Pose2 last_T_odom_base;
 
   void append(const RunRecord& other);
 };
 
-using RunProgress = std::function<void(double share)>;
+/// Who looks on while a log is replayed; all may be empty.
+struct RunObserver {
+  std::function<bool(double stamp_s)> ready;             ///< before every scan; false ends the replay
+  std::function<void(double share)> progress;            ///< after every scan
+  std::function<void(const RunRecord& so_far)> updated;  ///< after every keyframe
+};
 
 /// Plays samples through a localizer that has been reset.
 RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opal::Replay& replay,
-                  const std::string& query, const RunProgress& progress);
+                  const std::string& query, const RunObserver& observer = {});

@@ -103,7 +103,7 @@ int bench(const BenchOptions& options) {
     window.from_s = query.start_s;
     window.to_s = query.end_s;
     opal::Replay replay(records, deployment.laser, window);
-    all.append(run_log(localizer, deployment.laser, replay, query.id, [](double) {}));
+    all.append(run_log(localizer, deployment.laser, replay, query.id));
   }
 
   fs::create_directories(options.out);

@@ -4,7 +4,6 @@
 #include <viewer/frame_scene.hpp>
 #include <viewer/moment.hpp>
 #include <viewer/page.hpp>
-#include <viewer/quantity_text.hpp>
 
 #include <opal/error.hpp>
 
@@ -29,10 +28,7 @@ opal::Narrator explaining() {
   return [explainer](const opal::RunHeader& header, const opal::RunFrame& frame) {
     if (!*explainer) explainer->emplace(header);
     (*explainer)->take(frame);
-    opal::Words words;
-    for (const opal::Sentence& sentence : (*explainer)->explanation())
-      words.emplace_back(opal::name_of(sentence.kind), sentence.text);
-    return words;
+    return opal::words_of((*explainer)->explanation());
   };
 }
 
@@ -65,24 +61,6 @@ int write_page(const ViewOptions& options) {
   return 0;
 }
 
-/// A picture of what was never recorded would be a picture of something else.
-void require_recorded(const std::string& out, const opal::Moment& moment, const opal::RunState& found) {
-  constexpr double kWritten_s = 5e-4;  // as in read_until
-  const bool by_stamp = moment.clock == opal::Moment::Clock::stamp;
-  const auto time_of = [&](const opal::RunFrame& frame) { return by_stamp ? frame.stamp_s : frame.time_s; };
-  if (moment.clock == opal::Moment::Clock::end || moment.seconds <= time_of(found.frame()) + kWritten_s) return;
-  double first_s = 0, last_s = 0;
-  opal::read_until(out, {opal::Moment::Clock::end, 0, found.time_line()},
-                   [&](const opal::RunHeader&, const opal::RunFrame& frame) {
-                     if (frame.starts) first_s = time_of(frame);
-                     last_s = time_of(frame);
-                   });
-  if (moment.seconds > last_s + kWritten_s)
-    throw opal::EventError(out + ": moment " + opal::fixed_text(moment.seconds, 3) + " s, expected one in [" +
-                           opal::fixed_text(first_s, 3) + ", " + opal::fixed_text(last_s, 3) + "] of time line '" +
-                           found.time_line() + "'");
-}
-
 int draw_moment(const ViewOptions& options) {
   const std::string& out = options.outs.front();
   const opal::Moment moment = opal::parse_moment(options.at, options.query);
@@ -93,7 +71,6 @@ int draw_moment(const ViewOptions& options) {
     explainer->take(frame);
     state.apply(frame);
   });
-  require_recorded(out, moment, state);
   std::vector<std::string> notes;
   for (const opal::Sentence& sentence : explainer->explanation())
     notes.push_back(std::string(opal::name_of(sentence.kind)) + ": " + sentence.text);
@@ -107,7 +84,11 @@ int draw_moment(const ViewOptions& options) {
 }
 
 int view(const ViewOptions& options) {
-  if (options.svg.empty() && options.png.empty()) return write_page(options);
+  if (options.svg.empty() && options.png.empty()) {
+    if (options.at != "end" || !options.query.empty())
+      throw CLI::ValidationError("--at and --query choose the moment of a picture, expected --svg or --png");
+    return write_page(options);
+  }
   if (options.outs.size() != 1) throw CLI::ValidationError("a picture shows one run, expected one OUT");
   draw_moment(options);
   return options.file.empty() ? 0 : write_page(options);

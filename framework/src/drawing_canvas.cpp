@@ -8,7 +8,7 @@ namespace opal {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
-constexpr double kCornerMark_px = 2.2;
+constexpr double kCornerMark_px = 1.2;
 
 bool finite(const Point& p) { return p.allFinite(); }
 

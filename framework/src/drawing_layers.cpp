@@ -134,9 +134,13 @@ void draw_hypotheses(DrawingCanvas& canvas, const DrawingScene& scene) {
 
 std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map) {
   std::map<std::string, TypeInk> inks;
-  for (const MapFeature& feature : map.features()) inks[type_of(map, feature)];
+  for (const MapFeature& feature : map.features()) {
+    const GeometryKind kind = kind_of(feature.geometry);
+    TypeInk& type_ink = inks.try_emplace(type_of(map, feature), TypeInk{{}, 0, kind}).first->second;
+    if (kind == GeometryKind::segment) type_ink.shape = kind;  // a wall's corners are not what it looks like
+  }
   for (const MapObject& object : map.objects())
-    if (!object.features.empty()) ++inks[object.type].objects;
+    if (!object.features.empty()) ++inks.at(object.type).objects;
   std::size_t others = 0;
   for (auto& [type, type_ink] : inks) type_ink.color = color_of(type, others++);
   return inks;

@@ -37,6 +37,7 @@ inline constexpr double kEndedHead_px = 10, kContradiction_px = 1.3, kPattern_px
 struct TypeInk {
   Color color;
   int objects = 0;
+  GeometryKind shape = GeometryKind::segment;  ///< of its features
 };
 std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map);
 

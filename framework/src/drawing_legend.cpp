@@ -25,6 +25,16 @@ auto stroke_symbol(const Color& color, double width_px, double dash_px = 0) {
   };
 }
 
+/// A piece of the shape that the type's features have.
+std::function<void(DrawingCanvas&, const Point&)> shape_symbol(const TypeInk& ink) {
+  if (ink.shape == GeometryKind::segment) return stroke_symbol(ink.color, 2.2);
+  const double radius_px = ink.shape == GeometryKind::circle ? 6 : 2.5;
+  const Color fill = ink.shape == GeometryKind::circle ? ink.color.with_opacity(0.15) : ink.color;
+  return [=](DrawingCanvas& canvas, const Point& middle_px) {
+    canvas.page_disc(middle_px, radius_px, fill, ink.color);
+  };
+}
+
 auto head_symbol(const Color& color, double size_px) {
   return [=](DrawingCanvas& canvas, const Point& middle_px) {
     canvas.page_arrow_head(middle_px, 0, size_px, color, ink::kPlot);
@@ -66,8 +76,8 @@ std::size_t count(const DrawingScene& scene, DrawingScene::Perception perception
 std::vector<LegendRow> map_rows(const SemanticMap& map) {
   std::vector<LegendRow> rows;
   for (const auto& [type, type_ink] : inks_of_types(map))
-    rows.push_back({short_name(type) + " (" + std::to_string(type_ink.objects) + ")",
-                    stroke_symbol(type_ink.color, 2.2)});
+    rows.push_back(
+        {short_name(type) + " (" + std::to_string(type_ink.objects) + ")", shape_symbol(type_ink)});
   return rows;
 }
 

@@ -64,7 +64,9 @@ Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Po
 void HypothesisSet::track(const Observation& observation, double novelty, std::span<const Point> coarse,
                           const Eigen::Vector2d& window) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
-  const RefinementOptions refinement;
+  RefinementOptions refinement;
+  refinement.prior_position = options_.track_prior_position;
+  refinement.prior_heading = options_.track_prior_heading;
   int rank = 0;
   for (Live& live : alive_) {
     Hypothesis& hypothesis = live.hypothesis;
@@ -90,7 +92,8 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
   prune();
 }
 
-void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation) {
+void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation,
+                          const Hindsight& hindsight) {
   const Pose2 T_base_local = observation.local_map.T_local_base().inverse();
   for (Candidate& candidate : candidates) {
     Live live;
@@ -115,8 +118,13 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
       }
       continue;
     }
+    const Hindsight::Verdict past = hindsight.look_back(live.hypothesis, observation.local_map);
+    if (past.hopeless) {
+      listener_.candidate_rejected(candidate, "would be far behind after the " + std::to_string(past.scans) + " scans before");
+      continue;
+    }
     live.hypothesis.id = next_id_++;
-    live.hypothesis.log_likelihood = options_.birth_nat + verdict.nat;
+    live.hypothesis.log_likelihood = options_.birth_nat + verdict.nat + past.nat;
     live.hypothesis.associations = candidate.pairs;
     live.leaf = tree_.add(-1, std::move(candidate.pairs));
     live.scan_nat = verdict.nat;

@@ -49,6 +49,7 @@ struct Localizer::State {
         judge(parts.scorers, parts.map, failures),
         seeder(parts.map, parts.patterns, options),
         journal(sink ? *sink : nobody, parts.map, judge, seeder),
+        hindsight(parts.map, judge, options),
         hypotheses(parts.map, judge, options, journal),
         status(options) {}
 
@@ -74,6 +75,7 @@ struct Localizer::State {
   Judge judge;
   Seeder seeder;
   RunJournal journal;
+  Hindsight hindsight;
   HypothesisSet hypotheses;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
@@ -108,6 +110,7 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   s.track(observation, scan);                              // map frame from here on
   if (s.time_to_seed()) s.seed(observation, scan);
   s.grow();
+  s.hindsight.remember(observation, s.novelty(), s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat);
   const PoseEstimate estimate =
       s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s, s.novelty());
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
@@ -271,7 +274,7 @@ void Localizer::State::seed(const Observation& observation, const Scan& scan) {
     std::stable_sort(candidates.begin(), candidates.end(), better_score);
     if (candidates.size() > static_cast<std::size_t>(options.seed_hypotheses))
       candidates.resize(options.seed_hypotheses);
-    hypotheses.adopt(std::move(candidates), observation);
+    hypotheses.adopt(std::move(candidates), observation, hindsight);
   }
   journal.searched(looked_up, places);
 }
@@ -298,6 +301,7 @@ PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) co
 void Localizer::reset() {
   State& s = *state_;
   s.local_map.clear();
+  s.hindsight.clear();
   s.hypotheses.clear();
   s.status.reset();
   s.started = false;

@@ -89,7 +89,7 @@ void LiveServer::Implementation::listen(int wanted_port) {
   port = any ? server.bind_to_any_port(kLoopback) : server.bind_to_port(kLoopback, wanted_port) ? wanted_port : -1;
   if (port < 0)
     throw Error(std::string(kLoopback) + ":" + std::to_string(wanted_port) +
-                ": cannot be listened on, most likely another program does; choose another port with --serve PORT");
+                ": cannot be listened on, most likely another program does; choose another port with --serve=PORT");
   thread = std::thread([this] { server.listen_after_bind(); });
   while (!server.is_running()) std::this_thread::sleep_for(1ms);  // until then it would not hear `stop`
 }

@@ -31,30 +31,40 @@ class MomentSearch {
       names_ += (names_.empty() ? "" : ", ") + *frame.starts;
     }
     if (!in_time_line_) return Verdict::skip;
+    if (frame.starts) first_s_ = time_of(frame);
+    newest_s_ = time_of(frame);
     if (is_after(frame)) return Verdict::stop;
     taken_ = true;
     return Verdict::take;
   }
 
   void require_found(const std::string& out) const {
-    if (taken_) return;
-    if (!in_time_line_)
+    if (names_.empty()) throw EventError(out + ": holds no complete update, expected one to look at");
+    if (!first_s_)
       throw EventError(out + ": time line '" + moment_.query + "' was asked for, the run has: " + names_);
-    throw EventError(out + ": the time line has nothing as early as " + fixed_text(moment_.seconds, 3) + " s");
+    const bool too_late = moment_.clock != Moment::Clock::end && moment_.seconds > newest_s_ + kWritten_s;
+    if (!taken_ || too_late)
+      throw EventError(out + ": moment " + fixed_text(moment_.seconds, 3) + " s, expected one " +
+                       (too_late ? "in [" + fixed_text(*first_s_, 3) + ", " + fixed_text(newest_s_, 3) + "]"
+                                 : "from " + fixed_text(*first_s_, 3) + " s on"));
   }
 
  private:
   /// The last time line is known only at the end of the stream.
   bool takes_all() const { return moment_.clock == Moment::Clock::end && moment_.query.empty(); }
   bool is_after(const RunFrame& frame) const {
-    constexpr double kWritten_s = 5e-4;  // people copy times with three decimals
-    if (moment_.clock == Moment::Clock::end) return false;
-    const double at = moment_.clock == Moment::Clock::stamp ? frame.stamp_s : frame.time_s;
-    return at > moment_.seconds + kWritten_s;
+    return moment_.clock != Moment::Clock::end && time_of(frame) > moment_.seconds + kWritten_s;
   }
+  double time_of(const RunFrame& frame) const {
+    return moment_.clock == Moment::Clock::stamp ? frame.stamp_s : frame.time_s;
+  }
+
+  static constexpr double kWritten_s = 5e-4;  ///< people copy times with three decimals
 
   const Moment& moment_;
   bool in_time_line_ = false, taken_ = false;
+  std::optional<double> first_s_;  ///< of the time line; absent: there is none
+  double newest_s_ = 0;            ///< of the newest frame that was met in it
   std::string names_;
 };
 

@@ -95,7 +95,9 @@ class Support {
   std::set<int> not_on_map_;
 };
 
+/// Empty if its birth is not recorded.
 std::string origin_text(const TracedHypothesis& hypothesis) {
+  if (hypothesis.parent < 0 && hypothesis.pattern_template.empty()) return {};
   std::string text = hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "born";
   text += " at " + seconds_text(hypothesis.born_s);
   return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
@@ -120,7 +122,8 @@ void add_support(const ExplainedMoment& moment, std::vector<Sentence>& sentences
   const TracedHypothesis* best = moment.state.best();
   if (!best) return;
   Support(moment, *best).add_to(sentences);
-  sentences.push_back({SentenceKind::support, origin_text(*best)});
+  if (const std::string origin = origin_text(*best); !origin.empty())
+    sentences.push_back({SentenceKind::support, origin});
 }
 
 void add_findings(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {

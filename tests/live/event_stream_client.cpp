@@ -1,5 +1,7 @@
 #include "event_stream_client.hpp"
 
+#include <httplib.h>
+
 #include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -24,10 +26,11 @@ std::vector<Message> parse_messages(const std::string& stream) {
   return messages;
 }
 
-EventStreamClient::EventStreamClient(int port, const httplib::Headers& headers) : client_("127.0.0.1", port) {
-  client_.set_read_timeout(60);
-  thread_ = std::thread([this, headers] {
-    const auto result = client_.Get("/events", headers, [this](const char* data, std::size_t size) {
+EventStreamClient::EventStreamClient(int port, const std::map<std::string, std::string>& headers)
+    : client_(std::make_unique<httplib::Client>("127.0.0.1", port)) {
+  client_->set_read_timeout(60);
+  thread_ = std::thread([this, headers = httplib::Headers(headers.begin(), headers.end())] {
+    const auto result = client_->Get("/events", headers, [this](const char* data, std::size_t size) {
       std::lock_guard lock(mutex_);
       text_.append(data, size);
       count_ += static_cast<std::size_t>(std::count(data, data + size, '\n'));
@@ -42,7 +45,7 @@ EventStreamClient::EventStreamClient(int port, const httplib::Headers& headers) 
 }
 
 EventStreamClient::~EventStreamClient() {
-  client_.stop();
+  client_->stop();
   thread_.join();
 }
 

@@ -1,12 +1,16 @@
 #pragma once
 
-#include <httplib.h>
-
 #include <condition_variable>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
+
+namespace httplib {
+class Client;
+}
 
 /// What a browser's EventSource makes of a stream.
 struct Message {
@@ -18,7 +22,7 @@ std::vector<Message> parse_messages(const std::string& stream);
 /// Reads `/events` in a thread of its own, until the server ends the stream or the client is closed.
 class EventStreamClient {
  public:
-  explicit EventStreamClient(int port, const httplib::Headers& headers = {});
+  explicit EventStreamClient(int port, const std::map<std::string, std::string>& headers = {});
   ~EventStreamClient();
 
   /// Blocks until that many messages have come, or the stream is over.
@@ -28,7 +32,7 @@ class EventStreamClient {
   int status();  ///< blocks until the stream is over
 
  private:
-  httplib::Client client_;
+  std::unique_ptr<httplib::Client> client_;
   std::mutex mutex_;
   std::condition_variable grown_;
   std::string text_;

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <httplib.h>
+
 #include <optional>
 
 using namespace opal;
@@ -190,5 +192,5 @@ TEST_CASE("a port that is taken is an error that names it and says what to do") 
   RecordLog log;
   const LiveServer first("page", log, 0);
   CHECK_THROWS_WITH(LiveServer("page", log, first.port()),
-                    Contains("127.0.0.1:" + std::to_string(first.port())) && Contains("--serve PORT"));
+                    Contains("127.0.0.1:" + std::to_string(first.port())) && Contains("--serve=PORT"));
 }

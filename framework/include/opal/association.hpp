@@ -33,6 +33,8 @@ struct AssociationOptions {
   double loose_until_nat = 8;       ///< and only while no hypothesis has gathered this much
   double slide_step_m = 0.2;        ///< step along a pattern's free parameter
   double birth_nat = -3.0;          ///< log prior of a new hypothesis against clutter
+  int hindsight_scans = 20;         ///< scans seen before that a candidate is judged by, too; 0: none
+  double hindsight_behind_nat = 17; ///< a candidate that falls behind the best ones of the time by more is no hypothesis
   bool seed_from_stable = false;    ///< only stable local features may seed (thesis)
 
   // Growth: the association tree.
@@ -52,6 +54,8 @@ struct AssociationOptions {
   double novelty_m = 0.4;           ///< driving that makes a scan a whole new piece of evidence
   double novelty_rad = 0.8;
   double least_novelty = 0.15;
+  double track_prior_position = 0.05; ///< how much dead reckoning weighs when a hypothesis is aligned with the map,
+  double track_prior_heading = 0.3;   ///< as RefinementOptions: maps are wrong more often than the scan matcher
   int track_search = 15;            ///< hypotheses that get an alignment search when odometry is uncertain
   double merge_m = 0.3;             ///< hypotheses nearer than this
   double merge_rad = 0.1;           ///< and this are one

@@ -132,6 +132,7 @@ export class Recording {
     };
     each('lost'); // what no longer fits is dropped before hypotheses grow
     const born = each('born');
+    each('lost');  // before they grow: the same local feature may find another counterpart
     each('grown');
     each('tried');
     const ended = each('ended');

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "judge.hpp"
+
+#include <opal/association.hpp>
+
+#include <deque>
+
+namespace opal {
+
+/// What was seen before. A candidate is judged by it as if it had been a hypothesis all along: who comes late neither
+/// starts with nothing against rivals that have gathered evidence, nor escapes what was seen at places it must have
+/// come from.
+class Hindsight {
+ public:
+  Hindsight(std::shared_ptr<const MapView> map, const Judge& judge, const AssociationOptions& options)
+      : map_(std::move(map)), judge_(judge), options_(options) {}
+
+  /// Keeps an observation once the newest ones add up to a whole new piece of evidence.
+  /// @param novelty   how much of a new piece of evidence it is, in (0, 1].
+  /// @param best_nat  what it said for the hypothesis that was the best then.
+  void remember(const Observation& observation, double novelty, double best_nat);
+
+  struct Verdict {
+    double nat = 0;      ///< evidence of the scans that were kept, weighted as tracking would have weighted them
+    int scans = 0;       ///< how many of them were looked at
+    bool hopeless = false;  ///< fell so far behind the best ones of the time that the rest was not looked at
+  };
+  /// @param hypothesis  registration to the local map as it is now.
+  Verdict look_back(const Hypothesis& hypothesis, const LocalMap& local_map) const;
+
+  void clear();
+
+ private:
+  struct PastScan {
+    Pose2 T_local_base;
+    std::vector<Point> points;
+    std::vector<double> free_bearings_rad;
+    double range_max_m = 0;
+    Point laser_position;
+    std::vector<Feature> features;
+    double novelty = 0;  ///< of the observations since the one before
+    double best_nat = 0;
+  };
+
+  std::shared_ptr<const MapView> map_;
+  const Judge& judge_;
+  AssociationOptions options_;
+  std::deque<PastScan> scans_;  ///< newest first
+  double pending_ = 0;          ///< novelty since the newest
+};
+
+}  // namespace opal

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "synthetic_run.hpp"
+#include "viewer/frame_builder.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace opal::synthetic {
+
+/// The event stream of a made-up run, as `opal localize` would write it.
+inline std::string text_of(const RunSize& size) {
+  std::ostringstream out;
+  JsonLinesSink sink(out);
+  write_run(size, sink);
+  return out.str();
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// A file that is gone with the test.
+class EventFile {
+ public:
+  explicit EventFile(const std::string& text) {
+    static int number = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            ("opal_viewing_" + std::to_string(::getpid()) + "_" + std::to_string(number++) + ".jsonl");
+    std::ofstream(path_, std::ios::binary) << text;
+  }
+  ~EventFile() { std::filesystem::remove(path_); }
+  EventFile(const EventFile&) = delete;
+  EventFile& operator=(const EventFile&) = delete;
+  void cut_to(std::size_t bytes) const { std::filesystem::resize_file(path_, bytes); }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct ReadRun {
+  std::shared_ptr<const RunHeader> header;
+  std::vector<RunFrame> frames;
+};
+
+inline ReadRun frames_of(const RunSize& size) {
+  FrameBuilder builder;
+  ReadRun run;
+  for (const std::string& line : lines_of(text_of(size)))
+    if (auto frame = builder.add(Event::parse(line))) run.frames.push_back(*std::move(frame));
+  run.header = builder.header();
+  return run;
+}
+
+}  // namespace opal::synthetic
