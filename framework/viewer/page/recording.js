@@ -130,9 +130,8 @@ export class Recording {
       entries.forEach((entry, k) => this.hypotheses[name](entry, frame, `${name}[${k}]`));
       return entries.length > 0;
     };
-    each('lost'); // what no longer fits is dropped before hypotheses grow
     const born = each('born');
-    each('lost');  // before they grow: the same local feature may find another counterpart
+    each('lost'); // before they grow: the same local feature may find another counterpart
     each('grown');
     each('tried');
     const ended = each('ended');
