@@ -1,5 +1,6 @@
 /// How fluid the page is: node frame_rate.js [UPDATES] [HYPOTHESES] [PAGE.html]. Prints the time to load and the frames per
-/// second while playing at full speed and while panning, in headless Chromium with software rendering.
+/// second while playing at full speed and while panning, in headless Chromium with software rendering; and the CPU time of a picture,
+/// which says the same on a busy machine.
 import { statSync } from 'node:fs';
 import { launch, open } from './browser.js';
 import { repack, writePage } from './page_file.js';
@@ -11,9 +12,16 @@ const address = file
   : writePage('fluid', [syntheticRun({ frames: Number(updates), hypotheses: Number(hypotheses), beams: 120 }).lines, 'out']);
 console.log(`page: ${(statSync(address.slice('file://'.length)).size / 1e6).toFixed(1)} MB`);
 
+/// CPU time of each of the browser's processes [s].
+async function cpuOf(session) {
+  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+  return new Map(processInfo.map(({ id, cpuTime }) => [id, cpuTime]));
+}
+
 /// Pictures per second while `act(k)` is called once per picture, for some seconds.
 async function measure(page, seconds, act) {
-  return page.evaluate(
+  const before = await cpuOf(session);
+  const result = await page.evaluate(
     async ([duration, source]) => {
       const step = new Function('k', source);
       const before = window.opal.paints,
@@ -35,17 +43,23 @@ async function measure(page, seconds, act) {
     },
     [seconds, act],
   );
+  const used = [...(await cpuOf(session))].map(([id, cpu]) => cpu - (before.get(id) ?? 0));
+  return { ...result, cpu_ms: used.map((cpu) => (1000 * cpu) / (seconds * result.fps)) };
 }
 
 const browser = await launch();
+const session = await browser.newBrowserCDPSession();
 const began = performance.now();
 const { page, troubles } = await open(browser, address, { bypassCSP: true });
 const memory = await page.evaluate(() => performance.memory?.usedJSHeapSize ?? 0);
 console.log(
   `load: ${((performance.now() - began) / 1000).toFixed(1)} s for ${await page.evaluate(() => window.opal.frames())} updates; heap ${(memory / 1e6).toFixed(0)} MB`,
 );
-const report = (name, { fps, slow_ms }) =>
-  console.log(`${name}: ${fps.toFixed(0)} frames per second, 95 % within ${slow_ms.toFixed(0)} ms`);
+const sum = (values) => values.reduce((a, b) => a + b, 0);
+const report = (name, { fps, slow_ms, cpu_ms }) =>
+  console.log(
+    `${name}: ${fps.toFixed(0)} frames per second, 95 % within ${slow_ms.toFixed(0)} ms; CPU per picture ${sum(cpu_ms).toFixed(0)} ms, ${Math.max(...cpu_ms).toFixed(0)} ms of it in one process`,
+  );
 
 await page.getByLabel('Speed', { exact: true }).selectOption({ label: '32×' });
 await page.keyboard.press('Escape');

@@ -177,7 +177,7 @@ test('the tree tells why a hypothesis ended, and details lead to the moment', ()
     const tree = page.getByRole('tree');
     await page.getByLabel('all ended').check();
     await page.getByLabel('Search the tree').fill('passes 1.8 m through wall-5');
-    const row = tree.getByRole('treeitem').filter({ hasText: 'ended' }).first();
+    const row = tree.getByRole('treeitem').filter({ hasText: 'passes 1.8 m' }).first();
     assert.match(await row.innerText(), /beam 221 passes 1\.8 m through wall-5/);
     await row.click();
     await page.evaluate(() => window.opal.settled());

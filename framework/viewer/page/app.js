@@ -24,6 +24,8 @@ import { probabilityWords, seconds } from './words_of.js';
 
 /// Words and lists follow a playing recording this often; the maps follow every picture.
 const kPanels_ms = 140;
+const kLooks = new Set(['view', 'localScale']); // nothing in words and lists depends on these
+const kPanelsShare = 5; // and never for more than a fifth of the time
 /// A growing recording redraws its plots at most this often, and never for more than a twentieth of the time.
 const kPlots_ms = 500,
   kPlotsShare = 20;
@@ -168,7 +170,7 @@ export class App {
     if (changed.has('run')) this.time.repaint();
     if (changed.has('window') && this.timeLine.window !== this.state.window) this.moves.selectWindow(this.state.window);
     this.link.note();
-    this.invalidate();
+    this.invalidate([...changed].every((name) => kLooks.has(name)));
   }
 
   showFeature(feature, move = true) {
@@ -178,7 +180,9 @@ export class App {
     else if (move || document.activeElement !== global.pane.moving || !global.pane.tip.textContent) global.showFeature(feature);
   }
 
-  invalidate() {
+  /// Paints soon; words and lists, too, unless they cannot have changed.
+  invalidate(onlyPanes = false) {
+    if (!onlyPanes) this.panelsStale = true;
     if (this.due) return;
     this.due = true;
     requestAnimationFrame((now) => this.paint(now));
@@ -187,19 +191,15 @@ export class App {
   paint(now) {
     this.due = false;
     this.player.tick(now);
-    if (this.state.playing) this.invalidate();
+    if (this.state.playing) this.invalidate(true);
     if (this.views.length === 0) return this.settle();
     if (!this.time.timeLine) this.showPlots();
     const frames = this.views.map((_, run) => this.timeLine.frameAt(run, this.state.time));
     if (this.state.follow) this.follow(frames);
     this.views.forEach((view, run) => view.paint(frames[run], this.palette, this.theme.name));
-    this.time.update(frames);
-    this.transport.update(
-      this.timeLine.end,
-      frames.map((f, run) => (f < 0 ? '–' : this.views[run].recording.keyframe.values[f])).join(' | '),
-    );
+    this.time.follow();
     this.paints += 1;
-    if (!this.state.playing || now >= (this.panelsDue ?? 0)) this.updatePanels(now);
+    if (this.panelsStale && (!this.state.playing || now >= (this.panelsDue ?? 0))) this.updatePanels(now);
     this.settle();
   }
 
@@ -222,14 +222,20 @@ export class App {
   }
 
   updatePanels(now = performance.now()) {
-    this.panelsDue = now + kPanels_ms;
+    const began = performance.now();
     const view = this.views[this.state.run];
     if (!view) return;
+    this.panelsStale = false;
+    const frames = this.views.map(({ frame }) => frame);
+    const updates = this.views.map(({ recording, frame }) => (frame < 0 ? '–' : recording.keyframe.values[frame]));
+    this.time.readOut(frames);
+    this.transport.update(this.timeLine.end, updates.join(' | '));
     for (const { words, recording, frame } of this.views) words.update(recording, frame);
     this.tabs.panel.update(view.scene);
     this.details.update(view.scene);
     this.header.update();
     if (view.frame >= 0) this.announce(view);
+    this.panelsDue = now + Math.max(kPanels_ms, kPanelsShare * (performance.now() - began));
   }
 
   announce({ recording, frame }) {

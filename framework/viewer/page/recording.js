@@ -131,7 +131,7 @@ export class Recording {
       return entries.length > 0;
     };
     const born = each('born');
-    each('lost');  // before they grow: the same local feature may find another counterpart
+    each('lost'); // before they grow: the same local feature may find another counterpart
     each('grown');
     each('tried');
     const ended = each('ended');

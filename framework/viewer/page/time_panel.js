@@ -112,9 +112,15 @@ export class TimePanel {
   }
 
   /// To the moment: the playhead moves, nothing is drawn anew.
-  update(frames) {
+  follow() {
+    if (!this.timeLine) return;
     this.keepInRange();
     this.movePlayhead();
+  }
+
+  /// What the slider and the plots say of the moment.
+  readOut(frames) {
+    if (!this.timeLine) return;
     this.slider.value = String(this.state.time);
     this.slider.setAttribute('aria-valuetext', seconds(this.state.time));
     for (const plot of this.plots) plot.readOut(this.timeLine, frames);

@@ -1,15 +1,18 @@
+import { TreeSearch } from './tree_search.js';
 import { nodeWords, poseWords, probabilityWords, seconds, shortName } from './words_of.js';
 
-/// What the tree panel shows at a moment, as rows: `{key, level, words, state, note, id, open, frame}`. Hypotheses are the
-/// branches; under each what happened to it: what it was associated with later, what ended, what was tried and did not fit.
+/// What the tree panel shows at a moment, as rows: `{key, level, words, state, note, id, open, expandable, frame}`. Hypotheses are
+/// the branches; under each what happened to it: what it was associated with later, what ended, what was tried and did not fit.
 
-const kRecent_s = 3,
-  kMostRows = 20000;
+const kRecent_s = 3;
+const kMostHypotheses = 5000;
+const kSigns = { grown: '+', lost: '\u2212', tried: '×' };
 
 export class TreeModel {
   constructor() {
     this.all = false; ///< also what ended long ago
-    this.query = '';
+    this.search = new TreeSearch();
+    this.own = new WeakMap();
     this.opened = new Map(); ///< key -> open or closed by the reader
   }
 
@@ -18,32 +21,35 @@ export class TreeModel {
   }
 
   rowsAt(recording, frame, selected) {
-    this.recording = recording;
-    this.frame = frame;
-    this.selected = selected;
-    this.now = recording.time.values[frame];
-    const { begin } = recording.windows[recording.window.values[frame]];
-    this.wanted = this.wantedFrom(begin);
+    Object.assign(this, { recording, frame, selected, now: recording.time.values[frame] });
+    this.left = 0; ///< how many there was no room for
+    this.wanted = this.wantedHypotheses();
     const rows = [];
-    for (const hypothesis of recording.hypotheses.inOrder) {
-      if (!this.wanted.has(hypothesis) || rows.length > kMostRows) continue;
-      if (this.wanted.has(recording.hypotheses.byId.get(hypothesis.parent))) continue;
-      this.addHypothesis(rows, hypothesis, 1);
-    }
+    if (this.left > 0) rows.push(this.leftOut());
+    for (const hypothesis of this.wanted)
+      if (!this.wanted.has(recording.hypotheses.byId.get(hypothesis.parent))) this.addHypothesis(rows, hypothesis, 1);
     this.addSearch(rows);
-    return this.query === '' ? rows : rows.filter((row) => row.found);
+    return rows;
   }
 
-  /// Hypotheses of this time line: alive, ended of late (or ever), and the ancestors of those.
-  wantedFrom(begin) {
-    const { recording, frame } = this,
-      wanted = new Set();
-    for (const hypothesis of recording.hypotheses.inOrder) {
-      if (hypothesis.bornFrame < begin || hypothesis.bornFrame > frame) continue;
-      if (!this.all && !this.isFresh(hypothesis)) continue;
-      for (let h = hypothesis; h && !wanted.has(h); h = recording.hypotheses.byId.get(h.parent)) wanted.add(h);
+  /// Hypotheses of this time line that are looked for, in order of birth: alive, ended of late (or ever), and their ancestors.
+  wantedHypotheses() {
+    const { recording, frame } = this;
+    const { byId, inOrder } = recording.hypotheses;
+    const { begin } = recording.windows[recording.window.values[frame]];
+    const wanted = new Set();
+    for (let k = inOrder.length - 1; k >= 0 && inOrder[k].bornFrame >= begin; --k) {
+      const hypothesis = inOrder[k];
+      if (hypothesis.bornFrame > frame || !this.isLookedFor(hypothesis)) continue;
+      if (wanted.size >= kMostHypotheses && !this.isFresh(hypothesis)) this.left += 1;
+      else for (let h = hypothesis; h && !wanted.has(h); h = byId.get(h.parent)) wanted.add(h);
     }
-    return wanted;
+    return new Set([...wanted].sort((a, b) => a.bornFrame - b.bornFrame || a.id - b.id));
+  }
+
+  isLookedFor(hypothesis) {
+    if (!this.all && !this.isFresh(hypothesis)) return false;
+    return this.search.query === '' || this.search.finds(hypothesis, this.frame, this.recording.map);
   }
 
   isFresh(hypothesis) {
@@ -51,32 +57,50 @@ export class TreeModel {
     return this.now - this.recording.time.values[hypothesis.endFrame] <= kRecent_s;
   }
 
+  leftOut() {
+    const note = 'a search finds them, too';
+    return {
+      key: 'left',
+      level: 1,
+      id: -1,
+      expandable: false,
+      state: 'search',
+      frame: this.frame,
+      words: `${this.left} older ones are not listed`,
+      note,
+    };
+  }
+
   addHypothesis(rows, hypothesis, level) {
-    const { recording, frame } = this,
-      alive = hypothesis.endFrame > frame;
-    const row = {
-      key: `h${hypothesis.id}`,
+    const { recording, frame, search } = this;
+    const alive = hypothesis.endFrame > frame;
+    const children = hypothesis.children.filter((child) => this.wanted.has(child));
+    const nodes = hypothesis.nodes.filter((node) => node.frame <= frame);
+    const key = `h${hypothesis.id}`;
+    const open = this.opened.get(key) ?? (search.query !== '' || hypothesis.id === this.selected);
+    rows.push({
+      key,
       level,
+      open,
       id: hypothesis.id,
-      expandable: true,
+      expandable: children.length + nodes.length > 0,
       state: alive ? 'alive' : 'ended',
       frame: hypothesis.bornFrame,
       words: `#${hypothesis.id} ${nodeWords(this.ownPairs(hypothesis), recording.map)}`,
       note: alive ? this.aliveNote(hypothesis) : this.endedNote(hypothesis),
-    };
-    row.open = this.opened.get(row.key) ?? (this.query !== '' || hypothesis.id === this.selected);
-    row.found = this.matches(row);
-    const at = rows.push(row) - 1;
-    const children = hypothesis.children.filter((child) => this.wanted.has(child));
-    const nodes = hypothesis.nodes.filter((node) => node.frame <= frame);
-    row.expandable = children.length + nodes.length > 0;
-    if (row.open) nodes.forEach((node, k) => this.addNode(rows, hypothesis, node, k, level + 1));
-    if (row.open || this.query !== '') for (const child of children) this.addHypothesis(rows, child, level + 1);
-    if (this.query !== '') row.found ||= rows.slice(at + 1).some((inner) => inner.found);
+    });
+    if (!open) return;
+    nodes.forEach((node, k) => this.addNode(rows, hypothesis, node, k, level + 1));
+    for (const child of children) this.addHypothesis(rows, child, level + 1);
+  }
+
+  ownPairs(hypothesis) {
+    if (!this.own.has(hypothesis)) this.own.set(hypothesis, this.addedPairs(hypothesis));
+    return this.own.get(hypothesis);
   }
 
   /// What a branch adds to its parent; all of it for a root.
-  ownPairs(hypothesis) {
+  addedPairs(hypothesis) {
     const parent = this.recording.hypotheses.byId.get(hypothesis.parent);
     if (!parent) return hypothesis.pairs;
     const inherited = new Set(
@@ -99,10 +123,10 @@ export class TreeModel {
   }
 
   addNode(rows, hypothesis, node, number, level) {
-    const { map, time } = this.recording,
-      when = seconds(time.values[node.frame]);
-    const signs = { grown: '+', lost: '\u2212', tried: '×' };
-    const row = {
+    const { map, time } = this.recording;
+    if (this.search.query !== '' && !this.search.findsNode(node, map)) return;
+    const when = seconds(time.values[node.frame]);
+    rows.push({
       key: `n${hypothesis.id}.${number}`,
       level,
       id: hypothesis.id,
@@ -110,11 +134,9 @@ export class TreeModel {
       open: false,
       frame: node.frame,
       state: node.kind,
-      words: `${signs[node.kind]} ${nodeWords(node.pairs, map)}`,
+      words: `${kSigns[node.kind]} ${nodeWords(node.pairs, map)}`,
       note: node.kind === 'grown' ? when : `${node.kind === 'tried' ? 'rejected' : 'dropped'} ${when}: ${node.reason}`,
-    };
-    row.found = this.matches(row);
-    if (this.query === '' || row.found) rows.push(row);
+    });
   }
 
   /// The last search: places that did not become hypotheses.
@@ -124,26 +146,27 @@ export class TreeModel {
     if (frame < 0) return;
     const { rejected = [], patterns = [], proposed = 0 } = recording.searchAt(frame),
       when = seconds(recording.time.values[frame]);
-    const row = {
-      key: `s${frame}`,
+    const refused = rejected.map((entry, k) => this.refused(frame, entry, k));
+    const found = refused.filter(({ words, note }) => this.search.findsText(`${words} ${note}`));
+    if (this.search.query !== '' && found.length === 0) return;
+    const key = `s${frame}`,
+      open = this.opened.get(key) ?? this.search.query !== '';
+    rows.push({
+      key,
       level: 1,
       id: -1,
-      expandable: rejected.length > 0,
+      open,
+      expandable: found.length > 0,
       state: 'search',
       frame,
       words: `Search at ${when}`,
       note: `${patterns.length} patterns, ${proposed} places proposed, ${rejected.length} refused`,
-    };
-    row.open = this.opened.get(row.key) ?? this.query !== '';
-    row.found = this.matches(row);
-    const at = rows.push(row) - 1;
-    if (!row.open) return;
-    rejected.forEach((entry, k) => this.addRefused(rows, frame, entry, k));
-    if (this.query !== '') row.found ||= rows.slice(at + 1).some((inner) => inner.found);
+    });
+    if (open) rows.push(...found);
   }
 
-  addRefused(rows, frame, [template, x, y, heading, nat, pairs, reason], k) {
-    const row = {
+  refused(frame, [template, x, y, heading, , pairs, reason], k) {
+    return {
       key: `r${frame}.${k}`,
       level: 2,
       id: -1,
@@ -154,11 +177,5 @@ export class TreeModel {
       words: `× ${nodeWords(pairs, this.recording.map)}`,
       note: `rejected: ${reason} · ${shortName(String(template))} at ${poseWords([x, y, heading])}`,
     };
-    row.found = this.matches(row);
-    rows.push(row);
-  }
-
-  matches(row) {
-    return this.query === '' || `${row.words} ${row.note}`.toLowerCase().includes(this.query);
   }
 }

@@ -31,7 +31,7 @@ export class TreePanel {
   }
 
   query() {
-    this.model.query = this.search.value.trim().toLowerCase();
+    this.model.search.query = this.search.value.trim().toLowerCase();
     this.refresh();
   }
 
