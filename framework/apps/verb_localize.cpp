@@ -86,12 +86,13 @@ void add_live_options(CLI::App& verb, const std::shared_ptr<LocalizeOptions>& op
   CLI::Option* serve = verb.add_flag("--serve{" + std::to_string(opal::LiveServer::kUsualPort) + "}", options->port,
                                      "show the run while it goes on, to browsers on this machine, until Ctrl-C; "
                                      "--serve=PORT for another port, 0 for any free one");
-  serve->check(CLI::Range(0, 65535));
+  serve->check(CLI::Range(-1, 65535, "0 to 65535"));
   CLI::Option* speed =
       verb.add_option("--speed", options->speed, "with --serve: 1 plays the log in real time, 0 as fast as possible");
   speed->check(CLI::NonNegativeNumber)->needs(serve)->default_str("1");
   verb.parse_complete_callback([=] {
     options->serve = serve->count() > 0;
+    options->port = std::max(0, options->port);  // a flag's value of 0 reads as "not", which is -1
     if (options->serve && speed->count() == 0) options->speed = 1;
   });
 }

@@ -228,6 +228,7 @@ void RunJournal::estimate(const PoseEstimate& estimate, const std::vector<Live>&
   e["status"] = name_of(estimate.status);
   e["probability"] = estimate.probability;
   e["none"] = belief.none;
+  e["why"] = belief.why;
   if (estimate.has_pose) {
     e["hypothesis"] = estimate.best;
     e["T_map_base"] = pose_json(estimate.T_map_base);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace opal {
 namespace {
@@ -70,9 +71,24 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
   constexpr double kMemory = 0.8;
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
                         : alive.front().scan_nat;
-  if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat) return Status::lost;
-  if (sure_ >= options_.localized_novelty) return Status::localized;
-  return estimate.rivals.empty() ? Status::searching : Status::ambiguous;
+  if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
+    return because(Status::lost, "the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
+                   options_.lost_scan_nat);
+  const char* held = "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence";
+  if (sure_ >= options_.localized_novelty) return because(Status::localized, held, sure_, options_.localized_novelty);
+  const Status status = estimate.rivals.empty() ? Status::searching : Status::ambiguous;
+  if (sure_ > 0) return because(status, held, sure_, options_.localized_novelty);
+  if (same || estimate.probability <= options_.localized_probability)
+    return because(status, "the probability is %.3f, not above %.3f", estimate.probability,
+                   options_.localized_probability);
+  return because(status, "the best place has just changed", 0, 0);
+}
+
+Status StatusEstimator::because(Status status, const char* format, double found, double wanted) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, found, wanted);
+  belief_.why = text;
+  return status;
 }
 
 PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base,
@@ -85,6 +101,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   if (alive.empty()) {
     sure_ = 0;
     estimate.status = was_localized_ ? Status::lost : Status::searching;
+    belief_.why = "no hypothesis is left";
     last_ = estimate;
     return estimate;
   }

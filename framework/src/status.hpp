@@ -22,6 +22,7 @@ class StatusEstimator {
   struct Belief {
     std::vector<double> hypotheses;  ///< in the order of `alive`
     double none = 1;                 ///< that it is none of these
+    std::string why;                 ///< the status is what it is, in words
   };
   const Belief& belief() const { return belief_; }
 
@@ -33,6 +34,7 @@ class StatusEstimator {
   void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const;
   Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
                double novelty);
+  Status because(Status status, const char* format, double found, double wanted);
 
   AssociationOptions options_;
   PoseEstimate last_;

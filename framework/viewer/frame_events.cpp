@@ -172,6 +172,8 @@ void read_estimate(const EventPlace& event, const FeaturePositions& features, Ru
   frame.status = read_status(event.member("status"));
   frame.probability = event.member("probability").probability();
   if (const auto none = event.find("none")) frame.none = none->probability();
+  frame.why.clear();
+  if (const auto why = event.find("why")) frame.why = why->sentence();
   frame.best = optional_id(event, "hypothesis");
   const EventPlace array = event.member("hypotheses");
   frame.hypotheses.clear();

@@ -146,6 +146,7 @@ struct RunFrame {
   std::string status;
   double probability = 0;
   double none = 0;
+  std::string why;  ///< the status is what it is; may be empty
   int best = -1;
   std::vector<RecordedHypothesis> hypotheses;  ///< alive at the end of the update, best first
   std::vector<RecordedFinding> findings;       ///< about the best one

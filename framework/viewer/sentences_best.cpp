@@ -64,8 +64,8 @@ class Support {
                                                       count_text(nearest_m_.size(), "object") + ": " + objects()});
     if (!not_on_map_.empty())
       sentences.push_back({SentenceKind::support,
-                           "takes " + count_text(not_on_map_.size(), "local feature") +
-                               " for not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
+                           "says of " + count_text(not_on_map_.size(), "local feature") +
+                               (not_on_map_.size() == 1 ? " that it is" : " that they are") + " not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
   }
 
  private:

@@ -54,7 +54,7 @@ TEST_CASE("without a hypothesis the answer says so") {
 TEST_CASE("objects that the best hypothesis rests on are named, the nearest first, with their distances now") {
   CHECK(said(SentenceKind::support, {first_frame()}) ==
         Texts{"rests on 2 associations with 2 objects: Wall wall-1 (0.03 m), Column A.008 (0.10 m)",
-              "takes 1 local feature for not on the map: 3", "born at 0.0 s from opal:LinePair"});
+              "says of 1 local feature that it is not on the map: 3", "born at 0.0 s from opal:LinePair"});
   RunFrame moved = later(1);
   moved.hypotheses.front().T_map_base = Pose2(0, 0.13, 0) * kHere;
   CHECK(said(SentenceKind::support, {first_frame(), moved}).front() ==

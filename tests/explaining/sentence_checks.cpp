@@ -99,7 +99,7 @@ void check_not_on_map(const std::string& text, const StreamBooks& books) {
   std::vector<int> expected;
   for (const auto& [local, mapped] : books.pairs.at(books.estimate["hypothesis"]))
     if (mapped.empty() && books.local.count(local)) expected.push_back(local);
-  const auto said = match(text, R"(^takes (\d+) local features? for not on the map: ([\d, ]+))");
+  const auto said = match(text, R"(^says of (\d+) local features? that (?:it is|they are) not on the map: ([\d, ]+))");
   CHECK(std::stoul(said[1]) == expected.size());
   std::istringstream list(said[2]);
   for (std::size_t k = 0; k < std::min<std::size_t>(8, expected.size()); ++k) {
@@ -112,7 +112,7 @@ void check_not_on_map(const std::string& text, const StreamBooks& books) {
 
 void check_support(const std::string& text, const StreamBooks& books) {
   if (text.starts_with("rests")) return check_rests_on(text, books);
-  if (text.starts_with("takes")) return check_not_on_map(text, books);
+  if (text.starts_with("says of")) return check_not_on_map(text, books);
   const ordered_json& born = books.born.at(books.estimate["hypothesis"]);
   const auto said = match(text, R"(^(born|branched from hypothesis (\d+)) at (\S+) s( from (\S+))?$)");
   if (said[2].matched) CHECK(std::stoi(said[2]) == born["parent"]);
@@ -187,6 +187,8 @@ void check_search(const std::string& text, const StreamBooks& books) {
 
 void check_note(const std::string& text, const StreamBooks& books) {
   if (text.starts_with("\"none")) CHECK(books.estimate["none"] > books.estimate["probability"]);
+  const std::string status = books.estimate["status"];
+  if (text.starts_with(status + ": ")) CHECK(text == status + ": " + books.estimate["why"].get<std::string>());
   if (text.starts_with("last search") || text.starts_with("no search")) check_search(text, books);
   if (!text.starts_with("the scan")) return;
   const auto said = match(text, R"(has (\d+) points? \(thinned\), the local map (\d+) features?, (\d+) of them stable$)");
