@@ -238,3 +238,22 @@ TEST_CASE("a scorer that breaks a promise is told which") {
   CHECK_THAT(offences([&](const Hypothesis&, const Observation&) { return ++calls; }),
              Contains("another score when it is asked again"));
 }
+
+TEST_CASE("a scorer that explains itself badly is told so") {
+  struct Scorer final : HypothesisScorer {
+    Finding finding;
+    Score score(const Hypothesis&, const Observation&, const MapView&) const override { return {}; }
+    std::vector<Finding> explain(const Hypothesis&, const Observation&, const MapView&) const override {
+      return {finding};
+    }
+  };
+  const auto offences = [](const Finding& finding) {
+    Scorer scorer;
+    scorer.finding = finding;
+    return text(testing::scorer_violations(scorer, {"acme:Scorer", {}, {}}));
+  };
+  CHECK(offences({"a beam passes through a wall", 0, {{0, 0}, {1, 0}}}) == "");
+  CHECK_THAT(offences({"", -1, {}}), Contains("a finding without words"));
+  CHECK_THAT(offences({"something", 100000, {}}), Contains("a mapped feature that does not exist"));
+  CHECK_THAT(offences({"something", -1, {{0, 0}, {kNan, 0}}}), Contains("not two finite points"));
+}
