@@ -1,10 +1,10 @@
+#include "damage_options.hpp"
 #include "run_record.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
 #include <opal/deployment.hpp>
 #include <opal/error.hpp>
-#include <opal/map_damage.hpp>
 #include <opal/site.hpp>
 
 #include <nlohmann/json.hpp>
@@ -25,9 +25,7 @@ struct BenchOptions {
   std::string prefix;
   std::string out;
   std::string config;
-  std::string damage;
-  double plan_m = 0;
-  std::uint64_t seed = 1;
+  DamageOptions damage;
 };
 
 double process_cpu_s() {
@@ -88,10 +86,7 @@ int bench(const BenchOptions& options) {
   auto map = import_map(registry, options.prefix + ".map.yaml").map;
   const double import_s = process_cpu_s() - import_start_s;
 
-  opal::MapDamage damage = opal::read_map_damage(options.damage);
-  if (options.plan_m > 0) damage.plan_m = options.plan_m;
-  damage.seed = options.seed;
-  if (options.plan_m > 0 || !options.damage.empty()) map = opal::damaged_map(*map, damage);
+  if (options.damage.any()) map = opal::damaged_map(*map, options.damage.damage());
 
   opal::Localizer localizer(opal::build_parts(deployment, registry, map));
   const auto reader = open_log(registry, options.prefix + ".log.gz");
@@ -124,10 +119,7 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
                    "PREFIX.map.yaml, PREFIX.info.json, PREFIX.queries.json and PREFIX.log.gz are read")
       ->required();
   verb->add_option("-o,--out", options->out, "folder for results.csv and summary.json")->required();
-  verb->add_option("--plan", options->plan_m, "first delete every mapped segment shorter than this [m]: what a plan would hold");
-  verb->add_option("--damage", options->damage,
-                   "make the map worse: drop=SHARE,shift=METRES,wall=METRES,wall_share=SHARE,false=SHARE, any of them");
-  verb->add_option("--seed", options->seed, "of the damage")->capture_default_str();
+  options->damage.add_to(*verb);
   verb->add_option("--config", options->config, "deployment to run (default: configs/default.jsonld)");
   verb->callback([options, &exit_code] { exit_code = bench(*options); });
 }

@@ -1,3 +1,4 @@
+#include "damage_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -5,7 +6,6 @@
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/map_check.hpp>
-#include <opal/map_damage.hpp>
 
 #include <fstream>
 #include <iostream>
@@ -69,18 +69,14 @@ void add_check(CLI::App& map, int& exit_code) {
   verb->callback([options, &exit_code] { exit_code = check(*options); });
 }
 
-struct DamageOptions {
-  std::string map, out, damage;
-  double plan_m = 0;
-  std::uint64_t seed = 1;
+struct DamageVerbOptions {
+  std::string map, out;
+  DamageOptions damage;
 };
 
-int damage(const DamageOptions& options) {
-  opal::MapDamage damage = opal::read_map_damage(options.damage);
-  if (options.plan_m > 0) damage.plan_m = options.plan_m;
-  damage.seed = options.seed;
+int damage(const DamageVerbOptions& options) {
   const auto map = load_map(load_plugins(), options.map);
-  const auto worse = opal::damaged_map(*map, damage);
+  const auto worse = opal::damaged_map(*map, options.damage.damage());
   write_text(options.out, worse->to_json_ld().dump(1) + '\n');
   std::cout << "written: " << options.out << ", " << worse->features().size() << " features of "
             << map->features().size() << '\n';
@@ -88,14 +84,11 @@ int damage(const DamageOptions& options) {
 }
 
 void add_damage(CLI::App& map, int& exit_code) {
-  auto options = std::make_shared<DamageOptions>();
+  auto options = std::make_shared<DamageVerbOptions>();
   CLI::App* verb = map.add_subcommand("damage", "make a map worse in a known way, to see what localization makes of it");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
-  verb->add_option("--plan", options->plan_m, "delete every segment shorter than this [m]");
-  verb->add_option("--damage", options->damage,
-                   "drop=SHARE,shift=METRES,wall=METRES,wall_share=SHARE,false=SHARE, any of them");
-  verb->add_option("--seed", options->seed, "the same seed gives the same map")->capture_default_str();
+  options->damage.add_to(*verb);
   verb->callback([options, &exit_code] { exit_code = damage(*options); });
 }
 

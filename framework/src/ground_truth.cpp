@@ -2,7 +2,6 @@
 
 #include <opal/error.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
 
@@ -27,16 +26,6 @@ GroundTruth GroundTruth::read(const std::string& path) {
   return truth;
 }
 
-std::optional<Pose2> GroundTruth::T_map_laser_at(double stamp_s) const {
-  const auto after = std::lower_bound(poses_.begin(), poses_.end(), stamp_s,
-                                      [](const StampedPose& p, double t) { return p.stamp_s < t; });
-  if (after == poses_.end()) return std::nullopt;
-  if (after->stamp_s == stamp_s) return after->pose;
-  if (after == poses_.begin()) return std::nullopt;
-  const StampedPose &a = *(after - 1), &b = *after;
-  const double f = (stamp_s - a.stamp_s) / (b.stamp_s - a.stamp_s);
-  return Pose2(Point(a.pose.position() + f * (b.pose.position() - a.pose.position())),
-               a.pose.heading_rad() + f * wrap_angle(b.pose.heading_rad() - a.pose.heading_rad()));
-}
+std::optional<Pose2> GroundTruth::T_map_laser_at(double stamp_s) const { return pose_at(poses_, stamp_s); }
 
 }  // namespace opal

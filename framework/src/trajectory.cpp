@@ -1,5 +1,6 @@
 #include <opal/trajectory.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <ostream>
 
@@ -56,6 +57,19 @@ void write_results(std::ostream& out, std::span<const ResultRow> rows) {
     append_all(line, ',', {row.stamp_s, pose.x(), pose.y(), pose.heading_rad()});
     out << line << (row.localized ? ",1\n" : ",0\n");
   }
+}
+
+std::optional<Pose2> pose_at(std::span<const StampedPose> poses, double stamp_s) {
+  const auto after = std::lower_bound(poses.begin(), poses.end(), stamp_s,
+                                      [](const StampedPose& p, double t) { return p.stamp_s < t; });
+  if (after == poses.end()) return std::nullopt;
+  if (after->stamp_s == stamp_s) return after->pose;
+  if (after == poses.begin()) return std::nullopt;
+  const StampedPose &a = *(after - 1), &b = *after;
+  const double share = (stamp_s - a.stamp_s) / (b.stamp_s - a.stamp_s);
+  const double turn_rad = wrap_angle(b.pose.heading_rad() - a.pose.heading_rad());
+  return Pose2(Point(a.pose.position() + share * (b.pose.position() - a.pose.position())),
+               a.pose.heading_rad() + share * turn_rad);
 }
 
 }  // namespace opal

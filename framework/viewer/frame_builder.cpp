@@ -33,7 +33,7 @@ std::optional<RunFrame> FrameBuilder::dispatch(const std::string& kind, const Ev
     begin_time_line(event);
   } else if (kind == "truth") {
     require_closed(event);
-    truth_ = TruthTrack(read_truth_event(event));
+    truth_ = read_truth_event(event);
   } else if (kind == "keyframe") {
     begin_frame(event);
   } else if (kind == "cost") {
@@ -75,7 +75,7 @@ void FrameBuilder::begin_frame(const EventPlace& event) {
   newest_stamp_s_ = frame.stamp_s;
   frame.time_s = frame.stamp_s - first_stamp_s_;
   frame.starts = std::exchange(starts_, std::nullopt);
-  frame.truth = truth_.at(frame.stamp_s);
+  frame.truth = pose_at(truth_, frame.stamp_s);
   frame_ = std::move(frame);
   answered_ = false;
 }

@@ -1,3 +1,4 @@
+#include "replay/event_recorder.hpp"
 #include "replay/recorded_site.hpp"
 #include "sentence_checks.hpp"
 
@@ -17,13 +18,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-class Recorder final : public EventSink {
- public:
-  bool listening() const override { return true; }
-  void write(const ordered_json& event) override { events.push_back(event); }
-  std::vector<ordered_json> events;
-};
-
 /// The events of a recorded place; the second configuration branches, so that all kinds of events come.
 const std::vector<ordered_json>& events_of(const std::string& name, bool branching) {
   static std::map<std::pair<std::string, bool>, std::vector<ordered_json>> known;
@@ -36,7 +30,7 @@ const std::vector<ordered_json>& events_of(const std::string& name, bool branchi
     parts.association["branch_not_on_map"] = true;
     parts.association["max_hypotheses"] = 60;
   }
-  Recorder recorder;
+  EventRecorder recorder;
   recorder.write(run_event({"log", "config", "map"}, parts.laser));
   recorder.write(map_event(*parts.map));
   Localizer localizer(parts, &recorder);

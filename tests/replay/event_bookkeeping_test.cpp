@@ -1,6 +1,5 @@
+#include "event_recorder.hpp"
 #include "recorded_site.hpp"
-
-#include <opal/event_stream.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -13,13 +12,6 @@ using nlohmann::ordered_json;
 // Laws that the event stream obeys: whoever keeps the books from the events alone has what the localizer has.
 
 namespace {
-
-class Recorder final : public EventSink {
- public:
-  bool listening() const override { return true; }
-  void write(const ordered_json& event) override { events.push_back(event); }
-  std::vector<ordered_json> events;
-};
 
 using Pair = std::pair<int, std::string>;  ///< local feature, mapped feature ("" for "not on the map")
 
@@ -79,7 +71,7 @@ TEST_CASE("hypotheses, associations and local features can be followed from even
   const RecordedSite site("malaga-demo");
   const std::string config = GENERATE("single", "branching");
   CAPTURE(config);
-  Recorder recorder;
+  EventRecorder recorder;
   Localizer localizer(parts_of(site, config), &recorder);
   Books books;
   std::size_t read = 0;
@@ -117,7 +109,7 @@ TEST_CASE("hypotheses, associations and local features can be followed from even
 
 TEST_CASE("the probabilities of all hypotheses and of none of them sum to one in every estimate") {
   const RecordedSite site("malaga-demo");
-  Recorder recorder;
+  EventRecorder recorder;
   Localizer localizer(site.parts(), &recorder);
   replay(localizer, site.samples);
   int estimates = 0;
@@ -137,7 +129,7 @@ TEST_CASE("the probabilities of all hypotheses and of none of them sum to one in
 
 TEST_CASE("an update's events begin with its keyframe, end with its cost, and share its stamp") {
   const RecordedSite site("malaga-demo");
-  Recorder recorder;
+  EventRecorder recorder;
   Localizer localizer(site.parts(), &recorder);
   replay(localizer, site.samples);
   bool inside = false;
@@ -160,7 +152,7 @@ TEST_CASE("an update's events begin with its keyframe, end with its cost, and sh
 
 TEST_CASE("whether somebody listens changes no answer") {
   const RecordedSite site("malaga-demo");
-  Recorder recorder;
+  EventRecorder recorder;
   Localizer watched(site.parts(), &recorder), alone(site.parts());
   const auto a = replay(watched, site.samples), b = replay(alone, site.samples);
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -171,7 +163,7 @@ TEST_CASE("whether somebody listens changes no answer") {
 
 TEST_CASE("a hypothesis that falls behind ends with reasons that name what it contradicts") {
   const RecordedSite site("malaga-demo");
-  Recorder recorder;
+  EventRecorder recorder;
   Localizer localizer(site.parts(), &recorder);
   replay(localizer, site.samples);
   int fallen = 0, named = 0;

@@ -3,6 +3,7 @@
 #include <opal/geometry.hpp>
 
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -28,5 +29,8 @@ OPAL_EXPORT void write_tum(std::ostream& out, std::span<const StampedPose> traje
 /// Writes a CSV table `query_id,timestamp,x,y,theta,localized_flag` [s, m, rad] with its header. What is not finite is
 /// left out.
 OPAL_EXPORT void write_results(std::ostream& out, std::span<const ResultRow> rows);
+
+/// Interpolated between neighbouring poses; nullopt outside the time of the poses, which stand by increasing stamp.
+OPAL_EXPORT std::optional<Pose2> pose_at(std::span<const StampedPose> poses, double stamp_s);
 
 }  // namespace opal
