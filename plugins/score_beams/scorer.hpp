@@ -4,10 +4,17 @@
 
 #include <nlohmann/json.hpp>
 
-/// Casts the scan's beams against the mapped surfaces, and judges them lopsidedly: the map holds only the static
-/// building, so a beam that ends early met something unmapped and means little, while a beam that passes through a
-/// mapped wall speaks against the hypothesis. Beams that pass through the same object share one cause, so an object is
-/// taken for absent (glass, an open door, a wall that was never built) where that explains its beams better, at a price.
+/// Casts the scan's beams against the mapped surfaces, and counts surfaces rather than beams: forty beams that end on
+/// one wall are one coincidence, and so are forty beams that pass through one.
+///
+///   nat = match * sum over surfaces of m / (1 + m / enough)      m: beams that end on it, or on the wall's other side
+///       - ahead * share of the beams that had a surface ahead     whether they reached it or ended early
+///       - through * sum over objects of sqrt(t)                  t: beams that pass through it
+///       - free_through * share of the beams without return whose way crosses a surface
+///
+/// The map holds only the static building, so a beam that ends early costs no more than its failure to match: it met
+/// something unmapped. The form and its weights are those of a conditional logit model (McFadden 1974) of the true pose
+/// among its rivals, over recorded scans and intact, simplified and damaged maps (docs/experiments.md).
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
@@ -19,13 +26,14 @@ class BeamScorer final : public opal::HypothesisScorer {
 
  private:
   struct Tally;
-  void judge_hit(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, Tally& tally) const;
+  void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, Tally& tally) const;
   void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,
                   Tally& tally) const;
 
   double margin_at(double range_m) const { return margin_m_ + margin_per_m_ * range_m; }
+  double nearness(double distance_m, double range_m) const;
 
-  double weight_nat_, short_, through_, free_through_, sigma_m_, sigma_per_m_, margin_m_, margin_per_m_;
-  double free_range_m_, absence_, floor_;
+  double match_, enough_, ahead_, through_, free_through_;
+  double sigma_m_, sigma_per_m_, margin_m_, margin_per_m_, other_side_m_, ahead_m_, free_range_m_, floor_;
   int min_beams_;
 };
