@@ -10,13 +10,15 @@ struct BeamScorer::Tally {
   SumsByThing matched;  ///< beams by the surface that they end on
   SumsByThing passed;   ///< beams by the object that they pass through
   int beams = 0;
-  double hits = 0, ahead = 0, throughs = 0, free_throughs = 0;
+  double hits = 0, hits_behind = 0, other_side = 0, early = 0, throughs = 0, free_throughs = 0;
 };
 
 BeamScorer::BeamScorer(const nlohmann::json& options)
     : match_(options.at("match_nat")),
       enough_(options.at("enough")),
-      ahead_(options.at("ahead_nat")),
+      hit_(options.at("hit_nat")),
+      early_(options.at("early_nat")),
+      absent_(options.at("absent_nat")),
       through_(options.at("through_nat")),
       free_through_(options.at("free_through_nat")),
       sigma_m_(options.at("sigma_m")),
@@ -44,20 +46,22 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
   if (wall.feature >= 0) {
     constexpr double kExcused = 0.7;  // what lies behind a surface that is not there may well be mapped, too
     tally.throughs += 1;
+    tally.hits_behind += hit;
     tally.passed.add(map.feature(wall.feature).object, 1 - kExcused * hit);
     return;
   }
   tally.hits += hit;
-  tally.ahead += hit;
   if (hit > kLeast) tally.matched.add(nearest, hit);
   if (hit > 1 - kLeast) return;
   const Point direction = (end - eye) / range;
   const auto next = map.first_crossing(end - kStepBack_m * direction, end + ahead_m_ * direction, kCrossed_m);
   if (next.feature < 0) return;
   if (!next.from_behind)
-    tally.ahead += 1 - hit;
-  else if (next.range_m < other_side_m_)
+    tally.early += 1 - hit;
+  else if (next.range_m < other_side_m_) {
+    tally.other_side += 1 - hit;
     tally.matched.add(next.feature, 1 - hit);
+  }
 }
 
 void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double bearing_rad, double range_max_m,
@@ -79,8 +83,10 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const double n = std::max(tally.beams, min_beams_);
   const double each = 100 / n;  // surfaces are counted by beams of a hundred
   const double matched = tally.matched.total([&](double m) { return each * m / (1 + each * m / enough_); });
-  const double passed = tally.passed.total([&](double t) { return std::sqrt(each * t); });
-  const double nat = match_ * matched - ahead_ * tally.ahead / n - through_ * passed - free_through_ * tally.free_throughs / n;
+  const double passed = tally.passed.total([&](double t) { return each * t / (1 + each * t / enough_); });
+  const double met = tally.hits + tally.hits_behind + tally.other_side;
+  const double nat = match_ * matched + hit_ * met / n - early_ * tally.early / n - absent_ * passed -
+                     through_ * (tally.throughs - tally.hits_behind) / n - free_through_ * tally.free_throughs / n;
   const double throughs = tally.throughs + tally.free_throughs;
   return {std::max(nat, floor_),
           {},

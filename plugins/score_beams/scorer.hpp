@@ -33,7 +33,7 @@ class BeamScorer final : public opal::HypothesisScorer {
   double margin_at(double range_m) const { return margin_m_ + margin_per_m_ * range_m; }
   double nearness(double distance_m, double range_m) const;
 
-  double match_, enough_, ahead_, through_, free_through_;
+  double match_, enough_, hit_, early_, absent_, through_, free_through_;
   double sigma_m_, sigma_per_m_, margin_m_, margin_per_m_, other_side_m_, ahead_m_, free_range_m_, floor_;
   int min_beams_;
 };
