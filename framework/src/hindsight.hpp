@@ -23,6 +23,7 @@ class Hindsight {
 
   struct Verdict {
     double nat = 0;      ///< evidence of the scans that were kept, weighted as tracking would have weighted them
+    Encounters encounters;  ///< the hypothesis' own and those of these scans
     int scans = 0;       ///< how many of them were looked at
     bool hopeless = false;  ///< fell so far behind the best ones of the time that the rest was not looked at
   };

@@ -82,13 +82,26 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
   const double n = std::max(tally.beams, min_beams_);
   const double each = 100 / n;  // surfaces are counted by beams of a hundred
-  const double matched = tally.matched.total([&](double m) { return each * m / (1 + each * m / enough_); });
-  const double passed = tally.passed.total([&](double t) { return each * t / (1 + each * t / enough_); });
+  opal::Encounters encounters;
+  const auto worth_of = [&](const SumsByThing& sums, const opal::Amounts& before, opal::Amounts& now) {
+    const auto worth = [&](double beams) { return beams / (1 + beams / enough_); };
+    double total = 0;
+    sums.each([&](int thing, double beams) {
+      const double known = before.of(thing);
+      total += worth(known + each * beams) - worth(known);
+      now.add(thing, each * beams);
+    });
+    return total;
+  };
+  const opal::Encounters& before = hypothesis.encounters;
+  const double matched = worth_of(tally.matched, before.surfaces_met, encounters.surfaces_met);
+  const double passed = worth_of(tally.passed, before.objects_passed, encounters.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;
   const double nat = match_ * matched + hit_ * met / n - early_ * tally.early / n - absent_ * passed -
                      through_ * (tally.throughs - tally.hits_behind) / n - free_through_ * tally.free_throughs / n;
   const double throughs = tally.throughs + tally.free_throughs;
   return {std::max(nat, floor_),
           {},
-          {{"hit", tally.hits / n}, {"short", (tally.beams - tally.hits - throughs) / n}, {"through", throughs / n}}};
+          {{"hit", tally.hits / n}, {"short", (tally.beams - tally.hits - throughs) / n}, {"through", throughs / n}},
+          std::move(encounters)};
 }

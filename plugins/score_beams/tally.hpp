@@ -9,11 +9,9 @@ class SumsByThing {
  public:
   void add(int thing, double amount) { at(thing) += amount; }
 
-  template <class Worth>
-  double total(Worth worth) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < size_; ++k) sum += worth(sums_[k].amount);
-    return sum;
+  template <class Use>
+  void each(Use use) const {
+    for (std::size_t k = 0; k < size_; ++k) use(sums_[k].thing, sums_[k].amount);
   }
 
  private:

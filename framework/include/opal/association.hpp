@@ -51,6 +51,7 @@ struct AssociationOptions {
 
   // Life.
   double memory = 0.99;             ///< share of gathered evidence kept per update
+  double encounter_memory = 0.97;   ///< share of encounters with mapped things kept per whole piece of evidence
   double novelty_m = 0.4;           ///< driving that makes a scan a whole new piece of evidence
   double novelty_rad = 0.8;
   double least_novelty = 0.15;
