@@ -4,6 +4,7 @@
 
 #include <opal/association.hpp>
 
+#include <algorithm>
 #include <deque>
 
 namespace opal {
@@ -29,6 +30,10 @@ class Hindsight {
   };
   /// @param hypothesis  registration to the local map as it is now.
   Verdict look_back(const Hypothesis& hypothesis, const LocalMap& local_map) const;
+
+  /// How much of a whole new piece of evidence a scan is after the newest one that is kept, in (0, 1].
+  /// @param novelty  of the scan after its predecessor.
+  double since_newest(double novelty) const { return scans_.empty() ? 1 : std::min(1.0, pending_ + novelty); }
 
   void clear();
 

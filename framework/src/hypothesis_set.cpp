@@ -93,7 +93,7 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
   prune();
 }
 
-void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation,
+void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
                           const Hindsight& hindsight) {
   const Pose2 T_base_local = observation.local_map.T_local_base().inverse();
   for (Candidate& candidate : candidates) {
@@ -123,14 +123,15 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
       }
       continue;
     }
-    live.hypothesis.encounters = std::move(verdict.encounters);
+    live.hypothesis.encounters.take(verdict.encounters, hindsight.since_newest(novelty), 1);
     Hindsight::Verdict past = hindsight.look_back(live.hypothesis, observation.local_map);
     if (past.hopeless) {
       listener_.candidate_rejected(candidate, "would be far behind after the " + std::to_string(past.scans) + " scans before");
       continue;
     }
     live.hypothesis.id = next_id_++;
-    live.hypothesis.log_likelihood = options_.birth_nat + verdict.nat + past.nat;
+    live.hypothesis.log_likelihood =
+        options_.birth_nat + hindsight.since_newest(novelty) * verdict.nat + past.nat;
     live.hypothesis.encounters = std::move(past.encounters);
     live.hypothesis.associations = candidate.pairs;
     live.leaf = tree_.add(-1, std::move(candidate.pairs));
