@@ -1,7 +1,5 @@
 #include "scorer.hpp"
 
-#include "tally.hpp"
-
 #include <algorithm>
 
 using opal::Point;
@@ -72,6 +70,18 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
   if (map.first_crossing(eye, end, margin_at(range)).feature >= 0) tally.free_throughs += 1;
 }
 
+double BeamScorer::news(const SumsByThing& beams, double each, const opal::Amounts& before,
+                        opal::Amounts& now) const {
+  const auto worth = [&](double amount) { return amount / (1 + amount / enough_); };
+  double total = 0;
+  beams.each([&](int thing, double count) {
+    const double known = before.of(thing), fresh = each * count;
+    total += worth(known + fresh) - worth(known);
+    now.add(thing, fresh);
+  });
+  return total;
+}
+
 opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                               const opal::MapView& map) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
@@ -80,28 +90,18 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   for (const Point& point : observation.points) judge_return(map, eye, T_map_base * point, tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
-  const double n = std::max(tally.beams, min_beams_);
-  const double each = 100 / n;  // surfaces are counted by beams of a hundred
-  opal::Encounters encounters;
-  const auto worth_of = [&](const SumsByThing& sums, const opal::Amounts& before, opal::Amounts& now) {
-    const auto worth = [&](double beams) { return beams / (1 + beams / enough_); };
-    double total = 0;
-    sums.each([&](int thing, double beams) {
-      const double known = before.of(thing);
-      total += worth(known + each * beams) - worth(known);
-      now.add(thing, each * beams);
-    });
-    return total;
-  };
+  const double n = std::max(tally.beams, min_beams_), each = 100 / n;
   const opal::Encounters& before = hypothesis.encounters;
-  const double matched = worth_of(tally.matched, before.surfaces_met, encounters.surfaces_met);
-  const double passed = worth_of(tally.passed, before.objects_passed, encounters.objects_passed);
+  opal::Encounters now;
+  const double matched = news(tally.matched, each, before.surfaces_met, now.surfaces_met);
+  const double passed = news(tally.passed, each, before.objects_passed, now.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;
-  const double nat = match_ * matched + hit_ * met / n - early_ * tally.early / n - absent_ * passed -
-                     through_ * (tally.throughs - tally.hits_behind) / n - free_through_ * tally.free_throughs / n;
+  const double nat = match_ * matched - absent_ * passed +
+                     (hit_ * met - early_ * tally.early - through_ * (tally.throughs - tally.hits_behind) -
+                      free_through_ * tally.free_throughs) / n;
   const double throughs = tally.throughs + tally.free_throughs;
   return {std::max(nat, floor_),
           {},
           {{"hit", tally.hits / n}, {"short", (tally.beams - tally.hits - throughs) / n}, {"through", throughs / n}},
-          std::move(encounters)};
+          std::move(now)};
 }
