@@ -1,4 +1,5 @@
 #include "damage_options.hpp"
+#include "join_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -7,6 +8,7 @@
 #include <opal/error.hpp>
 #include <opal/map_check.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -92,12 +94,53 @@ void add_damage(CLI::App& map, int& exit_code) {
   verb->callback([options, &exit_code] { exit_code = damage(*options); });
 }
 
+struct JoinVerbOptions {
+  std::vector<std::string> maps;
+  std::string out;
+  JoinOptions join;
+};
+
+/// "maps/acapulco.map.yaml" is called "acapulco".
+std::string name_of(const std::string& path) {
+  const std::string file = std::filesystem::path(path).filename().string();
+  return file.substr(0, file.find('.'));
+}
+
+int join(const JoinVerbOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  std::vector<opal::MapSourcePart> sources;
+  for (const std::string& map : options.maps) sources.push_back({name_of(map), load_map(registry, map)});
+  const auto joined = opal::joined_map(sources, options.join.join);
+  write_text(options.out, joined->to_json_ld().dump(1) + '\n');
+  for (const opal::MapPlacement& placement : joined->origin().placements)
+    std::printf("%s: moved by %.0f m, %.0f m; scale %.3f, %.3f\n", placement.id.c_str(), placement.T_map_source.x(),
+                placement.T_map_source.y(), placement.scale.x(), placement.scale.y());
+  for (const opal::MapSourcePart& source : sources)
+    if (!source.map->unused().empty())
+      std::printf("left out of %s: what other vocabularies say about %zu things\n", source.prefix.c_str(),
+                  source.map->unused().size());
+  std::cout << "written: " << options.out << ", " << joined->features().size() << " features\n";
+  return 0;
+}
+
+void add_join(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<JoinVerbOptions>();
+  CLI::App* verb = map.add_subcommand("join", "put maps side by side in one map, with look-alikes if wanted");
+  verb->add_option("MAP", options->maps, "map documents, or sources to import; named after their files")->required();
+  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
+  options->join.add_to(*verb);
+  verb->add_option("--seed", options->join.join.seed, "of the copies: the same seed gives the same map")
+      ->capture_default_str();
+  verb->callback([options, &exit_code] { exit_code = join(*options); });
+}
+
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, damage");
+  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, damage, join");
   map->require_subcommand(1);
   add_import(*map, exit_code);
   add_check(*map, exit_code);
   add_damage(*map, exit_code);
+  add_join(*map, exit_code);
 }

@@ -129,7 +129,7 @@ class Vandal {
     for (std::size_t k = 0; k < features_.size(); ++k)
       if (!gone_[k]) features.push_back(features_[k]);
     add_false(objects, features);
-    return SemanticMap::make(map_.name(), std::move(objects), std::move(features));
+    return SemanticMap::make(map_.name(), std::move(objects), std::move(features), {}, map_.origin());
   }
 
   const SemanticMap& map_;
