@@ -56,11 +56,16 @@ Extent bounds_of(const SemanticMap& map, const std::vector<int>& numbers) {
   return all;
 }
 
-std::array<float, 256> nearness_by_cm() {
+constexpr int kMostSlack_cm = 50;
+
+/// By distance plus kMostSlack_cm.
+std::array<float, kMostSlack_cm + 256> nearness_by_cm() {
   constexpr double sigma_cm = 20;
-  std::array<float, 256> table{};
-  for (int cm = 0; cm < 255; ++cm)
-    table[cm] = static_cast<float>(std::exp(-0.5 * cm * cm / (sigma_cm * sigma_cm)));
+  std::array<float, kMostSlack_cm + 256> table{};
+  for (int k = 0; k < kMostSlack_cm + 255; ++k) {
+    const int cm = std::max(0, k - kMostSlack_cm);
+    table[k] = static_cast<float>(std::exp(-0.5 * cm * cm / (sigma_cm * sigma_cm)));
+  }
   return table;
 }
 
@@ -123,7 +128,7 @@ struct MapView::Index {
   SurfaceGrid surfaces;
   std::vector<Surface> by_number;
   RTree tree;
-  std::array<float, 256> nearness = nearness_by_cm();
+  std::array<float, kMostSlack_cm + 256> nearness = nearness_by_cm();
 };
 
 MapView::MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor)
@@ -168,7 +173,16 @@ double MapView::clearance_m(const Point& p) const {
   return cm == 255 ? clearance_cap_m() : 0.01 * cm;
 }
 
-float MapView::nearness(const Point& p) const { return index_->nearness[index_->surfaces.distance_cm(p)]; }
+float MapView::nearness(const Point& p) const {
+  return index_->nearness[kMostSlack_cm + index_->surfaces.distance_cm(p)];
+}
+
+float MapView::nearness_sum(std::span<const Point> points, const Point& position, double slack_m) const {
+  const float* table = &index_->nearness[std::clamp(kMostSlack_cm - static_cast<int>(100 * slack_m), 0, kMostSlack_cm)];
+  float sum = 0;
+  for (const Point& point : points) sum += table[index_->surfaces.distance_cm(position + point)];
+  return sum;
+}
 
 MapView::Crossing MapView::first_crossing(const Point& origin, const Point& target,
                                           double min_penetration_m) const {

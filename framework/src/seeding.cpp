@@ -83,13 +83,9 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
 namespace {
 
 constexpr std::size_t kFirstPoints = 8;
-
-/// Sum of the nearness of points that are turned into the map's heading already.
-float nearness_sum(const MapView& map, std::span<const Point> turned, const Point& position) {
-  float sum = 0;
-  for (const Point& point : turned) sum += map.nearness(position + point);
-  return sum;
-}
+/// Neighbouring positions of a slide that are sieved as one, by the middle one, with the slack that this takes.
+constexpr std::size_t kTogether = 3;
+constexpr double kSlack_m = 0.1;
 
 /// Lets pass about the best share of all values in [0, 1] so far, and whatever comes while there are few.
 class BestShare {
@@ -106,7 +102,7 @@ class BestShare {
 
  private:
   static constexpr int kBins = 128;
-  static constexpr std::size_t kFew = 500, kOneIn = 20;
+  static constexpr std::size_t kFew = 250, kOneIn = 20;
   std::array<std::size_t, kBins> counts_{};
   std::size_t total_ = 0, passing_ = 0;
   int lowest_ = 0;
@@ -150,7 +146,7 @@ void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> co
   const std::vector<Point> points = telling_first(lookup.observed, coarse);
   if (points.size() < 2 * kFirstPoints) return;
   std::vector<Point> turned(points.size()), positions;
-  const std::span<const Point> first(turned.data(), kFirstPoints), rest(turned.data() + kFirstPoints, points.size() - kFirstPoints);
+  const std::span<const Point> first(turned.data(), kFirstPoints);
   BestShare sieve;
   for (int k : table.index.find(lookup.observed)) {
     const PatternInstance& mapped = table.index.patterns()[k];
@@ -159,12 +155,16 @@ void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> co
       positions.clear();
       slide(lookup.observed, mapped, pose, positions);
       std::transform(points.begin(), points.end(), turned.begin(), [&](const Point& p) { return pose.rotate(p); });
-      for (const Point& position : positions) {
-        if (options_.region && (position - options_.region->center).norm() > options_.region->radius_m) continue;
-        float sum = nearness_sum(*map_, first, position);
-        if (!sieve.passes(sum / kFirstPoints)) continue;
-        sum += nearness_sum(*map_, rest, position);
-        places.push_back({position, pose.heading_rad(), sum / static_cast<double>(points.size()), number, k});
+      for (std::size_t from = 0; from < positions.size(); from += kTogether) {
+        const std::size_t to = std::min(from + kTogether, positions.size());
+        const double slack_m = to - from > 1 ? kSlack_m : 0;
+        if (!sieve.passes(map_->nearness_sum(first, positions[(from + to) / 2], slack_m) / kFirstPoints)) continue;
+        for (std::size_t at = from; at < to; ++at) {
+          const Point& position = positions[at];
+          if (options_.region && (position - options_.region->center).norm() > options_.region->radius_m) continue;
+          const double nearness = map_->nearness_sum(turned, position) / static_cast<double>(turned.size());
+          places.push_back({position, pose.heading_rad(), nearness, number, k});
+        }
       }
     }
   }

@@ -34,7 +34,7 @@ SurfaceGrid::SurfaceGrid(const Point& low, const Point& high)
 void SurfaceGrid::paint_cell(int i, int j, double distance_m, int number, int first_layer, int last_layer) {
   auto& tile = tiles_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide];
   if (!tile) tile = std::make_unique<Tile>();
-  const int offset = (j % kSide) * kSide + i % kSide;
+  const int offset = offset_of(i % kSide, j % kSide);
   const auto cm = static_cast<std::uint8_t>(std::min(100 * distance_m + 0.5, 254.0));
   tile->distance_cm[offset] = std::min(tile->distance_cm[offset], cm);
   if (distance_m > kReach_m) return;
