@@ -17,6 +17,7 @@ namespace {
 
 struct ImportOptions {
   std::string source, out, svg, png, report;
+  double thicken_m = 0;
 };
 
 void write_text(const std::string& path, const std::string& text) {
@@ -25,7 +26,7 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 int import(const ImportOptions& options) {
-  const opal::MapImport imported = import_map(load_plugins(), options.source);
+  const opal::MapImport imported = import_map(load_plugins(), options.source, options.thicken_m);
   write_text(options.out, imported.map->to_json_ld().dump(1) + '\n');
   std::string report;
   for (const std::string& sentence : imported.report) report += sentence + '\n';
@@ -47,6 +48,8 @@ void add_import(CLI::App& map, int& exit_code) {
   verb->add_option("--svg", options->svg, "also draw the map into this file");
   verb->add_option("--png", options->png, "the same as a PNG");
   verb->add_option("--report", options->report, "also write the report into this file");
+  verb->add_option("--thicken", options->thicken_m,
+                   "for experiments: make walls of a grid so much thicker first, and its cells 0.1 m [m]");
   verb->callback([options, &exit_code] { exit_code = import(*options); });
 }
 
@@ -77,11 +80,11 @@ struct DamageVerbOptions {
 };
 
 int damage(const DamageVerbOptions& options) {
-  const auto map = load_map(load_plugins(), options.map);
-  const auto worse = opal::damaged_map(*map, options.damage.damage());
+  const opal::PluginRegistry registry = load_plugins();
+  const auto worse = load_map(registry, options.map, options.damage.damage());
   write_text(options.out, worse->to_json_ld().dump(1) + '\n');
   std::cout << "written: " << options.out << ", " << worse->features().size() << " features of "
-            << map->features().size() << '\n';
+            << load_map(registry, options.map)->features().size() << '\n';
   return 0;
 }
 
