@@ -56,6 +56,12 @@ Extent bounds_of(const SemanticMap& map, const std::vector<int>& numbers) {
   return all;
 }
 
+std::vector<SurfaceGrid::NumberedShape> shapes_of(const SemanticMap& map, const std::vector<int>& numbers) {
+  std::vector<SurfaceGrid::NumberedShape> shapes;
+  for (int number : numbers) shapes.emplace_back(number, map.features()[number].geometry);
+  return shapes;
+}
+
 constexpr int kMostSlack_cm = 50;
 
 /// By distance plus kMostSlack_cm.
@@ -110,15 +116,15 @@ double meets_circle(const Ray& ray, const Surface& circle) {
 
 struct MapView::Index {
   Index(const SemanticMap& map, const std::string& sensor)
-      : numbers(features_of(map, sensor)), bounds(bounds_of(map, numbers)), surfaces(bounds.low, bounds.high) {
+      : numbers(features_of(map, sensor)),
+        bounds(bounds_of(map, numbers)),
+        surfaces(bounds.low, bounds.high, shapes_of(map, numbers)) {
     std::vector<Entry> entries;
     by_number.resize(map.features().size());
     for (int number : numbers) {
       const Geometry& geometry = map.features()[number].geometry;
       by_number[number] = surface_of(geometry);
       entries.emplace_back(box_of(extent_of(geometry)), number);
-      if (const auto* segment = std::get_if<Segment>(&geometry)) surfaces.add(number, *segment);
-      if (const auto* circle = std::get_if<Circle>(&geometry)) surfaces.add(number, *circle);
     }
     tree = RTree(entries);
   }
@@ -181,6 +187,13 @@ float MapView::nearness_sum(std::span<const Point> points, const Point& position
   const float* table = &index_->nearness[std::clamp(kMostSlack_cm - static_cast<int>(100 * slack_m), 0, kMostSlack_cm)];
   float sum = 0;
   for (const Point& point : points) sum += table[index_->surfaces.distance_cm(position + point)];
+  return sum;
+}
+
+float MapView::coarse_nearness_sum(std::span<const Point> points, const Point& position) const {
+  float sum = 0;
+  for (const Point& point : points)
+    sum += index_->nearness[kMostSlack_cm + index_->surfaces.coarse_distance_cm(position + point)];
   return sum;
 }
 

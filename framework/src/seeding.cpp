@@ -82,7 +82,7 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
 
 namespace {
 
-constexpr std::size_t kFirstPoints = 8;
+constexpr std::size_t kFirstPoints = 10;
 /// Neighbouring positions of a slide that are sieved as one, by the middle one, with the slack that this takes.
 constexpr std::size_t kTogether = 3;
 constexpr double kSlack_m = 0.1;
@@ -90,19 +90,21 @@ constexpr double kSlack_m = 0.1;
 /// Lets pass about the best share of all values in [0, 1] so far, and whatever comes while there are few.
 class BestShare {
  public:
+  BestShare(std::size_t few, std::size_t one_in) : few_(few), one_in_(one_in) {}
+
   bool passes(float value) {
     const auto bin = static_cast<int>(std::clamp(value, 0.0f, 1.0f) * (kBins - 1));
     ++counts_[bin];
     ++total_;
     if (bin >= lowest_) ++passing_;
-    const auto wanted = std::max<std::size_t>(kFew, total_ / kOneIn);
+    const auto wanted = std::max(few_, total_ / one_in_);
     while (lowest_ < kBins - 1 && passing_ - counts_[lowest_] >= wanted) passing_ -= counts_[lowest_++];
     return bin >= lowest_;
   }
 
  private:
   static constexpr int kBins = 128;
-  static constexpr std::size_t kFew = 250, kOneIn = 20;
+  std::size_t few_, one_in_;
   std::array<std::size_t, kBins> counts_{};
   std::size_t total_ = 0, passing_ = 0;
   int lowest_ = 0;
@@ -126,6 +128,12 @@ std::vector<Point> telling_first(const PatternInstance& observed, std::span<cons
 
 }  // namespace
 
+/// A few points in large cells for all places of a search, all points for the best of them.
+struct Seeder::Sieves {
+  BestShare coarse{400, 20};
+  BestShare fine{250, 4};
+};
+
 void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
                    std::vector<Point>& positions) const {
   if (!is_loose(observed)) {
@@ -139,7 +147,7 @@ void Seeder::slide(const PatternInstance& observed, const PatternInstance& mappe
     positions.push_back(T_map_base.position() + u * along);
 }
 
-void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse,
+void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse, Sieves& sieves,
                      std::vector<Place>& places) const {
   const Table& table = tables_[lookup.table];
   const Pose2 from_frame = lookup.observed.frame.inverse();
@@ -147,7 +155,7 @@ void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> co
   if (points.size() < 2 * kFirstPoints) return;
   std::vector<Point> turned(points.size()), positions;
   const std::span<const Point> first(turned.data(), kFirstPoints);
-  BestShare sieve;
+  const auto n = static_cast<float>(turned.size());
   for (int k : table.index.find(lookup.observed)) {
     const PatternInstance& mapped = table.index.patterns()[k];
     for (int side = 0; side < (lookup.observed.symmetric ? 2 : 1); ++side) {
@@ -157,12 +165,13 @@ void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> co
       std::transform(points.begin(), points.end(), turned.begin(), [&](const Point& p) { return pose.rotate(p); });
       for (std::size_t from = 0; from < positions.size(); from += kTogether) {
         const std::size_t to = std::min(from + kTogether, positions.size());
-        const double slack_m = to - from > 1 ? kSlack_m : 0;
-        if (!sieve.passes(map_->nearness_sum(first, positions[(from + to) / 2], slack_m) / kFirstPoints)) continue;
+        const Point& middle = positions[(from + to) / 2];
+        if (!sieves.coarse.passes(map_->coarse_nearness_sum(first, middle) / kFirstPoints)) continue;
+        if (to - from > 1 && !sieves.fine.passes(map_->nearness_sum(turned, middle, kSlack_m) / n)) continue;
         for (std::size_t at = from; at < to; ++at) {
           const Point& position = positions[at];
           if (options_.region && (position - options_.region->center).norm() > options_.region->radius_m) continue;
-          const double nearness = map_->nearness_sum(turned, position) / static_cast<double>(turned.size());
+          const double nearness = map_->nearness_sum(turned, position) / n;
           places.push_back({position, pose.heading_rad(), nearness, number, k});
         }
       }
@@ -192,8 +201,9 @@ Seeder::Proposal Seeder::propose(std::span<const SeedFeature> features, std::spa
   const std::vector<SeedFeature> best = best_per_geometry(features, options_.seed_features);
   const std::vector<Lookup> lookups = choose(best, loose);
   std::vector<Place> places;
+  Sieves sieves;
   for (std::size_t k = 0; k < lookups.size(); ++k) {
-    look_up(lookups[k], static_cast<int>(k), coarse, places);
+    look_up(lookups[k], static_cast<int>(k), coarse, sieves, places);
     proposal.looked_up.push_back({lookups[k].table, {}, lookups[k].expected});
     for (int member : lookups[k].observed.members)
       proposal.looked_up.back().local_features.push_back(best[member].local);
