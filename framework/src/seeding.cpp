@@ -82,45 +82,57 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
 
 namespace {
 
-/// Sum of the nearness of points `from`, `from + step`, ..., which are turned into the map's heading already.
-float nearness_sum(const MapView& map, std::span<const Point> turned, const Point& position, std::size_t from,
-                   std::size_t step) {
-  float sum = 0;
-  for (std::size_t k = from; k < turned.size(); k += step) sum += map.nearness(position + turned[k]);
-  return sum;
-}
+constexpr std::size_t kFirstPoints = 10;
+/// Neighbouring positions of a slide that are sieved as one, by the middle one, with the slack that this takes.
+constexpr std::size_t kTogether = 3;
+constexpr double kSlack_m = 0.1;
 
-/// Mean nearness; a quarter of the points first, and the rest only if these are not hopeless (below `floor`).
-double nearness_at(const MapView& map, std::span<const Point> turned, const Point& position, double floor) {
-  constexpr std::size_t kStep = 4;
-  if (turned.size() < 2 * kStep) return 0;
-  float sum = nearness_sum(map, turned, position, 0, kStep);
-  if (sum * kStep < floor * static_cast<double>(turned.size())) return -1;
-  for (std::size_t from = 1; from < kStep; ++from) sum += nearness_sum(map, turned, position, from, kStep);
-  return sum / static_cast<double>(turned.size());
-}
-
-/// The n-th best of all values so far, n fixed.
-class NthBest {
+/// Lets pass about the best share of all values in [0, 1] so far, and whatever comes while there are few.
+class BestShare {
  public:
-  explicit NthBest(std::size_t n) : n_(n) {}
-  double value() const { return best_.size() < n_ ? 0 : best_.front(); }
-  void add(double value) {
-    if (best_.size() == n_) {
-      if (value <= best_.front()) return;
-      std::pop_heap(best_.begin(), best_.end(), std::greater<>());
-      best_.pop_back();
-    }
-    best_.push_back(value);
-    std::push_heap(best_.begin(), best_.end(), std::greater<>());
+  BestShare(std::size_t few, std::size_t one_in) : few_(few), one_in_(one_in) {}
+
+  bool passes(float value) {
+    const auto bin = static_cast<int>(std::clamp(value, 0.0f, 1.0f) * (kBins - 1));
+    ++counts_[bin];
+    ++total_;
+    if (bin >= lowest_) ++passing_;
+    const auto wanted = std::max(few_, total_ / one_in_);
+    while (lowest_ < kBins - 1 && passing_ - counts_[lowest_] >= wanted) passing_ -= counts_[lowest_++];
+    return bin >= lowest_;
   }
 
  private:
-  std::size_t n_;
-  std::vector<double> best_;  ///< heap, least on top
+  static constexpr int kBins = 128;
+  std::size_t few_, one_in_;
+  std::array<std::size_t, kBins> counts_{};
+  std::size_t total_ = 0, passing_ = 0;
+  int lowest_ = 0;
 };
 
+/// The points in an order in which few of them say much: points along which the pattern could slide come last, since
+/// they lie on the map wherever it slides to; the others are spread over the scan.
+std::vector<Point> telling_first(const PatternInstance& observed, std::span<const Point> points) {
+  constexpr double kOnPattern_m = 0.3;
+  constexpr std::size_t kStride = 5;
+  const Pose2 T_frame_base = observed.frame.inverse();
+  std::vector<Point> ordered, on_pattern;
+  for (std::size_t from = 0; from < kStride; ++from)
+    for (std::size_t k = from; k < points.size(); k += kStride) {
+      const bool slides = is_loose(observed) && std::abs((T_frame_base * points[k]).y()) < kOnPattern_m;
+      (slides ? on_pattern : ordered).push_back(points[k]);
+    }
+  ordered.insert(ordered.end(), on_pattern.begin(), on_pattern.end());
+  return ordered;
+}
+
 }  // namespace
+
+/// A few points in large cells for all places of a search, all points for the best of them.
+struct Seeder::Sieves {
+  BestShare coarse{400, 20};
+  BestShare fine{250, 4};
+};
 
 void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
                    std::vector<Point>& positions) const {
@@ -135,27 +147,33 @@ void Seeder::slide(const PatternInstance& observed, const PatternInstance& mappe
     positions.push_back(T_map_base.position() + u * along);
 }
 
-void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse,
+void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse, Sieves& sieves,
                      std::vector<Place>& places) const {
   const Table& table = tables_[lookup.table];
   const Pose2 from_frame = lookup.observed.frame.inverse();
-  std::vector<Point> turned, positions;
-  // A place whose first points are at half the nearness of hundreds of others will hardly be among the best.
-  NthBest bar(5 * static_cast<std::size_t>(options_.seed_candidates));
+  const std::vector<Point> points = telling_first(lookup.observed, coarse);
+  if (points.size() < 2 * kFirstPoints) return;
+  std::vector<Point> turned(points.size()), positions;
+  const std::span<const Point> first(turned.data(), kFirstPoints);
+  const auto n = static_cast<float>(turned.size());
   for (int k : table.index.find(lookup.observed)) {
     const PatternInstance& mapped = table.index.patterns()[k];
     for (int side = 0; side < (lookup.observed.symmetric ? 2 : 1); ++side) {
       const Pose2 pose = mapped.frame * Pose2(0, 0, side * std::numbers::pi) * from_frame;
       positions.clear();
       slide(lookup.observed, mapped, pose, positions);
-      turned.clear();
-      for (const Point& point : coarse) turned.push_back(pose.rotate(point));
-      for (const Point& position : positions) {
-        if (options_.region && (position - options_.region->center).norm() > options_.region->radius_m) continue;
-        const double nearness = nearness_at(*map_, turned, position, 0.5 * bar.value());
-        if (nearness < 0) continue;
-        bar.add(nearness);
-        places.push_back({position, pose.heading_rad(), nearness, number, k});
+      std::transform(points.begin(), points.end(), turned.begin(), [&](const Point& p) { return pose.rotate(p); });
+      for (std::size_t from = 0; from < positions.size(); from += kTogether) {
+        const std::size_t to = std::min(from + kTogether, positions.size());
+        const Point& middle = positions[(from + to) / 2];
+        if (!sieves.coarse.passes(map_->coarse_nearness_sum(first, middle) / kFirstPoints)) continue;
+        if (to - from > 1 && !sieves.fine.passes(map_->nearness_sum(turned, middle, kSlack_m) / n)) continue;
+        for (std::size_t at = from; at < to; ++at) {
+          const Point& position = positions[at];
+          if (options_.region && (position - options_.region->center).norm() > options_.region->radius_m) continue;
+          const double nearness = map_->nearness_sum(turned, position) / n;
+          places.push_back({position, pose.heading_rad(), nearness, number, k});
+        }
       }
     }
   }
@@ -183,8 +201,9 @@ Seeder::Proposal Seeder::propose(std::span<const SeedFeature> features, std::spa
   const std::vector<SeedFeature> best = best_per_geometry(features, options_.seed_features);
   const std::vector<Lookup> lookups = choose(best, loose);
   std::vector<Place> places;
+  Sieves sieves;
   for (std::size_t k = 0; k < lookups.size(); ++k) {
-    look_up(lookups[k], static_cast<int>(k), coarse, places);
+    look_up(lookups[k], static_cast<int>(k), coarse, sieves, places);
     proposal.looked_up.push_back({lookups[k].table, {}, lookups[k].expected});
     for (int member : lookups[k].observed.members)
       proposal.looked_up.back().local_features.push_back(best[member].local);

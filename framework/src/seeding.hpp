@@ -67,8 +67,11 @@ class Seeder {
     int mapped;
   };
 
+  struct Sieves;
+
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
-  void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, std::vector<Place>& places) const;
+  void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, Sieves& sieves,
+               std::vector<Place>& places) const;
   void slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
              std::vector<Point>& positions) const;
   std::vector<Association> pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
