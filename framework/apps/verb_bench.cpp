@@ -1,16 +1,13 @@
+#include "bench_splices.hpp"
 #include "damage_options.hpp"
-#include "run_record.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
-#include <opal/deployment.hpp>
 #include <opal/error.hpp>
-#include <opal/site.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -26,13 +23,9 @@ struct BenchOptions {
   std::string out;
   std::string config;
   DamageOptions damage;
+  std::optional<std::uint64_t> splice;  ///< seed
+  opal::SpliceOptions splices;
 };
-
-double process_cpu_s() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 double peak_rss_mb() {
   rusage usage{};
@@ -73,39 +66,44 @@ std::ofstream writable(const fs::path& path) {
   return file;
 }
 
+RunRecord run_queries(opal::Localizer& localizer, const BenchPlace& place) {
+  RunRecord all;
+  for (const opal::Query& query : place.queries) {
+    localizer.reset();
+    opal::Replay replay = place.replay(query);
+    all.append(run_log(localizer, place.deployment.laser, replay, query.id));
+  }
+  return all;
+}
+
+SplicedRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options) {
+  opal::SpliceOptions splices = options.splices;
+  splices.seed = *options.splice;
+  return run_splices(localizer, place, opal::GroundTruth::read(place.prefix + ".gt.csv"), splices);
+}
+
 int bench(const BenchOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
-  const std::vector<opal::Query> queries = opal::read_queries(options.prefix + ".queries.json");
-  opal::Deployment deployment =
-      opal::read_deployment(options.config.empty() ? shipped_config("default.jsonld") : options.config);
-  const std::string sensor = deployment.laser.id;
-  deployment.laser = opal::read_site_laser(options.prefix + ".info.json");
-  deployment.laser.id = sensor;
+  BenchPlace place = read_bench_place(registry, options.prefix, options.config);
+  if (options.damage.any()) place.map = opal::damaged_map(*place.map, options.damage.damage());
+  opal::Localizer localizer(opal::build_parts(place.deployment, registry, place.map));
+  SplicedRuns kidnapped;
+  if (options.splice) kidnapped = run_kidnappings(localizer, place, options);
+  const RunRecord all = options.splice ? std::move(kidnapped.all) : run_queries(localizer, place);
 
-  const double import_start_s = process_cpu_s();
-  auto map = import_map(registry, options.prefix + ".map.yaml").map;
-  const double import_s = process_cpu_s() - import_start_s;
-
-  if (options.damage.any()) map = opal::damaged_map(*map, options.damage.damage());
-
-  opal::Localizer localizer(opal::build_parts(deployment, registry, map));
-  const auto reader = open_log(registry, options.prefix + ".log.gz");
-  const std::vector<opal::LogRecord> records = opal::read_all(*reader);
-  RunRecord all;
-  for (const opal::Query& query : queries) {
-    localizer.reset();
-    opal::ReplayOptions window;
-    window.from_s = query.start_s;
-    window.to_s = query.end_s;
-    opal::Replay replay(records, deployment.laser, window);
-    all.append(run_log(localizer, deployment.laser, replay, query.id));
-  }
-
-  fs::create_directories(options.out);
-  auto results = writable(fs::path(options.out) / "results.csv");
+  const fs::path out(options.out);
+  fs::create_directories(out);
+  auto results = writable(out / "results.csv"), rivals = writable(out / "rivals.csv");
   opal::write_results(results, all.rows);
-  const auto summary = summarize(all, queries.size(), import_s);
-  writable(fs::path(options.out) / "summary.json") << summary.dump(2) << '\n';
+  opal::write_rivals(rivals, all.rivals);
+  if (options.splice) {
+    auto splices = writable(out / "splices.csv");
+    opal::write_kidnappings(splices, kidnapped.verdicts);
+    std::cout << opal::summary_of(kidnapped.verdicts);
+  }
+  auto summary = summarize(all, options.splice ? kidnapped.verdicts.size() : place.queries.size(), place.import_s);
+  summary["site"] = fs::absolute(options.prefix).lexically_normal().string();
+  writable(out / "summary.json") << summary.dump(2) << '\n';
   std::cout << summary.dump(2) << '\n';
   return 0;
 }
@@ -118,8 +116,13 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
   verb->add_option("PREFIX", options->prefix,
                    "PREFIX.map.yaml, PREFIX.info.json, PREFIX.queries.json and PREFIX.log.gz are read")
       ->required();
-  verb->add_option("-o,--out", options->out, "folder for results.csv and summary.json")->required();
+  verb->add_option("-o,--out", options->out, "folder for results.csv, rivals.csv and summary.json")->required();
   options->damage.add_to(*verb);
   verb->add_option("--config", options->config, "deployment to run (default: configs/default.jsonld)");
+  verb->add_option("--splice", options->splice,
+                   "kidnap the robot instead: join windows with a cut that nothing tells, drawn by this seed; reads "
+                   "PREFIX.gt.csv to choose and to judge, and also writes splices.csv");
+  verb->add_option("--splices", options->splices.count, "so many (default: as many as there are queries)")
+      ->check(CLI::Range(1, 100000));
   verb->callback([options, &exit_code] { exit_code = bench(*options); });
 }

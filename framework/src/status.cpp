@@ -98,6 +98,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.hypotheses = static_cast<int>(alive.size());
   none_nat_ = (1 - novelty * (1 - options_.memory)) * none_nat_ + novelty * options_.none_scan_nat;
   believe(alive);
+  estimate.none = belief_.none;
   if (alive.empty()) {
     sure_ = 0;
     estimate.status = was_localized_ ? Status::lost : Status::searching;
