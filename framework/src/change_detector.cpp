@@ -5,8 +5,9 @@
 
 namespace opal {
 
-void ChangeDetector::add(int keyframe, double scan_nat, double gathered_nat, double novelty) {
-  suspicion_nat_ = std::clamp(suspicion_nat_ + options_.carried_scan_nat - scan_nat, 0.0, options_.carried_most_nat);
+void ChangeDetector::add(int keyframe, double scan_nat, double gathered_nat, double novelty, bool established) {
+  if (established || suspicion_nat_ > 0)
+    suspicion_nat_ = std::clamp(suspicion_nat_ + options_.carried_scan_nat - scan_nat, 0.0, options_.carried_most_nat);
   if (suspicion_nat_ == 0)
     last_good_ = {keyframe, gathered_nat};
   else
@@ -28,7 +29,7 @@ bool ChangeDetector::alarming(double scan_nat) const {
 
 std::optional<ChangeDetector::Break> ChangeDetector::suspected() const {
   if (suspicion_nat_ < options_.carried_search_nat) return std::nullopt;
-  return Break{last_good_.keyframe, last_good_.nat + options_.carried_nat};
+  return Break{last_good_.keyframe, last_good_.nat + options_.carried_nat + options_.carried_place_nat};
 }
 
 }  // namespace opal

@@ -16,7 +16,8 @@ class ChangeDetector {
   /// @param scan_nat   what it says for the best hypothesis.
   /// @param gathered_nat  what the best hypothesis has gathered, this scan included.
   /// @param novelty    how much of a new piece of evidence the scan is, in (0, 1].
-  void add(int keyframe, double scan_nat, double gathered_nat, double novelty);
+  /// @param established  it had been believed before the scan; suspicion begins with nothing else.
+  void add(int keyframe, double scan_nat, double gathered_nat, double novelty, bool established);
   void reset();
 
   /// Evidence that the robot has been carried away at the time that explains it best [nat], at least 0.
@@ -30,7 +31,7 @@ class ChangeDetector {
   struct Break {
     int keyframe = 0;  ///< the last one before
     double nat = 0;    ///< what a hypothesis starts with that takes over from the best one then, the price of being
-                       ///< carried away included
+                       ///< carried away, and to this place of all places, included
   };
   /// Where there is reason to search the whole map anew.
   std::optional<Break> suspected() const;

@@ -194,7 +194,8 @@ void Localizer::State::watch() {
   if (hypotheses.alive().empty()) return change.reset();
   const Live& best = hypotheses.alive().front();
   const bool suspected = change.suspected().has_value();
-  change.add(keyframe, best.scan_nat, best.hypothesis.log_likelihood, novelty());
+  const bool established = status.localized() || best.carried_after >= 0;
+  change.add(keyframe, best.scan_nat, best.hypothesis.log_likelihood, novelty(), established);
   hindsight.suspect(change.suspected());
   search_now = !suspected && change.suspected().has_value();
 }
