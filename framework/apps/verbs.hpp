@@ -23,7 +23,8 @@ void add_explain_verb(CLI::App& app, int& exit_code);
 /// `opal view OUT...`: the run as one HTML file, or a moment of it as a picture.
 void add_view_verb(CLI::App& app, int& exit_code);
 
-/// `opal bench PREFIX -o OUT`: one recorded place from end to end. Never reads ground truth.
+/// `opal bench PREFIX -o OUT`: one recorded place from end to end. Reads ground truth only to kidnap robots and
+/// to judge what became of them.
 void add_bench_verb(CLI::App& app, int& exit_code);
 
 }  // namespace opal
