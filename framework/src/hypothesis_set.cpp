@@ -26,7 +26,7 @@ bool ended(const Live& live) { return live.leaf < 0; }
 
 HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
                              const AssociationOptions& options, HypothesisListener& listener)
-    : map_(std::move(map)), judge_(judge), options_(options), listener_(listener) {}
+    : map_(std::move(map)), index_(*map_), judge_(judge), options_(options), listener_(listener) {}
 
 void HypothesisSet::clear() {
   alive_.clear();

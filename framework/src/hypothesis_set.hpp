@@ -1,5 +1,6 @@
 #pragma once
 
+#include "feature_index.hpp"
 #include "hindsight.hpp"
 #include "judge.hpp"
 #include "seeding.hpp"
@@ -58,7 +59,8 @@ class HypothesisSet {
   /// Takes candidates that the sieves let pass as new hypotheses; those at the place of an old one renew it.
   void adopt(std::vector<Candidate> candidates, const Observation& observation, const Hindsight& hindsight);
 
-  /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not.
+  /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not. The
+  /// features that the map's index expects least often go first: they leave fewest branches.
   void grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map);
 
   /// Forgets associations whose local feature the local map has forgotten, and those that no longer fit: `grow`
@@ -71,6 +73,7 @@ class HypothesisSet {
 
  private:
   std::vector<Association> choices_for(const Live& live, const LocalFeature& feature) const;
+  std::vector<const LocalFeature*> rarest_first(std::vector<const LocalFeature*> features) const;
   void branch(const LocalFeature& feature, const LocalMap& local_map);
   /// @return the worst error [m] if an association is an outlier under the new registration, else nothing.
   std::optional<double> register_anew(Live& live, const LocalMap& local_map) const;
@@ -82,6 +85,7 @@ class HypothesisSet {
   void prune();
 
   std::shared_ptr<const MapView> map_;
+  FeatureIndex index_;
   const Judge& judge_;
   AssociationOptions options_;
   HypothesisListener& listener_;

@@ -1,5 +1,7 @@
 #include "seeding.hpp"
 
+#include "mapped_patterns.hpp"
+
 #include <opal/registration.hpp>
 
 #include <algorithm>
@@ -42,11 +44,11 @@ double support_of(const PatternInstance& observed, std::span<const Feature> feat
 
 Seeder::Seeder(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
                const AssociationOptions& options)
-    : map_(std::move(map)), options_(options), mapped_(mapped_features(map_->map(), map_->features())) {
-  std::vector<Feature> features;
-  for (const MappedFeature& mapped : mapped_) features.push_back(mapped.feature);
-  for (auto& each : templates)
-    tables_.push_back({each.name, each.part, PatternIndex(find_patterns(*each.part, features))});
+    : map_(std::move(map)), options_(options) {
+  MappedPatterns mapped = mapped_patterns(*map_, templates);
+  mapped_ = std::move(mapped.features);
+  for (std::size_t k = 0; k < templates.size(); ++k)
+    tables_.push_back({templates[k].name, templates[k].part, PatternIndex(std::move(mapped.by_template[k]))});
 }
 
 std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bool loose) const {
