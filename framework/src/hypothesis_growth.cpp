@@ -67,6 +67,7 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
                                Live& child) {
   child = parent;
   child.hypothesis.associations.push_back(choice);
+  child.not_on_map = parent.not_on_map + (choice.map_feature < 0);
   child.consecutive_not_on_map = choice.map_feature < 0 ? parent.consecutive_not_on_map + 1 : 0;
   if (options_.register_by_associations && choice.map_feature >= 0)
     if (const auto off_m = register_anew(child, local_map)) {
@@ -113,8 +114,11 @@ std::vector<const LocalFeature*> HypothesisSet::rarest_first(std::vector<const L
 void HypothesisSet::grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map) {
   const bool single = options_.max_branches == 1 && !options_.branch_not_on_map;
   if (!single) {
-    for (const LocalFeature* feature : rarest_first(features)) branch(*feature, local_map);
-    merge_similar();
+    for (const LocalFeature* feature : rarest_first(features)) {
+      branch(*feature, local_map);
+      merge_similar();
+      prune_surplus();  // a newborn has much to say at once: its branches would double with every feature
+    }
     prune();
     return;
   }

@@ -17,6 +17,7 @@ struct Live {
   int leaf = -1;                ///< in the tree
   double scan_nat = 0;          ///< what the newest scan said
   int updates = 0;              ///< scans judged since birth
+  int not_on_map = 0;           ///< associations with nothing, along the branch
   int consecutive_not_on_map = 0;
   std::vector<Score> scores;    ///< of the newest scan, in the judge's order
 };
@@ -83,6 +84,7 @@ class HypothesisSet {
   void merge(const Pose2& T_local_base);
   void merge_similar();
   void prune();
+  void prune_surplus();
 
   std::shared_ptr<const MapView> map_;
   FeatureIndex index_;

@@ -2,6 +2,7 @@
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -87,8 +88,8 @@ class Enumeration {
     box = {{box.min_corner().get<0>() - r, box.min_corner().get<1>() - r},
            {box.max_corner().get<0>() + r, box.max_corner().get<1>() + r}};
     std::vector<int> numbers;
-    for (auto it = tree_.qbegin(bg::index::intersects(box)); it != tree_.qend(); ++it)
-      numbers.push_back(it->second);
+    tree_.query(bg::index::intersects(box),
+                boost::make_function_output_iterator([&](const Entry& entry) { numbers.push_back(entry.second); }));
     std::sort(numbers.begin(), numbers.end());
     return numbers;
   }

@@ -190,6 +190,13 @@ TEST_CASE("a deployment narrows what the map calls for, and keeps its own order"
         std::vector<std::string>{"opal:LineDetector"});
 }
 
+TEST_CASE("a pattern that waits to be named runs where the deployment names it") {
+  CHECK_THAT(names_of(build_parts(parsed(""), shipped_plugins(), room(true)).patterns),
+             !Catch::VectorContains(std::string("opal:BinaryColumnWall")));
+  const auto parts = build_parts(parsed(R"("patterns": [{"@type": "opal:BinaryColumnWall"}])"), shipped_plugins(), room(true));
+  CHECK(names_of(parts.patterns) == std::vector<std::string>{"opal:BinaryColumnWall"});
+}
+
 TEST_CASE("a pattern whose features no detector of the deployment produces does not run") {
   const LocalizerParts parts =
       build_parts(parsed(R"("detectors": [{"@type": "opal:LineDetector"}])"), shipped_plugins(), room(true));
