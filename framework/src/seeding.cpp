@@ -79,7 +79,23 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
       chosen.push_back(std::move(lookup));
     }
   }
+  leave_out_parts(chosen);
   return chosen;
+}
+
+/// A pattern that contains others says all that they say, and fewer places look like it: its parts are not looked up
+/// (Algorithm 3, Hendrikx 2023).
+void Seeder::leave_out_parts(std::vector<Lookup>& chosen) {
+  const auto is_part = [](const std::vector<int>& part, const std::vector<int>& whole) {
+    return part.size() < whole.size() && std::all_of(part.begin(), part.end(), [&](int member) {
+             return std::find(whole.begin(), whole.end(), member) != whole.end();
+           });
+  };
+  std::vector<std::vector<int>> wholes;
+  for (const Lookup& lookup : chosen) wholes.push_back(lookup.observed.members);
+  std::erase_if(chosen, [&](const Lookup& lookup) {
+    return std::any_of(wholes.begin(), wholes.end(), [&](const auto& whole) { return is_part(lookup.observed.members, whole); });
+  });
 }
 
 namespace {

@@ -67,6 +67,7 @@ class Seeder {
     int mapped;
   };
 
+  static void leave_out_parts(std::vector<Lookup>& chosen);
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
   void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, std::vector<Place>& places) const;
   void slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
