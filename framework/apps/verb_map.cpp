@@ -1,5 +1,6 @@
 #include "damage_options.hpp"
 #include "join_options.hpp"
+#include "map_patterns.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -64,6 +65,7 @@ int check(const CheckOptions& options) {
   for (const std::string& sentence : opal::check_map(*map).sentences()) std::cout << sentence << '\n';
   const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
   for (const std::string& reason : plan.reasons) std::cout << reason << '\n';
+  check_layer(registry, map, options.sensor);
   return plan.detectors.empty() || plan.patterns.empty() ? 1 : 0;
 }
 
@@ -165,10 +167,11 @@ void add_raster(CLI::App& map, int& exit_code) {
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, damage, join, raster");
+  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, patterns, damage, join, raster");
   map->require_subcommand(1);
   add_import(*map, exit_code);
   add_check(*map, exit_code);
+  add_map_patterns(*map, exit_code);
   add_damage(*map, exit_code);
   add_join(*map, exit_code);
   add_raster(*map, exit_code);

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 namespace opal {
 namespace {
 
+/// Siblings that no scan has judged yet are alike but for what they leave unexplained (3.4.5).
 bool better(const Live& a, const Live& b) {
-  return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood;
+  if (a.hypothesis.log_likelihood != b.hypothesis.log_likelihood)
+    return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood;
+  return a.not_on_map < b.not_on_map;
 }
 
 void sort_best_first(std::vector<Live>& alive) { std::stable_sort(alive.begin(), alive.end(), better); }
@@ -26,7 +30,7 @@ bool ended(const Live& live) { return live.leaf < 0; }
 
 HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
                              const AssociationOptions& options, HypothesisListener& listener)
-    : map_(std::move(map)), judge_(judge), options_(options), listener_(listener) {}
+    : map_(std::move(map)), index_(*map_), judge_(judge), options_(options), listener_(listener) {}
 
 void HypothesisSet::clear() {
   alive_.clear();
@@ -185,16 +189,14 @@ void HypothesisSet::merge_similar() {
       last.emplace_back(it->local_feature, it->map_feature);
     return last;
   };
-  for (std::size_t a = 0; a < alive_.size(); ++a)
-    for (std::size_t b = a + 1; b < alive_.size(); ++b) {
-      if (ended(alive_[a]) || ended(alive_[b])) continue;
-      const auto last = tail(alive_[a]);
-      const bool any_clutter =
-          std::any_of(last.begin(), last.end(), [](const auto& pair) { return pair.second < 0; });
-      if (!any_clutter && last == tail(alive_[b]))
-        end(alive_[b], "same newest associations as hypothesis " + std::to_string(alive_[a].hypothesis.id),
-            alive_[a].hypothesis.id);
-    }
+  std::map<std::vector<std::pair<int, int>>, int> best_by_tail;
+  for (Live& live : alive_) {
+    auto last = tail(live);
+    const auto is_clutter = [](const auto& pair) { return pair.second < 0; };
+    if (last.empty() || std::any_of(last.begin(), last.end(), is_clutter)) continue;
+    const auto [best, is_new] = best_by_tail.try_emplace(std::move(last), live.hypothesis.id);
+    if (!is_new) end(live, "same newest associations as hypothesis " + std::to_string(best->second), best->second);
+  }
   std::erase_if(alive_, ended);
 }
 
@@ -210,10 +212,17 @@ void HypothesisSet::prune() {
     else if (options_.max_consecutive_not_on_map > 0 &&
              live.consecutive_not_on_map > options_.max_consecutive_not_on_map)
       end(live, "too many features in a row that are not on the map");
-    else if (k >= static_cast<std::size_t>(options_.max_hypotheses))
-      end(live, "beyond the number of hypotheses kept");
   }
   std::erase_if(alive_, ended);
+  prune_surplus();
+}
+
+void HypothesisSet::prune_surplus() {
+  const auto most = static_cast<std::size_t>(options_.max_hypotheses);
+  if (alive_.size() <= most) return;
+  sort_best_first(alive_);
+  for (std::size_t k = most; k < alive_.size(); ++k) end(alive_[k], "beyond the number of hypotheses kept");
+  alive_.resize(most);
 }
 
 }  // namespace opal

@@ -69,6 +69,7 @@ class Seeder {
 
   struct Sieves;
 
+  static void leave_out_parts(std::vector<Lookup>& chosen);
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
   void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, Sieves& sieves,
                std::vector<Place>& places) const;

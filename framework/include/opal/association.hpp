@@ -16,7 +16,7 @@ struct RegionPrior {
   double radius_m = 0;
 };
 
-/// How hypotheses are born, grown, tracked and ended. Defaults are the best known; configs/thesis.jsonld sets those of
+/// How hypotheses are born, grown, tracked and ended. Defaults are the best known; configs/thesis3.jsonld sets those of
 /// Hendrikx (2023), table 3.1.
 struct AssociationOptions {
   // Birth: which patterns are looked up, and how many candidates survive each sieve.
