@@ -80,7 +80,25 @@ static int track(const TrackOptions& options) {
   const auto reader = open_log(registry, options.log);
   const auto records = opal::read_all(*reader);
   deployment.laser = opal::with_log_geometry(deployment.laser, records);
-  opal::PoseTracker tracker(opal::build_parts(deployment, registry, map));
+  opal::PoseTrackerOptions to;
+  if (const char* env = std::getenv("TRACK_OPTS")) {
+    std::istringstream w(env);
+    for (std::string k; std::getline(w, k, ',');) {
+      const std::string n = k.substr(0, k.find('='));
+      const double v = std::stod(k.substr(k.find('=') + 1));
+      if (n == "scale") to.offset_scale_m = v;
+      if (n == "memory") to.offset_memory_m = v;
+      if (n == "nf") to.horizon_features = int(v);
+      if (n == "most") to.horizon_most_poses = int(v);
+      if (n == "per") to.features_per_scan = int(v);
+      if (n == "robust") to.robust_scale = v;
+      if (n == "err") to.wall_error_m = v;
+      if (n == "a") to.a = v;
+      if (n == "b") to.b = v;
+      if (n == "c") to.c = v;
+    }
+  }
+  opal::PoseTracker tracker(opal::build_parts(deployment, registry, map), to);
   std::optional<opal::GroundTruth> truth;
   if (!options.truth.empty()) truth = opal::GroundTruth::read(options.truth);
   std::mt19937_64 random(options.disturb_seed);

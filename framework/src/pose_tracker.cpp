@@ -205,7 +205,7 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
   s.learn(keyframe);
   s.track.push_back(keyframe);
   s.horizon.add(std::move(keyframe));
-  s.horizon.solve(s.belief);
+  if (s.options.a == 0) s.horizon.solve(s.belief); else s.horizon.pass();
   s.last.stamp_s = scan.stamp_s;
   s.last.T_map_base = s.horizon.newest().T_map_base;
   s.last.covariance = s.horizon.newest_covariance();

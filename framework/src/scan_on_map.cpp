@@ -65,6 +65,18 @@ MapMeasurement to_measurement(int number, const FittedFace& face, double mapped_
   return {number, face.segment, covariance};
 }
 
+/// A few points of a face: they tell how far it is, not its direction.
+MapMeasurement glimpse(const ExpectedFeature& feature, const std::vector<Point>& points, const Pose2& T_map_base) {
+  constexpr double kPointSigma_m = 0.08, kNoIdea_rad = 10;
+  Point mean = Point::Zero();
+  for (const Point& p : points) mean += p / static_cast<double>(points.size());
+  const Point half = 0.005 * T_map_base.inverse().rotate(feature.surface.direction);
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  covariance(0, 0) = kPointSigma_m * kPointSigma_m / static_cast<double>(points.size()) + kFaceSigma_m * kFaceSigma_m;
+  covariance(1, 1) = kNoIdea_rad * kNoIdea_rad;
+  return {feature.number, Segment{mean - half, mean + half}, covariance};
+}
+
 /// The centre of a circle of known radius through points of its rim.
 std::optional<MapMeasurement> fit_column(int number, double radius_m, const std::vector<Point>& points, Point center) {
   constexpr double kShareAcross = 0.8;  // of the diameter: otherwise it may be any corner
@@ -173,8 +185,13 @@ std::vector<MapMeasurement> measure(const ExpectedFeatures& expected, const MapV
     if (own.size() >= kFewestPoints) {
       const FittedFace face = fit_face(own, laser);
       if (face.covered_m >= kShortestFace_m && face.rms_m < kLargestRms_m &&
-          parallel(face.segment, T_map_base, feature.surface))
+          parallel(face.segment, T_map_base, feature.surface)) {
         found.push_back(to_measurement(feature.number, face, feature.surface.size_m));
+        continue;
+      }
+    }
+    if (!own.empty()) {
+      found.push_back(glimpse(feature, own, T_map_base));
       continue;
     }
     if (feature.surface.size_m < kShortestMoved_m) continue;

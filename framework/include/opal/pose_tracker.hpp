@@ -12,6 +12,7 @@
 namespace opal {
 
 struct PoseTrackerOptions {
+  double a = 0, b = 0, c = 0;
   double view_m = 15;             ///< mapped features farther from the robot are not looked for
   double wall_error_m = 0.8;      ///< mapped features may be off by this much, and no more
   double offset_scale_m = 0.06;   ///< mapped features are off by about this much; a few of them by much more
