@@ -5,6 +5,7 @@
 
 #include "local_map_odometry.hpp"
 #include "observation.hpp"
+#include "odometry_direction.hpp"
 #include "scan_on_map.hpp"
 #include "seen_through.hpp"
 #include "tracking_horizon.hpp"
@@ -51,14 +52,15 @@ struct PoseTracker::State {
   TrackedKeyframe move(const Scan& scan, const Pose2& T_odom_now);
   Pose2 place(const Scan& scan, const TrackedKeyframe& moved) const;
   Pose2 search(const std::vector<Point>& points, const Pose2& around, const Eigen::Vector2d& window) const;
-  Eigen::Vector2d window() const;
+  Eigen::Vector2d window(const Pose2& newest_motion) const;
   Eigen::Matrix3d predicted_covariance(const TrackedKeyframe& moved) const;
   ExpectedFeatures expected_from(const Pose2& T_map_base) const;
   void learn(const TrackedKeyframe& keyframe);
 
   LocalizerParts parts;
   PoseTrackerOptions options;
-  LocalMap local_map;
+  OdometryDirection odometry;
+  LocalMap local_map;  ///< follows the corrected odometry
   MapBelief belief;
   TrackingHorizon horizon;
   std::vector<TrackedKeyframe> track;
@@ -79,7 +81,8 @@ bool PoseTracker::State::moved_enough(const Pose2& now) const {
 /// Where odometry and scan matching say that the robot is now.
 TrackedKeyframe PoseTracker::State::move(const Scan& scan, const Pose2& T_odom_now) {
   const Pose2 T_local_before = local_map.T_local_base();
-  local_map.add(scan, {}, T_odom_now, parts.laser.T_base_laser);
+  if (!started) odometry.start(T_odom_now);
+  local_map.add(scan, {}, odometry.corrected(T_odom_now), parts.laser.T_base_laser);
   TrackedKeyframe keyframe;
   keyframe.stamp_s = scan.stamp_s;
   if (started) keyframe.T_before_now = T_local_before.inverse() * local_map.T_local_base();
@@ -92,11 +95,11 @@ TrackedKeyframe PoseTracker::State::move(const Scan& scan, const Pose2& T_odom_n
 }
 
 /// How far the pose may be from the predicted one, where the scan matcher could not tell: (position, heading).
-Eigen::Vector2d PoseTracker::State::window() const {
+Eigen::Vector2d PoseTracker::State::window(const Pose2& newest_motion) const {
   if (!started) return {std::min(0.8, 2 * start_sigma.head<2>().maxCoeff()), std::min(0.4, 2 * start_sigma.z())};
   if (local_map.last_match().converged) return {0, 0};
-  const double step_m = distance_m(T_odom_base, local_map.keyframes().back().T_odom_base);
-  const double turn_rad = angle_between_rad(T_odom_base, local_map.keyframes().back().T_odom_base);
+  const double step_m = distance_m(Pose2(), newest_motion);
+  const double turn_rad = std::abs(newest_motion.heading_rad());
   if (step_m < 0.2 && turn_rad < 0.1) return {0, 0};
   return {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
 }
@@ -145,7 +148,7 @@ Pose2 PoseTracker::State::place(const Scan& scan, const TrackedKeyframe& moved) 
   const ExpectedFeatures expected = expected_from(predicted);
   const Eigen::Matrix3d information = predicted_covariance(moved).inverse();
   const Pose2 aligned = align_with(expected, points, laser, predicted, information);
-  const Eigen::Vector2d around = window();
+  const Eigen::Vector2d around = window(moved.T_before_now);
   if (around.x() <= 0 && around.y() <= 0) return aligned;
   constexpr double kClearlyBetter = 0.03;
   const auto coarse = thinned(scan.points, T_base_laser, 0.2, kSearchedPoints).points;
@@ -197,6 +200,7 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
   State& s = *state_;
   if (!s.ready || !s.moved_enough(T_odom_base)) return std::nullopt;
   const Point laser = s.parts.laser.T_base_laser.position();
+  const Pose2 T_map_before = s.last.T_map_base;
   TrackedKeyframe keyframe = s.move(scan, T_odom_base);
   keyframe.T_map_base = s.place(scan, keyframe);
   const auto points = thinned(scan.points, s.parts.laser.T_base_laser, 0.03, kMeasuredPoints).points;
@@ -214,6 +218,7 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
   count_seen(s.belief, expected, points, laser, s.last.T_map_base);
   s.track.back().T_map_base = s.last.T_map_base;
   s.horizon.slide(s.belief);
+  s.odometry.advance(T_odom_base, T_map_before.inverse() * s.last.T_map_base);
   s.T_odom_base = T_odom_base;
   s.started = true;
   return s.last;
@@ -222,7 +227,7 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
 Pose2 PoseTracker::T_map_base_at(const Pose2& T_odom_base) const {
   const State& s = *state_;
   if (!s.started) return s.last.T_map_base;
-  return s.last.T_map_base * (s.local_map.T_local_base().inverse() * s.local_map.T_local_base_at(T_odom_base));
+  return s.last.T_map_base * (s.local_map.T_local_base().inverse() * s.local_map.T_local_base_at(s.odometry.corrected(T_odom_base)));
 }
 
 const TrackedPose& PoseTracker::last() const { return state_->last; }
