@@ -18,17 +18,23 @@ class OdometryDirection {
 
   void start(const Pose2& T_odom_base) { *this = OdometryDirection(); T_odom_before_ = T_odom_base; }
 
-  /// A motion is over. @param found  the same motion as it was found to be.
-  void advance(const Pose2& T_odom_base, const Pose2& found) {
-    constexpr double kLeastStep_m = 0.06, kOpposite = -0.5;
+  /// A motion is over.
+  /// @param matched  the same motion as scans tell it, @param found  as the map tells it: both have to contradict.
+  void advance(const Pose2& T_odom_base, const Pose2& matched, const Pose2& found) {
+    constexpr double kLeastStep_m = 0.06;
     const Pose2 T_corrected_now = corrected(T_odom_base);
     const Point said = (T_corrected_before_.inverse() * T_corrected_now).position();
-    if (said.norm() > kLeastStep_m && found.position().dot(said) < kOpposite * said.squaredNorm()) backwards_ = !backwards_;
+    if (said.norm() > kLeastStep_m && contradicts(matched, said) && contradicts(found, said)) backwards_ = !backwards_;
     T_corrected_before_ = T_corrected_now;
     T_odom_before_ = T_odom_base;
   }
 
  private:
+  static bool contradicts(const Pose2& motion, const Point& said) {
+    constexpr double kOpposite = -0.5;
+    return motion.position().dot(said) < kOpposite * said.squaredNorm();
+  }
+
   Pose2 T_odom_before_, T_corrected_before_;
   bool backwards_ = false;
 };

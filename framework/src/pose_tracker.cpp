@@ -218,7 +218,7 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
   count_seen(s.belief, expected, points, laser, s.last.T_map_base);
   s.track.back().T_map_base = s.last.T_map_base;
   s.horizon.slide(s.belief);
-  s.odometry.advance(T_odom_base, T_map_before.inverse() * s.last.T_map_base);
+  s.odometry.advance(T_odom_base, s.track.back().T_before_now, T_map_before.inverse() * s.last.T_map_base);
   s.T_odom_base = T_odom_base;
   s.started = true;
   return s.last;
