@@ -38,6 +38,24 @@ Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, const Pose2& T_to_from
   return R * covariance * R.transpose();
 }
 
+struct Motion {
+  Pose2 T_before_now;
+  Eigen::Matrix3d covariance;  ///< of (x, y, heading) in the frame before
+};
+
+/// Two measurements of one motion; where they contradict each other, the second is right.
+Motion fused(const Motion& a, const Motion& b) {
+  constexpr double kContradiction = 2.5 * 2.5;
+  const Eigen::Matrix3d information = (a.covariance + b.covariance).inverse();
+  const Eigen::Matrix3d gain = a.covariance * information;
+  const Eigen::Vector3d apart(b.T_before_now.x() - a.T_before_now.x(), b.T_before_now.y() - a.T_before_now.y(),
+                              wrap_angle(b.T_before_now.heading_rad() - a.T_before_now.heading_rad()));
+  if (apart.dot(information * apart) > kContradiction) return b;
+  const Eigen::Vector3d step = gain * apart;
+  return {Pose2(Point(a.T_before_now.position() + step.head<2>()), a.T_before_now.heading_rad() + step.z()),
+          (Eigen::Matrix3d::Identity() - gain) * a.covariance};
+}
+
 }  // namespace
 
 struct PoseTracker::State {
@@ -69,6 +87,7 @@ struct PoseTracker::State {
   bool ready = false;    ///< there is a pose
   bool started = false;  ///< there was a scan, too
   Eigen::Vector3d start_sigma = Eigen::Vector3d::Zero();
+  Pose2 matched;         ///< the newest motion, as scans tell it
   Pose2 T_odom_base;     ///< at the newest keyframe
   double through_share = 0, on_map_share = 1;  ///< over the last metres
 };
@@ -80,17 +99,19 @@ bool PoseTracker::State::moved_enough(const Pose2& now) const {
 
 /// Where odometry and scan matching say that the robot is now.
 TrackedKeyframe PoseTracker::State::move(const Scan& scan, const Pose2& T_odom_now) {
-  const Pose2 T_local_before = local_map.T_local_base();
   if (!started) odometry.start(T_odom_now);
+  const Pose2 T_local_before = local_map.T_local_base();
+  const Pose2 driven = T_local_before.inverse() * local_map.T_local_base_at(odometry.corrected(T_odom_now));
   local_map.add(scan, {}, odometry.corrected(T_odom_now), parts.laser.T_base_laser);
+  matched = T_local_before.inverse() * local_map.T_local_base();
   TrackedKeyframe keyframe;
   keyframe.stamp_s = scan.stamp_s;
-  if (started) keyframe.T_before_now = T_local_before.inverse() * local_map.T_local_base();
+  Motion motion{driven, odometry_sigma(driven, parts.local_map).cwiseAbs2().asDiagonal()};
+  if (const ScanMatch& match = local_map.last_match(); match.converged)
+    motion = fused(motion, {matched, turned(match.covariance, T_local_before.inverse())});
+  keyframe.T_before_now = started ? motion.T_before_now : Pose2();
+  keyframe.motion_covariance = motion.covariance;
   keyframe.T_map_base = last.T_map_base * keyframe.T_before_now;
-  const ScanMatch& match = local_map.last_match();
-  keyframe.motion_covariance = match.converged
-                                   ? turned(match.covariance, T_local_before.inverse())
-                                   : odometry_sigma(keyframe.T_before_now, parts.local_map).cwiseAbs2().asDiagonal();
   return keyframe;
 }
 
@@ -218,7 +239,7 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
   count_seen(s.belief, expected, points, laser, s.last.T_map_base);
   s.track.back().T_map_base = s.last.T_map_base;
   s.horizon.slide(s.belief);
-  s.odometry.advance(T_odom_base, s.track.back().T_before_now, T_map_before.inverse() * s.last.T_map_base);
+  s.odometry.advance(T_odom_base, s.matched, T_map_before.inverse() * s.last.T_map_base);
   s.T_odom_base = T_odom_base;
   s.started = true;
   return s.last;
