@@ -89,7 +89,7 @@ struct PoseTracker::State {
   Eigen::Vector3d start_sigma = Eigen::Vector3d::Zero();
   Pose2 matched;         ///< the newest motion, as scans tell it
   Pose2 T_odom_base;     ///< at the newest keyframe
-  double through_share = 0, on_map_share = 1;  ///< over the last metres
+  
 };
 
 bool PoseTracker::State::moved_enough(const Pose2& now) const {
@@ -171,11 +171,15 @@ Pose2 PoseTracker::State::place(const Scan& scan, const TrackedKeyframe& moved) 
   const Pose2 aligned = align_with(expected, points, laser, predicted, information);
   const Eigen::Vector2d around = window(moved.T_before_now);
   if (around.x() <= 0 && around.y() <= 0) return aligned;
-  constexpr double kClearlyBetter = 0.03;
   const auto coarse = thinned(scan.points, T_base_laser, 0.2, kSearchedPoints).points;
-  const Pose2 found = align_with(expected, points, laser, search(coarse, predicted, around), 0.1 * information);
-  const bool better = share_on(expected, points, laser, found) > share_on(expected, points, laser, aligned) + kClearlyBetter;
-  return better ? found : aligned;
+  const Pose2 found = align_with(expected, points, laser, search(coarse, predicted, around), information);
+  if (distance_m(found, predicted) > 1.5 * around.x() || angle_between_rad(found, predicted) > 1.5 * around.y())
+    return aligned;
+  constexpr double kClearlyBetter = 0.05;
+  const auto fit = [&](const Pose2& pose) {
+    return share_on(expected, points, laser, pose) - share_through(expected, points, laser, pose);
+  };
+  return fit(found) > fit(aligned) + kClearlyBetter ? found : aligned;
 }
 
 void PoseTracker::State::learn(const TrackedKeyframe& keyframe) {
@@ -235,6 +239,7 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
   s.last.T_map_base = s.horizon.newest().T_map_base;
   s.last.covariance = s.horizon.newest_covariance();
   s.last.on_map_share = share_on(expected, points, laser, s.last.T_map_base);
+  s.last.through_share = share_through(expected, points, laser, s.last.T_map_base);
   s.last.features = static_cast<int>(s.track.back().measurements.size());
   count_seen(s.belief, expected, points, laser, s.last.T_map_base);
   s.track.back().T_map_base = s.last.T_map_base;

@@ -35,25 +35,20 @@ Passage passage(const Surface& surface, const Point& eye, const Point& p) {
 
 }  // namespace
 
-double count_seen(MapBelief& belief, const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
-                  const Pose2& T_map_base) {
+void count_seen(MapBelief& belief, const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
+                const Pose2& T_map_base) {
   struct Count {
     int met = 0, through = 0;
   };
   std::vector<Count> counts(expected.all().size());
   const Point eye = T_map_base * laser;
-  int passed = 0;
   for (const Point& point : points) {
     const Point p = T_map_base * point;
-    bool through_known = false;
     for (int k : expected.towards(p - eye)) {
-      const ExpectedFeature& feature = expected.all()[k];
-      const Passage what = passage(feature.surface, eye, p);
+      const Passage what = passage(expected.all()[k].surface, eye, p);
       counts[k].met += what == Passage::met;
       counts[k].through += what == Passage::through;
-      through_known = through_known || (what == Passage::through && feature.known);
     }
-    passed += through_known;
   }
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const auto [met, through] = counts[k];
@@ -63,7 +58,19 @@ double count_seen(MapBelief& belief, const ExpectedFeatures& expected, std::span
     feature.seen += worth * met;
     feature.seen_through += worth * through;
   }
-  return points.empty() ? 0 : passed / static_cast<double>(points.size());
+}
+
+double share_through(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
+                     const Pose2& T_map_base) {
+  const Point eye = T_map_base * laser;
+  int through = 0;
+  for (const Point& point : points) {
+    const Point p = T_map_base * point;
+    const auto passed = [&](int k) { return passage(expected.all()[k].surface, eye, p) == Passage::through; };
+    const auto near = expected.towards(p - eye);
+    through += std::any_of(near.begin(), near.end(), passed);
+  }
+  return points.empty() ? 0 : through / static_cast<double>(points.size());
 }
 
 }  // namespace opal

@@ -9,8 +9,11 @@ namespace opal {
 /// Counts, for every expected surface, whether beams ended on it or passed through where it is believed to be; a beam
 /// that ends before it says nothing. Adds at most one keyframe's worth to each side.
 /// @param points  where beams ended, base_link frame [m].
-/// @return share of the beams that passed through some surface which has been recognized before, in [0, 1].
-double count_seen(MapBelief& belief, const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
+void count_seen(MapBelief& belief, const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
                   const Pose2& T_map_base);
+
+/// Share of the beams that passed through some expected surface, in [0, 1].
+double share_through(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
+                     const Pose2& T_map_base);
 
 }  // namespace opal

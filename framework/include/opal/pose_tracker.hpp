@@ -34,6 +34,7 @@ struct TrackedPose {
   Pose2 T_map_base;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, heading) in the map frame [m, m, rad]
   double on_map_share = 0;  ///< of the scan's points that lie on a mapped feature, in [0, 1]
+  double through_share = 0; ///< of its beams that passed through a mapped feature, in [0, 1]
   int features = 0;         ///< mapped features recognized in this scan
   bool lost = false;        ///< what the laser sees has not fitted the map for a while
 };
