@@ -32,7 +32,6 @@ TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& l
       T_map_odom = start->T_map_base * sample->T_odom_base.inverse();
     }
     if (tracker.update(sample->scan, sample->T_odom_base)) window.update_cpu_ms.push_back(1e3 * (cpu_now_s() - before_s));
-    if (getenv("TRACK_DEBUG")) fprintf(stderr, "D %s %.3f %.3f %.3f %d\n", id.c_str(), stamp_s, tracker.last().on_map_share, tracker.last().through_share, tracker.last().features);
     const opal::Pose2 T_map_base = tracker.T_map_base_at(sample->T_odom_base);
     window.trajectory.push_back({stamp_s, T_map_base});
     window.rows.push_back({id, stamp_s, T_map_base * laser.T_base_laser, !tracker.last().lost});

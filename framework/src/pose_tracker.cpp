@@ -74,6 +74,7 @@ struct PoseTracker::State {
   Eigen::Matrix3d predicted_covariance(const TrackedKeyframe& moved) const;
   ExpectedFeatures expected_from(const Pose2& T_map_base) const;
   void learn(const TrackedKeyframe& keyframe);
+  void judge(const ExpectedFeatures& expected, const std::vector<Point>& points, double step_m);
 
   LocalizerParts parts;
   PoseTrackerOptions options;
@@ -87,6 +88,7 @@ struct PoseTracker::State {
   bool ready = false;    ///< there is a pose
   bool started = false;  ///< there was a scan, too
   Eigen::Vector3d start_sigma = Eigen::Vector3d::Zero();
+  double fit = 0;        ///< share of beams on the map less those through it, over the last metres
   Pose2 matched;         ///< the newest motion, as scans tell it
   Pose2 T_odom_base;     ///< at the newest keyframe
   
@@ -176,10 +178,10 @@ Pose2 PoseTracker::State::place(const Scan& scan, const TrackedKeyframe& moved) 
   if (distance_m(found, predicted) > 1.5 * around.x() || angle_between_rad(found, predicted) > 1.5 * around.y())
     return aligned;
   constexpr double kClearlyBetter = 0.05;
-  const auto fit = [&](const Pose2& pose) {
+  const auto fit_at = [&](const Pose2& pose) {
     return share_on(expected, points, laser, pose) - share_through(expected, points, laser, pose);
   };
-  return fit(found) > fit(aligned) + kClearlyBetter ? found : aligned;
+  return fit_at(found) > fit_at(aligned) + kClearlyBetter ? found : aligned;
 }
 
 void PoseTracker::State::learn(const TrackedKeyframe& keyframe) {
@@ -188,6 +190,17 @@ void PoseTracker::State::learn(const TrackedKeyframe& keyframe) {
     ++feature.observations;
     feature.covered_m = std::max(feature.covered_m, covered_m(measured));
   }
+}
+
+/// Whether scans fit the map where the robot is said to be. A scan without points does not tell.
+void PoseTracker::State::judge(const ExpectedFeatures& expected, const std::vector<Point>& points, double step_m) {
+  if (points.empty()) return;
+  const Point laser = parts.laser.T_base_laser.position();
+  last.on_map_share = share_on(expected, points, laser, last.T_map_base);
+  last.through_share = share_through(expected, points, laser, last.T_map_base);
+  const double newest = started ? std::min(1.0, step_m / options.lost_after_m) : 1;
+  fit += newest * (last.on_map_share - last.through_share - fit);
+  last.lost = fit < 0;
 }
 
 PoseTracker::PoseTracker(LocalizerParts parts, PoseTrackerOptions options)
@@ -230,17 +243,16 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
   keyframe.T_map_base = s.place(scan, keyframe);
   const auto points = thinned(scan.points, s.parts.laser.T_base_laser, 0.03, kMeasuredPoints).points;
   const ExpectedFeatures expected = s.expected_from(keyframe.T_map_base);
-  keyframe.measurements = measure(expected, *s.parts.map, points, laser, keyframe.T_map_base, s.options);
+  keyframe.measurements = measure(expected, points, laser, keyframe.T_map_base, s.options);
   s.learn(keyframe);
   s.track.push_back(keyframe);
   s.horizon.add(std::move(keyframe));
-  if (s.options.a == 0) s.horizon.solve(s.belief); else s.horizon.pass();
+  s.horizon.solve(s.belief);
   s.last.stamp_s = scan.stamp_s;
   s.last.T_map_base = s.horizon.newest().T_map_base;
   s.last.covariance = s.horizon.newest_covariance();
-  s.last.on_map_share = share_on(expected, points, laser, s.last.T_map_base);
-  s.last.through_share = share_through(expected, points, laser, s.last.T_map_base);
   s.last.features = static_cast<int>(s.track.back().measurements.size());
+  s.judge(expected, points, distance_m(T_map_before, s.last.T_map_base));
   count_seen(s.belief, expected, points, laser, s.last.T_map_base);
   s.track.back().T_map_base = s.last.T_map_base;
   s.horizon.slide(s.belief);

@@ -3,14 +3,14 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <cmath>
+#include <optional>
 
 namespace opal {
 namespace {
 
 constexpr double kOn_m = 0.15;             ///< points so near lie on a surface
-constexpr std::size_t kFewestPoints = 5;
+constexpr std::size_t kFewestPoints = 5, kFewestPointsOfMoved = 8;
 constexpr double kShortestFace_m = 0.25;   ///< covered; shorter pieces have no direction of their own
 constexpr double kShortestMoved_m = 0.6;   ///< of a face that is taken for one elsewhere
 constexpr double kLeastShareOfMoved = 0.4; ///< of its length, of such a face
@@ -81,6 +81,7 @@ MapMeasurement glimpse(const ExpectedFeature& feature, const std::vector<Point>&
 std::optional<MapMeasurement> fit_column(int number, double radius_m, const std::vector<Point>& points, Point center) {
   constexpr double kShareAcross = 0.8;  // of the diameter: otherwise it may be any corner
   constexpr int kSteps = 5;
+  if (points.size() < kFewestPoints) return std::nullopt;
   double widest = 0;
   for (const Point& p : points) widest = std::max(widest, (p - points.front()).norm());
   if (widest < kShareAcross * radius_m) return std::nullopt;
@@ -160,6 +161,41 @@ bool parallel(const Segment& seen, const Pose2& T_map_base, const Surface& face)
   return direction.dot(face.direction) > 0 && std::abs(cross(direction, face.direction)) < std::sin(kWidestTurn_rad);
 }
 
+/// Points that lie where a face is believed to be.
+MapMeasurement measure_in_place(const ExpectedFeature& feature, const std::vector<Point>& points, const Point& laser,
+                                const Pose2& T_map_base) {
+  if (points.size() >= kFewestPoints) {
+    const FittedFace face = fit_face(points, laser);
+    if (face.covered_m >= kShortestFace_m && face.rms_m < kLargestRms_m &&
+        parallel(face.segment, T_map_base, feature.surface))
+      return to_measurement(feature.number, face, feature.surface.size_m);
+  }
+  return glimpse(feature, points, T_map_base);
+}
+
+/// A line elsewhere that may be a face which is not where it is believed to be.
+std::optional<MapMeasurement> measure_elsewhere(const ExpectedFeature& feature, const std::vector<Point>& points,
+                                                const Point& laser, const Pose2& T_map_base) {
+  if (points.size() < kFewestPointsOfMoved) return std::nullopt;
+  const FittedFace face = fit_face(points, laser);
+  const double least_m = std::max(kShortestMoved_m, kLeastShareOfMoved * feature.surface.size_m);
+  if (face.covered_m < least_m || face.rms_m >= kLargestRms_m || !parallel(face.segment, T_map_base, feature.surface))
+    return std::nullopt;
+  return to_measurement(feature.number, face, feature.surface.size_m);
+}
+
+std::optional<MapMeasurement> look_for(std::size_t k, const ExpectedFeature& feature, const Sorting& sorted,
+                                       const Point& laser, const Pose2& T_map_base, const PoseTrackerOptions& options) {
+  const std::vector<Point>& own = sorted.on(k);
+  if (feature.surface.is_circle()) {
+    const Point center = T_map_base.inverse() * feature.surface.origin;
+    return fit_column(feature.number, feature.surface.size_m, own, center);
+  }
+  if (!own.empty()) return measure_in_place(feature, own, laser, T_map_base);
+  if (feature.surface.size_m < kShortestMoved_m) return std::nullopt;
+  return measure_elsewhere(feature, sorted.beside(k, options.wall_error_m), laser, T_map_base);
+}
+
 }  // namespace
 
 double covered_m(const MapMeasurement& measurement) {
@@ -169,43 +205,16 @@ double covered_m(const MapMeasurement& measurement) {
   return circle ? 2 * circle->radius_m : 0;
 }
 
-std::vector<MapMeasurement> measure(const ExpectedFeatures& expected, const MapView& map, std::span<const Point> points,
-                                    const Point& laser, const Pose2& T_map_base, const PoseTrackerOptions& options) {
+std::vector<MapMeasurement> measure(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
+                                    const Pose2& T_map_base, const PoseTrackerOptions& options) {
   const Sorting sorted(expected, points, laser, T_map_base);
   std::vector<MapMeasurement> found;
-  for (std::size_t k = 0; k < expected.all().size(); ++k) {
-    const ExpectedFeature& feature = expected.all()[k];
-    const std::vector<Point>& own = sorted.on(k);
-    if (feature.surface.is_circle()) {
-      if (own.size() < kFewestPoints) continue;
-      const Point center = T_map_base.inverse() * feature.surface.origin;
-      if (auto column = fit_column(feature.number, feature.surface.size_m, own, center)) found.push_back(*column);
-      continue;
-    }
-    if (own.size() >= kFewestPoints) {
-      const FittedFace face = fit_face(own, laser);
-      if (face.covered_m >= kShortestFace_m && face.rms_m < kLargestRms_m &&
-          parallel(face.segment, T_map_base, feature.surface)) {
-        found.push_back(to_measurement(feature.number, face, feature.surface.size_m));
-        continue;
-      }
-    }
-    if (!own.empty()) {
-      found.push_back(glimpse(feature, own, T_map_base));
-      continue;
-    }
-    if (feature.surface.size_m < kShortestMoved_m) continue;
-    const std::vector<Point> elsewhere = sorted.beside(k, options.wall_error_m);
-    if (elsewhere.size() < kFewestPoints + 3) continue;
-    const FittedFace face = fit_face(elsewhere, laser);
-    if (face.covered_m >= std::max(kShortestMoved_m, kLeastShareOfMoved * feature.surface.size_m) &&
-        face.rms_m < kLargestRms_m && parallel(face.segment, T_map_base, feature.surface))
-      found.push_back(to_measurement(feature.number, face, feature.surface.size_m));
-  }
+  for (std::size_t k = 0; k < expected.all().size(); ++k)
+    if (auto measured = look_for(k, expected.all()[k], sorted, laser, T_map_base, options))
+      found.push_back(std::move(*measured));
   std::stable_sort(found.begin(), found.end(),
                    [](const MapMeasurement& a, const MapMeasurement& b) { return covered_m(a) > covered_m(b); });
   if (found.size() > static_cast<std::size_t>(options.features_per_scan)) found.resize(options.features_per_scan);
-  (void)map;
   return found;
 }
 

@@ -23,8 +23,8 @@ double share_on(const ExpectedFeatures& expected, std::span<const Point> points,
 /// takes its points there; one that is nowhere may be elsewhere, as far as wall_error_m, if a line of its direction and
 /// about its size is there. Best seen first.
 /// @param points  base_link frame [m], by increasing bearing.
-std::vector<MapMeasurement> measure(const ExpectedFeatures& expected, const MapView& map, std::span<const Point> points,
-                                    const Point& laser, const Pose2& T_map_base, const PoseTrackerOptions& options);
+std::vector<MapMeasurement> measure(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
+                                    const Pose2& T_map_base, const PoseTrackerOptions& options);
 
 /// How much of a measured face was covered by points [m].
 double covered_m(const MapMeasurement& measurement);

@@ -21,7 +21,6 @@ class TrackingHorizon {
   /// Drops what is older than the horizon.
   void slide(MapBelief& belief);
 
-  void pass() { newest_covariance_ = Eigen::Vector3d(0.03, 0.03, 0.015).cwiseAbs2().asDiagonal(); covariances_.assign(keyframes_.size(), newest_covariance_); }
   const TrackedKeyframe& newest() const { return keyframes_.back(); }
   const Eigen::Matrix3d& newest_covariance() const { return newest_covariance_; }
 

@@ -12,7 +12,6 @@
 namespace opal {
 
 struct PoseTrackerOptions {
-  double a = 0, b = 0, c = 0;
   double view_m = 15;             ///< mapped features farther from the robot are not looked for
   double wall_error_m = 0.8;      ///< mapped features may be off by this much, and no more
   double offset_scale_m = 0.06;   ///< mapped features are off by about this much; a few of them by much more
@@ -22,10 +21,9 @@ struct PoseTrackerOptions {
   int horizon_most_poses = 10;    ///< at most so many,
   double pose_spacing_m = 0.25;   ///< which differ by this distance
   double pose_spacing_rad = 0.25; ///< or this angle
-  int features_per_scan = 16;     ///< the best seen ones are used
+  int features_per_scan = 24;     ///< the best seen ones are used
   double robust_scale = 1.5;      ///< Cauchy loss of measurements, in standard deviations
-  double least_share = 0.3;       ///< of a scan near mapped features (as far as these reach), below which the tracker
-  double lost_after_m = 6;        ///< calls itself lost once it has driven this far like that
+  double lost_after_m = 3;        ///< driving over which it is judged whether scans fit the map
 };
 
 /// Where the robot is, and how well the scan fits there.
@@ -36,7 +34,7 @@ struct TrackedPose {
   double on_map_share = 0;  ///< of the scan's points that lie on a mapped feature, in [0, 1]
   double through_share = 0; ///< of its beams that passed through a mapped feature, in [0, 1]
   int features = 0;         ///< mapped features recognized in this scan
-  bool lost = false;        ///< what the laser sees has not fitted the map for a while
+  bool lost = false;        ///< lately, more beams have passed through mapped features than have ended on one
 };
 
 /// A mapped feature as one scan shows it.
