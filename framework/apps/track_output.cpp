@@ -27,7 +27,7 @@ void print(const std::string& what, const TrackErrors& errors) {
 std::vector<opal::ResultRow> laser_rows(const std::string& id, const std::vector<opal::StampedPose>& T_map_base,
                                         const opal::Pose2& T_base_laser) {
   std::vector<opal::ResultRow> rows;
-  for (const opal::StampedPose& pose : T_map_base) rows.push_back({id, pose.stamp_s, pose.pose * T_base_laser, true});
+  for (const opal::StampedPose& pose : T_map_base) rows.push_back({id, pose.stamp_s, pose.pose * T_base_laser, opal::Status::localized});
   return rows;
 }
 

@@ -34,8 +34,9 @@ TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& l
     if (tracker.update(sample->scan, sample->T_odom_base)) window.update_cpu_ms.push_back(1e3 * (cpu_now_s() - before_s));
     const opal::Pose2 T_map_base = tracker.T_map_base_at(sample->T_odom_base);
     window.trajectory.push_back({stamp_s, T_map_base});
-    window.rows.push_back({id, stamp_s, T_map_base * laser.T_base_laser, !tracker.last().lost});
-    window.dead_reckoned.push_back({id, stamp_s, *T_map_odom * sample->T_odom_base * laser.T_base_laser, false});
+    window.rows.push_back({id, stamp_s, T_map_base * laser.T_base_laser,
+                           tracker.last().lost ? opal::Status::lost : opal::Status::localized});
+    window.dead_reckoned.push_back({id, stamp_s, *T_map_odom * sample->T_odom_base * laser.T_base_laser});
     window.last_points.clear();
     for (const opal::ScanPoint& point : sample->scan.points)
       window.last_points.push_back(window.rows.back().T_map_laser * point.position);

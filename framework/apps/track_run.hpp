@@ -3,6 +3,7 @@
 #include <opal/ground_truth.hpp>
 #include <opal/pose_tracker.hpp>
 #include <opal/replay.hpp>
+#include <opal/results.hpp>
 #include <opal/trajectory.hpp>
 
 #include <functional>

@@ -198,7 +198,7 @@ std::shared_ptr<const SemanticMap> SemanticMap::make(std::string name, std::vect
 }
 
 std::shared_ptr<const SemanticMap> SemanticMap::with_patterns(std::vector<MapPattern> patterns) const {
-  MapDraft draft{name_, name_, objects_, features_, std::move(patterns), prefixes_, unused_};
+  MapDraft draft{name_, name_, objects_, features_, std::move(patterns), origin_, prefixes_, unused_};
   draft.object_places = places_in("/objects", draft.objects);
   draft.feature_places = places_in("/features", draft.features);
   draft.pattern_places = places_in("/patterns", draft.patterns);
