@@ -30,8 +30,8 @@ TEST_CASE("result rows are what the benchmark reads") {
                                             {"a \"b\", c", 13, Pose2(), Status::lost, 0, 1}});
   CHECK(out.str() ==
         "query_id,timestamp,x,y,theta,localized_flag,probability,none,status\n"
-        "hall-q01,12.500000000,1.000000000,2.000000000,-0.500000000,1,0.75,0.25,localized\n"
-        "\"a \"\"b\"\", c\",13.000000000,0.000000000,0.000000000,0.000000000,0,0,1,lost\n");
+        "hall-q01,12.500000000,1.000000000,2.000000000,-0.500000000,1,0.750000000,0.250000000,localized\n"
+        "\"a \"\"b\"\", c\",13.000000000,0.000000000,0.000000000,0.000000000,0,0.000000000,1.000000000,lost\n");
 }
 
 TEST_CASE("what is not finite is not written, what is huge is") {
