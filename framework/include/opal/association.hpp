@@ -74,7 +74,7 @@ struct AssociationOptions {
   // Being carried away.
   double carried_nat = -5.6;        ///< log prior, per scan, that the robot was carried away
   double carried_place_nat = -10;   ///< log prior of one place among all where it may have been put down
-  double carried_scan_nat = 0.6;    ///< what a scan says for the place that the robot was carried away from
+  double carried_scan_nat = 0.3;    ///< what a scan says for the place that the robot was carried away from
   double carried_most_nat = 8;      ///< suspicion grows up to this, so that good scans can take it back
   double carried_search_nat = 3;    ///< suspicion from which on the whole map is searched for where it was put down
   double carried_alarm_nat = 1;     ///< a scan that alone gives this suspicion is looked at even if the robot stands
