@@ -31,4 +31,7 @@ void add_view_verb(CLI::App& app, int& exit_code);
 /// to judge what became of them.
 void add_bench_verb(CLI::App& app, int& exit_code);
 
+/// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
+void add_calibration_verb(CLI::App& app, int& exit_code);
+
 }  // namespace opal

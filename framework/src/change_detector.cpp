@@ -5,22 +5,26 @@
 
 namespace opal {
 
-void ChangeDetector::add(int keyframe, double scan_nat, double gathered_nat, double novelty, bool established) {
-  if (established || suspicion_nat_ > 0)
-    suspicion_nat_ = std::clamp(suspicion_nat_ + options_.carried_scan_nat - scan_nat, 0.0, options_.carried_most_nat);
+void ChangeDetector::add(const Evidence& seen) {
+  if (seen.match_share < options_.carried_match_share) discontinued_ = seen.keyframe;
+  if (seen.established || suspicion_nat_ > 0)
+    suspicion_nat_ =
+        std::clamp(suspicion_nat_ + options_.carried_scan_nat - seen.scan_nat, 0.0, options_.carried_most_nat);
   if (suspicion_nat_ == 0)
-    last_good_ = {keyframe, gathered_nat};
+    last_good_ = {seen.keyframe, seen.gathered_nat};
   else
-    last_good_.nat *= 1 - novelty * (1 - options_.memory);
+    last_good_.nat *= 1 - seen.novelty * (1 - options_.memory);
 }
 
 void ChangeDetector::reset() {
   suspicion_nat_ = 0;
   last_good_ = {};
+  discontinued_ = -2;
 }
 
 double ChangeDetector::probability() const {
-  return 1 / (1 + std::exp(-(suspicion_nat_ + options_.carried_nat)));
+  const double prior_nat = discontinued() ? options_.carried_nat : options_.carried_unseen_nat;
+  return 1 / (1 + std::exp(-(suspicion_nat_ + prior_nat)));
 }
 
 bool ChangeDetector::alarming(double scan_nat) const {
@@ -28,7 +32,7 @@ bool ChangeDetector::alarming(double scan_nat) const {
 }
 
 std::optional<ChangeDetector::Break> ChangeDetector::suspected() const {
-  if (suspicion_nat_ < options_.carried_search_nat) return std::nullopt;
+  if (suspicion_nat_ < options_.carried_search_nat || !discontinued()) return std::nullopt;
   return Break{last_good_.keyframe, last_good_.nat + options_.carried_nat + options_.carried_place_nat};
 }
 

@@ -7,22 +7,26 @@
 namespace opal {
 
 /// Asks after every scan whether the robot has been carried away: a cumulative sum test (Page 1954) of "the best
-/// hypothesis was right up to some scan, and no scan since then was taken where it says" against "it is right".
+/// hypothesis was right up to some scan, and no scan since then was taken where it says" against "it is right". Who is
+/// carried away also sees something else from one scan to the next; who enters a part of the building that the map has
+/// wrong does not.
 class ChangeDetector {
  public:
   explicit ChangeDetector(const AssociationOptions& options) : options_(options) {}
 
-  /// @param keyframe   number of the scan, increasing.
-  /// @param scan_nat   what it says for the best hypothesis.
-  /// @param gathered_nat  what the best hypothesis has gathered, this scan included.
-  /// @param novelty    how much of a new piece of evidence the scan is, in (0, 1].
-  /// @param established  it had been believed before the scan; suspicion begins with nothing else.
-  void add(int keyframe, double scan_nat, double gathered_nat, double novelty, bool established);
+  /// A scan beside the best hypothesis.
+  struct Evidence {
+    int keyframe = 0;         ///< its number, increasing
+    double novelty = 1;       ///< how much of a new piece of evidence it is, in (0, 1]
+    double match_share = 0;   ///< of its points that lie on what was seen before
+    double scan_nat = 0;      ///< what it says for the hypothesis
+    double gathered_nat = 0;  ///< what the hypothesis has gathered, this scan included
+    bool established = false; ///< the hypothesis had been believed before: suspicion begins with nothing else
+  };
+  void add(const Evidence& evidence);
   void reset();
 
-  /// Evidence that the robot has been carried away at the time that explains it best [nat], at least 0.
-  double suspicion_nat() const { return suspicion_nat_; }
-  /// The probability of that, its prior included.
+  /// The probability that the robot has been carried away, at the time that explains it best.
   double probability() const;
   /// Whether a scan that says this would be reason enough to look at it.
   bool alarming(double scan_nat) const;
@@ -37,9 +41,13 @@ class ChangeDetector {
   std::optional<Break> suspected() const;
 
  private:
+  /// Some scan since then, or just before, did not continue those before.
+  bool discontinued() const { return discontinued_ + 1 >= last_good_.keyframe; }
+
   AssociationOptions options_;
   double suspicion_nat_ = 0;
   Break last_good_;
+  int discontinued_ = -2;  ///< the newest keyframe that did not continue those before
 };
 
 }  // namespace opal

@@ -191,11 +191,13 @@ void Localizer::State::track(const Observation& observation, const Scan& scan) {
 
 /// Asks whether the robot is still where the best hypothesis has it.
 void Localizer::State::watch() {
+  search_now = false;
   if (hypotheses.alive().empty()) return change.reset();
   const Live& best = hypotheses.alive().front();
   const bool suspected = change.suspected().has_value();
   const bool established = status.localized() || best.carried_after >= 0;
-  change.add(keyframe, best.scan_nat, best.hypothesis.log_likelihood, novelty(), established);
+  change.add({keyframe, novelty(), local_map.last_match().inlier_share, best.scan_nat,
+              best.hypothesis.log_likelihood, established});
   hindsight.suspect(change.suspected());
   search_now = !suspected && change.suspected().has_value();
 }

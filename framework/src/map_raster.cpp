@@ -3,8 +3,8 @@
 #include <opal/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -52,77 +52,76 @@ class Rasterization {
     raster_.resolution_m = options.resolution_m;
     raster_.origin = min - Point::Constant(options.border_m);
     raster_.cells.assign(static_cast<std::size_t>(raster_.columns) * raster_.rows, Cell::unknown);
-    nearest_.assign(raster_.cells.size(), -1);
   }
 
   MapRaster run() {
-    for (std::size_t k = 0; k < map_.features().size(); ++k)
-      if (has_surface(map_.features()[k].geometry)) draw(static_cast<int>(k));
-    spread();
+    for (const MapFeature& feature : map_.features())
+      if (has_surface(feature.geometry)) draw(feature.geometry);
+    for (const MapFeature& feature : map_.features())
+      if (has_surface(feature.geometry)) look_from(feature.geometry);
     return std::move(raster_);
   }
 
  private:
-  Point centre(std::size_t index) const {
-    const auto column = static_cast<double>(index % raster_.columns), row = static_cast<double>(index / raster_.columns);
-    return raster_.origin + raster_.resolution_m * Point(column + 0.5, row + 0.5);
+  void occupy(const Point& p) {
+    if (const auto index = index_at(p)) raster_.cells[*index] = Cell::occupied;
   }
 
-  void occupy(const Point& p, int feature) {
-    const Point cell = (p - raster_.origin) / raster_.resolution_m;
-    const int column = static_cast<int>(std::floor(cell.x())), row = static_cast<int>(std::floor(cell.y()));
-    if (column < 0 || row < 0 || column >= raster_.columns || row >= raster_.rows) return;
-    const std::size_t index = static_cast<std::size_t>(row) * raster_.columns + column;
-    if (raster_.cells[index] == Cell::occupied) return;
-    raster_.cells[index] = Cell::occupied;
-    nearest_[index] = feature;
-    front_.push_back(index);
-  }
-
-  void draw(int feature) {
-    const Geometry& geometry = map_.features()[feature].geometry;
+  void draw(const Geometry& geometry) {
     const double step_m = raster_.resolution_m / 2;
     if (const auto* face = std::get_if<Segment>(&geometry)) {
       const Point behind = -step_m * face->normal();
       for (double along = 0; along < face->length_m() + step_m; along += step_m)
-        occupy(face->begin + std::min(along, face->length_m()) * face->direction() + behind, feature);
+        occupy(face->begin + std::min(along, face->length_m()) * face->direction() + behind);
       return;
     }
     const auto& column = std::get<Circle>(geometry);
     for (double x = -column.radius_m; x <= column.radius_m; x += step_m)
       for (double y = -column.radius_m; y <= column.radius_m; y += step_m)
-        if (std::hypot(x, y) <= column.radius_m) occupy(column.center + Point(x, y), feature);
+        if (std::hypot(x, y) <= column.radius_m) occupy(column.center + Point(x, y));
   }
 
-  bool sees(const Point& p, int feature) const {
-    const auto* face = std::get_if<Segment>(&map_.features()[feature].geometry);
-    return !face || (p - face->begin).dot(face->normal()) > 0;
-  }
-
-  /// From the surfaces outwards: every cell takes over the nearest surface of the neighbour that reaches it first.
-  void spread() {
-    while (!front_.empty()) {
-      const std::size_t index = front_.front();
-      front_.pop_front();
-      const int feature = nearest_[index], column = static_cast<int>(index % raster_.columns);
-      if (column > 0) reach(index - 1, feature);
-      if (column + 1 < raster_.columns) reach(index + 1, feature);
-      if (index >= static_cast<std::size_t>(raster_.columns)) reach(index - raster_.columns, feature);
-      if (index + raster_.columns < nearest_.size()) reach(index + raster_.columns, feature);
+  /// What lies in view of a surface, in front of it, is free.
+  void look_from(const Geometry& geometry) {
+    constexpr double kEvery_m = 0.5;
+    if (const auto* face = std::get_if<Segment>(&geometry)) {
+      const int looks = static_cast<int>(std::ceil(face->length_m() / kEvery_m));
+      for (int k = 0; k < looks; ++k)
+        look_ahead(face->begin + (k + 0.5) / looks * (face->end - face->begin), face->normal());
+      return;
+    }
+    const auto& column = std::get<Circle>(geometry);
+    for (int turn = 0; turn < 12; ++turn) {
+      const Point away = unit_vector(turn * std::numbers::pi / 6);
+      look_ahead(column.center + (column.radius_m + raster_.resolution_m) * away, away);
     }
   }
 
-  void reach(std::size_t index, int feature) {
-    if (nearest_[index] >= 0) return;
-    nearest_[index] = feature;
-    if (sees(centre(index), feature)) raster_.cells[index] = Cell::free;
-    front_.push_back(index);
+  void look_ahead(const Point& from, const Point& ahead) {
+    constexpr double kStep_rad = 0.01;
+    const double straight_rad = std::atan2(ahead.y(), ahead.x());
+    for (double off_rad = -1.55; off_rad <= 1.55; off_rad += kStep_rad) look_along(from, unit_vector(straight_rad + off_rad));
+  }
+
+  void look_along(const Point& from, const Point& direction) {
+    constexpr double kView_m = 15;
+    const double step_m = raster_.resolution_m / 2;
+    for (double range_m = step_m; range_m < kView_m; range_m += step_m) {
+      const auto index = index_at(from + range_m * direction);
+      if (!index || raster_.cells[*index] == Cell::occupied) return;
+      raster_.cells[*index] = Cell::free;
+    }
+  }
+
+  std::optional<std::size_t> index_at(const Point& p) const {
+    const Point cell = (p - raster_.origin) / raster_.resolution_m;
+    const int column = static_cast<int>(std::floor(cell.x())), row = static_cast<int>(std::floor(cell.y()));
+    if (column < 0 || row < 0 || column >= raster_.columns || row >= raster_.rows) return std::nullopt;
+    return static_cast<std::size_t>(row) * raster_.columns + column;
   }
 
   const SemanticMap& map_;
   MapRaster raster_;
-  std::vector<int> nearest_;  ///< feature whose surface is nearest
-  std::deque<std::size_t> front_;
 };
 
 std::ofstream writable(const std::string& path) {

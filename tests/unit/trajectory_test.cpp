@@ -1,4 +1,3 @@
-#include <opal/results.hpp>
 #include <opal/trajectory.hpp>
 
 #include <catch2/catch.hpp>
@@ -22,16 +21,6 @@ TEST_CASE("a TUM line carries the heading as a quaternion") {
   CHECK((z == 0 && qx == 0 && qy == 0));
   CHECK(qz == Approx(std::sqrt(0.5)));
   CHECK(qw == Approx(std::sqrt(0.5)));
-}
-
-TEST_CASE("result rows are what the benchmark reads") {
-  std::ostringstream out;
-  write_results(out, std::vector<ResultRow>{{"hall-q01", 12.5, Pose2(1, 2, -0.5), Status::localized, 0.75, 0.25},
-                                            {"a \"b\", c", 13, Pose2(), Status::lost, 0, 1}});
-  CHECK(out.str() ==
-        "query_id,timestamp,x,y,theta,localized_flag,probability,none,status\n"
-        "hall-q01,12.500000000,1.000000000,2.000000000,-0.500000000,1,0.750000000,0.250000000,localized\n"
-        "\"a \"\"b\"\", c\",13.000000000,0.000000000,0.000000000,0.000000000,0,0.000000000,1.000000000,lost\n");
 }
 
 TEST_CASE("what is not finite is not written, what is huge is") {

@@ -28,8 +28,8 @@ struct RasterOptions {
   double border_m = 1;  ///< around everything that is mapped
 };
 
-/// Cells just behind a face, and those of a round column, are occupied. Others are free if the nearest of these can be
-/// seen from there, and unknown if they lie behind it.
+/// Cells just behind a face, and those of a round column, are occupied. Others are free if some surface can be seen from
+/// there, within 15 m, and unknown if not.
 /// @throws MapError if nothing on the map has a surface, or the grid would have more than 10^8 cells.
 /// @throws ConfigError if a number makes no sense.
 OPAL_EXPORT MapRaster rasterized(const SemanticMap& map, const RasterOptions& options = {});
