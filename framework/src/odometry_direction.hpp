@@ -18,9 +18,14 @@ class OdometryDirection {
 
   void start(const Pose2& T_odom_base) { *this = OdometryDirection(); T_odom_before_ = T_odom_base; }
 
-  /// A motion is over.
-  /// @param matched  the same motion as scans tell it, @param found  as the map tells it: both have to contradict.
-  void advance(const Pose2& T_odom_base, const Pose2& matched, const Pose2& found) {
+  /// The same motion, measured otherwise.
+  struct Measured {
+    Pose2 motion;
+    Eigen::Matrix2d covariance;  ///< of its position, in the frame before
+  };
+
+  /// A motion is over. @param matched  as scans tell it, @param found  as the map tells it: both have to contradict.
+  void advance(const Pose2& T_odom_base, const Measured& matched, const Measured& found) {
     constexpr double kLeastStep_m = 0.06;
     const Pose2 T_corrected_now = corrected(T_odom_base);
     const Point said = (T_corrected_before_.inverse() * T_corrected_now).position();
@@ -30,9 +35,13 @@ class OdometryDirection {
   }
 
  private:
-  static bool contradicts(const Pose2& motion, const Point& said) {
-    constexpr double kOpposite = -0.5;
-    return motion.position().dot(said) < kOpposite * said.squaredNorm();
+  /// Motion to the other side, and surely so: along a corridor, neither scans nor map may tell.
+  static bool contradicts(const Measured& measured, const Point& said) {
+    constexpr double kOpposite = -0.5, kSigmas = 3;
+    const Point direction = said.normalized();
+    const double along = measured.motion.position().dot(direction);
+    const double sigma = std::sqrt(direction.dot(measured.covariance * direction));
+    return along < kOpposite * said.norm() && said.norm() - along > kSigmas * sigma;
   }
 
   Pose2 T_odom_before_, T_corrected_before_;

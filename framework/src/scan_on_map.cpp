@@ -14,6 +14,7 @@ constexpr std::size_t kFewestPoints = 5, kFewestPointsOfMoved = 8;
 constexpr double kShortestFace_m = 0.25;   ///< covered; shorter pieces have no direction of their own
 constexpr double kShortestMoved_m = 0.6;   ///< of a face that is taken for one elsewhere
 constexpr double kLeastShareOfMoved = 0.4; ///< of its length, of such a face
+constexpr double kShareInPlace = 0.3;      ///< of a face's length, that leaves no doubt that it is where it is believed
 constexpr double kWidestTurn_rad = 0.12;   ///< between a mapped face and the same one in the scan
 constexpr double kLargestRms_m = 0.04;
 // Errors that all points of a face share: how flat it is, how well it was drawn.
@@ -191,9 +192,13 @@ std::optional<MapMeasurement> look_for(std::size_t k, const ExpectedFeature& fea
     const Point center = T_map_base.inverse() * feature.surface.origin;
     return fit_column(feature.number, feature.surface.size_m, own, center);
   }
-  if (!own.empty()) return measure_in_place(feature, own, laser, T_map_base);
-  if (feature.surface.size_m < kShortestMoved_m) return std::nullopt;
-  return measure_elsewhere(feature, sorted.beside(k, options.wall_error_m), laser, T_map_base);
+  std::optional<MapMeasurement> in_place, elsewhere;
+  if (!own.empty()) in_place = measure_in_place(feature, own, laser, T_map_base);
+  if (in_place && covered_m(*in_place) > kShareInPlace * feature.surface.size_m) return in_place;
+  if (feature.surface.size_m < kShortestMoved_m) return in_place;
+  const std::vector<Point> beside = sorted.beside(k, options.wall_error_m);
+  if (beside.size() > 2 * own.size()) elsewhere = measure_elsewhere(feature, beside, laser, T_map_base);
+  return elsewhere ? elsewhere : in_place;
 }
 
 }  // namespace

@@ -12,6 +12,14 @@ namespace {
 // measurements must not count twice without bound.
 constexpr double kLeastPriorSigma_m = 0.05, kLeastPriorSigma_rad = 0.02;
 
+/// What was counted where the feature is not, is forgotten.
+void update(FeatureBelief& belief, const SolvedOffset& offset) {
+  constexpr double kElsewhere_m = 0.15;
+  if ((offset.moved - belief.moved).norm() > kElsewhere_m) belief.seen = belief.seen_through = 0;
+  belief.moved = offset.moved;
+  belief.sigma_m = offset.sigma_m;
+}
+
 }  // namespace
 
 TrackingHorizon::TrackingHorizon(const MapView& map, const PoseTrackerOptions& options)
@@ -55,10 +63,7 @@ bool TrackingHorizon::solve(MapBelief& belief) {
   for (std::size_t k = 0; k < keyframes_.size(); ++k) keyframes_[k].T_map_base = track.T_map_base[k];
   covariances_ = track.covariances;
   newest_covariance_ = covariances_.back();
-  for (const auto& [feature, offset] : track.offsets) {
-    belief[feature].moved = offset.moved;
-    belief[feature].sigma_m = offset.sigma_m;
-  }
+  for (const auto& [feature, offset] : track.offsets) update(belief[feature], offset);
   return true;
 }
 
