@@ -27,8 +27,8 @@ class BestShare {
 /// What lets pass the places of one search that are worth all points: a few points in large cells for every place, all
 /// points for the best of those.
 struct PlaceSieve {
-  BestShare coarse{400, 20};
-  BestShare fine{250, 4};
+  BestShare coarse{400, 30};
+  BestShare fine{200, 5};
 };
 
 /// The points of a scan as they would lie on the map, in an order in which few of them say much: those along which the
