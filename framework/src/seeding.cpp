@@ -5,7 +5,6 @@
 #include <opal/registration.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <unordered_map>
 
@@ -98,60 +97,6 @@ void Seeder::leave_out_parts(std::vector<Lookup>& chosen) {
   });
 }
 
-namespace {
-
-constexpr std::size_t kFirstPoints = 10;
-/// Neighbouring positions of a slide that are sieved as one, by the middle one, with the slack that this takes.
-constexpr std::size_t kTogether = 3;
-constexpr double kSlack_m = 0.1;
-
-/// Lets pass about the best share of all values in [0, 1] so far, and whatever comes while there are few.
-class BestShare {
- public:
-  BestShare(std::size_t few, std::size_t one_in) : few_(few), one_in_(one_in) {}
-
-  bool passes(float value) {
-    const auto bin = static_cast<int>(std::clamp(value, 0.0f, 1.0f) * (kBins - 1));
-    ++counts_[bin];
-    ++total_;
-    if (bin >= lowest_) ++passing_;
-    const auto wanted = std::max(few_, total_ / one_in_);
-    while (lowest_ < kBins - 1 && passing_ - counts_[lowest_] >= wanted) passing_ -= counts_[lowest_++];
-    return bin >= lowest_;
-  }
-
- private:
-  static constexpr int kBins = 128;
-  std::size_t few_, one_in_;
-  std::array<std::size_t, kBins> counts_{};
-  std::size_t total_ = 0, passing_ = 0;
-  int lowest_ = 0;
-};
-
-/// The points in an order in which few of them say much: points along which the pattern could slide come last, since
-/// they lie on the map wherever it slides to; the others are spread over the scan.
-std::vector<Point> telling_first(const PatternInstance& observed, std::span<const Point> points) {
-  constexpr double kOnPattern_m = 0.3;
-  constexpr std::size_t kStride = 5;
-  const Pose2 T_frame_base = observed.frame.inverse();
-  std::vector<Point> ordered, on_pattern;
-  for (std::size_t from = 0; from < kStride; ++from)
-    for (std::size_t k = from; k < points.size(); k += kStride) {
-      const bool slides = is_loose(observed) && std::abs((T_frame_base * points[k]).y()) < kOnPattern_m;
-      (slides ? on_pattern : ordered).push_back(points[k]);
-    }
-  ordered.insert(ordered.end(), on_pattern.begin(), on_pattern.end());
-  return ordered;
-}
-
-}  // namespace
-
-/// A few points in large cells for all places of a search, all points for the best of them.
-struct Seeder::Sieves {
-  BestShare coarse{400, 20};
-  BestShare fine{250, 4};
-};
-
 void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
                    std::vector<Point>& positions) const {
   if (!is_loose(observed)) {
@@ -165,33 +110,36 @@ void Seeder::slide(const PatternInstance& observed, const PatternInstance& mappe
     positions.push_back(T_map_base.position() + u * along);
 }
 
-void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse, Sieves& sieves,
+bool Seeder::is_in_region(const Point& position) const {
+  return !options_.region || (position - options_.region->center).norm() <= options_.region->radius_m;
+}
+
+void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse, PlaceSieve& sieve,
                      std::vector<Place>& places) const {
+  // Neighbouring positions of a slide are sieved as one, by the middle one, with the slack that this takes.
+  constexpr std::size_t kTogether = 3;
+  constexpr double kSlack_m = 0.1;
   const Table& table = tables_[lookup.table];
-  const Pose2 from_frame = lookup.observed.frame.inverse();
-  const std::vector<Point> points = telling_first(lookup.observed, coarse);
-  if (points.size() < 2 * kFirstPoints) return;
-  std::vector<Point> turned(points.size()), positions;
-  const std::span<const Point> first(turned.data(), kFirstPoints);
-  const auto n = static_cast<float>(turned.size());
+  std::vector<Pose2> ways{lookup.observed.frame.inverse()};  // how the observed frame may lie on the mapped one
+  if (lookup.observed.symmetric) ways.push_back(Pose2(0, 0, std::numbers::pi) * ways.front());
+  TellingPoints points(lookup.observed, coarse);
+  if (!points.enough()) return;
+  std::vector<Point> positions;
   for (int k : table.index.find(lookup.observed)) {
     const PatternInstance& mapped = table.index.patterns()[k];
-    for (int side = 0; side < (lookup.observed.symmetric ? 2 : 1); ++side) {
-      const Pose2 pose = mapped.frame * Pose2(0, 0, side * std::numbers::pi) * from_frame;
+    for (const Pose2& way : ways) {
+      const Pose2 pose = mapped.frame * way;
       positions.clear();
       slide(lookup.observed, mapped, pose, positions);
-      std::transform(points.begin(), points.end(), turned.begin(), [&](const Point& p) { return pose.rotate(p); });
+      points.turn_to(pose);
       for (std::size_t from = 0; from < positions.size(); from += kTogether) {
         const std::size_t to = std::min(from + kTogether, positions.size());
         const Point& middle = positions[(from + to) / 2];
-        if (!sieves.coarse.passes(map_->coarse_nearness_sum(first, middle) / kFirstPoints)) continue;
-        if (to - from > 1 && !sieves.fine.passes(map_->nearness_sum(turned, middle, kSlack_m) / n)) continue;
-        for (std::size_t at = from; at < to; ++at) {
-          const Point& position = positions[at];
-          if (options_.region && (position - options_.region->center).norm() > options_.region->radius_m) continue;
-          const double nearness = map_->nearness_sum(turned, position) / n;
-          places.push_back({position, pose.heading_rad(), nearness, number, k});
-        }
+        if (!sieve.coarse.passes(points.coarse_nearness(*map_, middle))) continue;
+        if (to - from > 1 && !sieve.fine.passes(points.nearness(*map_, middle, kSlack_m))) continue;
+        for (std::size_t at = from; at < to; ++at)
+          if (is_in_region(positions[at]))
+            places.push_back({positions[at], pose.heading_rad(), points.nearness(*map_, positions[at]), number, k});
       }
     }
   }
@@ -219,9 +167,9 @@ Seeder::Proposal Seeder::propose(std::span<const SeedFeature> features, std::spa
   const std::vector<SeedFeature> best = best_per_geometry(features, options_.seed_features);
   const std::vector<Lookup> lookups = choose(best, loose);
   std::vector<Place> places;
-  Sieves sieves;
+  PlaceSieve sieve;
   for (std::size_t k = 0; k < lookups.size(); ++k) {
-    look_up(lookups[k], static_cast<int>(k), coarse, sieves, places);
+    look_up(lookups[k], static_cast<int>(k), coarse, sieve, places);
     proposal.looked_up.push_back({lookups[k].table, {}, lookups[k].expected});
     for (int member : lookups[k].observed.members)
       proposal.looked_up.back().local_features.push_back(best[member].local);
