@@ -42,13 +42,16 @@ Hindsight::Verdict Hindsight::look_back(const Hypothesis& hypothesis, const Loca
     const Observation seen{local_map,         scan.points,         scan.free_bearings_rad, scan.range_max_m,
                            scan.laser_position, scan.features, {}};
     weight *= std::pow(options_.memory, scan.novelty);
-    const double nat = judge_.decide(trial, seen);
+    Judge::Verdict judged = judge_.judge(trial, seen);
+    const double nat = judged.nat;
+    trial.encounters.take(judged.encounters, scan.novelty, 1);
     verdict.nat += weight * scan.novelty * nat;
     behind_nat += weight * scan.novelty * (scan.best_nat - nat);
     ++verdict.scans;
     verdict.hopeless = behind_nat > options_.hindsight_behind_nat;
     if (verdict.hopeless) break;
   }
+  verdict.encounters = std::move(trial.encounters);
   return verdict;
 }
 

@@ -89,6 +89,7 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
     ++live.updates;
     hypothesis.log_likelihood =
         (1 - novelty * (1 - options_.memory)) * hypothesis.log_likelihood + novelty * verdict.nat;
+    hypothesis.encounters.take(verdict.encounters, novelty, 1 - novelty * (1 - options_.encounter_memory));
     if (!verdict.veto.empty()) end(live, "veto by " + verdict.veto);
   }
   std::erase_if(alive_, ended);
@@ -96,7 +97,7 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
   prune();
 }
 
-void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation,
+void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
                           const Hindsight& hindsight) {
   const Pose2 T_base_local = observation.local_map.T_local_base().inverse();
   for (Candidate& candidate : candidates) {
@@ -114,21 +115,28 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
     };
     const auto old = std::find_if(alive_.begin(), alive_.end(), same_place);
     if (old != alive_.end()) {
-      if (verdict.nat > old->scan_nat + 0.3) {  // clearly better aligned: the old one moves over
-        old->hypothesis.log_likelihood += verdict.nat - old->scan_nat;
+      Hypothesis newborn;  // both judged as if they had met nothing yet
+      newborn.T_map_local = old->hypothesis.T_map_local;
+      newborn.associations = old->hypothesis.associations;
+      const double gain = verdict.nat - judge_.decide(newborn, observation);
+      if (gain > 0.3) {  // clearly better aligned: the old one moves over
+        old->hypothesis.log_likelihood += gain;
         old->hypothesis.T_map_local = live.hypothesis.T_map_local;
-        old->scan_nat = verdict.nat;
+        old->scan_nat += gain;
         old->scores = std::move(verdict.scores);
       }
       continue;
     }
-    const Hindsight::Verdict past = hindsight.look_back(live.hypothesis, observation.local_map);
+    live.hypothesis.encounters.take(verdict.encounters, hindsight.since_newest(novelty), 1);
+    Hindsight::Verdict past = hindsight.look_back(live.hypothesis, observation.local_map);
     if (past.hopeless) {
       listener_.candidate_rejected(candidate, "would be far behind after the " + std::to_string(past.scans) + " scans before");
       continue;
     }
     live.hypothesis.id = next_id_++;
-    live.hypothesis.log_likelihood = options_.birth_nat + verdict.nat + past.nat;
+    live.hypothesis.log_likelihood =
+        options_.birth_nat + hindsight.since_newest(novelty) * verdict.nat + past.nat;
+    live.hypothesis.encounters = std::move(past.encounters);
     live.hypothesis.associations = candidate.pairs;
     live.leaf = tree_.add(-1, std::move(candidate.pairs));
     live.scan_nat = verdict.nat;

@@ -58,7 +58,9 @@ class HypothesisSet {
              const Eigen::Vector2d& window);
 
   /// Takes candidates that the sieves let pass as new hypotheses; those at the place of an old one renew it.
-  void adopt(std::vector<Candidate> candidates, const Observation& observation, const Hindsight& hindsight);
+  /// @param novelty  of the scan, as for `track`.
+  void adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
+             const Hindsight& hindsight);
 
   /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not. The
   /// features that the map's index expects least often go first: they leave fewest branches.

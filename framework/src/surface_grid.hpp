@@ -29,6 +29,12 @@ class SurfaceGrid {
     const Cell at = locate(p);
     return at.tile ? at.tile->distance_cm[at.offset] : 255;
   }
+  /// The same for a point in cells from the grid's corner, for those who walk along a line.
+  Point in_cells(const Point& p) const { return (p - low_) * (1 / kCell_m); }
+  std::uint8_t distance_cm_in_cells(const Point& cells) const {
+    const Cell at = locate_in_cells(cells);
+    return at.tile ? at.tile->distance_cm[at.offset] : 255;
+  }
   /// Nearest surface within kReach_m of the cell in a layer, or -1.
   int nearest(const Point& p, int layer) const {
     const Cell at = locate(p);
@@ -53,8 +59,9 @@ class SurfaceGrid {
     int offset = 0;
   };
 
-  Cell locate(const Point& p) const {
-    const double u = (p.x() - low_.x()) / kCell_m, v = (p.y() - low_.y()) / kCell_m;
+  Cell locate(const Point& p) const { return locate_in_cells(in_cells(p)); }
+  Cell locate_in_cells(const Point& cells) const {
+    const double u = cells.x(), v = cells.y();
     if (!(u >= 0 && v >= 0 && u < columns_ * kSide && v < rows_ * kSide)) return {};
     const int i = static_cast<int>(u), j = static_cast<int>(v);
     const Tile* tile = tiles_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide].get();
