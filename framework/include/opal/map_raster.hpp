@@ -18,7 +18,7 @@ struct MapRaster {
   Point origin = Point::Zero();      ///< lower left corner of the first cell, frame `map`
   std::vector<Cell> cells;           ///< row by row, the lowest one first
 
-  OPAL_EXPORT Cell at(int column, int row) const { return cells[static_cast<std::size_t>(row) * columns + column]; }
+  Cell at(int column, int row) const { return cells[static_cast<std::size_t>(row) * columns + column]; }
   /// The cell that a point of the map lies in; unknown outside.
   OPAL_EXPORT Cell at(const Point& p) const;
 };
