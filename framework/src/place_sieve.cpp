@@ -29,10 +29,10 @@ TellingPoints::TellingPoints(const PatternInstance& observed, std::span<const Po
   turned_.reserve(points_.size());
 }
 
-void TellingPoints::turn_to(const Pose2& T_map_base) {
-  T_map_base_ = T_map_base;
+void TellingPoints::turn_to(double heading_rad) {
+  turn_ = Pose2(0, 0, heading_rad);
   turned_.clear();
-  for (std::size_t k = 0; k < kFirst; ++k) turned_.push_back(T_map_base_.rotate(points_[k]));
+  for (std::size_t k = 0; k < kFirst; ++k) turned_.push_back(turn_.rotate(points_[k]));
 }
 
 float TellingPoints::coarse_nearness(const MapView& map, const Point& position) const {
@@ -40,7 +40,7 @@ float TellingPoints::coarse_nearness(const MapView& map, const Point& position) 
 }
 
 float TellingPoints::nearness(const MapView& map, const Point& position, double slack_m) {
-  while (turned_.size() < points_.size()) turned_.push_back(T_map_base_.rotate(points_[turned_.size()]));
+  while (turned_.size() < points_.size()) turned_.push_back(turn_.rotate(points_[turned_.size()]));
   return map.nearness_sum(turned_, position, slack_m) / static_cast<float>(turned_.size());
 }
 

@@ -24,13 +24,6 @@ class BestShare {
   int lowest_ = 0;
 };
 
-/// What lets pass the places of one search that are worth all points: a few points in large cells for every place, all
-/// points for the best of those.
-struct PlaceSieve {
-  BestShare coarse{400, 30};
-  BestShare fine{200, 5};
-};
-
 /// The points of a scan as they would lie on the map, in an order in which few of them say much: those along which the
 /// observed pattern could slide come last, since they lie on the map wherever it slides to; the others are spread over the
 /// scan.
@@ -41,8 +34,8 @@ class TellingPoints {
   /// Fewer tell nothing.
   bool enough() const { return points_.size() >= 2 * kFirst; }
 
-  /// From here on the scan is taken at this pose's heading.
-  void turn_to(const Pose2& T_map_base);
+  /// From here on the robot has this heading.
+  void turn_to(double heading_rad);
   /// Mean nearness to the map of the first few points, in large cells.
   float coarse_nearness(const MapView& map, const Point& position) const;
   /// Mean nearness of all points. @param slack_m  as MapView::nearness_sum.
@@ -51,7 +44,7 @@ class TellingPoints {
  private:
   static constexpr std::size_t kFirst = 10;
   std::vector<Point> points_, turned_;  ///< the first turned_.size() are turned
-  Pose2 T_map_base_;
+  Pose2 turn_;
 };
 
 }  // namespace opal

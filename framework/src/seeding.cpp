@@ -97,6 +97,14 @@ void Seeder::leave_out_parts(std::vector<Lookup>& chosen) {
   });
 }
 
+bool Seeder::nearer(const Place& a, const Place& b) { return a.nearness > b.nearness; }
+
+void Seeder::keep_nearest(std::vector<Place>& places, std::size_t most) {
+  if (places.size() <= most) return;
+  std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(most), places.end(), nearer);
+  places.resize(most);
+}
+
 void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
                    std::vector<Point>& positions) const {
   if (!is_loose(observed)) {
@@ -106,7 +114,7 @@ void Seeder::slide(const PatternInstance& observed, const PatternInstance& mappe
   const double from = mapped.extent_min_m - observed.extent_min_m - observed.overhang_m;
   const double to = mapped.extent_max_m - observed.extent_max_m + observed.overhang_m;
   const Point along = unit_vector(mapped.frame.heading_rad());
-  for (double u = from; u <= to + 1e-9; u += options_.slide_step_m)
+  for (double u = std::min(from + options_.slide_step_m, (from + to) / 2); u <= to + 1e-9; u += 3 * options_.slide_step_m)
     positions.push_back(T_map_base.position() + u * along);
 }
 
@@ -114,16 +122,11 @@ bool Seeder::is_in_region(const Point& position) const {
   return !options_.region || (position - options_.region->center).norm() <= options_.region->radius_m;
 }
 
-void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse, PlaceSieve& sieve,
+void Seeder::look_up(const Lookup& lookup, int number, TellingPoints& points, BestShare& sieve,
                      std::vector<Place>& places) const {
-  // Neighbouring positions of a slide are sieved as one, by the middle one, with the slack that this takes.
-  constexpr std::size_t kTogether = 3;
-  constexpr double kSlack_m = 0.1;
   const Table& table = tables_[lookup.table];
   std::vector<Pose2> ways{lookup.observed.frame.inverse()};  // how the observed frame may lie on the mapped one
   if (lookup.observed.symmetric) ways.push_back(Pose2(0, 0, std::numbers::pi) * ways.front());
-  TellingPoints points(lookup.observed, coarse);
-  if (!points.enough()) return;
   std::vector<Point> positions;
   for (int k : table.index.find(lookup.observed)) {
     const PatternInstance& mapped = table.index.patterns()[k];
@@ -131,18 +134,54 @@ void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> co
       const Pose2 pose = mapped.frame * way;
       positions.clear();
       slide(lookup.observed, mapped, pose, positions);
-      points.turn_to(pose);
-      for (std::size_t from = 0; from < positions.size(); from += kTogether) {
-        const std::size_t to = std::min(from + kTogether, positions.size());
-        const Point& middle = positions[(from + to) / 2];
-        if (!sieve.coarse.passes(points.coarse_nearness(*map_, middle))) continue;
-        if (to - from > 1 && !sieve.fine.passes(points.nearness(*map_, middle, kSlack_m))) continue;
-        for (std::size_t at = from; at < to; ++at)
-          if (is_in_region(positions[at]))
-            places.push_back({positions[at], pose.heading_rad(), points.nearness(*map_, positions[at]), number, k});
+      points.turn_to(pose.heading_rad());
+      for (const Point& position : positions) {
+        const float nearness = points.coarse_nearness(*map_, position);
+        if (sieve.passes(nearness) && is_in_region(position))
+          places.push_back({position, pose.heading_rad(), nearness, number, k});
       }
     }
   }
+}
+
+void Seeder::look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points, double slack_m) const {
+  for (Place& place : places) {
+    points[place.lookup].turn_to(place.heading_rad);
+    place.nearness = points[place.lookup].nearness(*map_, place.position, slack_m);
+  }
+}
+
+std::vector<Seeder::Place> Seeder::with_neighbours(const std::vector<Place>& places,
+                                                   const std::vector<Lookup>& lookups) const {
+  std::vector<Place> all;
+  for (const Place& place : places) {
+    const PatternInstance& mapped = tables_[lookups[place.lookup].table].index.patterns()[place.mapped];
+    const Point step = options_.slide_step_m * unit_vector(mapped.frame.heading_rad());
+    for (int steps = -1; steps <= 1; ++steps) {
+      all.push_back(place);
+      all.back().position += steps * step;
+    }
+  }
+  return all;
+}
+
+std::vector<Seeder::Place> Seeder::places_for(const std::vector<Lookup>& lookups, std::span<const Point> coarse,
+                                              bool loose) const {
+  constexpr std::size_t kLookedAtClosely = 400, kSlidesLookedAt = 3000;
+  std::vector<TellingPoints> points;
+  std::vector<Place> places;
+  BestShare sieve(kLookedAtClosely, 30);
+  for (std::size_t k = 0; k < lookups.size(); ++k) {
+    points.emplace_back(lookups[k].observed, coarse);
+    if (points.back().enough()) look_up(lookups[k], static_cast<int>(k), points.back(), sieve, places);
+  }
+  keep_nearest(places, loose ? kSlidesLookedAt : kLookedAtClosely);
+  look_closely(places, points, loose ? options_.slide_step_m / 2 : 0);
+  if (!loose) return places;
+  keep_nearest(places, kLookedAtClosely);
+  places = with_neighbours(places, lookups);
+  look_closely(places, points, 0);
+  return places;
 }
 
 std::vector<Association> Seeder::pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
@@ -166,21 +205,11 @@ Seeder::Proposal Seeder::propose(std::span<const SeedFeature> features, std::spa
   Proposal proposal;
   const std::vector<SeedFeature> best = best_per_geometry(features, options_.seed_features);
   const std::vector<Lookup> lookups = choose(best, loose);
-  std::vector<Place> places;
-  PlaceSieve sieve;
-  for (std::size_t k = 0; k < lookups.size(); ++k) {
-    look_up(lookups[k], static_cast<int>(k), coarse, sieve, places);
-    proposal.looked_up.push_back({lookups[k].table, {}, lookups[k].expected});
-    for (int member : lookups[k].observed.members)
-      proposal.looked_up.back().local_features.push_back(best[member].local);
+  for (const Lookup& lookup : lookups) {
+    proposal.looked_up.push_back({lookup.table, {}, lookup.expected});
+    for (int member : lookup.observed.members) proposal.looked_up.back().local_features.push_back(best[member].local);
   }
-
-  constexpr std::size_t kSorted = 6000;
-  const auto nearer = [](const Place& a, const Place& b) { return a.nearness > b.nearness; };
-  if (places.size() > kSorted) {
-    std::nth_element(places.begin(), places.begin() + kSorted, places.end(), nearer);
-    places.resize(kSorted);
-  }
+  std::vector<Place> places = places_for(lookups, coarse, loose);
   std::stable_sort(places.begin(), places.end(), nearer);
   std::vector<Pose2> poses;
   for (const Place& place : places) poses.emplace_back(place.position, place.heading_rad);

@@ -70,11 +70,20 @@ class Seeder {
 
   static void leave_out_parts(std::vector<Lookup>& chosen);
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
-  void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, PlaceSieve& sieve,
+  /// Poses by a few points in large cells; where a pattern slides, every third one.
+  void look_up(const Lookup& lookup, int number, TellingPoints& points, BestShare& sieve,
                std::vector<Place>& places) const;
   bool is_in_region(const Point& position) const;
   void slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
              std::vector<Point>& positions) const;
+  /// Nearness by all points. @param points  of each lookup.
+  void look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points, double slack_m) const;
+  /// Each place, and those a step before and behind it along its slide.
+  std::vector<Place> with_neighbours(const std::vector<Place>& places, const std::vector<Lookup>& lookups) const;
+  static bool nearer(const Place& a, const Place& b);
+  static void keep_nearest(std::vector<Place>& places, std::size_t most);
+  /// From many places seen hastily to a few seen closely.
+  std::vector<Place> places_for(const std::vector<Lookup>& lookups, std::span<const Point> coarse, bool loose) const;
   std::vector<Association> pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
                                    std::span<const SeedFeature> features) const;
 
