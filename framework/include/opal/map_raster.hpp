@@ -20,7 +20,7 @@ struct MapRaster {
 
   Cell at(int column, int row) const { return cells[static_cast<std::size_t>(row) * columns + column]; }
   /// The cell that a point of the map lies in; unknown outside.
-  Cell at(const Point& p) const;
+  OPAL_EXPORT Cell at(const Point& p) const;
 };
 
 struct RasterOptions {
