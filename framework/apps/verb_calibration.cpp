@@ -22,8 +22,9 @@ struct CalibrationOptions {
 };
 
 void print(const std::string& what, std::span<const opal::Statement> statements) {
-  std::cout << what << ", every row counts the same\n" << table_of(calibration_of(statements, Weighting::per_statement));
-  std::cout << what << ", every query counts the same\n" << table_of(calibration_of(statements, Weighting::per_cluster)) << '\n';
+  const opal::Calibration by_row = calibration_of(statements, Weighting::per_statement);
+  std::cout << what << '\n' << table_of(by_row) << "every row counts the same\n" << scores_of(by_row)
+            << "every query counts the same\n" << scores_of(calibration_of(statements, Weighting::per_cluster)) << '\n';
 }
 
 nlohmann::ordered_json both(std::span<const opal::Statement> statements) {

@@ -67,11 +67,12 @@ class Panel {
     const double height_px = kBars_px * std::log1p(static_cast<double>(bin.statements)) / std::log1p(static_cast<double>(most));
     const Point left = at(bin.from, 0), right = at(bin.to, 0);
     const double base_px = corner_px_.y() + kPanel_px + kGap_px + kBars_px, width_px = std::max(2.0, right.x() - left.x() - 2);
-    canvas_.page_rectangle({left.x() + 1, base_px - height_px}, {width_px, height_px}, ink::kLocalFeature.with_opacity(0.35));
+    const double left_px = std::min(left.x() + 1, right.x() - width_px);
+    canvas_.page_rectangle({left_px, base_px - height_px}, {width_px, height_px}, ink::kLocalFeature.with_opacity(0.35));
     const std::string count = std::to_string(bin.statements);
     const double text_px = canvas_.text_width_px(count, 10);
     if (text_px < width_px)
-      canvas_.text({left.x() + (width_px - text_px) / 2, base_px - 4}, count, 10, ink::kText);
+      canvas_.text({left_px + (width_px - text_px) / 2, base_px - 4}, count, 10, ink::kText);
   }
 
   DrawingCanvas& canvas_;

@@ -63,8 +63,9 @@ OPAL_EXPORT Calibration calibration_of(std::span<const Statement> statements, We
 OPAL_EXPORT Interval wilson_interval(double share, double trials);
 
 OPAL_EXPORT nlohmann::ordered_json to_json(const Calibration& calibration);
-/// As a table for people.
+/// For people: the bins as a table, and the scores in two lines.
 OPAL_EXPORT std::string table_of(const Calibration& calibration);
+OPAL_EXPORT std::string scores_of(const Calibration& calibration);
 
 /// Draws the reliability diagram: said against came true, with the intervals, all of it and from 0.9 on, and how many
 /// statements there are. Both show the same. @throws Error naming the file if it cannot be written.
