@@ -23,8 +23,8 @@ struct AssociationOptions {
   int seed_features = 8;            ///< best supported features per geometry that templates are offered
   int seed_patterns = 10;           ///< patterns looked up per scan, fewest expected candidates first
   int seed_lookup_limit = 30000;    ///< candidates per scan and template
-  int seed_candidates = 80;         ///< kept by nearness of the scan to the map, one per place
-  int seed_hypotheses = 30;         ///< kept by the scorers
+  int seed_candidates = 60;         ///< kept by nearness of the scan to the map, one per place
+  int seed_hypotheses = 20;         ///< kept by the scorers
   double seed_every_m = 0.5;        ///< driving, or
   double seed_every_rad = 1.0;      ///< turning, between searches for new hypotheses
   int seed_every_when_localized = 6; ///< only every n-th search while localized
@@ -33,7 +33,7 @@ struct AssociationOptions {
   double loose_until_nat = 3;       ///< and only while no hypothesis has gathered this much
   double slide_step_m = 0.2;        ///< step along a pattern's free parameter
   double birth_nat = -3.0;          ///< log prior of a new hypothesis against clutter
-  int hindsight_scans = 60;         ///< scans seen before that a candidate is judged by, too; 0: none
+  int hindsight_scans = 40;         ///< scans seen before that a candidate is judged by, too; 0: none
   double hindsight_behind_nat = 10; ///< a candidate that falls behind the best ones of the time by more is no hypothesis
   bool seed_from_stable = false;    ///< only stable local features may seed (thesis)
 
