@@ -95,4 +95,23 @@ class OffsetFactor : public ceres::SizedCostFunction<N, N> {
   double sigma_m_;
 };
 
+/// An offset that changes slowly: (offset - offset before) / sigma.
+template <int N>
+class OffsetLinkFactor : public ceres::SizedCostFunction<N, N, N> {
+ public:
+  explicit OffsetLinkFactor(double sigma_m) : sigma_m_(sigma_m) {}
+
+  bool Evaluate(double const* const* v, double* residuals, double** jacobians) const override {
+    for (int k = 0; k < N; ++k) residuals[k] = (v[1][k] - v[0][k]) / sigma_m_;
+    if (!jacobians) return true;
+    const Eigen::Matrix<double, N, N> by_now = Eigen::Matrix<double, N, N>::Identity() / sigma_m_;
+    store<N, N>(jacobians[0], -by_now);
+    store<N, N>(jacobians[1], by_now);
+    return true;
+  }
+
+ private:
+  double sigma_m_;
+};
+
 }  // namespace opal

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kIterations = 6;       // starts near the solution
 constexpr int kBatchIterations = 30;
+constexpr double kBatchDoubt = 9;      // motions of neighbouring poses share errors
+constexpr int kEpoch = 10;             // poses of a batch over which an offset is one number
 constexpr double kLeastOffsetSigma_m = 0.02;  // what the measurements of one face have in common
 
 /// One problem: variables and factors, in a frame at the oldest pose, so that numbers stay small.
@@ -19,12 +21,13 @@ class Problem {
   Problem(const MapView& map, const PoseTrackerOptions& options, const Point& origin)
       : map_(map), options_(options), origin_(origin), measured_loss_(options.robust_scale) {}
 
-  void add_pose(const TrackedKeyframe& keyframe) {
+  /// @param doubt  factor on the variance of its motion.
+  void add_pose(const TrackedKeyframe& keyframe, double doubt) {
     poses_.push_back(std::make_unique<Variable>(
         Variable{keyframe.T_map_base.x() - origin_.x(), keyframe.T_map_base.y() - origin_.y(), keyframe.T_map_base.heading_rad()}));
     problem_.AddParameterBlock(poses_.back()->data(), 3);
     if (poses_.size() < 2) return;
-    const RelativePose motion{0, 0, keyframe.T_before_now, keyframe.motion_covariance};
+    const RelativePose motion{0, 0, keyframe.T_before_now, doubt * keyframe.motion_covariance};
     problem_.AddResidualBlock(new MotionFactor(motion), nullptr, poses_[poses_.size() - 2]->data(), poses_.back()->data());
   }
 
@@ -34,8 +37,8 @@ class Problem {
   }
 
   /// From the newest pose.
-  void add_measurement(const MapMeasurement& measured, const std::vector<OffsetMemory>& memory) {
-    double* offset = offset_of(measured.feature, memory);
+  void add_measurement(const MapMeasurement& measured, const std::vector<OffsetMemory>& memory, int epoch) {
+    double* offset = offset_of(measured.feature, memory, epoch);
     if (const auto* face = std::get_if<Segment>(&map_.feature(measured.feature).geometry)) {
       const Segment local{face->begin - origin_, face->end - origin_};
       problem_.AddResidualBlock(new MappedFaceFactor(measured, local), &measured_loss_, poses_.back()->data(), offset);
@@ -50,7 +53,7 @@ class Problem {
     solver.linear_solver_type = batch ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_SCHUR;
     if (!batch && !offsets_.empty()) {
       solver.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-      for (auto& [feature, offset] : offsets_) solver.linear_solver_ordering->AddElementToGroup(offset->data(), 0);
+      for (auto& [key, offset] : offsets_) solver.linear_solver_ordering->AddElementToGroup(offset->data(), 0);
       for (auto& pose : poses_) solver.linear_solver_ordering->AddElementToGroup(pose->data(), 1);
     }
     solver.max_num_iterations = batch ? kBatchIterations : kIterations;
@@ -69,7 +72,12 @@ class Problem {
       track.T_map_base.emplace_back(Point((*pose)[0] + origin_.x(), (*pose)[1] + origin_.y()), (*pose)[2]);
       track.usable = track.usable && track.T_map_base.back().position().allFinite() && std::isfinite((*pose)[2]);
     }
-    for (const auto& [feature, offset] : offsets_) track.offsets[feature].moved = moved_by(feature, *offset);
+    std::map<int, double> epochs;
+    for (const auto& [key, offset] : offsets_) {
+      SolvedOffset& solved = track.offsets[key.first];
+      const double n = ++epochs[key.first];
+      solved.moved += (moved_by(key.first, *offset) - solved.moved) / n;
+    }
     return track;
   }
 
@@ -77,7 +85,7 @@ class Problem {
   void add_covariances(SolvedTrack& track) {
     ceres::Problem::EvaluateOptions order;
     for (auto& pose : poses_) order.parameter_blocks.push_back(pose->data());
-    for (auto& [feature, offset] : offsets_) order.parameter_blocks.push_back(offset->data());
+    for (auto& [key, offset] : offsets_) order.parameter_blocks.push_back(offset->data());
     ceres::CRSMatrix J;
     problem_.Evaluate(order, nullptr, nullptr, nullptr, &J);
     Eigen::MatrixXd H = 1e-9 * Eigen::MatrixXd::Identity(J.num_cols, J.num_cols);
@@ -103,27 +111,48 @@ class Problem {
     return {offset[0], offset[1]};
   }
 
-  double* offset_of(int feature, const std::vector<OffsetMemory>& memory) {
-    auto& offset = offsets_[feature];
+  /// The variable of a feature's offset at the newest pose; new ones begin with what is known.
+  double* offset_of(int feature, const std::vector<OffsetMemory>& memory, int epoch) {
+    auto& offset = offsets_[{feature, epoch}];
     if (offset) return offset->data();
     offset = std::make_unique<std::array<double, 2>>();
     offset->fill(0);
-    problem_.AddParameterBlock(offset->data(), size_of(feature));
-    const double scale = std::max(options_.offset_scale_m, map_.feature(feature).position_sigma_m);
-    const OffsetMemory* known = memory.empty() || memory[feature].sigma_m == 0 ? nullptr : &memory[feature];
-    if (const auto* face = std::get_if<Segment>(&map_.feature(feature).geometry)) {
-      problem_.AddResidualBlock(new OffsetFactor<1>(Eigen::Matrix<double, 1, 1>(0.0), scale), &offset_loss_, offset->data());
-      if (!known) return offset->data();
-      (*offset)[0] = known->moved.dot(face->normal());
-      problem_.AddResidualBlock(new OffsetFactor<1>(Eigen::Matrix<double, 1, 1>((*offset)[0]), known->sigma_m), nullptr,
-                                offset->data());
-    } else {
-      problem_.AddResidualBlock(new OffsetFactor<2>(Point::Zero(), scale), &offset_loss_, offset->data());
-      if (!known) return offset->data();
-      *offset = {known->moved.x(), known->moved.y()};
-      problem_.AddResidualBlock(new OffsetFactor<2>(known->moved, known->sigma_m), nullptr, offset->data());
-    }
+    const bool known = !memory.empty() && memory[feature].sigma_m > 0;
+    const Point mean = known ? memory[feature].moved : Point(Point::Zero());
+    const double sigma_m = known ? memory[feature].sigma_m : 0;
+    if (const auto* face = std::get_if<Segment>(&map_.feature(feature).geometry))
+      add_offset<1>(feature, *offset, Eigen::Matrix<double, 1, 1>(mean.dot(face->normal())), sigma_m);
+    else
+      add_offset<2>(feature, *offset, mean, sigma_m);
+    link_to_epoch_before(feature, epoch);
     return offset->data();
+  }
+
+  /// Small or, at a price that hardly grows, large; and as remembered, if it is.
+  template <int N>
+  void add_offset(int feature, std::array<double, 2>& offset, const Eigen::Matrix<double, N, 1>& mean, double sigma_m) {
+    using Mean = Eigen::Matrix<double, N, 1>;
+    const double scale = std::max(options_.offset_scale_m, map_.feature(feature).position_sigma_m);
+    problem_.AddParameterBlock(offset.data(), N);
+    problem_.AddResidualBlock(new OffsetFactor<N>(Mean::Zero(), scale), &offset_loss_, offset.data());
+    if (sigma_m == 0) return;
+    std::copy_n(mean.data(), N, offset.data());
+    problem_.AddResidualBlock(new OffsetFactor<N>(mean, sigma_m), nullptr, offset.data());
+  }
+
+  /// Offsets change slowly over a batch: what all measurements of a face have in common (the laser's range, how
+  /// straight it is) looks different from elsewhere, and must not be taken for where it stands.
+  void link_to_epoch_before(int feature, int epoch) {
+    const auto now = offsets_.find({feature, epoch});
+    if (now == offsets_.begin()) return;
+    const auto before = std::prev(now);
+    if (before->first.first != feature) return;
+    now->second->front() = before->second->front();
+    now->second->back() = before->second->back();
+    if (is_face(feature))
+      problem_.AddResidualBlock(new OffsetLinkFactor<1>(options_.offset_memory_m), nullptr, before->second->data(), now->second->data());
+    else
+      problem_.AddResidualBlock(new OffsetLinkFactor<2>(options_.offset_memory_m), nullptr, before->second->data(), now->second->data());
   }
 
   static ceres::Problem::Options borrow_losses() {
@@ -136,7 +165,7 @@ class Problem {
   const PoseTrackerOptions& options_;
   Point origin_;
   std::vector<std::unique_ptr<Variable>> poses_;
-  std::map<int, std::unique_ptr<std::array<double, 2>>> offsets_;
+  std::map<std::pair<int, int>, std::unique_ptr<std::array<double, 2>>> offsets_;  ///< by feature and epoch
   ceres::CauchyLoss measured_loss_, offset_loss_{1};
   ceres::Problem problem_{borrow_losses()};
 };
@@ -148,8 +177,8 @@ SolvedTrack TrackingGraph::solve(std::span<const TrackedKeyframe* const> poses, 
   if (poses.empty()) return {};
   Problem problem(map_, options_, poses.front()->T_map_base.position());
   for (const TrackedKeyframe* keyframe : poses) {
-    problem.add_pose(*keyframe);
-    for (const MapMeasurement& measured : keyframe->measurements) problem.add_measurement(measured, memory);
+    problem.add_pose(*keyframe, 1);
+    for (const MapMeasurement& measured : keyframe->measurements) problem.add_measurement(measured, memory, 0);
   }
   problem.add_prior(oldest);
   if (!problem.solve(false)) return {};
@@ -161,9 +190,10 @@ SolvedTrack TrackingGraph::solve(std::span<const TrackedKeyframe* const> poses, 
 SolvedTrack TrackingGraph::solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest) const {
   if (poses.empty()) return {};
   Problem problem(map_, options_, poses.front().T_map_base.position());
-  for (const TrackedKeyframe& keyframe : poses) {
-    problem.add_pose(keyframe);
-    for (const MapMeasurement& measured : keyframe.measurements) problem.add_measurement(measured, {});
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    problem.add_pose(poses[k], kBatchDoubt);
+    for (const MapMeasurement& measured : poses[k].measurements)
+      problem.add_measurement(measured, {}, static_cast<int>(k) / kEpoch);
   }
   problem.add_prior(oldest);
   return problem.solve(true) ? problem.solution() : SolvedTrack{};
