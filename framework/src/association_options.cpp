@@ -64,6 +64,14 @@ const std::vector<Field>& fields() {
       {"localized_novelty", &O::localized_novelty, 0, kMany},
       {"none_scan_nat", &O::none_scan_nat, -kMany, kMany},
       {"lost_scan_nat", &O::lost_scan_nat, -kMany, kMany},
+      {"carried_nat", &O::carried_nat, -kMany, 0},
+      {"carried_unseen_nat", &O::carried_unseen_nat, -kMany, 0},
+      {"carried_match_share", &O::carried_match_share, 0, 1},
+      {"carried_place_nat", &O::carried_place_nat, -kMany, 0},
+      {"carried_scan_nat", &O::carried_scan_nat, -kMany, kMany},
+      {"carried_most_nat", &O::carried_most_nat, 0, kMany},
+      {"carried_search_nat", &O::carried_search_nat, 0, kMany},
+      {"carried_alarm_nat", &O::carried_alarm_nat, 0, kMany},
   };
   return all;
 }

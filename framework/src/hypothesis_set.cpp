@@ -87,9 +87,10 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
     ++live.updates;
-    hypothesis.log_likelihood =
-        (1 - novelty * (1 - options_.memory)) * hypothesis.log_likelihood + novelty * verdict.nat;
+    const double kept = 1 - novelty * (1 - options_.memory);
+    hypothesis.log_likelihood = kept * hypothesis.log_likelihood + novelty * verdict.nat;
     hypothesis.encounters.take(verdict.encounters, novelty, 1 - novelty * (1 - options_.encounter_memory));
+    live.inherited_nat *= kept;
     if (!verdict.veto.empty()) end(live, "veto by " + verdict.veto);
   }
   std::erase_if(alive_, ended);
@@ -137,6 +138,8 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
     live.hypothesis.log_likelihood =
         options_.birth_nat + hindsight.since_newest(novelty) * verdict.nat + past.nat;
     live.hypothesis.encounters = std::move(past.encounters);
+    live.carried_after = past.carried_after;
+    live.inherited_nat = past.inherited_nat;
     live.hypothesis.associations = candidate.pairs;
     live.leaf = tree_.add(-1, std::move(candidate.pairs));
     live.scan_nat = verdict.nat;
@@ -147,6 +150,18 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
   }
   sort_best_first(alive_);
   prune();
+}
+
+double HypothesisSet::settle() {
+  const double inherited_nat = alive_.front().inherited_nat;
+  for (Live& live : alive_) {
+    if (live.carried_after < 0) end(live, "the robot was carried away");
+    live.carried_after = -1;
+    live.inherited_nat = 0;
+    live.hypothesis.log_likelihood -= inherited_nat;
+  }
+  std::erase_if(alive_, ended);
+  return inherited_nat;
 }
 
 void HypothesisSet::merge(const Pose2& T_local_base) {

@@ -19,6 +19,8 @@ struct Live {
   int updates = 0;              ///< scans judged since birth
   int not_on_map = 0;           ///< associations with nothing, along the branch
   int consecutive_not_on_map = 0;
+  int carried_after = -1;       ///< the robot was carried away after this keyframe, if it is right; -1: it was not
+  double inherited_nat = 0;     ///< part of its evidence that the best hypothesis had gathered by then
   std::vector<Score> scores;    ///< of the newest scan, in the judge's order
 };
 
@@ -69,6 +71,11 @@ class HypothesisSet {
   /// Forgets associations whose local feature the local map has forgotten, and those that no longer fit: `grow`
   /// decides on these features anew.
   void forget(const LocalMap& local_map);
+
+  /// The best hypothesis is right and the robot was carried away: ends those by which it was not. What is left has
+  /// gathered nothing before that.
+  /// @return what was taken off everybody's evidence [nat].
+  double settle();
 
   void clear();
   const std::vector<Live>& alive() const { return alive_; }

@@ -71,6 +71,16 @@ struct AssociationOptions {
   double localized_novelty = 2;     ///< sum of the scans' novelty over which that must hold
   double lost_scan_nat = -0.35;     ///< mean of the newest scans below this: lost
 
+  // Being carried away.
+  double carried_nat = -5.6;        ///< log prior that a robot was carried away whose scan does not continue those before
+  double carried_unseen_nat = -10;  ///< the same if every scan continued those before
+  double carried_match_share = 0.45; ///< a scan of whose points fewer lie on what was seen before does not continue it
+  double carried_place_nat = -10;   ///< log prior of one place among all where it may have been put down
+  double carried_scan_nat = 0.3;    ///< what a scan says for the place that the robot was carried away from
+  double carried_most_nat = 8;      ///< suspicion grows up to this, so that good scans can take it back
+  double carried_search_nat = 3;    ///< suspicion from which on the whole map is searched for where it was put down
+  double carried_alarm_nat = 1;     ///< a scan that alone gives this suspicion is looked at even if the robot stands
+
   std::optional<RegionPrior> region;
 };
 
