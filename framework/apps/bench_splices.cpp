@@ -22,7 +22,7 @@ std::size_t restore_stamps(RunRecord& record, const opal::SplicedLog& log) {
 SplicedRuns run_splices(opal::Localizer& localizer, const BenchPlace& place, const opal::GroundTruth& truth,
                         const opal::SpliceOptions& options) {
   SplicedRuns runs;
-  for (const opal::Splice& splice : opal::draw_splices(place.name, place.queries, truth, options)) {
+  for (const opal::Splice& splice : opal::draw_splices(place.site.name, place.queries, truth, options)) {
     opal::Replay before = place.replay(splice.before), after = place.replay(splice.after);
     const opal::SplicedLog log = opal::spliced(opal::read_all(before), opal::read_all(after));
     localizer.reset();

@@ -12,13 +12,18 @@ namespace fs = std::filesystem;
 
 template <class T>
 std::shared_ptr<const T> recognizing(const opal::PluginRegistry& registry, opal::PluginKind kind,
-                                     const std::string& path) {
+                                     const std::string& path, const nlohmann::json& options = nlohmann::json::object()) {
   for (const opal::RegisteredType& type : registry.types()) {
     if (type.kind != kind) continue;
     auto part = registry.make<T>(type.info.name);
-    if (part->recognizes(path)) return part;
+    if (part->recognizes(path)) return options.empty() ? part : registry.make<T>(type.info.name, options);
   }
   return nullptr;
+}
+
+bool is_document(const std::string& source) {
+  const std::string extension = fs::path(source).extension().string();
+  return extension == ".jsonld" || extension == ".json";
 }
 
 }  // namespace
@@ -30,17 +35,26 @@ opal::PluginRegistry load_plugins() {
   return registry;
 }
 
-opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source) {
+opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, double thicken_m) {
   if (!fs::exists(source)) throw opal::MapError(source + ": does not exist");
-  const auto importer = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source);
+  nlohmann::json options = nlohmann::json::object();
+  if (thicken_m > 0) options["thicken_m"] = thicken_m;
+  const auto importer = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source, options);
   if (!importer) throw opal::MapError(source + ": no importer recognizes this file");
   return importer->import(source);
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source) {
-  const std::string extension = fs::path(source).extension().string();
-  if (extension == ".jsonld" || extension == ".json") return opal::SemanticMap::read(source);
-  return import_map(registry, source).map;
+  return is_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
+}
+
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
+                                                  const opal::MapDamage& damage) {
+  if (is_document(source) && damage.thick_m > 0)
+    throw opal::ConfigError(source + ": damage thick= is done to grids before they are imported, found a document");
+  return opal::damaged_map(is_document(source) ? *opal::SemanticMap::read(source)
+                                               : *import_map(registry, source, damage.thick_m).map,
+                           damage);
 }
 
 std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/map_damage.hpp>
 #include <opal/plugin/log_source.hpp>
 #include <opal/plugin/map_importer.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -13,10 +14,15 @@
 opal::PluginRegistry load_plugins();
 
 /// Imports a map with the importer that recognizes the source. @throws opal::MapError if none does.
-opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source);
+/// @param thicken_m  if not 0: walls become so much thicker first, which only importers with this option can do.
+opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, double thicken_m = 0);
 
 /// A map from a document, or from any source that an importer recognizes.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
+
+/// The same, made worse. @throws opal::ConfigError if a document shall get thick walls: that is done to grids.
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
+                                                  const opal::MapDamage& damage);
 
 /// Opens a recorded log with the source that recognizes it. @throws opal::LogError if none does.
 std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path);

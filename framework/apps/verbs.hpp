@@ -17,6 +17,10 @@ void add_map_verb(CLI::App& app, int& exit_code);
 /// `opal localize CONFIG LOG`: the pose along a recorded log. Exit code 1 if there is none at the end.
 void add_localize_verb(CLI::App& app, int& exit_code);
 
+/// `opal track CONFIG LOG --pose X,Y,THETA`: the pose along a recorded log from a known start, and where the building
+/// differs from its map. Exit code 1 if it is lost at the end.
+void add_track_verb(CLI::App& app, int& exit_code);
+
 /// `opal explain OUT --at T`: why the localizer believed what it believed, in words.
 void add_explain_verb(CLI::App& app, int& exit_code);
 

@@ -48,6 +48,7 @@ const std::vector<Field>& fields() {
       {"outlier_m", &O::outlier_m, 0, 100},
       {"outlier_rad", &O::outlier_rad, 0, 4},
       {"memory", &O::memory, 0, 1},
+      {"encounter_memory", &O::encounter_memory, 0, 1},
       {"novelty_m", &O::novelty_m, 0.001, 1000},
       {"novelty_rad", &O::novelty_rad, 0.001, 1000},
       {"least_novelty", &O::least_novelty, 0, 1},

@@ -5,6 +5,7 @@
 
 #include <opal/association.hpp>
 
+#include <algorithm>
 #include <deque>
 
 namespace opal {
@@ -30,14 +31,19 @@ class Hindsight {
   void forget_until(int keyframe);
 
   struct Verdict {
-    double nat = 0;         ///< evidence of the scans that were kept, weighted as tracking would have weighted them
+    double nat = 0;            ///< evidence of the scans that were kept, weighted as tracking would have weighted them
+    Encounters encounters;     ///< the hypothesis' own and those of these scans
     int carried_after = -1;    ///< that evidence rests on being carried away after this keyframe; -1: it does not
     double inherited_nat = 0;  ///< part of it that another hypothesis had gathered by then
-    int scans = 0;          ///< how many of them were looked at
+    int scans = 0;             ///< how many of them were looked at
     bool hopeless = false;  ///< fell so far behind the best ones of the time that the rest was not looked at
   };
   /// @param hypothesis  registration to the local map as it is now.
   Verdict look_back(const Hypothesis& hypothesis, const LocalMap& local_map) const;
+
+  /// How much of a whole new piece of evidence a scan is after the newest one that is kept, in (0, 1].
+  /// @param novelty  of the scan after its predecessor.
+  double since_newest(double novelty) const { return scans_.empty() ? 1 : std::min(1.0, pending_ + novelty); }
 
   void clear();
 

@@ -313,7 +313,7 @@ void Localizer::State::seed(const Observation& observation, const Scan& scan) {
     std::stable_sort(candidates.begin(), candidates.end(), better_score);
     if (candidates.size() > static_cast<std::size_t>(options.seed_hypotheses))
       candidates.resize(options.seed_hypotheses);
-    hypotheses.adopt(std::move(candidates), observation, hindsight);
+    hypotheses.adopt(std::move(candidates), observation, novelty(), hindsight);
   }
   journal.searched(looked_up, places);
 }

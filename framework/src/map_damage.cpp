@@ -129,7 +129,7 @@ class Vandal {
     for (std::size_t k = 0; k < features_.size(); ++k)
       if (!gone_[k]) features.push_back(features_[k]);
     add_false(objects, features);
-    return SemanticMap::make(map_.name(), std::move(objects), std::move(features));
+    return SemanticMap::make(map_.name(), std::move(objects), std::move(features), {}, map_.origin());
   }
 
   const SemanticMap& map_;
@@ -163,7 +163,7 @@ MapDamage read_map_damage(const std::string& text, MapDamage damage) {
     double* value;
     double most;
   };
-  const std::map<std::string, Part> parts{{"plan", {&damage.plan_m, 100}},       {"drop", {&damage.drop, 1}},
+  const std::map<std::string, Part> parts{{"thick", {&damage.thick_m, 2}},         {"plan", {&damage.plan_m, 100}},       {"drop", {&damage.drop, 1}},
                                           {"wall", {&damage.wall_m, 10}},        {"wall_share", {&damage.wall_share, 1}},
                                           {"shift", {&damage.shift_m, 10}},      {"false", {&damage.false_share, 10}}};
   std::istringstream words(text);
@@ -171,7 +171,7 @@ MapDamage read_map_damage(const std::string& text, MapDamage damage) {
     const std::size_t equals = word.find('=');
     const auto part = parts.find(word.substr(0, equals));
     if (equals == std::string::npos || part == parts.end())
-      throw ConfigError("damage: '" + word + "', expected plan=, drop=, wall=, wall_share=, shift= or false= and a number");
+      throw ConfigError("damage: '" + word + "', expected thick=, plan=, drop=, wall=, wall_share=, shift= or false= and a number");
     *part->second.value = read_number(part->first, word.substr(equals + 1), part->second.most);
   }
   return damage;

@@ -56,11 +56,22 @@ Extent bounds_of(const SemanticMap& map, const std::vector<int>& numbers) {
   return all;
 }
 
-std::array<float, 256> nearness_by_cm() {
+std::vector<SurfaceGrid::NumberedShape> shapes_of(const SemanticMap& map, const std::vector<int>& numbers) {
+  std::vector<SurfaceGrid::NumberedShape> shapes;
+  for (int number : numbers) shapes.emplace_back(number, map.features()[number].geometry);
+  return shapes;
+}
+
+constexpr int kMostSlack_cm = 50;
+
+/// By distance plus kMostSlack_cm.
+std::array<float, kMostSlack_cm + 256> nearness_by_cm() {
   constexpr double sigma_cm = 20;
-  std::array<float, 256> table{};
-  for (int cm = 0; cm < 255; ++cm)
-    table[cm] = static_cast<float>(std::exp(-0.5 * cm * cm / (sigma_cm * sigma_cm)));
+  std::array<float, kMostSlack_cm + 256> table{};
+  for (int k = 0; k < kMostSlack_cm + 255; ++k) {
+    const int cm = std::max(0, k - kMostSlack_cm);
+    table[k] = static_cast<float>(std::exp(-0.5 * cm * cm / (sigma_cm * sigma_cm)));
+  }
   return table;
 }
 
@@ -105,15 +116,15 @@ double meets_circle(const Ray& ray, const Surface& circle) {
 
 struct MapView::Index {
   Index(const SemanticMap& map, const std::string& sensor)
-      : numbers(features_of(map, sensor)), bounds(bounds_of(map, numbers)), surfaces(bounds.low, bounds.high) {
+      : numbers(features_of(map, sensor)),
+        bounds(bounds_of(map, numbers)),
+        surfaces(bounds.low, bounds.high, shapes_of(map, numbers)) {
     std::vector<Entry> entries;
     by_number.resize(map.features().size());
     for (int number : numbers) {
       const Geometry& geometry = map.features()[number].geometry;
       by_number[number] = surface_of(geometry);
       entries.emplace_back(box_of(extent_of(geometry)), number);
-      if (const auto* segment = std::get_if<Segment>(&geometry)) surfaces.add(number, *segment);
-      if (const auto* circle = std::get_if<Circle>(&geometry)) surfaces.add(number, *circle);
     }
     tree = RTree(entries);
   }
@@ -123,7 +134,7 @@ struct MapView::Index {
   SurfaceGrid surfaces;
   std::vector<Surface> by_number;
   RTree tree;
-  std::array<float, 256> nearness = nearness_by_cm();
+  std::array<float, kMostSlack_cm + 256> nearness = nearness_by_cm();
 };
 
 MapView::MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor)
@@ -168,7 +179,23 @@ double MapView::clearance_m(const Point& p) const {
   return cm == 255 ? clearance_cap_m() : 0.01 * cm;
 }
 
-float MapView::nearness(const Point& p) const { return index_->nearness[index_->surfaces.distance_cm(p)]; }
+float MapView::nearness(const Point& p) const {
+  return index_->nearness[kMostSlack_cm + index_->surfaces.distance_cm(p)];
+}
+
+float MapView::nearness_sum(std::span<const Point> points, const Point& position, double slack_m) const {
+  const float* table = &index_->nearness[std::clamp(kMostSlack_cm - static_cast<int>(100 * slack_m), 0, kMostSlack_cm)];
+  float sum = 0;
+  for (const Point& point : points) sum += table[index_->surfaces.distance_cm(position + point)];
+  return sum;
+}
+
+float MapView::coarse_nearness_sum(std::span<const Point> points, const Point& position) const {
+  float sum = 0;
+  for (const Point& point : points)
+    sum += index_->nearness[kMostSlack_cm + index_->surfaces.coarse_distance_cm(position + point)];
+  return sum;
+}
 
 MapView::Crossing MapView::first_crossing(const Point& origin, const Point& target,
                                           double min_penetration_m) const {
@@ -178,13 +205,16 @@ MapView::Crossing MapView::first_crossing(const Point& origin, const Point& targ
   const Ray ray{origin, way / length, length, min_penetration_m};
   constexpr double kStep_m = 0.09;     // just below a cell
   constexpr double kInCell_m = 0.071;  // half a cell's diagonal: how far the grid's distance may be off
+  const SurfaceGrid& grid = index_->surfaces;
+  const Point from = grid.in_cells(origin), along = ray.direction * (1 / cell_m());
   for (double range = 0; range < length;) {
-    const Point p = origin + range * ray.direction;
-    const double clearance = clearance_m(p);
+    const int cm = grid.distance_cm_in_cells(from + range * along);
+    const double clearance = cm == 255 ? clearance_cap_m() : 0.01 * cm;
     if (clearance > kInCell_m + kStep_m / 2) {
       range += std::max(kStep_m, clearance - kInCell_m);
       continue;
     }
+    const Point p = origin + range * ray.direction;
     for (int number : index_->surfaces.nearest(p)) {
       if (number < 0) continue;
       const Surface& surface = index_->by_number[number];

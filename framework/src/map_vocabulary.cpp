@@ -88,7 +88,8 @@ std::string short_term(std::string_view name) {
 bool is_own_term(const std::string& iri) { return is_own(iri) && terms().term_of_iri.contains(iri); }
 
 bool is_reserved_type(std::string_view iri) {
-  return iri == iri::kSemanticMap || iri == iri::kRepresentation || iri == iri::kPattern;
+  return iri == iri::kSemanticMap || iri == iri::kRepresentation || iri == iri::kPattern ||
+         iri == iri::kPlacement;
 }
 
 bool is_geometry_type(std::string_view iri) {

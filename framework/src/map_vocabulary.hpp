@@ -16,6 +16,10 @@ inline constexpr std::string_view kNamespace = "urn:opal:v1#";
 
 namespace iri {
 inline constexpr std::string_view kSemanticMap = "urn:opal:v1#SemanticMap";
+inline constexpr std::string_view kSmear = "urn:opal:v1#smear_m";
+inline constexpr std::string_view kPlacement = "urn:opal:v1#MapPlacement";
+inline constexpr std::string_view kScaleX = "urn:opal:v1#scale_x";
+inline constexpr std::string_view kScaleY = "urn:opal:v1#scale_y";
 inline constexpr std::string_view kName = "http://www.w3.org/2000/01/rdf-schema#label";
 inline constexpr std::string_view kElement = "https://w3id.org/bot#Element";
 inline constexpr std::string_view kGeoFeature = "http://www.opengis.net/ont/geosparql#Feature";

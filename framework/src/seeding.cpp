@@ -1,9 +1,10 @@
 #include "seeding.hpp"
 
+#include "mapped_patterns.hpp"
+
 #include <opal/registration.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <unordered_map>
 
@@ -42,11 +43,11 @@ double support_of(const PatternInstance& observed, std::span<const Feature> feat
 
 Seeder::Seeder(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
                const AssociationOptions& options)
-    : map_(std::move(map)), options_(options), mapped_(mapped_features(map_->map(), map_->features())) {
-  std::vector<Feature> features;
-  for (const MappedFeature& mapped : mapped_) features.push_back(mapped.feature);
-  for (auto& each : templates)
-    tables_.push_back({each.name, each.part, PatternIndex(find_patterns(*each.part, features))});
+    : map_(std::move(map)), options_(options) {
+  MappedPatterns mapped = mapped_patterns(*map_, templates);
+  mapped_ = std::move(mapped.features);
+  for (std::size_t k = 0; k < templates.size(); ++k)
+    tables_.push_back({templates[k].name, templates[k].part, PatternIndex(std::move(mapped.by_template[k]))});
 }
 
 std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bool loose) const {
@@ -77,50 +78,24 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
       chosen.push_back(std::move(lookup));
     }
   }
+  leave_out_parts(chosen);
   return chosen;
 }
 
-namespace {
-
-/// Sum of the nearness of points `from`, `from + step`, ..., which are turned into the map's heading already.
-float nearness_sum(const MapView& map, std::span<const Point> turned, const Point& position, std::size_t from,
-                   std::size_t step) {
-  float sum = 0;
-  for (std::size_t k = from; k < turned.size(); k += step) sum += map.nearness(position + turned[k]);
-  return sum;
+/// A pattern that contains others says all that they say, and fewer places look like it: its parts are not looked up
+/// (Algorithm 3, Hendrikx 2023).
+void Seeder::leave_out_parts(std::vector<Lookup>& chosen) {
+  const auto is_part = [](const std::vector<int>& part, const std::vector<int>& whole) {
+    return part.size() < whole.size() && std::all_of(part.begin(), part.end(), [&](int member) {
+             return std::find(whole.begin(), whole.end(), member) != whole.end();
+           });
+  };
+  std::vector<std::vector<int>> wholes;
+  for (const Lookup& lookup : chosen) wholes.push_back(lookup.observed.members);
+  std::erase_if(chosen, [&](const Lookup& lookup) {
+    return std::any_of(wholes.begin(), wholes.end(), [&](const auto& whole) { return is_part(lookup.observed.members, whole); });
+  });
 }
-
-/// Mean nearness; a quarter of the points first, and the rest only if these are not hopeless (below `floor`).
-double nearness_at(const MapView& map, std::span<const Point> turned, const Point& position, double floor) {
-  constexpr std::size_t kStep = 4;
-  if (turned.size() < 2 * kStep) return 0;
-  float sum = nearness_sum(map, turned, position, 0, kStep);
-  if (sum * kStep < floor * static_cast<double>(turned.size())) return -1;
-  for (std::size_t from = 1; from < kStep; ++from) sum += nearness_sum(map, turned, position, from, kStep);
-  return sum / static_cast<double>(turned.size());
-}
-
-/// The n-th best of all values so far, n fixed.
-class NthBest {
- public:
-  explicit NthBest(std::size_t n) : n_(n) {}
-  double value() const { return best_.size() < n_ ? 0 : best_.front(); }
-  void add(double value) {
-    if (best_.size() == n_) {
-      if (value <= best_.front()) return;
-      std::pop_heap(best_.begin(), best_.end(), std::greater<>());
-      best_.pop_back();
-    }
-    best_.push_back(value);
-    std::push_heap(best_.begin(), best_.end(), std::greater<>());
-  }
-
- private:
-  std::size_t n_;
-  std::vector<double> best_;  ///< heap, least on top
-};
-
-}  // namespace
 
 void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
                    std::vector<Point>& positions) const {
@@ -135,27 +110,36 @@ void Seeder::slide(const PatternInstance& observed, const PatternInstance& mappe
     positions.push_back(T_map_base.position() + u * along);
 }
 
-void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse,
+bool Seeder::is_in_region(const Point& position) const {
+  return !options_.region || (position - options_.region->center).norm() <= options_.region->radius_m;
+}
+
+void Seeder::look_up(const Lookup& lookup, int number, std::span<const Point> coarse, PlaceSieve& sieve,
                      std::vector<Place>& places) const {
+  // Neighbouring positions of a slide are sieved as one, by the middle one, with the slack that this takes.
+  constexpr std::size_t kTogether = 3;
+  constexpr double kSlack_m = 0.1;
   const Table& table = tables_[lookup.table];
-  const Pose2 from_frame = lookup.observed.frame.inverse();
-  std::vector<Point> turned, positions;
-  // A place whose first points are at half the nearness of hundreds of others will hardly be among the best.
-  NthBest bar(5 * static_cast<std::size_t>(options_.seed_candidates));
+  std::vector<Pose2> ways{lookup.observed.frame.inverse()};  // how the observed frame may lie on the mapped one
+  if (lookup.observed.symmetric) ways.push_back(Pose2(0, 0, std::numbers::pi) * ways.front());
+  TellingPoints points(lookup.observed, coarse);
+  if (!points.enough()) return;
+  std::vector<Point> positions;
   for (int k : table.index.find(lookup.observed)) {
     const PatternInstance& mapped = table.index.patterns()[k];
-    for (int side = 0; side < (lookup.observed.symmetric ? 2 : 1); ++side) {
-      const Pose2 pose = mapped.frame * Pose2(0, 0, side * std::numbers::pi) * from_frame;
+    for (const Pose2& way : ways) {
+      const Pose2 pose = mapped.frame * way;
       positions.clear();
       slide(lookup.observed, mapped, pose, positions);
-      turned.clear();
-      for (const Point& point : coarse) turned.push_back(pose.rotate(point));
-      for (const Point& position : positions) {
-        if (options_.region && (position - options_.region->center).norm() > options_.region->radius_m) continue;
-        const double nearness = nearness_at(*map_, turned, position, 0.5 * bar.value());
-        if (nearness < 0) continue;
-        bar.add(nearness);
-        places.push_back({position, pose.heading_rad(), nearness, number, k});
+      points.turn_to(pose);
+      for (std::size_t from = 0; from < positions.size(); from += kTogether) {
+        const std::size_t to = std::min(from + kTogether, positions.size());
+        const Point& middle = positions[(from + to) / 2];
+        if (!sieve.coarse.passes(points.coarse_nearness(*map_, middle))) continue;
+        if (to - from > 1 && !sieve.fine.passes(points.nearness(*map_, middle, kSlack_m))) continue;
+        for (std::size_t at = from; at < to; ++at)
+          if (is_in_region(positions[at]))
+            places.push_back({positions[at], pose.heading_rad(), points.nearness(*map_, positions[at]), number, k});
       }
     }
   }
@@ -183,8 +167,9 @@ Seeder::Proposal Seeder::propose(std::span<const SeedFeature> features, std::spa
   const std::vector<SeedFeature> best = best_per_geometry(features, options_.seed_features);
   const std::vector<Lookup> lookups = choose(best, loose);
   std::vector<Place> places;
+  PlaceSieve sieve;
   for (std::size_t k = 0; k < lookups.size(); ++k) {
-    look_up(lookups[k], static_cast<int>(k), coarse, places);
+    look_up(lookups[k], static_cast<int>(k), coarse, sieve, places);
     proposal.looked_up.push_back({lookups[k].table, {}, lookups[k].expected});
     for (int member : lookups[k].observed.members)
       proposal.looked_up.back().local_features.push_back(best[member].local);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "place_sieve.hpp"
 #include "support_lines.hpp"
 
 #include <opal/association.hpp>
@@ -67,8 +68,11 @@ class Seeder {
     int mapped;
   };
 
+  static void leave_out_parts(std::vector<Lookup>& chosen);
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
-  void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, std::vector<Place>& places) const;
+  void look_up(const Lookup& lookup, int number, std::span<const Point> coarse, PlaceSieve& sieve,
+               std::vector<Place>& places) const;
+  bool is_in_region(const Point& position) const;
   void slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
              std::vector<Point>& positions) const;
   std::vector<Association> pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,

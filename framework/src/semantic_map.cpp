@@ -76,6 +76,7 @@ void name_ids(MapDraft& draft) {
     compact(pattern.id);
     for (std::string& part : pattern.subpatterns) compact(part);
   }
+  for (MapPlacement& placement : draft.origin.placements) compact(placement.id);
 }
 
 /// Sorts elements and their places alike. @return for each old position the new one.
@@ -158,6 +159,7 @@ void sort_by_id(MapDraft& draft) {
         return a.id == b.id ? id_before(a.sensor, b.sensor) : id_before(a.id, b.id);
       });
   sort_elements(draft.patterns, draft.pattern_places, by_id);
+  std::stable_sort(draft.origin.placements.begin(), draft.origin.placements.end(), by_id);
   for (MapFeature& feature : draft.features) feature.object = objects[feature.object];
   for (MapPattern& pattern : draft.patterns)
     for (int& feature : pattern.features) feature = features[feature];
@@ -169,6 +171,7 @@ SemanticMap::SemanticMap(MapDraft&& checked)
       objects_(std::move(checked.objects)),
       features_(std::move(checked.features)),
       patterns_(std::move(checked.patterns)),
+      origin_(std::move(checked.origin)),
       prefixes_(std::move(checked.prefixes)),
       unused_(std::move(checked.unused)) {}
 
@@ -179,13 +182,23 @@ std::shared_ptr<const SemanticMap> SemanticMap::finish(MapDraft draft) {
   check_ids(draft);
   unify_shared_points(draft);
   check_values(draft);
+  for (std::size_t i = 0; i < draft.patterns.size(); ++i)
+    draft.patterns[i].place = draft.source + ": " + draft.pattern_places[i];
   return std::shared_ptr<const SemanticMap>(new SemanticMap(std::move(draft)));
 }
 
 std::shared_ptr<const SemanticMap> SemanticMap::make(std::string name, std::vector<MapObject> objects,
                                                      std::vector<MapFeature> features,
-                                                     std::vector<MapPattern> patterns) {
-  MapDraft draft{name, name, std::move(objects), std::move(features), std::move(patterns)};
+                                                     std::vector<MapPattern> patterns, MapOrigin origin) {
+  MapDraft draft{name, name, std::move(objects), std::move(features), std::move(patterns), std::move(origin)};
+  draft.object_places = places_in("/objects", draft.objects);
+  draft.feature_places = places_in("/features", draft.features);
+  draft.pattern_places = places_in("/patterns", draft.patterns);
+  return finish(std::move(draft));
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::with_patterns(std::vector<MapPattern> patterns) const {
+  MapDraft draft{name_, name_, objects_, features_, std::move(patterns), origin_, prefixes_, unused_};
   draft.object_places = places_in("/objects", draft.objects);
   draft.feature_places = places_in("/features", draft.features);
   draft.pattern_places = places_in("/patterns", draft.patterns);

@@ -199,6 +199,21 @@ void check_pattern(const MapDraft& draft, std::size_t i) {
     check_range(draft, place, "dimension", dimension, true, "a finite number");
 }
 
+void check_origin(const MapDraft& draft) {
+  check_range(draft, "map", "smear_m", draft.origin.smear_m, draft.origin.smear_m >= 0 && draft.origin.smear_m <= 10,
+              "metres in [0, 10]");
+  for (const MapPlacement& placement : draft.origin.placements) {
+    const std::string place = "placement '" + placement.id + "'";
+    for (const double value : {placement.T_map_source.x(), placement.T_map_source.y()})
+      check_range(draft, place, "coordinate", value, std::abs(value) <= kFarthest_m,
+                  "metres in the map frame, at most 1e6 from its origin");
+    check_range(draft, place, "heading_rad", placement.T_map_source.heading_rad(), true, "a finite angle");
+    for (const double value : {placement.scale.x(), placement.scale.y()})
+      check_range(draft, place, "scale", value, std::abs(value) >= 1e-3 && std::abs(value) <= 1e3,
+                  "a factor of 0.001 to 1000, below zero if mirrored");
+  }
+}
+
 /// Depth-first search for a pattern that is part of itself, without recursion: chains may be long.
 void check_pattern_cycles(const MapDraft& draft) {
   std::unordered_map<std::string, std::size_t> position;
@@ -259,10 +274,16 @@ void check_ids(const MapDraft& draft) {
     names.claim_alone(draft.patterns[i].id, "pattern", draft.pattern_places[i]);
     check_text(draft, draft.pattern_places[i], draft.patterns[i].id + draft.patterns[i].pattern_template);
   }
+  for (const MapPlacement& placement : draft.origin.placements) {
+    const std::string place = "placement '" + placement.id + "'";
+    names.claim_alone(placement.id, "placement", place);
+    check_text(draft, place, placement.id);
+  }
   check_representations(draft);
 }
 
 void check_values(const MapDraft& draft) {
+  check_origin(draft);
   for (std::size_t i = 0; i < draft.features.size(); ++i) {
     const MapFeature& feature = draft.features[i];
     const std::string& place = draft.feature_places[i];

@@ -17,6 +17,7 @@ struct MapDraft {
   std::vector<MapObject> objects;
   std::vector<MapFeature> features;
   std::vector<MapPattern> patterns;
+  MapOrigin origin = {};
   std::map<std::string, std::string> prefixes = {};
   nlohmann::json unused = nlohmann::json::array();
   std::vector<std::string> object_places = {};

@@ -26,6 +26,8 @@ class Reader {
     for (const GraphNode& node : graph_.nodes()) check_words(node);
     for (const GraphNode& node : graph_.nodes()) read_map_name(node);
     for (const GraphNode& node : graph_.nodes())
+      if (node.has_type(iri::kPlacement)) read_placement(node);
+    for (const GraphNode& node : graph_.nodes())
       if (is_object(node)) read_object(node);
     for (const GraphNode& node : graph_.nodes())
       if (node.has_type(iri::kPattern)) read_pattern(node);
@@ -72,7 +74,17 @@ class Reader {
     if (has_map_node_) node.fail("a second SemanticMap, expected one in a document");
     has_map_node_ = true;
     if (const std::optional<std::string> name = node.text(iri::kName)) draft_.name = *name;
+    if (const auto smear = node.number(iri::kSmear)) draft_.origin.smear_m = *smear;
     use_of(node).add(NodeRole::map);
+  }
+
+  void read_placement(const GraphNode& node) {
+    require_name(node, "which is the prefix of what it placed");
+    use_of(node).add(NodeRole::placement);
+    draft_.origin.placements.push_back(
+        {node.id(),
+         Pose2(node.required_number(iri::kX), node.required_number(iri::kY), node.required_number(iri::kHeading)),
+         Point(node.required_number(iri::kScaleX), node.required_number(iri::kScaleY))});
   }
 
   // ------------------------------------------------------------ objects

@@ -20,9 +20,9 @@ struct RoleWords {
 using namespace vocabulary;
 
 /// In the order of NodeRole.
-const std::array<RoleWords, 11>& words_by_role() {
-  static const std::array<RoleWords, 11> words{{
-      {{iri::kName}, {iri::kSemanticMap}},
+const std::array<RoleWords, 12>& words_by_role() {
+  static const std::array<RoleWords, 12> words{{
+      {{iri::kName, iri::kSmear}, {iri::kSemanticMap}},
       {{iri::kRepresentedBy}, {}},
       {{}, {iri::kElement}},
       {{iri::kRepresentedBy, iri::kHasGeometry, iri::kPerceivableBy, iri::kFeatureType, iri::kPositionSigma,
@@ -35,6 +35,7 @@ const std::array<RoleWords, 11>& words_by_role() {
       {{iri::kX, iri::kY}, {iri::kPoint}},
       {{iri::kPositionSigma, iri::kExistence}, {}},
       {{iri::kTemplate, iri::kFeatures, iri::kSubpatterns, iri::kDimensions, iri::kPerceivableBy}, {iri::kPattern}},
+      {{iri::kX, iri::kY, iri::kHeading, iri::kScaleX, iri::kScaleY}, {iri::kPlacement}},
   }};
   return words;
 }

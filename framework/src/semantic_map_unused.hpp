@@ -10,7 +10,7 @@
 namespace opal {
 
 /// What a node is to the map. A node may be several: a point that is also a feature.
-enum class NodeRole { map, object, element, representation, sensor, segment, corner, circle, point, feature, pattern };
+enum class NodeRole { map, object, element, representation, sensor, segment, corner, circle, point, feature, pattern, placement };
 
 /// Which properties and types of a node the typed map holds, by the roles that the node plays.
 struct NodeUse {

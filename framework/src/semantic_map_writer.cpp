@@ -19,7 +19,8 @@ class Writer {
 
   Json document() {
     Json graph = Json::array();
-    if (!map_.name().empty()) graph.push_back({{"@type", "SemanticMap"}, {"name", map_.name()}});
+    if (const Json node = map_node(); node.size() > 1) graph.push_back(node);
+    for (const MapPlacement& placement : map_.origin().placements) graph.push_back(written(placement));
     for (const std::string& sensor : sensors()) graph.push_back({{"@id", sensor}, {"@type", "Sensor"}});
     for (const MapObject& object : map_.objects()) graph.push_back(written(object));
     for (const MapPattern& pattern : map_.patterns()) graph.push_back(written(pattern));
@@ -28,6 +29,23 @@ class Writer {
   }
 
  private:
+  Json map_node() const {
+    Json node = {{"@type", "SemanticMap"}};
+    if (!map_.name().empty()) node["name"] = map_.name();
+    if (map_.origin().smear_m != 0) node["smear_m"] = map_.origin().smear_m;
+    return node;
+  }
+
+  static Json written(const MapPlacement& placement) {
+    return {{"@id", placement.id},
+            {"@type", "MapPlacement"},
+            {"x", placement.T_map_source.x()},
+            {"y", placement.T_map_source.y()},
+            {"heading_rad", placement.T_map_source.heading_rad()},
+            {"scale_x", placement.scale.x()},
+            {"scale_y", placement.scale.y()}};
+  }
+
   Json context() const {
     if (map_.prefixes().empty()) return vocabulary::kContextIri;
     return Json::array({vocabulary::kContextIri, Json(map_.prefixes())});

@@ -1,9 +1,18 @@
 #include "support_lines.hpp"
 
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
 #include <algorithm>
 
 namespace opal {
 namespace {
+
+namespace bg = boost::geometry;
+using BoostPoint = bg::model::point<double, 2, bg::cs::cartesian>;
+using Box = bg::model::box<BoostPoint>;
+using Entry = std::pair<Box, std::size_t>;
+using RTree = bg::index::rtree<Entry, bg::index::quadratic<16>>;
 
 struct Line {
   Segment extent;
@@ -42,17 +51,35 @@ void absorb(Line& line, const Line& face) {
   line.numbers.insert(line.numbers.end(), face.numbers.begin(), face.numbers.end());
 }
 
+Box box_around(const Segment& segment, double margin_m) {
+  const Point low = segment.begin.cwiseMin(segment.end), high = segment.begin.cwiseMax(segment.end);
+  return {{low.x() - margin_m, low.y() - margin_m}, {high.x() + margin_m, high.y() + margin_m}};
+}
+
+/// The first line after number `after`, of those that are left, that goes on in line number `a`; lines.size() if none.
+std::size_t next_collinear(const RTree& tree, const std::vector<Line>& lines, const std::vector<bool>& gone,
+                           std::size_t a, std::size_t after, const SupportLineOptions& options) {
+  std::size_t first = lines.size();
+  const Box box = box_around(lines[a].extent, options.gap_m + options.offset_m + 0.01);
+  for (auto it = tree.qbegin(bg::index::intersects(box)); it != tree.qend(); ++it) {
+    const std::size_t b = it->second;
+    if (b > after && b < first && !gone[b] && collinear(lines[a].extent, lines[b].extent, options)) first = b;
+  }
+  return first;
+}
+
 /// One pass: longer lines absorb shorter ones. True if any was absorbed.
 bool absorb_once(std::vector<Line>& lines, const SupportLineOptions& options) {
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Line& a, const Line& b) { return a.support_m > b.support_m; });
-  // Neighbours by heading: only lines whose headings are close can be collinear.
+  std::vector<Entry> entries;
+  for (std::size_t k = 0; k < lines.size(); ++k) entries.emplace_back(box_around(lines[k].extent, 0), k);
+  const RTree tree(entries);
   std::vector<bool> gone(lines.size(), false);
   bool any = false;
   for (std::size_t a = 0; a < lines.size(); ++a) {
     if (gone[a]) continue;
-    for (std::size_t b = a + 1; b < lines.size(); ++b) {
-      if (gone[b] || !collinear(lines[a].extent, lines[b].extent, options)) continue;
+    for (std::size_t b = a; (b = next_collinear(tree, lines, gone, a, b, options)) < lines.size();) {
       absorb(lines[a], lines[b]);
       gone[b] = any = true;
     }

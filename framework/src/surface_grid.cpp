@@ -17,35 +17,72 @@ int layer_of(const Segment& segment) {
 
 }  // namespace
 
-SurfaceGrid::Tile::Tile() {
-  distance_cm.fill(kFar_cm);
-  for (auto& layer : nearest) layer.fill(-1);
-  for (auto& layer : layer_distance_cm) layer.fill(kFar_cm);
-}
+/// What is only known while surfaces are painted: how far each layer's nearest one is, by tile.
+struct SurfaceGrid::Painting {
+  using LayerDistances = std::array<std::array<std::uint8_t, kCells>, kLayers>;
+  std::vector<std::unique_ptr<LayerDistances>> layer_distance_cm;
+  std::vector<std::unique_ptr<Distances>> distance_cm;
+};
 
-SurfaceGrid::SurfaceGrid(const Point& low, const Point& high)
+SurfaceGrid::SurfaceGrid(const Point& low, const Point& high, const std::vector<NumberedShape>& shapes)
     : low_(low - Point::Constant(kCap_m + kCell_m)) {
   const Point size = high - low_ + Point::Constant(kCap_m + kCell_m);
   columns_ = static_cast<int>(size.x() / (kCell_m * kSide)) + 1;
   rows_ = static_cast<int>(size.y() / (kCell_m * kSide)) + 1;
-  tiles_.resize(static_cast<std::size_t>(columns_) * rows_);
+  tile_of_.assign(static_cast<std::size_t>(columns_) * rows_, -1);
+  Painting painting;
+  for (const auto& [number, shape] : shapes) {
+    if (const auto* segment = std::get_if<Segment>(&shape)) paint(painting, number, *segment);
+    if (const auto* circle = std::get_if<Circle>(&shape)) paint(painting, number, *circle);
+  }
+  distances_cm_.reserve(nearest_.size());
+  for (auto& tile : painting.distance_cm) {
+    distances_cm_.push_back(*tile);
+    tile.reset();
+  }
+  make_coarse();
 }
 
-void SurfaceGrid::paint_cell(int i, int j, double distance_m, int number, int first_layer, int last_layer) {
-  auto& tile = tiles_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide];
-  if (!tile) tile = std::make_unique<Tile>();
-  const int offset = (j % kSide) * kSide + i % kSide;
-  const auto cm = static_cast<std::uint8_t>(std::min(100 * distance_m + 0.5, 254.0));
-  tile->distance_cm[offset] = std::min(tile->distance_cm[offset], cm);
-  if (distance_m > kReach_m) return;
-  for (int layer = first_layer; layer <= last_layer; ++layer) {
-    if (cm >= tile->layer_distance_cm[layer][offset]) continue;
-    tile->layer_distance_cm[layer][offset] = cm;
-    tile->nearest[layer][offset] = number;
+void SurfaceGrid::make_coarse() {
+  coarse_cm_.resize(distances_cm_.size());
+  for (std::size_t tile = 0; tile < coarse_cm_.size(); ++tile) {
+    coarse_cm_[tile].fill(kFar_cm);
+    for (int j = 0; j < kSide; ++j)
+      for (int i = 0; i < kSide; ++i) {
+        std::uint8_t& coarse = coarse_cm_[tile][coarse_offset_of(i, j)];
+        coarse = std::min(coarse, distances_cm_[tile][offset_of(i, j)]);
+      }
   }
 }
 
-void SurfaceGrid::add(int number, const Segment& segment) {
+void SurfaceGrid::paint_cell(Painting& painting, int i, int j, double distance_m, int number, int first_layer,
+                             int last_layer) {
+  std::int32_t& tile = tile_of_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide];
+  if (tile < 0) {
+    tile = static_cast<std::int32_t>(nearest_.size());
+    nearest_.push_back(std::make_unique<Nearest>());
+    painting.layer_distance_cm.push_back(std::make_unique<Painting::LayerDistances>());
+    painting.distance_cm.push_back(std::make_unique<Distances>());
+    painting.distance_cm.back()->fill(kFar_cm);
+    for (int layer = 0; layer < kLayers; ++layer) {
+      (*nearest_.back())[layer].fill(-1);
+      (*painting.layer_distance_cm.back())[layer].fill(kFar_cm);
+    }
+  }
+  const int offset = offset_of(i % kSide, j % kSide);
+  const auto cm = static_cast<std::uint8_t>(std::min(100 * distance_m + 0.5, 254.0));
+  std::uint8_t& least_cm = (*painting.distance_cm[tile])[offset];
+  least_cm = std::min(least_cm, cm);
+  if (distance_m > kReach_m) return;
+  for (int layer = first_layer; layer <= last_layer; ++layer) {
+    std::uint8_t& layer_cm = (*painting.layer_distance_cm[tile])[layer][offset];
+    if (cm >= layer_cm) continue;
+    layer_cm = cm;
+    (*nearest_[tile])[layer][offset] = number;
+  }
+}
+
+void SurfaceGrid::paint(Painting& painting, int number, const Segment& segment) {
   const int layer = layer_of(segment);
   const Point direction = segment.direction();
   const double length = segment.length_m();
@@ -72,19 +109,19 @@ void SurfaceGrid::add(int number, const Segment& segment) {
       const Point p(low_.x() + (i + 0.5) * kCell_m, y);
       const double u = std::clamp(direction.dot(p - segment.begin), 0.0, length);
       const double distance = (p - segment.begin - u * direction).norm();
-      if (distance <= kCap_m) paint_cell(i, j, distance, number, layer, layer);
+      if (distance <= kCap_m) paint_cell(painting, i, j, distance, number, layer, layer);
     }
   }
 }
 
-void SurfaceGrid::add(int number, const Circle& circle) {
+void SurfaceGrid::paint(Painting& painting, int number, const Circle& circle) {
   const Point extent = Point::Constant(circle.radius_m + kCap_m);
   const Point low = (circle.center - extent - low_) / kCell_m, high = (circle.center + extent - low_) / kCell_m;
   for (int j = std::max(0, int(low.y())); j <= std::min(rows_ * kSide - 1, int(high.y())); ++j)
     for (int i = std::max(0, int(low.x())); i <= std::min(columns_ * kSide - 1, int(high.x())); ++i) {
       const Point p = low_ + kCell_m * Point(i + 0.5, j + 0.5);
       const double distance = std::abs((p - circle.center).norm() - circle.radius_m);
-      if (distance <= kCap_m) paint_cell(i, j, distance, number, 0, kLayers - 1);
+      if (distance <= kCap_m) paint_cell(painting, i, j, distance, number, 0, kLayers - 1);
     }
 }
 

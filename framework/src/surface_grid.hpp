@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace opal {
@@ -12,61 +13,81 @@ namespace opal {
 /// Distance to, and identity of, the nearest surface for every cell near one: tiles of 64 x 64 cells of 0.1 m, held
 /// only where some surface is within the cap. Surfaces of opposite orientation are kept in two layers, so that both
 /// faces of a thin wall can be found. Frame: `map`.
+///
+/// Distances lie apart from identities, and once more in cells of 0.4 m: a search looks at far more places than it looks
+/// at closely, and in a large map what it waits for is memory.
 class SurfaceGrid {
  public:
   static constexpr double kCell_m = 0.1;
   static constexpr double kReach_m = 0.8;
   static constexpr int kLayers = 2;
 
-  SurfaceGrid(const Point& low, const Point& high);
-
-  /// @param number  what `nearest` answers; heading decides the layer. A circle goes into both.
-  void add(int number, const Segment& segment);
-  void add(int number, const Circle& circle);
+  /// A segment or a circle, and what `nearest` answers. A segment's heading decides its layer, a circle goes into both;
+  /// other shapes have no surface.
+  using NumberedShape = std::pair<int, Geometry>;
+  SurfaceGrid(const Point& low, const Point& high, const std::vector<NumberedShape>& shapes);
 
   /// Distance to the nearest surface [cm], 255 if farther.
   std::uint8_t distance_cm(const Point& p) const {
     const Cell at = locate(p);
-    return at.tile ? at.tile->distance_cm[at.offset] : 255;
+    return at.tile < 0 ? 255 : distances_cm_[at.tile][offset_of(at.i, at.j)];
   }
-  /// Nearest surface within kReach_m of the cell in a layer, or -1.
-  int nearest(const Point& p, int layer) const {
+  /// The same for a point in cells from the grid's corner, for those who walk along a line.
+  Point in_cells(const Point& p) const { return (p - low_) * (1 / kCell_m); }
+  std::uint8_t distance_cm_in_cells(const Point& cells) const {
+    const Cell at = locate_in_cells(cells);
+    return at.tile < 0 ? 255 : distances_cm_[at.tile][offset_of(at.i, at.j)];
+  }
+  /// The least of it in the cell of 0.4 m around p.
+  std::uint8_t coarse_distance_cm(const Point& p) const {
     const Cell at = locate(p);
-    return at.tile ? at.tile->nearest[layer][at.offset] : -1;
+    return at.tile < 0 ? 255 : coarse_cm_[at.tile][coarse_offset_of(at.i, at.j)];
   }
+  /// Nearest surface within kReach_m of the cell in each layer, or -1.
   std::array<int, kLayers> nearest(const Point& p) const {
     const Cell at = locate(p);
-    if (!at.tile) return {-1, -1};
-    return {at.tile->nearest[0][at.offset], at.tile->nearest[1][at.offset]};
+    if (at.tile < 0) return {-1, -1};
+    const int offset = offset_of(at.i, at.j);
+    return {(*nearest_[at.tile])[0][offset], (*nearest_[at.tile])[1][offset]};
   }
 
  private:
   static constexpr int kSide = 64;
-  struct Tile {
-    Tile();
-    std::array<std::uint8_t, kSide * kSide> distance_cm;
-    std::array<std::array<std::int32_t, kSide * kSide>, kLayers> nearest;
-    std::array<std::array<std::uint8_t, kSide * kSide>, kLayers> layer_distance_cm;
-  };
-  struct Cell {
-    const Tile* tile = nullptr;
-    int offset = 0;
-  };
+  static constexpr int kCells = kSide * kSide;
+  static constexpr int kCoarse = 4;  ///< cells to a side of a coarse one
+  using Distances = std::array<std::uint8_t, kCells>;
+  using CoarseDistances = std::array<std::uint8_t, kCells / (kCoarse * kCoarse)>;
+  using Nearest = std::array<std::array<std::int32_t, kCells>, kLayers>;
+  struct Painting;
 
-  Cell locate(const Point& p) const {
-    const double u = (p.x() - low_.x()) / kCell_m, v = (p.y() - low_.y()) / kCell_m;
+  struct Cell {
+    int tile = -1;
+    int i = 0, j = 0;  ///< in the tile
+  };
+  Cell locate(const Point& p) const { return locate_in_cells(in_cells(p)); }
+  Cell locate_in_cells(const Point& cells) const {
+    const double u = cells.x(), v = cells.y();
     if (!(u >= 0 && v >= 0 && u < columns_ * kSide && v < rows_ * kSide)) return {};
     const int i = static_cast<int>(u), j = static_cast<int>(v);
-    const Tile* tile = tiles_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide].get();
-    return {tile, (j % kSide) * kSide + i % kSide};
+    return {tile_of_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide], i % kSide, j % kSide};
   }
+  /// Blocks of 8 x 8 cells lie together, a cache line of distances each: whoever goes on by a cell or two, in whatever
+  /// direction, mostly stays there.
+  static int offset_of(int i, int j) { return (j / 8 * (kSide / 8) + i / 8) * 64 + j % 8 * 8 + i % 8; }
+  static int coarse_offset_of(int i, int j) { return j / kCoarse * (kSide / kCoarse) + i / kCoarse; }
 
-  void paint_cell(int i, int j, double distance_m, int number, int first_layer, int last_layer);
+  void paint(Painting& painting, int number, const Segment& segment);
+  void paint(Painting& painting, int number, const Circle& circle);
+  void paint_cell(Painting& painting, int i, int j, double distance_m, int number, int first_layer, int last_layer);
+  void make_coarse();
 
   Point low_;
-  int columns_ = 0;
+  int columns_ = 0;  ///< of tiles
   int rows_ = 0;
-  std::vector<std::unique_ptr<Tile>> tiles_;
+  std::vector<std::int32_t> tile_of_;  ///< -1: no surface is near
+  std::vector<Distances> distances_cm_;
+  std::vector<CoarseDistances> coarse_cm_;
+  std::vector<std::unique_ptr<Nearest>> nearest_;
 };
 
 }  // namespace opal

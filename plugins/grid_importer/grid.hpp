@@ -34,6 +34,7 @@ class OccupancyGrid {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   double resolution_m() const { return resolution_m_; }
+  const Pose2& T_map_grid() const { return T_map_grid_; }
 
   bool contains(const Cell& c) const { return c.column >= 0 && c.row >= 0 && c.column < columns_ && c.row < rows_; }
   std::size_t index_of(const Cell& c) const {

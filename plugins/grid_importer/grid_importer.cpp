@@ -2,6 +2,7 @@
 
 #include "map_assembly.hpp"
 #include "report.hpp"
+#include "smear.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -32,10 +33,13 @@ bool GridImporter::recognizes(const std::string& path) const {
 
 MapImport GridImporter::import(const std::string& path) const {
   GridDescription description;
-  const OccupancyGrid grid = read_grid(path, description);
+  OccupancyGrid grid = read_grid(path, description);
+  if (limits_.thicken_m > 0) grid = smeared(grid, limits_.thicken_m);
+  const double smear_m = estimate_smear_m(grid);
+  if (smear_m > 0) grid = unsmeared(grid, smear_m);
   Boundary boundary(grid);
   const VectorMap vectors = vectorize(boundary, limits_);
-  return {assemble(name_of(path), vectors, grid), report(description, boundary, vectors)};
+  return {assemble(name_of(path), vectors, grid, smear_m), report(description, boundary, vectors, smear_m)};
 }
 
 }  // namespace opal::grid_importer

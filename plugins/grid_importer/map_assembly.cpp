@@ -64,12 +64,13 @@ class Chains {
 
 class Assembly {
  public:
-  Assembly(const VectorMap& vectors, const OccupancyGrid& grid) : vectors_(vectors), grid_(grid) {}
+  Assembly(const VectorMap& vectors, const OccupancyGrid& grid, double smear_m)
+      : vectors_(vectors), grid_(grid), smear_m_(smear_m) {}
 
   std::shared_ptr<const SemanticMap> run(const std::string& name) {
     for (const RoundColumn& column : vectors_.columns) add(column);
     for (const Chain& chain : Chains(vectors_).longest_first()) add(chain);
-    return SemanticMap::make(name, std::move(objects_), std::move(features_));
+    return SemanticMap::make(name, std::move(objects_), std::move(features_), {}, {smear_m_});
   }
 
  private:
@@ -141,6 +142,7 @@ class Assembly {
 
   const VectorMap& vectors_;
   const OccupancyGrid& grid_;
+  double smear_m_;
   std::vector<MapObject> objects_;
   std::vector<MapFeature> features_;
   int walls_ = 0;
@@ -158,8 +160,8 @@ OrientedPoint oriented_corner(const Segment& before, const Segment& after) {
 }
 
 std::shared_ptr<const SemanticMap> assemble(const std::string& name, const VectorMap& vectors,
-                                            const OccupancyGrid& grid) {
-  return Assembly(vectors, grid).run(name);
+                                            const OccupancyGrid& grid, double smear_m) {
+  return Assembly(vectors, grid, smear_m).run(name);
 }
 
 }  // namespace opal::grid_importer

@@ -12,7 +12,7 @@ namespace opal::grid_importer {
 /// Names things and puts them into the map frame. Faces joined by corners are one object, the longest first:
 /// "wall-0001" with "wall-0001/face-2" and "corner-0007"; what is round, or small and convex all around, is a column.
 std::shared_ptr<const SemanticMap> assemble(const std::string& name, const VectorMap& vectors,
-                                            const OccupancyGrid& grid);
+                                            const OccupancyGrid& grid, double smear_m);
 
 /// The angle open to view at a corner of two faces, which go along the surface with free space on their left.
 OrientedPoint oriented_corner(const Segment& before, const Segment& after);

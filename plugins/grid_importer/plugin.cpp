@@ -10,6 +10,7 @@ std::unique_ptr<opal::MapImporter> make_importer(const nlohmann::json& options) 
   limits.line_tolerance_m = options.at("line_tolerance_m");
   limits.min_face_m = options.at("min_face_m");
   limits.max_column_radius_m = options.at("max_column_radius_m");
+  limits.thicken_m = options.at("thicken_m");
   return std::make_unique<opal::grid_importer::GridImporter>(limits);
 }
 

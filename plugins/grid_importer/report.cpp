@@ -146,13 +146,16 @@ std::string about_smear(const OccupancyGrid& grid, const std::vector<Face>& face
 }  // namespace
 
 std::vector<std::string> report(const GridDescription& description, const Boundary& boundary,
-                                const VectorMap& vectors) {
+                                const VectorMap& vectors, double smear_m) {
   const OccupancyGrid& grid = boundary.grid();
   const double res = grid.resolution_m();
   const Distances distances(boundary, vectors, kExplained_m / res);
   std::vector<std::string> sentences{about_grid(grid), about_faces(vectors.faces, res), about_corners(vectors),
                                      about_left_out(distances.values()), about_fit(distances.values(), res),
                                      about_smear(grid, vectors.faces)};
+  if (smear_m > 0)
+    sentences.push_back(sentence("walls stood %.2f m thicker in the grid than they are: faces were moved back by half of it",
+                                 smear_m));
   for (const std::string& key : description.ignored_keys)
     sentences.push_back("ignored in the yaml file: \"" + key + "\", which map_server does not define");
   return sentences;

@@ -8,6 +8,7 @@ struct VectorizerLimits {
   double line_tolerance_m = 0.08;
   double min_face_m = 0.15;
   double max_column_radius_m = 0.6;
+  double thicken_m = 0;
 };
 
 }  // namespace opal::grid_importer

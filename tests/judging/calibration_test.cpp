@@ -80,6 +80,7 @@ TEST_CASE("correlated rows do not make an interval narrow") {
 
 TEST_CASE("Wilson's interval holds the share, and stays within 0 and 1") {
   CHECK(wilson_interval(1, 10).high == Approx(1));
+  CHECK(wilson_interval(1, 10).high <= 1);
   CHECK(wilson_interval(1, 10).low == Approx(0.7225).margin(0.001));
   CHECK(wilson_interval(0, 10).low == 0);
   CHECK(wilson_interval(0.5, 100).low == Approx(0.4038).margin(0.001));

@@ -76,3 +76,9 @@ TEST_CASE("words about damage that cannot be read are named") {
   CHECK_THROWS_WITH(read_map_damage("drop=1.5"), Catch::Contains("expected a number from 0 to 1"));
   CHECK_THROWS_AS(read_map_damage("drop"), ConfigError);
 }
+
+TEST_CASE("thick walls are read, and are no business of a map that is there already") {
+  CHECK(read_map_damage("thick=0.4").thick_m == 0.4);
+  CHECK_THROWS_WITH(read_map_damage("thick=3"), Catch::Contains("thick: '3', expected a number from 0 to 2"));
+  CHECK(worse("thick=0.4")->to_json_ld() == testing::example_map()->to_json_ld());
+}

@@ -21,7 +21,12 @@ class RandomMap {
     for (int i = count(1, 8); i > 0; --i) add_object();
     std::vector<MapPattern> patterns;
     for (int i = count(0, 4); i > 0 && !features_.empty(); --i) patterns.push_back(pattern(static_cast<int>(patterns.size())));
-    return SemanticMap::make(name("map"), objects_, features_, patterns);
+    MapOrigin origin;
+    if (count(0, 1) == 0) origin.smear_m = uniform(0, 0.5);
+    for (int i = count(0, 2); i > 0; --i)
+      origin.placements.push_back({name("place"), Pose2(uniform(-50, 50), uniform(-50, 50), uniform(-3, 3)),
+                                   Point(uniform(0.5, 2), uniform(-2, -0.5))});
+    return SemanticMap::make(name("map"), objects_, features_, patterns, origin);
   }
 
  private:
@@ -75,7 +80,7 @@ class RandomMap {
   }
 
   MapPattern pattern(int number) {
-    MapPattern made{name("pattern"), pick({"opal:CirclePair", "acme:Row"}), {}};
+    MapPattern made{name("pattern"), pick({"opal:Binary", "acme:Row"}), {}};
     const int first = count(0, static_cast<int>(features_.size()) - 1);
     for (std::size_t i = 0; i < features_.size(); ++i)
       if (features_[i].sensor == features_[first].sensor && (static_cast<int>(i) == first || count(0, 2) == 0))
@@ -115,6 +120,10 @@ std::vector<std::string> contents_of(const SemanticMap& map) {
                                    f.representation, numbers_of(f.geometry)}.dump());
   for (const MapPattern& p : map.patterns())
     lines.push_back(nlohmann::json{p.id, p.pattern_template, p.features, p.subpatterns, p.dimensions}.dump());
+  lines.push_back(nlohmann::json(map.origin().smear_m).dump());
+  for (const MapPlacement& p : map.origin().placements)
+    lines.push_back(nlohmann::json{p.id, p.T_map_source.x(), p.T_map_source.y(), p.T_map_source.heading_rad(),
+                                   p.scale.x(), p.scale.y()}.dump());
   return lines;
 }
 
@@ -190,7 +199,7 @@ TEST_CASE("the order in which a map is made of its parts does not matter") {
   std::vector<MapPattern> patterns = map->patterns();
   for (MapPattern& pattern : patterns)
     for (int& feature : pattern.features) feature = static_cast<int>(features.size()) - 1 - feature;
-  CHECK(contents_of(*SemanticMap::make(map->name(), objects, features, patterns)) == contents_of(*map));
+  CHECK(contents_of(*SemanticMap::make(map->name(), objects, features, patterns, map->origin())) == contents_of(*map));
 }
 
 TEST_CASE("a damaged document gives a map or an error, nothing else") {

@@ -105,6 +105,23 @@ TEST_CASE("far outside the map there is nothing, whatever is asked") {
   }
 }
 
+TEST_CASE("nearness with slack, and in large cells, is no less than what it stands for") {
+  const MapView view(map_of(random_walls(40, 9)), "PlanarLidar2D");
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> place(-2, 62), step(-0.2, 0.2), direction(-8, 8);
+  constexpr double kCellDiagonal_m = 0.15;
+  for (int k = 0; k < 300; ++k) {
+    std::vector<Point> points;
+    for (int n = 0; n < 12; ++n) points.emplace_back(direction(random), direction(random));
+    const Point here(place(random), place(random)), near(here + Point(step(random), step(random)));
+    float sum = 0;
+    for (const Point& point : points) sum += view.nearness(here + point);
+    CHECK(view.nearness_sum(points, here) == Approx(sum));
+    CHECK(view.coarse_nearness_sum(points, here) >= sum - 1e-4f);
+    CHECK(view.nearness_sum(points, near, (near - here).norm() + kCellDiagonal_m) >= sum - 1e-4f);
+  }
+}
+
 TEST_CASE("a sensor that perceives nothing of a map is refused by name") {
   CHECK_THROWS_WITH(MapView(map_of({kUpper}), "Camera"),
                     "test: holds no feature that sensor 'Camera' can perceive");

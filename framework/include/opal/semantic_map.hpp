@@ -46,7 +46,26 @@ struct MapPattern {
   std::string pattern_template;        ///< the template's type name
   std::vector<int> features;           ///< positions in SemanticMap::features(), in the template's slot order
   std::vector<std::string> subpatterns = {};
-  std::vector<double> dimensions = {};  ///< the template's invariants
+  std::vector<double> dimensions = {};  ///< the template's invariants; the last ones, or all, may be left out
+  std::string place = {};  ///< where it stands, for messages: "hall.jsonld: /@graph/12"; `make` and `read` fill it in
+};
+
+/// Where a map that this one was joined of lies in it: scaled in its own frame first, then moved.
+struct MapPlacement {
+  std::string id;              ///< what came from that map is named "ID/..."
+  Pose2 T_map_source;
+  Point scale{1, 1};           ///< along the source's x and y axis; below zero: mirrored
+
+  Point to_map(const Point& p_source) const { return T_map_source * Point(scale.cwiseProduct(p_source)); }
+  bool is_rigid() const { return scale.x() == 1 && scale.y() == 1; }
+};
+
+/// What a map says about how it was made.
+struct MapOrigin {
+  /// How much thicker than they are walls stand in the source (both sides together); faces have been moved back by half
+  /// of it, so nothing has to be done about it, but they are uncertain by about a quarter of it.
+  double smear_m = 0;
+  std::vector<MapPlacement> placements = {};  ///< in order of id
 };
 
 /// The static building, as a typed immutable view of a JSON-LD graph. Frame: `map`; units: metres, radians.
@@ -65,12 +84,16 @@ class OPAL_EXPORT SemanticMap {
   /// order and refer to each other by their position in the arguments.
   static std::shared_ptr<const SemanticMap> make(std::string name, std::vector<MapObject> objects,
                                                  std::vector<MapFeature> features,
-                                                 std::vector<MapPattern> patterns = {});
+                                                 std::vector<MapPattern> patterns = {}, MapOrigin origin = {});
+
+  /// The same map with these patterns instead of its own; `features` of a pattern are positions in features().
+  std::shared_ptr<const SemanticMap> with_patterns(std::vector<MapPattern> patterns) const;
 
   const std::string& name() const { return name_; }
   const std::vector<MapObject>& objects() const { return objects_; }
   const std::vector<MapFeature>& features() const { return features_; }
   const std::vector<MapPattern>& patterns() const { return patterns_; }
+  const MapOrigin& origin() const { return origin_; }
 
   /// Prefixes in the names of other makers ("acme:Kiosk") and the IRIs that they stand for, as the document's context
   /// defines them. Names in memory have their prefix, so that they are those that plugins register.
@@ -92,6 +115,7 @@ class OPAL_EXPORT SemanticMap {
   std::vector<MapObject> objects_;
   std::vector<MapFeature> features_;
   std::vector<MapPattern> patterns_;
+  MapOrigin origin_;
   std::map<std::string, std::string> prefixes_;
   nlohmann::json unused_;
 };

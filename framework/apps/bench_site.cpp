@@ -1,0 +1,45 @@
+#include "bench_site.hpp"
+
+#include "session.hpp"
+
+#include <opal/error.hpp>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+
+namespace {
+
+double process_cpu_s() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+}  // namespace
+
+std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const std::vector<std::string>& prefixes,
+                                  const DamageOptions& damage) {
+  std::vector<BenchSite> sites;
+  for (const std::string& prefix : prefixes) {
+    const std::string name = std::filesystem::path(prefix).filename().string();
+    if (std::any_of(sites.begin(), sites.end(), [&](const BenchSite& site) { return site.name == name; }))
+      throw opal::ConfigError("bench: two places are called '" + name + "', expected a name for each");
+    const double start_s = process_cpu_s();
+    auto map = import_map(registry, prefix + ".map.yaml", damage.damage().thick_m).map;
+    const double import_s = process_cpu_s() - start_s;
+    if (damage.any()) map = opal::damaged_map(*map, damage.damage());
+    sites.push_back({prefix, name, std::move(map), opal::Pose2(), import_s});
+  }
+  return sites;
+}
+
+void join_sites(std::vector<BenchSite>& sites, const opal::MapJoin& join) {
+  std::vector<opal::MapSourcePart> sources;
+  for (const BenchSite& site : sites) sources.push_back({site.name, site.map});
+  const auto joined = opal::joined_map(sources, join);
+  for (BenchSite& site : sites) {
+    site.map = joined;
+    site.T_map_site = opal::placement_of(*joined, site.name).T_map_source;
+  }
+}

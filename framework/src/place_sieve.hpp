@@ -1,0 +1,57 @@
+#pragma once
+
+#include <opal/geometry.hpp>
+#include <opal/map_view.hpp>
+#include <opal/pattern.hpp>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace opal {
+
+/// Lets pass about the best share of all values in [0, 1] so far, and whatever comes while there are few.
+class BestShare {
+ public:
+  BestShare(std::size_t few, std::size_t one_in) : few_(few), one_in_(one_in) {}
+  bool passes(float value);
+
+ private:
+  static constexpr int kBins = 128;
+  std::size_t few_, one_in_;
+  std::array<std::size_t, kBins> counts_{};
+  std::size_t total_ = 0, passing_ = 0;
+  int lowest_ = 0;
+};
+
+/// What lets pass the places of one search that are worth all points: a few points in large cells for every place, all
+/// points for the best of those.
+struct PlaceSieve {
+  BestShare coarse{400, 30};
+  BestShare fine{200, 5};
+};
+
+/// The points of a scan as they would lie on the map, in an order in which few of them say much: those along which the
+/// observed pattern could slide come last, since they lie on the map wherever it slides to; the others are spread over the
+/// scan.
+class TellingPoints {
+ public:
+  TellingPoints(const PatternInstance& observed, std::span<const Point> points);
+  std::size_t size() const { return points_.size(); }
+  /// Fewer tell nothing.
+  bool enough() const { return points_.size() >= 2 * kFirst; }
+
+  /// From here on the scan is taken at this pose's heading.
+  void turn_to(const Pose2& T_map_base);
+  /// Mean nearness to the map of the first few points, in large cells.
+  float coarse_nearness(const MapView& map, const Point& position) const;
+  /// Mean nearness of all points. @param slack_m  as MapView::nearness_sum.
+  float nearness(const MapView& map, const Point& position, double slack_m = 0);
+
+ private:
+  static constexpr std::size_t kFirst = 10;
+  std::vector<Point> points_, turned_;  ///< the first turned_.size() are turned
+  Pose2 T_map_base_;
+};
+
+}  // namespace opal
