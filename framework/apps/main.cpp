@@ -11,9 +11,11 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   opal::add_map_verb(app, exit_code);
   opal::add_localize_verb(app, exit_code);
+  opal::add_track_verb(app, exit_code);
   opal::add_view_verb(app, exit_code);
   opal::add_explain_verb(app, exit_code);
   opal::add_bench_verb(app, exit_code);
+  opal::add_calibration_verb(app, exit_code);
   opal::add_plugins_verb(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -19,6 +19,15 @@ void add(opal::StageTimes& sum, const opal::StageTimes& one) {
   sum.status_s += one.status_s;
 }
 
+void add_rows(RunRecord& record, const std::string& query, const opal::LaserModel& laser) {
+  const opal::PoseEstimate& said = record.last;
+  record.rows.push_back(
+      {query, said.stamp_s, said.T_map_base * laser.T_base_laser, said.status, said.probability, said.none});
+  for (const auto& rival : said.rivals)
+    record.rivals.push_back({query, said.stamp_s, rival.T_map_base * laser.T_base_laser, rival.probability});
+  record.trajectory.push_back({said.stamp_s, said.T_map_base});
+}
+
 template <class T>
 void extend(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -28,6 +37,7 @@ void extend(std::vector<T>& all, const std::vector<T>& more) {
 
 void RunRecord::append(const RunRecord& other) {
   extend(rows, other.rows);
+  extend(rivals, other.rivals);
   extend(trajectory, other.trajectory);
   extend(update_cpu_ms, other.update_cpu_ms);
   add(stages, other.stages);
@@ -37,11 +47,11 @@ void RunRecord::append(const RunRecord& other) {
   last_T_odom_base = other.last_T_odom_base;
 }
 
-RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opal::Replay& replay,
-                  const std::string& query, const RunObserver& observer) {
+RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser, const SampleSource& next,
+                      const std::string& query, const RunObserver& observer) {
   RunRecord record;
   double before_s = cpu_now_s();  // the replay cleans the scan: that is part of an update's cost
-  while (const auto sample = replay.next()) {
+  while (const auto sample = next()) {
     if (observer.ready && !observer.ready(sample->scan.stamp_s)) break;
     const auto updated = localizer.update(sample->scan, sample->T_odom_base);
     if (updated) {
@@ -53,14 +63,18 @@ RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opa
       record.last_T_odom_base = sample->T_odom_base;
     }
     record.last = localizer.estimate_at(sample->scan.stamp_s, sample->T_odom_base);
-    if (record.last.has_pose) {
-      record.rows.push_back({query, sample->scan.stamp_s, record.last.T_map_base * laser.T_base_laser,
-                             record.last.status == opal::Status::localized});
-      record.trajectory.push_back({sample->scan.stamp_s, record.last.T_map_base});
-    }
+    if (record.last.has_pose) add_rows(record, query, laser);
     if (updated && observer.updated) observer.updated(record);
-    if (observer.progress) observer.progress(replay.progress());
     before_s = cpu_now_s();
   }
   return record;
+}
+
+RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opal::Replay& replay,
+                  const std::string& query, const RunObserver& observer) {
+  const SampleSource next = [&] {
+    if (observer.progress) observer.progress(replay.progress());
+    return replay.next();
+  };
+  return run_samples(localizer, laser, next, query, observer);
 }

@@ -1,17 +1,13 @@
-#include "bench_site.hpp"
+#include "bench_splices.hpp"
 #include "join_options.hpp"
-#include "run_record.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
-#include <opal/deployment.hpp>
 #include <opal/error.hpp>
-#include <opal/site.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -30,6 +26,8 @@ struct BenchOptions {
   DamageOptions damage;
   bool joined = false;
   JoinOptions join;
+  std::optional<std::uint64_t> splice;  ///< seed
+  opal::SpliceOptions splices;
 };
 
 double peak_rss_mb() {
@@ -84,32 +82,59 @@ std::ofstream writable(const fs::path& path) {
   return file;
 }
 
-/// All queries of a place. Results are told in the frame of the place's own map.
-nlohmann::ordered_json run_site(const BenchSite& site, opal::Deployment deployment,
-                                const opal::PluginRegistry& registry, const fs::path& results_file) {
-  const std::vector<opal::Query> queries = opal::read_queries(site.prefix + ".queries.json");
-  const std::string sensor = deployment.laser.id;
-  deployment.laser = opal::read_site_laser(site.prefix + ".info.json");
-  deployment.laser.id = sensor;
-
-  const double before_mb = allocated_mb();
-  opal::Localizer localizer(opal::build_parts(deployment, registry, site.map));
-  const BenchCost cost{queries.size(), site.import_s, allocated_mb() - before_mb};
-  const auto reader = open_log(registry, site.prefix + ".log.gz");
-  const std::vector<opal::LogRecord> records = opal::read_all(*reader);
+RunRecord run_queries(opal::Localizer& localizer, const BenchPlace& place) {
   RunRecord all;
-  for (const opal::Query& query : queries) {
+  for (const opal::Query& query : place.queries) {
     localizer.reset();
-    opal::ReplayOptions window;
-    window.from_s = query.start_s;
-    window.to_s = query.end_s;
-    opal::Replay replay(records, deployment.laser, window);
-    all.append(run_log(localizer, deployment.laser, replay, query.id));
+    opal::Replay replay = place.replay(query);
+    all.append(run_log(localizer, place.deployment.laser, replay, query.id));
   }
-  for (opal::ResultRow& row : all.rows) row.T_map_laser = site.T_map_site.inverse() * row.T_map_laser;
-  auto results = writable(results_file);
+  return all;
+}
+
+SplicedRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options) {
+  opal::SpliceOptions splices = options.splices;
+  splices.seed = *options.splice;
+  return run_splices(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), splices);
+}
+
+/// Where the results of a place go.
+struct BenchFiles {
+  fs::path results;  ///< poses
+  fs::path folder;   ///< everything else
+};
+
+/// Results are told in the frame of the place's own map.
+void write_record(RunRecord& all, const BenchSite& site, const BenchFiles& files) {
+  const opal::Pose2 T_site_map = site.T_map_site.inverse();
+  for (opal::ResultRow& row : all.rows) row.T_map_laser = T_site_map * row.T_map_laser;
+  for (opal::RivalRow& row : all.rivals) row.T_map_laser = T_site_map * row.T_map_laser;
+  auto results = writable(files.results), rivals = writable(files.folder / "rivals.csv");
   opal::write_results(results, all.rows);
-  return summarize(all, cost);
+  opal::write_rivals(rivals, all.rivals);
+}
+
+/// All queries of a place, or as many kidnappings.
+nlohmann::ordered_json run_place(const BenchPlace& place, const opal::PluginRegistry& registry,
+                                 const BenchOptions& options, const BenchFiles& files) {
+  const double before_mb = allocated_mb();
+  opal::Localizer localizer(opal::build_parts(place.deployment, registry, place.site.map));
+  BenchCost cost{place.queries.size(), place.site.import_s, allocated_mb() - before_mb};
+  RunRecord all;
+  if (options.splice) {
+    SplicedRuns kidnapped = run_kidnappings(localizer, place, options);
+    auto splices = writable(files.folder / "splices.csv");
+    opal::write_kidnappings(splices, kidnapped.verdicts);
+    std::cout << opal::summary_of(kidnapped.verdicts);
+    cost.queries = kidnapped.verdicts.size();
+    all = std::move(kidnapped.all);
+  } else {
+    all = run_queries(localizer, place);
+  }
+  write_record(all, place.site, files);
+  auto summary = summarize(all, cost);
+  summary["site"] = fs::absolute(place.site.prefix).lexically_normal().string();
+  return summary;
 }
 
 int bench(const BenchOptions& options) {
@@ -119,6 +144,7 @@ int bench(const BenchOptions& options) {
   opal::MapJoin join = options.join.join;
   join.seed = options.damage.seed;
   if (join.copies > 0 && !options.joined) throw opal::ConfigError("bench: --copies without --join");
+  if (options.splice && options.joined) throw opal::ConfigError("bench: --splice with --join, expected one of them");
   std::vector<BenchSite> sites = load_sites(registry, options.prefixes, options.damage);
   if (options.joined) join_sites(sites, join);
   const fs::path out = options.out;
@@ -126,7 +152,8 @@ int bench(const BenchOptions& options) {
   for (const BenchSite& site : sites) {
     const fs::path folder = single ? out : out / site.name;
     fs::create_directories(folder);
-    const auto summary = run_site(site, deployment, registry, single ? out / "results.csv" : out / (site.name + ".csv"));
+    const BenchFiles files{single ? out / "results.csv" : out / (site.name + ".csv"), folder};
+    const auto summary = run_place(read_bench_place(registry, site, deployment), registry, options, files);
     writable(folder / "summary.json") << summary.dump(2) << '\n';
     std::cout << (single ? "" : site.name + ": ") << summary.dump(2) << '\n';
   }
@@ -141,12 +168,18 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
   verb->add_option("PREFIX", options->prefixes,
                    "PREFIX.map.yaml, PREFIX.info.json, PREFIX.queries.json and PREFIX.log.gz are read")
       ->required();
-  verb->add_option("-o,--out", options->out, "folder for results.csv and summary.json; for several places: NAME.csv and NAME/summary.json")
+  verb->add_option("-o,--out", options->out,
+                   "folder for results.csv, rivals.csv and summary.json; for several places: NAME.csv and the rest in NAME/")
       ->required();
   options->damage.add_to(*verb);
   verb->add_flag("--join", options->joined,
                  "run every query on the maps of all places side by side; results are in the frame of the place's own map");
   options->join.add_to(*verb);
   verb->add_option("--config", options->config, "deployment to run (default: configs/default.jsonld)");
+  verb->add_option("--splice", options->splice,
+                   "kidnap the robot instead: join windows with a cut that nothing tells, drawn by this seed; reads "
+                   "PREFIX.gt.csv to choose and to judge, and also writes splices.csv");
+  verb->add_option("--splices", options->splices.count, "so many (default: as many as there are queries)")
+      ->check(CLI::Range(1, 100000));
   verb->callback([options, &exit_code] { exit_code = bench(*options); });
 }

@@ -1,5 +1,6 @@
 #include "damage_options.hpp"
 #include "join_options.hpp"
+#include "map_patterns.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -7,6 +8,7 @@
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/map_check.hpp>
+#include <opal/map_raster.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -63,6 +65,7 @@ int check(const CheckOptions& options) {
   for (const std::string& sentence : opal::check_map(*map).sentences()) std::cout << sentence << '\n';
   const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
   for (const std::string& reason : plan.reasons) std::cout << reason << '\n';
+  check_layer(registry, map, options.sensor);
   return plan.detectors.empty() || plan.patterns.empty() ? 1 : 0;
 }
 
@@ -137,13 +140,39 @@ void add_join(CLI::App& map, int& exit_code) {
   verb->callback([options, &exit_code] { exit_code = join(*options); });
 }
 
+struct RasterVerbOptions {
+  std::string map, out;
+  opal::RasterOptions raster;
+};
+
+int raster(const RasterVerbOptions& options) {
+  const auto map = load_map(load_plugins(), options.map);
+  const opal::MapRaster raster = opal::rasterized(*map, options.raster);
+  opal::write_raster(raster, options.out);
+  std::cout << "written: " << options.out << ", " << raster.columns << " x " << raster.rows << " cells of "
+            << raster.resolution_m << " m\n";
+  return 0;
+}
+
+void add_raster(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<RasterVerbOptions>();
+  CLI::App* verb = map.add_subcommand("raster", "make a ROS map_server grid (yaml and pgm) of a semantic map");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("-o,--out", options->out, "grid to write (.yaml); the image goes beside it (.pgm)")->required();
+  verb->add_option("--resolution", options->raster.resolution_m, "side of a cell [m]")->capture_default_str();
+  verb->add_option("--border", options->raster.border_m, "around everything that is mapped [m]")->capture_default_str();
+  verb->callback([options, &exit_code] { exit_code = raster(*options); });
+}
+
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, damage, join");
+  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, patterns, damage, join, raster");
   map->require_subcommand(1);
   add_import(*map, exit_code);
   add_check(*map, exit_code);
+  add_map_patterns(*map, exit_code);
   add_damage(*map, exit_code);
   add_join(*map, exit_code);
+  add_raster(*map, exit_code);
 }

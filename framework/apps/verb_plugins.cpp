@@ -71,7 +71,7 @@ ordered_json to_json(const RegisteredType& type) {
   return {
       {"type", type.info.name},         {"kind", name_of(type.kind)},     {"description", type.description},
       {"plugin", type.plugin},          {"version", type.version},        {"file", type.file},
-      {"consumes", type.info.consumes}, {"produces", type.info.produces}, {"options", options}};
+      {"consumes", type.info.consumes}, {"produces", type.info.produces}, {"on_request", type.on_request}, {"options", options}};
 }
 
 void print_json(std::ostream& out, const Inventory& inventory) {
@@ -99,6 +99,7 @@ void print(std::ostream& out, const RegisteredType& type) {
       << type.description << "\n";
   if (!type.info.consumes.empty()) out << "    consumes " << listed(type.info.consumes) << "\n";
   if (!type.info.produces.empty()) out << "    produces " << listed(type.info.produces) << "\n";
+  if (type.on_request) out << "    on request: runs where a map's patterns or a deployment name it\n";
   for (const OptionInfo& option : type.options) print(out, option);
 }
 

@@ -17,13 +17,21 @@ void add_map_verb(CLI::App& app, int& exit_code);
 /// `opal localize CONFIG LOG`: the pose along a recorded log. Exit code 1 if there is none at the end.
 void add_localize_verb(CLI::App& app, int& exit_code);
 
+/// `opal track CONFIG LOG --pose X,Y,THETA`: the pose along a recorded log from a known start, and where the building
+/// differs from its map. Exit code 1 if it is lost at the end.
+void add_track_verb(CLI::App& app, int& exit_code);
+
 /// `opal explain OUT --at T`: why the localizer believed what it believed, in words.
 void add_explain_verb(CLI::App& app, int& exit_code);
 
 /// `opal view OUT...`: the run as one HTML file, or a moment of it as a picture.
 void add_view_verb(CLI::App& app, int& exit_code);
 
-/// `opal bench PREFIX -o OUT`: one recorded place from end to end. Never reads ground truth.
+/// `opal bench PREFIX -o OUT`: one recorded place from end to end. Reads ground truth only to kidnap robots and
+/// to judge what became of them.
 void add_bench_verb(CLI::App& app, int& exit_code);
+
+/// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
+void add_calibration_verb(CLI::App& app, int& exit_code);
 
 }  // namespace opal

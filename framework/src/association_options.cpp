@@ -48,6 +48,7 @@ const std::vector<Field>& fields() {
       {"outlier_m", &O::outlier_m, 0, 100},
       {"outlier_rad", &O::outlier_rad, 0, 4},
       {"memory", &O::memory, 0, 1},
+      {"encounter_memory", &O::encounter_memory, 0, 1},
       {"novelty_m", &O::novelty_m, 0.001, 1000},
       {"novelty_rad", &O::novelty_rad, 0.001, 1000},
       {"least_novelty", &O::least_novelty, 0, 1},
@@ -63,6 +64,14 @@ const std::vector<Field>& fields() {
       {"localized_novelty", &O::localized_novelty, 0, kMany},
       {"none_scan_nat", &O::none_scan_nat, -kMany, kMany},
       {"lost_scan_nat", &O::lost_scan_nat, -kMany, kMany},
+      {"carried_nat", &O::carried_nat, -kMany, 0},
+      {"carried_unseen_nat", &O::carried_unseen_nat, -kMany, 0},
+      {"carried_match_share", &O::carried_match_share, 0, 1},
+      {"carried_place_nat", &O::carried_place_nat, -kMany, 0},
+      {"carried_scan_nat", &O::carried_scan_nat, -kMany, kMany},
+      {"carried_most_nat", &O::carried_most_nat, 0, kMany},
+      {"carried_search_nat", &O::carried_search_nat, 0, kMany},
+      {"carried_alarm_nat", &O::carried_alarm_nat, 0, kMany},
   };
   return all;
 }

@@ -77,6 +77,13 @@ std::vector<PartConfig> narrowed(const std::vector<std::string>& called_for, con
   return chosen;
 }
 
+/// What the map calls for, and what it leaves to the deployment to ask for.
+std::vector<std::string> allowed_patterns(const PipelinePlan& plan, const MaybeParts& listed) {
+  std::vector<std::string> allowed = plan.patterns;
+  if (listed) allowed.insert(allowed.end(), plan.on_request.begin(), plan.on_request.end());
+  return allowed;
+}
+
 /// A pattern cannot be seen if the deployment has left out a detector that its features need.
 std::vector<PartConfig> observable(std::vector<PartConfig> patterns, const std::vector<PartConfig>& detectors,
                                    const PluginRegistry& registry) {
@@ -111,7 +118,7 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   expect_usable(deployment, registry);
   const PipelinePlan plan = plan_pipeline(*map, deployment.laser.id, registry.types());
   const auto detectors = narrowed(plan.detectors, deployment.detectors);
-  const auto patterns = observable(narrowed(plan.patterns, deployment.patterns), detectors, registry);
+  const auto patterns = observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, registry);
   if (detectors.empty()) refuse_empty(deployment, "detectors", plan);
   if (patterns.empty()) refuse_empty(deployment, "patterns", plan);
 

@@ -1,10 +1,7 @@
 #include <opal/drawing.hpp>
 
 #include "drawing_layers.hpp"
-
-#include <opal/error.hpp>
-
-#include <cairo-svg.h>
+#include "picture_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +12,6 @@ namespace {
 
 constexpr double kPlotWidth_px = 1300, kPlotHeight_px = 900, kLeastPlotHeight_px = 260;
 constexpr double kMargin_px = 28, kTitleRow_px = 40, kTitle_px = 18, kScaleRow_px = 16;
-constexpr double kPngScale = 1.5;
 /// What the plot shows at least, and beyond the content on every side.
 constexpr double kLeastExtent_m = 2, kBorder_m = 0.8;
 /// A picture of a larger world would show nothing: such points are mistakes.
@@ -121,31 +117,16 @@ void draw(const DrawingScene& scene, const Page& page, cairo_surface_t* surface)
   draw_legend(canvas, scene, page.legend_px);
 }
 
-void expect_success(cairo_status_t status, const std::string& path) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw Error(path + ": picture cannot be written: " + cairo_status_to_string(status));
-}
-
 }  // namespace
 
 void write_svg(const DrawingScene& scene, const std::string& path) {
   const Page page = lay_out(scene);
-  const Surface surface(cairo_svg_surface_create(path.c_str(), page.size_px.x(), page.size_px.y()));
-  expect_success(cairo_surface_status(surface.get()), path);
-  cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-  draw(scene, page, surface.get());
-  cairo_surface_finish(surface.get());
-  expect_success(cairo_surface_status(surface.get()), path);
+  write_svg_picture(path, page.size_px, [&](cairo_surface_t* surface) { draw(scene, page, surface); });
 }
 
 void write_png(const DrawingScene& scene, const std::string& path) {
   const Page page = lay_out(scene);
-  const Point size_px = kPngScale * page.size_px;
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size_px.x()),
-                                                   static_cast<int>(size_px.y())));
-  cairo_surface_set_device_scale(surface.get(), kPngScale, kPngScale);
-  draw(scene, page, surface.get());
-  expect_success(cairo_surface_write_to_png(surface.get(), path.c_str()), path);
+  write_png_picture(path, page.size_px, [&](cairo_surface_t* surface) { draw(scene, page, surface); });
 }
 
 }  // namespace opal

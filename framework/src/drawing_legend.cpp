@@ -95,7 +95,7 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
                                          std::pair(Perception::matched, "local feature, associated (")})
     if (const std::size_t found = count(scene, perception); found > 0)
       add(true, name + std::to_string(found) + ")", perception_symbol(perception));
-  add(!scene.patterns.empty(), "patterns looked up (" + std::to_string(scene.patterns.size()) + ")",
+  add(!scene.patterns.empty(), (scene.local_features.empty() ? "patterns (" : "patterns looked up (") + std::to_string(scene.patterns.size()) + ")",
       stroke_symbol(ink::kPattern, kPattern_px, kDash_px));
   add(!scene.associations.empty(), "mapped counterpart (" + std::to_string(scene.associations.size()) + ")",
       stroke_symbol(ink::kAssociation.with_opacity(0.45), kMatched_px));

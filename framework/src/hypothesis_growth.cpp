@@ -67,6 +67,7 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
                                Live& child) {
   child = parent;
   child.hypothesis.associations.push_back(choice);
+  child.not_on_map = parent.not_on_map + (choice.map_feature < 0);
   child.consecutive_not_on_map = choice.map_feature < 0 ? parent.consecutive_not_on_map + 1 : 0;
   if (options_.register_by_associations && choice.map_feature >= 0)
     if (const auto off_m = register_anew(child, local_map)) {
@@ -102,11 +103,22 @@ void HypothesisSet::branch(const LocalFeature& feature, const LocalMap& local_ma
   alive_ = std::move(grown);
 }
 
+std::vector<const LocalFeature*> HypothesisSet::rarest_first(std::vector<const LocalFeature*> features) const {
+  std::vector<std::pair<std::size_t, const LocalFeature*>> by_count;
+  for (const LocalFeature* feature : features) by_count.emplace_back(index_.expected(feature->feature), feature);
+  std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t k = 0; k < features.size(); ++k) features[k] = by_count[k].second;
+  return features;
+}
+
 void HypothesisSet::grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map) {
   const bool single = options_.max_branches == 1 && !options_.branch_not_on_map;
   if (!single) {
-    for (const LocalFeature* feature : features) branch(*feature, local_map);
-    merge_similar();
+    for (const LocalFeature* feature : rarest_first(features)) {
+      branch(*feature, local_map);
+      merge_similar();
+      prune_surplus();  // a newborn has much to say at once: its branches would double with every feature
+    }
     prune();
     return;
   }

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 namespace opal {
 namespace {
 
+/// Siblings that no scan has judged yet are alike but for what they leave unexplained (3.4.5).
 bool better(const Live& a, const Live& b) {
-  return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood;
+  if (a.hypothesis.log_likelihood != b.hypothesis.log_likelihood)
+    return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood;
+  return a.not_on_map < b.not_on_map;
 }
 
 void sort_best_first(std::vector<Live>& alive) { std::stable_sort(alive.begin(), alive.end(), better); }
@@ -26,7 +30,7 @@ bool ended(const Live& live) { return live.leaf < 0; }
 
 HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
                              const AssociationOptions& options, HypothesisListener& listener)
-    : map_(std::move(map)), judge_(judge), options_(options), listener_(listener) {}
+    : map_(std::move(map)), index_(*map_), judge_(judge), options_(options), listener_(listener) {}
 
 void HypothesisSet::clear() {
   alive_.clear();
@@ -83,8 +87,10 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
     ++live.updates;
-    hypothesis.log_likelihood =
-        (1 - novelty * (1 - options_.memory)) * hypothesis.log_likelihood + novelty * verdict.nat;
+    const double kept = 1 - novelty * (1 - options_.memory);
+    hypothesis.log_likelihood = kept * hypothesis.log_likelihood + novelty * verdict.nat;
+    hypothesis.encounters.take(verdict.encounters, novelty, 1 - novelty * (1 - options_.encounter_memory));
+    live.inherited_nat *= kept;
     if (!verdict.veto.empty()) end(live, "veto by " + verdict.veto);
   }
   std::erase_if(alive_, ended);
@@ -92,7 +98,7 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
   prune();
 }
 
-void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation,
+void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
                           const Hindsight& hindsight) {
   const Pose2 T_base_local = observation.local_map.T_local_base().inverse();
   for (Candidate& candidate : candidates) {
@@ -110,21 +116,30 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
     };
     const auto old = std::find_if(alive_.begin(), alive_.end(), same_place);
     if (old != alive_.end()) {
-      if (verdict.nat > old->scan_nat + 0.3) {  // clearly better aligned: the old one moves over
-        old->hypothesis.log_likelihood += verdict.nat - old->scan_nat;
+      Hypothesis newborn;  // both judged as if they had met nothing yet
+      newborn.T_map_local = old->hypothesis.T_map_local;
+      newborn.associations = old->hypothesis.associations;
+      const double gain = verdict.nat - judge_.decide(newborn, observation);
+      if (gain > 0.3) {  // clearly better aligned: the old one moves over
+        old->hypothesis.log_likelihood += gain;
         old->hypothesis.T_map_local = live.hypothesis.T_map_local;
-        old->scan_nat = verdict.nat;
+        old->scan_nat += gain;
         old->scores = std::move(verdict.scores);
       }
       continue;
     }
-    const Hindsight::Verdict past = hindsight.look_back(live.hypothesis, observation.local_map);
+    live.hypothesis.encounters.take(verdict.encounters, hindsight.since_newest(novelty), 1);
+    Hindsight::Verdict past = hindsight.look_back(live.hypothesis, observation.local_map);
     if (past.hopeless) {
       listener_.candidate_rejected(candidate, "would be far behind after the " + std::to_string(past.scans) + " scans before");
       continue;
     }
     live.hypothesis.id = next_id_++;
-    live.hypothesis.log_likelihood = options_.birth_nat + verdict.nat + past.nat;
+    live.hypothesis.log_likelihood =
+        options_.birth_nat + hindsight.since_newest(novelty) * verdict.nat + past.nat;
+    live.hypothesis.encounters = std::move(past.encounters);
+    live.carried_after = past.carried_after;
+    live.inherited_nat = past.inherited_nat;
     live.hypothesis.associations = candidate.pairs;
     live.leaf = tree_.add(-1, std::move(candidate.pairs));
     live.scan_nat = verdict.nat;
@@ -135,6 +150,18 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
   }
   sort_best_first(alive_);
   prune();
+}
+
+double HypothesisSet::settle() {
+  const double inherited_nat = alive_.front().inherited_nat;
+  for (Live& live : alive_) {
+    if (live.carried_after < 0) end(live, "the robot was carried away");
+    live.carried_after = -1;
+    live.inherited_nat = 0;
+    live.hypothesis.log_likelihood -= inherited_nat;
+  }
+  std::erase_if(alive_, ended);
+  return inherited_nat;
 }
 
 void HypothesisSet::merge(const Pose2& T_local_base) {
@@ -162,16 +189,14 @@ void HypothesisSet::merge_similar() {
       last.emplace_back(it->local_feature, it->map_feature);
     return last;
   };
-  for (std::size_t a = 0; a < alive_.size(); ++a)
-    for (std::size_t b = a + 1; b < alive_.size(); ++b) {
-      if (ended(alive_[a]) || ended(alive_[b])) continue;
-      const auto last = tail(alive_[a]);
-      const bool any_clutter =
-          std::any_of(last.begin(), last.end(), [](const auto& pair) { return pair.second < 0; });
-      if (!any_clutter && last == tail(alive_[b]))
-        end(alive_[b], "same newest associations as hypothesis " + std::to_string(alive_[a].hypothesis.id),
-            alive_[a].hypothesis.id);
-    }
+  std::map<std::vector<std::pair<int, int>>, int> best_by_tail;
+  for (Live& live : alive_) {
+    auto last = tail(live);
+    const auto is_clutter = [](const auto& pair) { return pair.second < 0; };
+    if (last.empty() || std::any_of(last.begin(), last.end(), is_clutter)) continue;
+    const auto [best, is_new] = best_by_tail.try_emplace(std::move(last), live.hypothesis.id);
+    if (!is_new) end(live, "same newest associations as hypothesis " + std::to_string(best->second), best->second);
+  }
   std::erase_if(alive_, ended);
 }
 
@@ -187,10 +212,17 @@ void HypothesisSet::prune() {
     else if (options_.max_consecutive_not_on_map > 0 &&
              live.consecutive_not_on_map > options_.max_consecutive_not_on_map)
       end(live, "too many features in a row that are not on the map");
-    else if (k >= static_cast<std::size_t>(options_.max_hypotheses))
-      end(live, "beyond the number of hypotheses kept");
   }
   std::erase_if(alive_, ended);
+  prune_surplus();
+}
+
+void HypothesisSet::prune_surplus() {
+  const auto most = static_cast<std::size_t>(options_.max_hypotheses);
+  if (alive_.size() <= most) return;
+  sort_best_first(alive_);
+  for (std::size_t k = most; k < alive_.size(); ++k) end(alive_[k], "beyond the number of hypotheses kept");
+  alive_.resize(most);
 }
 
 }  // namespace opal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "feature_index.hpp"
 #include "hindsight.hpp"
 #include "judge.hpp"
 #include "seeding.hpp"
@@ -16,7 +17,10 @@ struct Live {
   int leaf = -1;                ///< in the tree
   double scan_nat = 0;          ///< what the newest scan said
   int updates = 0;              ///< scans judged since birth
+  int not_on_map = 0;           ///< associations with nothing, along the branch
   int consecutive_not_on_map = 0;
+  int carried_after = -1;       ///< the robot was carried away after this keyframe, if it is right; -1: it was not
+  double inherited_nat = 0;     ///< part of its evidence that the best hypothesis had gathered by then
   std::vector<Score> scores;    ///< of the newest scan, in the judge's order
 };
 
@@ -56,14 +60,22 @@ class HypothesisSet {
              const Eigen::Vector2d& window);
 
   /// Takes candidates that the sieves let pass as new hypotheses; those at the place of an old one renew it.
-  void adopt(std::vector<Candidate> candidates, const Observation& observation, const Hindsight& hindsight);
+  /// @param novelty  of the scan, as for `track`.
+  void adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
+             const Hindsight& hindsight);
 
-  /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not.
+  /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not. The
+  /// features that the map's index expects least often go first: they leave fewest branches.
   void grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map);
 
   /// Forgets associations whose local feature the local map has forgotten, and those that no longer fit: `grow`
   /// decides on these features anew.
   void forget(const LocalMap& local_map);
+
+  /// The best hypothesis is right and the robot was carried away: ends those by which it was not. What is left has
+  /// gathered nothing before that.
+  /// @return what was taken off everybody's evidence [nat].
+  double settle();
 
   void clear();
   const std::vector<Live>& alive() const { return alive_; }
@@ -71,6 +83,7 @@ class HypothesisSet {
 
  private:
   std::vector<Association> choices_for(const Live& live, const LocalFeature& feature) const;
+  std::vector<const LocalFeature*> rarest_first(std::vector<const LocalFeature*> features) const;
   void branch(const LocalFeature& feature, const LocalMap& local_map);
   /// @return the worst error [m] if an association is an outlier under the new registration, else nothing.
   std::optional<double> register_anew(Live& live, const LocalMap& local_map) const;
@@ -80,8 +93,10 @@ class HypothesisSet {
   void merge(const Pose2& T_local_base);
   void merge_similar();
   void prune();
+  void prune_surplus();
 
   std::shared_ptr<const MapView> map_;
+  FeatureIndex index_;
   const Judge& judge_;
   AssociationOptions options_;
   HypothesisListener& listener_;

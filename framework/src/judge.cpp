@@ -61,6 +61,7 @@ Judge::Verdict Judge::judge(const Hypothesis& hypothesis, const Observation& obs
     Score score = ask(scorer, hypothesis, observation);
     if (scorer.decides) {
       verdict.nat += scorer.weight * score.log_likelihood;
+      verdict.encounters.take(score.encounters, 1, 1);
       if (verdict.veto.empty() && !score.veto.empty()) verdict.veto = scorer.name + ": " + score.veto;
     }
     verdict.scores.push_back(std::move(score));

@@ -21,6 +21,7 @@ class Judge {
   struct Verdict {
     double nat = 0;             ///< sum over deciding scorers
     std::string veto;           ///< first veto of a deciding scorer, with its name; empty: none
+    Encounters encounters;      ///< of the deciding scorers
     std::vector<Score> scores;  ///< all scorers, in the order of `scorers()`
   };
   Verdict judge(const Hypothesis& hypothesis, const Observation& observation) const;

@@ -1,9 +1,8 @@
 #include "local_map_graph.hpp"
 
-#include <ceres/ceres.h>
+#include "graph_factors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace opal {
@@ -14,71 +13,7 @@ namespace {
 constexpr double kPoseSpacing_m = 0.3;
 constexpr double kPoseSpacing_rad = 0.3;
 
-// Least standard deviations: neither detectors nor matchers know of errors they share between scans.
-constexpr double kLeastSigma_m = 0.01;
-constexpr double kLeastSigma_rad = 0.003;
-
 constexpr int kIterations = 5;  // starts near the solution; later steps move poses by less than a millimetre
-
-using Variable = std::array<double, 3>;
-
-Variable to_variable(const Pose2& pose) { return {pose.x(), pose.y(), pose.heading_rad()}; }
-Pose2 to_pose(const Variable& v) { return {v[0], v[1], v[2]}; }
-
-/// W with W^T W = inverse of the covariance, after the least standard deviations have been added.
-template <int N>
-Eigen::Matrix<double, N, N> whitening(Eigen::Matrix<double, N, N> covariance,
-                                      const Eigen::Matrix<double, N, 1>& least_sigma) {
-  covariance.diagonal() += least_sigma.cwiseAbs2();
-  const Eigen::Matrix<double, N, N> information = covariance.inverse();
-  return information.llt().matrixU();
-}
-
-/// Writes to Ceres' arrays; a null pointer is a Jacobian that is not asked for.
-template <int Rows, int Columns>
-void store(double* to, const Eigen::Matrix<double, Rows, Columns>& values) {
-  if (!to) return;
-  for (int row = 0; row < Rows; ++row)
-    for (int column = 0; column < Columns; ++column) to[row * Columns + column] = values(row, column);
-}
-
-/// Rotation by `heading` and its derivative by the heading.
-struct Turn {
-  explicit Turn(double heading) {
-    const double c = std::cos(heading), s = std::sin(heading);
-    R << c, -s, s, c;
-    dR << -s, -c, c, -s;
-  }
-  Eigen::Matrix2d R, dR;
-};
-
-/// Relative pose of two keyframes: (R_a^T (x_b - x_a) - t, heading_b - heading_a - turn).
-class MotionFactor : public ceres::SizedCostFunction<3, 3, 3> {
- public:
-  explicit MotionFactor(const RelativePose& motion)
-      : motion_(motion.T_from_to),
-        W_(whitening<3>(motion.covariance, {kLeastSigma_m, kLeastSigma_m, kLeastSigma_rad})) {}
-
-  bool Evaluate(double const* const* v, double* residuals, double** jacobians) const override {
-    const Turn a(v[0][2]);
-    const Point apart(v[1][0] - v[0][0], v[1][1] - v[0][1]);
-    Eigen::Vector3d e;
-    e << a.R.transpose() * apart - motion_.position(), wrap_angle(v[1][2] - v[0][2] - motion_.heading_rad());
-    store<3, 1>(residuals, W_ * e);
-    if (!jacobians) return true;
-    Eigen::Matrix3d by_a = -Eigen::Matrix3d::Identity(), by_b = Eigen::Matrix3d::Identity();
-    by_a.topLeftCorner<2, 2>() = -a.R.transpose();
-    by_a.topRightCorner<2, 1>() = a.dR.transpose() * apart;
-    by_b.topLeftCorner<2, 2>() = a.R.transpose();
-    store<3, 3>(jacobians[0], W_ * by_a);
-    store<3, 3>(jacobians[1], W_ * by_b);
-    return true;
-  }
-
- private:
-  Pose2 motion_;
-  Eigen::Matrix3d W_;
-};
 
 /// A line (rho, psi), n = (cos psi, sin psi) its normal towards the visible side, rho = n . p for its points. The
 /// residuals are those of (A.1) and (A.2) of the thesis, with two changes: the sign of rho follows the visible side
@@ -173,15 +108,6 @@ std::vector<std::size_t> choose_poses(const std::deque<Keyframe>& keyframes) {
       chosen.push_back(i);
   }
   return chosen;
-}
-
-/// Covariance of a * b, first order.
-Eigen::Matrix3d chained(const RelativePose& a, const RelativePose& b) {
-  const Point lever = a.T_from_to.rotate(b.T_from_to.position());
-  Eigen::Matrix3d by_a = Eigen::Matrix3d::Identity(), by_b = Eigen::Matrix3d::Identity();
-  by_a.topRightCorner<2, 1>() = left_of(lever);
-  by_b.topLeftCorner<2, 2>() = Turn(a.T_from_to.heading_rad()).R;
-  return by_a * a.covariance * by_a.transpose() + by_b * b.covariance * by_b.transpose();
 }
 
 /// Poses, landmarks and factors of one horizon, in a frame at the oldest pose: angles and distances stay small

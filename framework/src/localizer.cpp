@@ -51,13 +51,17 @@ struct Localizer::State {
         journal(sink ? *sink : nobody, parts.map, judge, seeder),
         hindsight(parts.map, judge, options),
         hypotheses(parts.map, judge, options, journal),
+        change(options),
         status(options) {}
 
   bool moved_enough(const Pose2& T_odom_base) const;
+  bool fits_no_more(const Scan& scan, const Pose2& T_odom_base) const;
   std::vector<Feature> detect(const Scan& scan);
   Observation observe(const Scan& scan, const std::vector<Feature>& features) const;
   double novelty() const;  ///< of the newest scan
   void track(const Observation& observation, const Scan& scan);
+  void watch();
+  void settle();
   bool time_to_seed();
   void seed(const Observation& observation, const Scan& scan);
   std::vector<SeedFeature> seed_features(const Observation& observation) const;
@@ -77,6 +81,7 @@ struct Localizer::State {
   RunJournal journal;
   Hindsight hindsight;
   HypothesisSet hypotheses;
+  ChangeDetector change;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
 
@@ -87,6 +92,7 @@ struct Localizer::State {
   Pose2 T_odom_base_seed;   ///< at the last search for new hypotheses
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   int searches_skipped = 0;
+  bool search_now = false;  ///< there is reason to believe that the robot was carried away, since this scan
   StageTimes times;
 };
 
@@ -94,7 +100,7 @@ struct Localizer::State {
 
 std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_odom_base) {
   State& s = *state_;
-  if (!s.moved_enough(T_odom_base)) return std::nullopt;
+  if (!s.moved_enough(T_odom_base) && !s.fits_no_more(scan, T_odom_base)) return std::nullopt;
   s.times = {};
   s.stamp_s = scan.stamp_s;
   const std::vector<Feature> features = s.detect(scan);  // sensor frame
@@ -108,11 +114,14 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   const Observation observation = s.observe(scan, features);  // base_link frame
   s.journal.keyframe(s.stamp_s, s.keyframe, scan, s.parts.laser.T_base_laser, observation);
   s.track(observation, scan);                              // map frame from here on
+  s.watch();
   if (s.time_to_seed()) s.seed(observation, scan);
   s.grow();
-  s.hindsight.remember(observation, s.novelty(), s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat);
-  const PoseEstimate estimate =
-      s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s, s.novelty());
+  const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
+  s.hindsight.remember(observation, s.keyframe, s.novelty(), best_nat);
+  const PoseEstimate estimate = s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s,
+                                                  s.novelty(), s.change.probability());
+  s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
   s.started = true;
@@ -125,6 +134,16 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
 bool Localizer::State::moved_enough(const Pose2& now) const {
   return !started || distance_m(T_odom_base, now) > parts.keyframes.distance_m ||
          angle_between_rad(T_odom_base, now) > parts.keyframes.angle_rad;
+}
+
+/// A robot that stands, and sees something else than it should, has been carried away or turned.
+bool Localizer::State::fits_no_more(const Scan& scan, const Pose2& now) const {
+  if (!status.localized() || hypotheses.alive().empty()) return false;
+  const Pose2 T_local_base = local_map.T_local_base_at(now);
+  Hypothesis carried_on = hypotheses.alive().front().hypothesis;
+  carried_on.T_map_local = carried_on.T_map_local * T_local_base * local_map.T_local_base().inverse();
+  const Observation seen = observe(scan, {});
+  return !seen.points.empty() && change.alarming(judge.decide(carried_on, seen));
 }
 
 std::vector<Feature> Localizer::State::detect(const Scan& scan) {
@@ -170,8 +189,28 @@ void Localizer::State::track(const Observation& observation, const Scan& scan) {
   hypotheses.track(observation, novelty(), coarse, window);
 }
 
+/// Asks whether the robot is still where the best hypothesis has it.
+void Localizer::State::watch() {
+  search_now = false;
+  if (hypotheses.alive().empty()) return change.reset();
+  const Live& best = hypotheses.alive().front();
+  const bool suspected = change.suspected().has_value();
+  const bool established = status.localized() || best.carried_after >= 0;
+  change.add({keyframe, novelty(), local_map.last_match().inlier_share, best.scan_nat,
+              best.hypothesis.log_likelihood, established});
+  hindsight.suspect(change.suspected());
+  search_now = !suspected && change.suspected().has_value();
+}
+
+/// Once the best hypothesis by which the robot was carried away stands for itself, what was before is over.
+void Localizer::State::settle() {
+  if (!status.localized() || hypotheses.alive().front().carried_after < 0) return;
+  hindsight.forget_until(hypotheses.alive().front().carried_after);
+  status.settle(hypotheses.settle());
+}
+
 bool Localizer::State::time_to_seed() {
-  const bool due = !started || hypotheses.alive().empty() ||
+  const bool due = !started || hypotheses.alive().empty() || search_now ||
                    distance_m(T_odom_base_seed, T_odom_base) > options.seed_every_m ||
                    angle_between_rad(T_odom_base_seed, T_odom_base) > options.seed_every_rad;
   if (!due) return false;
@@ -245,7 +284,7 @@ bool Localizer::State::worth_loose_search(const std::vector<Candidate>& found) c
   const auto& alive_now = hypotheses.alive();
   const bool tracked_good =
       !alive_now.empty() && alive_now.front().hypothesis.log_likelihood >= options.loose_until_nat;
-  return !found_good && !tracked_good;
+  return !found_good && (!tracked_good || change.suspected());
 }
 
 void Localizer::State::seed(const Observation& observation, const Scan& scan) {
@@ -274,7 +313,7 @@ void Localizer::State::seed(const Observation& observation, const Scan& scan) {
     std::stable_sort(candidates.begin(), candidates.end(), better_score);
     if (candidates.size() > static_cast<std::size_t>(options.seed_hypotheses))
       candidates.resize(options.seed_hypotheses);
-    hypotheses.adopt(std::move(candidates), observation, hindsight);
+    hypotheses.adopt(std::move(candidates), observation, novelty(), hindsight);
   }
   journal.searched(looked_up, places);
 }
@@ -303,6 +342,8 @@ void Localizer::reset() {
   s.local_map.clear();
   s.hindsight.clear();
   s.hypotheses.clear();
+  s.change.reset();
+  s.search_now = false;
   s.status.reset();
   s.started = false;
   s.searches_skipped = 0;

@@ -205,13 +205,16 @@ MapView::Crossing MapView::first_crossing(const Point& origin, const Point& targ
   const Ray ray{origin, way / length, length, min_penetration_m};
   constexpr double kStep_m = 0.09;     // just below a cell
   constexpr double kInCell_m = 0.071;  // half a cell's diagonal: how far the grid's distance may be off
+  const SurfaceGrid& grid = index_->surfaces;
+  const Point from = grid.in_cells(origin), along = ray.direction * (1 / cell_m());
   for (double range = 0; range < length;) {
-    const Point p = origin + range * ray.direction;
-    const double clearance = clearance_m(p);
+    const int cm = grid.distance_cm_in_cells(from + range * along);
+    const double clearance = cm == 255 ? clearance_cap_m() : 0.01 * cm;
     if (clearance > kInCell_m + kStep_m / 2) {
       range += std::max(kStep_m, clearance - kInCell_m);
       continue;
     }
+    const Point p = origin + range * ray.direction;
     for (int number : index_->surfaces.nearest(p)) {
       if (number < 0) continue;
       const Surface& surface = index_->by_number[number];

@@ -26,70 +26,84 @@ Interval accepted_by(const Invariant& observed) {
 
 }  // namespace
 
-/// A k-d tree (Bentley 1975) over the invariants of all patterns: an implicit balanced tree in one array, the median
-/// of each range at its middle, with a bounding box per node so that whole subtrees are counted or skipped.
+/// A k-d tree (Bentley 1975) over the invariants of all patterns. Each node halves its range of patterns at the median of
+/// the widest dimension, down to buckets of a few; children of node k are 2 k + 1 and 2 k + 2. Every node has a bounding
+/// box, so that whole subtrees are counted or skipped.
 struct PatternIndex::Tree {
-  int dimensions = 0;
+  static constexpr std::size_t kBucket = 16;
+
+  std::size_t dimensions = 0;
   std::vector<int> order;       ///< pattern numbers in tree order
   std::vector<float> values;    ///< dimensions per pattern, in tree order
-  std::vector<Interval> boxes;  ///< dimensions per node, by the node's middle position
+  std::vector<Interval> boxes;  ///< dimensions per node
 
   explicit Tree(std::span<const PatternInstance> patterns) {
     if (patterns.empty()) return;
-    dimensions = static_cast<int>(patterns.front().invariants.size());
+    dimensions = patterns.front().invariants.size();
     order.resize(patterns.size());
     std::iota(order.begin(), order.end(), 0);
-    boxes.resize(order.size() * dimensions);
-    build(patterns, 0, order.size());
-    values.reserve(boxes.size());
+    std::vector<float> by_number;  // one array: following two pointers per comparison would take most of the time
+    by_number.reserve(patterns.size() * dimensions);
+    for (const PatternInstance& pattern : patterns)
+      for (const Invariant& invariant : pattern.invariants) by_number.push_back(static_cast<float>(invariant.value));
+    build(by_number, 0, 0, order.size());
+    values.reserve(by_number.size());
     for (int number : order)
-      for (const Invariant& invariant : patterns[number].invariants)
-        values.push_back(static_cast<float>(invariant.value));
+      values.insert(values.end(), &by_number[number * dimensions], &by_number[number * dimensions] + dimensions);
   }
 
-  void build(std::span<const PatternInstance> patterns, std::size_t from, std::size_t to) {
-    if (from >= to) return;
+  void build(const std::vector<float>& by_number, std::size_t node, std::size_t from, std::size_t to) {
+    if (boxes.size() < (node + 1) * dimensions) boxes.resize((node + 1) * dimensions);
+    const std::size_t widest = enclose(by_number, node, from, to);
+    if (to - from <= kBucket) return;
     const std::size_t middle = from + (to - from) / 2;
-    Interval* box = &boxes[middle * dimensions];
-    int widest = 0;
-    float widest_span = -1;
-    for (int d = 0; d < dimensions; ++d) {
-      box[d] = {kInfinity, -kInfinity};
-      for (std::size_t k = from; k < to; ++k) {
-        const auto value = static_cast<float>(patterns[order[k]].invariants[d].value);
+    std::nth_element(order.begin() + from, order.begin() + middle, order.begin() + to, [&](int a, int b) {
+      return by_number[a * dimensions + widest] < by_number[b * dimensions + widest];
+    });
+    build(by_number, 2 * node + 1, from, middle);
+    build(by_number, 2 * node + 2, middle, to);
+  }
+
+  /// Sets the node's box. @return its widest dimension.
+  std::size_t enclose(const std::vector<float>& by_number, std::size_t node, std::size_t from, std::size_t to) {
+    Interval* box = &boxes[node * dimensions];
+    std::fill(box, box + dimensions, Interval{kInfinity, -kInfinity});
+    for (std::size_t k = from; k < to; ++k)
+      for (std::size_t d = 0; d < dimensions; ++d) {
+        const float value = by_number[order[k] * dimensions + d];
         box[d] = {std::min(box[d].low, value), std::max(box[d].high, value)};
       }
-      if (box[d].high - box[d].low > widest_span) {
-        widest_span = box[d].high - box[d].low;
-        widest = d;
-      }
-    }
-    std::nth_element(order.begin() + from, order.begin() + middle, order.begin() + to, [&](int a, int b) {
-      return patterns[a].invariants[widest].value < patterns[b].invariants[widest].value;
-    });
-    build(patterns, from, middle);
-    build(patterns, middle + 1, to);
+    const auto narrower = [](const Interval& a, const Interval& b) { return a.high - a.low < b.high - b.low; };
+    return static_cast<std::size_t>(std::max_element(box, box + dimensions, narrower) - box);
   }
 
   /// Calls visit(from, to) for ranges that are wholly inside the query, and for single matches; stops when it
   /// returns false.
   template <class Visit>
-  bool search(const std::vector<Interval>& query, std::size_t from, std::size_t to, Visit& visit) const {
-    if (from >= to) return true;
-    const std::size_t middle = from + (to - from) / 2;
-    const Interval* box = &boxes[middle * dimensions];
+  bool search(const std::vector<Interval>& query, Visit& visit) const {
+    return order.empty() || search(query, 0, 0, order.size(), visit);
+  }
+
+  template <class Visit>
+  bool search(const std::vector<Interval>& query, std::size_t node, std::size_t from, std::size_t to, Visit& visit) const {
+    const Interval* box = &boxes[node * dimensions];
     bool inside = true;
-    for (int d = 0; d < dimensions; ++d) {
+    for (std::size_t d = 0; d < dimensions; ++d) {
       if (box[d].low > query[d].high || box[d].high < query[d].low) return true;
       inside = inside && box[d].low >= query[d].low && box[d].high <= query[d].high;
     }
     if (inside) return visit(from, to);
-    if (contains(query, middle) && !visit(middle, middle + 1)) return false;
-    return search(query, from, middle, visit) && search(query, middle + 1, to, visit);
+    if (to - from <= kBucket) {
+      for (std::size_t k = from; k < to; ++k)
+        if (contains(query, k) && !visit(k, k + 1)) return false;
+      return true;
+    }
+    const std::size_t middle = from + (to - from) / 2;
+    return search(query, 2 * node + 1, from, middle, visit) && search(query, 2 * node + 2, middle, to, visit);
   }
 
   bool contains(const std::vector<Interval>& query, std::size_t at) const {
-    for (int d = 0; d < dimensions; ++d) {
+    for (std::size_t d = 0; d < dimensions; ++d) {
       const float value = values[at * dimensions + d];
       if (value < query[d].low || value > query[d].high) return false;
     }
@@ -117,7 +131,7 @@ std::vector<Interval> query_of(const PatternInstance& observed) {
 std::size_t PatternIndex::count(const PatternInstance& observed, std::size_t limit) const {
   std::size_t found = 0;
   auto add = [&](std::size_t from, std::size_t to) { return (found += to - from) < limit; };
-  tree_->search(query_of(observed), 0, tree_->order.size(), add);
+  tree_->search(query_of(observed), add);
   return std::min(found, limit);
 }
 
@@ -127,7 +141,7 @@ std::vector<int> PatternIndex::find(const PatternInstance& observed) const {
     numbers.insert(numbers.end(), tree_->order.begin() + from, tree_->order.begin() + to);
     return true;
   };
-  tree_->search(query_of(observed), 0, tree_->order.size(), add);
+  tree_->search(query_of(observed), add);
   std::sort(numbers.begin(), numbers.end());
   return numbers;
 }

@@ -2,6 +2,7 @@
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -68,25 +69,27 @@ class Enumeration {
   void fill(int candidate) {
     if (kind_of(features_[candidate].geometry) != shape_.slots[chosen_.size()]) return;
     for (int earlier : chosen_)
-      if (earlier == candidate ||
-          gap_m(features_[earlier].geometry, features_[candidate].geometry) > shape_.reach_m)
+      if (earlier == candidate || is_farther(earlier, candidate, earlier == chosen_.back() ? neighbour_m_ : shape_.reach_m))
         return;
     chosen_.push_back(candidate);
     if (chosen_.size() == shape_.slots.size())
       offer();
     else
-      for (int next : around(chosen_.front())) fill(next);
+      for (int next : around(chosen_.back(), neighbour_m_)) fill(next);
     chosen_.pop_back();
   }
 
-  std::vector<int> around(int number) const {
+  bool is_farther(int a, int b, double distance_m) const {
+    return gap_m(features_[a].geometry, features_[b].geometry) > distance_m;
+  }
+
+  std::vector<int> around(int number, double r) const {
     Box box = std::visit(Corners{}, features_[number].geometry);
-    const double r = shape_.reach_m;
     box = {{box.min_corner().get<0>() - r, box.min_corner().get<1>() - r},
            {box.max_corner().get<0>() + r, box.max_corner().get<1>() + r}};
     std::vector<int> numbers;
-    for (auto it = tree_.qbegin(bg::index::intersects(box)); it != tree_.qend(); ++it)
-      numbers.push_back(it->second);
+    tree_.query(bg::index::intersects(box),
+                boost::make_function_output_iterator([&](const Entry& entry) { numbers.push_back(entry.second); }));
     std::sort(numbers.begin(), numbers.end());
     return numbers;
   }
@@ -102,6 +105,7 @@ class Enumeration {
 
   const PatternTemplate& template_;
   const PatternShape shape_;
+  const double neighbour_m_ = shape_.neighbour_reach_m > 0 ? shape_.neighbour_reach_m : shape_.reach_m;
   std::span<const Feature> features_;
   bg::index::rtree<Entry, bg::index::quadratic<16>> tree_;
   std::vector<int> chosen_;

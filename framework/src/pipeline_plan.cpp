@@ -47,7 +47,7 @@ class Planner {
   PipelinePlan plan(const std::vector<RegisteredType>& types) {
     for (const RegisteredType& detector : of_kind(PluginKind::feature_detector, types)) consider_detector(detector.info);
     report_unseen();
-    for (const RegisteredType& pattern : of_kind(PluginKind::pattern_template, types)) consider_pattern(pattern.info);
+    for (const RegisteredType& pattern : of_kind(PluginKind::pattern_template, types)) consider_pattern(pattern);
     report_missing_templates(types);
     return std::move(plan_);
   }
@@ -74,7 +74,8 @@ class Planner {
                                 " features of the map stay unseen");
   }
 
-  void consider_pattern(const TypeInfo& pattern) {
+  void consider_pattern(const RegisteredType& registered) {
+    const TypeInfo& pattern = registered.info;
     const bool named = demand_.patterns_by_template.contains(pattern.name);
     if (!named && !demand_.patterns_by_template.empty()) {
       reject(pattern, "the map's patterns name other templates only");
@@ -88,6 +89,11 @@ class Planner {
       }
     if (produced_.empty()) {
       reject(pattern, "no detector runs");
+      return;
+    }
+    if (registered.on_request && !named) {
+      plan_.on_request.push_back(pattern.name);
+      reject(pattern, "nothing asks for it: it runs where the map's patterns or a deployment name it");
       return;
     }
     const std::string consumed = pattern.consumes.empty() ? "any feature" : listed(pattern.consumes);

@@ -171,8 +171,16 @@ std::vector<OptionInfo> read_options(const Node& type) {
   return options;
 }
 
+bool read_on_request(const Node& type, PluginKind kind) {
+  const auto node = type.find("on_request");
+  if (!node) return false;
+  if (kind != PluginKind::pattern_template) node->refuse("only a PatternTemplate can wait to be named");
+  if (!node->value().is_boolean()) node->refuse_value("true or false");
+  return node->value().get<bool>();
+}
+
 DescribedType read_type(const Node& node) {
-  node.expect_object({"@id", "kind", "description"}, {"consumes", "produces", "options"});
+  node.expect_object({"@id", "kind", "description"}, {"consumes", "produces", "options", "on_request"});
   DescribedType type;
   type.info.name = node.at("@id").prefixed_name();
   type.kind = read_kind(node.at("kind"));
@@ -182,6 +190,7 @@ DescribedType read_type(const Node& node) {
   if (type.kind == PluginKind::feature_detector && type.info.produces.empty())
     node.refuse("a FeatureDetector must say in \"produces\" which feature types it finds");
   type.options = read_options(node);
+  type.on_request = read_on_request(node, type.kind);
   return type;
 }
 

@@ -157,7 +157,7 @@ struct PluginRegistry::State {
     std::map<std::string, Entry> taken;
     for (const DescribedType& described : description.types) {
       RegisteredType type{described.info, described.kind,        description.name, description.version,
-                          file,           described.description, described.options};
+                          file,           described.description, described.options,   described.on_request};
       taken.emplace(described.info.name,
                     Entry{library, std::move(type), std::move(named.at(described.info.name).factory)});
     }

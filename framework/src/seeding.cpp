@@ -1,5 +1,7 @@
 #include "seeding.hpp"
 
+#include "mapped_patterns.hpp"
+
 #include <opal/registration.hpp>
 
 #include <algorithm>
@@ -41,11 +43,11 @@ double support_of(const PatternInstance& observed, std::span<const Feature> feat
 
 Seeder::Seeder(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
                const AssociationOptions& options)
-    : map_(std::move(map)), options_(options), mapped_(mapped_features(map_->map(), map_->features())) {
-  std::vector<Feature> features;
-  for (const MappedFeature& mapped : mapped_) features.push_back(mapped.feature);
-  for (auto& each : templates)
-    tables_.push_back({each.name, each.part, PatternIndex(find_patterns(*each.part, features))});
+    : map_(std::move(map)), options_(options) {
+  MappedPatterns mapped = mapped_patterns(*map_, templates);
+  mapped_ = std::move(mapped.features);
+  for (std::size_t k = 0; k < templates.size(); ++k)
+    tables_.push_back({templates[k].name, templates[k].part, PatternIndex(std::move(mapped.by_template[k]))});
 }
 
 std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bool loose) const {
@@ -78,7 +80,23 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
       chosen.push_back(std::move(lookup));
     }
   }
+  leave_out_parts(chosen);
   return chosen;
+}
+
+/// A pattern that contains others says all that they say, and fewer places look like it: its parts are not looked up
+/// (Algorithm 3, Hendrikx 2023).
+void Seeder::leave_out_parts(std::vector<Lookup>& chosen) {
+  const auto is_part = [](const std::vector<int>& part, const std::vector<int>& whole) {
+    return part.size() < whole.size() && std::all_of(part.begin(), part.end(), [&](int member) {
+             return std::find(whole.begin(), whole.end(), member) != whole.end();
+           });
+  };
+  std::vector<std::vector<int>> wholes;
+  for (const Lookup& lookup : chosen) wholes.push_back(lookup.observed.members);
+  std::erase_if(chosen, [&](const Lookup& lookup) {
+    return std::any_of(wholes.begin(), wholes.end(), [&](const auto& whole) { return is_part(lookup.observed.members, whole); });
+  });
 }
 
 bool Seeder::nearer(const Place& a, const Place& b) { return a.nearness > b.nearness; }

@@ -68,6 +68,7 @@ class Seeder {
     int mapped;
   };
 
+  static void leave_out_parts(std::vector<Lookup>& chosen);
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
   /// Poses by a few points in large cells; where a pattern slides, every third one.
   void look_up(const Lookup& lookup, int number, TellingPoints& points, BestShare& sieve,

@@ -182,6 +182,8 @@ std::shared_ptr<const SemanticMap> SemanticMap::finish(MapDraft draft) {
   check_ids(draft);
   unify_shared_points(draft);
   check_values(draft);
+  for (std::size_t i = 0; i < draft.patterns.size(); ++i)
+    draft.patterns[i].place = draft.source + ": " + draft.pattern_places[i];
   return std::shared_ptr<const SemanticMap>(new SemanticMap(std::move(draft)));
 }
 
@@ -189,6 +191,14 @@ std::shared_ptr<const SemanticMap> SemanticMap::make(std::string name, std::vect
                                                      std::vector<MapFeature> features,
                                                      std::vector<MapPattern> patterns, MapOrigin origin) {
   MapDraft draft{name, name, std::move(objects), std::move(features), std::move(patterns), std::move(origin)};
+  draft.object_places = places_in("/objects", draft.objects);
+  draft.feature_places = places_in("/features", draft.features);
+  draft.pattern_places = places_in("/patterns", draft.patterns);
+  return finish(std::move(draft));
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::with_patterns(std::vector<MapPattern> patterns) const {
+  MapDraft draft{name_, name_, objects_, features_, std::move(patterns), origin_, prefixes_, unused_};
   draft.object_places = places_in("/objects", draft.objects);
   draft.feature_places = places_in("/features", draft.features);
   draft.pattern_places = places_in("/patterns", draft.patterns);

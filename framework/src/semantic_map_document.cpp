@@ -83,10 +83,12 @@ MapDraft draft_of(const nlohmann::json& document, const MapSource& source, bool 
 }  // namespace
 
 // Where things stand in the document is only of interest if something is wrong with it, and knowing it takes more
-// memory and time than all the rest: so a document with a fault is read a second time.
+// memory and time than all the rest: so a document with a fault is read a second time. Faults of patterns show later, when
+// their templates are at hand, so a document with patterns is read with places at once.
 std::shared_ptr<const SemanticMap> SemanticMap::from_document(const nlohmann::json& document, const MapSource& source) {
   try {
-    return finish(draft_of(document, source, false));
+    MapDraft draft = draft_of(document, source, false);
+    return finish(draft.patterns.empty() ? std::move(draft) : draft_of(document, source, true));
   } catch (const MapError&) {
     return finish(draft_of(document, source, true));
   }

@@ -65,7 +65,7 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
 }
 
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,
-                              const PoseEstimate& estimate, double novelty) {
+                              const PoseEstimate& estimate, double novelty, double carried) {
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
   sure_ = same && estimate.probability > options_.localized_probability ? sure_ + novelty : 0;
   constexpr double kMemory = 0.8;
@@ -74,8 +74,12 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
     return because(Status::lost, "the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
                    options_.lost_scan_nat);
+  const bool doubt = estimate.probability * (1 - carried) <= options_.localized_probability;
+  if (was_localized_ && same && doubt && sure_ > 0)
+    return because(Status::lost, "the newest scans do not fit here: carried away with probability %.3f, not below %.3f",
+                   carried, 1 - options_.localized_probability);
   const char* held = "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence";
-  if (sure_ >= options_.localized_novelty) return because(Status::localized, held, sure_, options_.localized_novelty);
+  if (sure_ >= options_.localized_novelty && !doubt) return because(Status::localized, held, sure_, options_.localized_novelty);
   const Status status = estimate.rivals.empty() ? Status::searching : Status::ambiguous;
   if (sure_ > 0) return because(status, held, sure_, options_.localized_novelty);
   if (same || estimate.probability <= options_.localized_probability)
@@ -92,12 +96,13 @@ Status StatusEstimator::because(Status status, const char* format, double found,
 }
 
 PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base,
-                                       double stamp_s, double novelty) {
+                                       double stamp_s, double novelty, double carried) {
   PoseEstimate estimate;
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
   none_nat_ = (1 - novelty * (1 - options_.memory)) * none_nat_ + novelty * options_.none_scan_nat;
   believe(alive);
+  estimate.none = belief_.none;
   if (alive.empty()) {
     sure_ = 0;
     estimate.status = was_localized_ ? Status::lost : Status::searching;
@@ -109,11 +114,21 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.best = alive.front().hypothesis.id;
   estimate.T_map_base = alive.front().hypothesis.T_map_local * T_local_base;
   weigh(alive, T_local_base, estimate);
-  estimate.status = judge(alive, T_local_base, estimate, novelty);
+  estimate.status = judge(alive, T_local_base, estimate, novelty, carried);
+  reckon_with(carried, estimate);
   was_localized_ = was_localized_ || estimate.status == Status::localized;
   T_map_local_ = alive.front().hypothesis.T_map_local;
   last_ = estimate;
   return estimate;
+}
+
+/// All of them are wrong, too, if the robot was carried away.
+void StatusEstimator::reckon_with(double carried, PoseEstimate& estimate) {
+  for (double& probability : belief_.hypotheses) probability *= 1 - carried;
+  belief_.none = carried + (1 - carried) * belief_.none;
+  estimate.none = belief_.none;
+  estimate.probability *= 1 - carried;
+  for (auto& rival : estimate.rivals) rival.probability *= 1 - carried;
 }
 
 PoseEstimate StatusEstimator::at(double stamp_s, const Pose2& T_local_base) const {

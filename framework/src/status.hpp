@@ -4,6 +4,8 @@
 
 #include <opal/localizer.hpp>
 
+#include <algorithm>
+
 namespace opal {
 
 /// Turns hypotheses into one answer with a status.
@@ -14,7 +16,9 @@ class StatusEstimator {
   /// @param alive         best first.
   /// @param T_local_base  newest pose in the local frame.
   /// @param novelty       how much of a new piece of evidence the newest scan was, in (0, 1].
-  PoseEstimate estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s, double novelty);
+  /// @param carried       probability that the robot has been carried away from all of them.
+  PoseEstimate estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s, double novelty,
+                        double carried = 0);
   /// The newest estimate, carried on to another pose in the local frame.
   PoseEstimate at(double stamp_s, const Pose2& T_local_base) const;
 
@@ -26,6 +30,9 @@ class StatusEstimator {
   };
   const Belief& belief() const { return belief_; }
 
+  /// Takes this much off what "none of these" has gathered: hypotheses begin anew.
+  void settle(double nat) { none_nat_ = std::max(none_nat_ - nat, options_.carried_nat); }
+
   bool localized() const { return last_.status == Status::localized; }
   void reset();
 
@@ -33,7 +40,8 @@ class StatusEstimator {
   void believe(const std::vector<Live>& alive);
   void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const;
   Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
-               double novelty);
+               double novelty, double carried);
+  void reckon_with(double carried, PoseEstimate& estimate);
   Status because(Status status, const char* format, double found, double wanted);
 
   AssociationOptions options_;

@@ -32,6 +32,12 @@ class SurfaceGrid {
     const Cell at = locate(p);
     return at.tile < 0 ? 255 : distances_cm_[at.tile][offset_of(at.i, at.j)];
   }
+  /// The same for a point in cells from the grid's corner, for those who walk along a line.
+  Point in_cells(const Point& p) const { return (p - low_) * (1 / kCell_m); }
+  std::uint8_t distance_cm_in_cells(const Point& cells) const {
+    const Cell at = locate_in_cells(cells);
+    return at.tile < 0 ? 255 : distances_cm_[at.tile][offset_of(at.i, at.j)];
+  }
   /// The least of it in the cell of 0.4 m around p.
   std::uint8_t coarse_distance_cm(const Point& p) const {
     const Cell at = locate(p);
@@ -58,8 +64,9 @@ class SurfaceGrid {
     int tile = -1;
     int i = 0, j = 0;  ///< in the tile
   };
-  Cell locate(const Point& p) const {
-    const double u = (p.x() - low_.x()) / kCell_m, v = (p.y() - low_.y()) / kCell_m;
+  Cell locate(const Point& p) const { return locate_in_cells(in_cells(p)); }
+  Cell locate_in_cells(const Point& cells) const {
+    const double u = cells.x(), v = cells.y();
     if (!(u >= 0 && v >= 0 && u < columns_ * kSide && v < rows_ * kSide)) return {};
     const int i = static_cast<int>(u), j = static_cast<int>(v);
     return {tile_of_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide], i % kSide, j % kSide};

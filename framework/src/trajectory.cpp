@@ -28,14 +28,6 @@ bool is_finite(double stamp_s, const Pose2& pose) {
   return std::isfinite(stamp_s) && pose.position().allFinite() && std::isfinite(pose.heading_rad());
 }
 
-/// RFC 4180: quoted where it has to be.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + "\"";
-}
-
 }  // namespace
 
 void write_tum(std::ostream& out, std::span<const StampedPose> trajectory) {
@@ -45,17 +37,6 @@ void write_tum(std::ostream& out, std::span<const StampedPose> trajectory) {
     std::string line;
     append_all(line, ' ', {stamp_s, pose.x(), pose.y(), 0, 0, 0, std::sin(half_rad), std::cos(half_rad)});
     out << line << '\n';
-  }
-}
-
-void write_results(std::ostream& out, std::span<const ResultRow> rows) {
-  out << "query_id,timestamp,x,y,theta,localized_flag\n";
-  for (const ResultRow& row : rows) {
-    const Pose2& pose = row.T_map_laser;
-    if (!is_finite(row.stamp_s, pose)) continue;
-    std::string line = csv_field(row.query);
-    append_all(line, ',', {row.stamp_s, pose.x(), pose.y(), pose.heading_rad()});
-    out << line << (row.localized ? ",1\n" : ",0\n");
   }
 }
 

@@ -1,72 +1,64 @@
 #include "scorer.hpp"
 
 #include <algorithm>
-#include <array>
 
 using opal::Point;
 
 struct BeamScorer::Tally {
-  double value = 0;
-  double hits = 0, shorts = 0, throughs = 0;
+  SumsByThing matched;  ///< beams by the surface that they end on
+  SumsByThing passed;   ///< beams by the object that they pass through
   int beams = 0;
-
-  /// The beams that pass through one mapped object.
-  struct Passed {
-    int object = -1;
-    double there = 0;   ///< what they are worth if the object is there,
-    double absent = 0;  ///< and if it is not
-  };
-  std::array<Passed, 24> passed;
-  std::size_t objects = 0;
-
-  /// The entry of an object; those beyond what there is room for share the last one.
-  Passed& through(int object) {
-    for (std::size_t k = 0; k < objects; ++k)
-      if (passed[k].object == object) return passed[k];
-    if (objects < passed.size()) passed[objects++] = {object, 0, 0};
-    return passed[objects - 1];
-  }
-  /// Each object is taken to be there or not, whichever explains its beams better at the price of an absence.
-  double passed_value(double price) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < objects; ++k) sum += std::max(passed[k].there, passed[k].absent - price);
-    return sum;
-  }
+  double hits = 0, hits_behind = 0, other_side = 0, early = 0, throughs = 0, free_throughs = 0;
 };
 
 BeamScorer::BeamScorer(const nlohmann::json& options)
-    : weight_nat_(options.at("weight_nat")),
-      short_(options.at("short")),
-      through_(options.at("through")),
-      free_through_(options.at("free_through")),
+    : match_(options.at("match_nat")),
+      enough_(options.at("enough")),
+      hit_(options.at("hit_nat")),
+      early_(options.at("early_nat")),
+      absent_(options.at("absent_nat")),
+      through_(options.at("through_nat")),
+      free_through_(options.at("free_through_nat")),
       sigma_m_(options.at("sigma_m")),
       sigma_per_m_(options.at("sigma_per_m")),
       margin_m_(options.at("margin_m")),
       margin_per_m_(options.at("margin_per_m")),
+      other_side_m_(options.at("other_side_m")),
+      ahead_m_(options.at("ahead_m")),
       free_range_m_(options.at("free_range_m")),
-      absence_(options.at("absence")),
-      floor_(options.at("floor")),
+      floor_(options.at("floor_nat")),
       min_beams_(options.at("min_beams")) {}
 
-void BeamScorer::judge_hit(const opal::MapView& map, const Point& eye, const Point& end, Tally& tally) const {
+double BeamScorer::nearness(double distance_m, double range_m) const {
+  const double z = distance_m / (sigma_m_ + sigma_per_m_ * range_m);
+  return std::exp(-0.5 * z * z);
+}
+
+void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end, Tally& tally) const {
+  constexpr double kLeast = 0.05, kStepBack_m = 0.02, kCrossed_m = 0.1;
   const double range = (end - eye).norm();
-  double hit = 0;
-  if (const int number = map.nearest_facing(end, end - eye); number >= 0) {
-    const double sigma = sigma_m_ + sigma_per_m_ * range;
-    const double z = map.surface(number).distance_m(end) / sigma;
-    hit = std::exp(-0.5 * z * z);
-  }
-  const auto wall = map.first_crossing(eye, end, margin_at(range));
+  const int nearest = map.nearest_facing(end, end - eye);
+  const double hit = nearest < 0 ? 0 : nearness(map.surface(nearest).distance_m(end), range);
   ++tally.beams;
+  const auto wall = map.first_crossing(eye, end, margin_at(range));
   if (wall.feature >= 0) {
-    ++tally.throughs;
-    Tally::Passed& passed = tally.through(map.feature(wall.feature).object);
-    passed.there += through_ * (1 - 0.3 * hit);
-    passed.absent += hit + (1 - hit) * short_;
-  } else {
-    tally.hits += hit;
-    tally.shorts += 1 - hit;
-    tally.value += hit + (1 - hit) * short_;
+    constexpr double kExcused = 0.7;  // what lies behind a surface that is not there may well be mapped, too
+    tally.throughs += 1;
+    tally.hits_behind += hit;
+    tally.passed.add(map.feature(wall.feature).object, 1 - kExcused * hit);
+    return;
+  }
+  tally.hits += hit;
+  if (hit > kLeast) tally.matched.add(nearest, hit);
+  if (hit > 1 - kLeast) return;
+  const Point direction = (end - eye) / range;
+  const auto next = map.first_crossing(end - kStepBack_m * direction, end + ahead_m_ * direction, kCrossed_m);
+  if (next.feature < 0) return;
+  if (!next.from_behind)
+    tally.early += 1 - hit;
+  else if (next.range_m < other_side_m_) {
+    tally.other_side += 1 - hit;
+    tally.matched.add(next.feature, 1 - hit);
   }
 }
 
@@ -75,10 +67,19 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
   const double range = std::min(range_max_m, free_range_m_);
   const Point end = eye + range * opal::unit_vector(bearing_rad);
   ++tally.beams;
-  const auto wall = map.first_crossing(eye, end, margin_at(range));
-  if (wall.feature < 0) return;
-  ++tally.throughs;
-  tally.through(map.feature(wall.feature).object).there += free_through_;
+  if (map.first_crossing(eye, end, margin_at(range)).feature >= 0) tally.free_throughs += 1;
+}
+
+double BeamScorer::news(const SumsByThing& beams, double each, const opal::Amounts& before,
+                        opal::Amounts& now) const {
+  const auto worth = [&](double amount) { return amount / (1 + amount / enough_); };
+  double total = 0;
+  beams.each([&](int thing, double count) {
+    const double known = before.of(thing), fresh = each * count;
+    total += worth(known + fresh) - worth(known);
+    now.add(thing, fresh);
+  });
+  return total;
 }
 
 opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
@@ -86,13 +87,21 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   const Point eye = T_map_base * observation.laser_position;
   Tally tally;
-  for (const Point& point : observation.points) judge_hit(map, eye, T_map_base * point, tally);
+  for (const Point& point : observation.points) judge_return(map, eye, T_map_base * point, tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
-  const double n = std::max(tally.beams, min_beams_);
-  const double value = tally.value + tally.passed_value(absence_ * n);
-  const double share = std::max(value / n, floor_);
-  return {weight_nat_ * share,
+  const double n = std::max(tally.beams, min_beams_), each = 100 / n;
+  const opal::Encounters& before = hypothesis.encounters;
+  opal::Encounters now;
+  const double matched = news(tally.matched, each, before.surfaces_met, now.surfaces_met);
+  const double passed = news(tally.passed, each, before.objects_passed, now.objects_passed);
+  const double met = tally.hits + tally.hits_behind + tally.other_side;
+  const double nat = match_ * matched - absent_ * passed +
+                     (hit_ * met - early_ * tally.early - through_ * (tally.throughs - tally.hits_behind) -
+                      free_through_ * tally.free_throughs) / n;
+  const double throughs = tally.throughs + tally.free_throughs;
+  return {std::max(nat, floor_),
           {},
-          {{"hit", tally.hits / n}, {"short", tally.shorts / n}, {"through", tally.throughs / n}}};
+          {{"hit", tally.hits / n}, {"short", (tally.beams - tally.hits - throughs) / n}, {"through", throughs / n}},
+          std::move(now)};
 }

@@ -1,13 +1,25 @@
 #pragma once
 
+#include "tally.hpp"
+
 #include <opal/plugin/hypothesis_scorer.hpp>
 
 #include <nlohmann/json.hpp>
 
-/// Casts the scan's beams against the mapped surfaces, and judges them lopsidedly: the map holds only the static
-/// building, so a beam that ends early met something unmapped and means little, while a beam that passes through a
-/// mapped wall speaks against the hypothesis. Beams that pass through the same object share one cause, so an object is
-/// taken for absent (glass, an open door, a wall that was never built) where that explains its beams better, at a price.
+/// Casts the scan's beams against the mapped surfaces, and counts surfaces rather than beams: forty beams that end on
+/// one wall are one coincidence, and so are forty beams that pass through one; and a wall that the hypothesis has met
+/// before is hardly news. With w(b) = b / (1 + b / enough), b in beams of a hundred, and what was met before as b0:
+///
+///   nat = match * sum over surfaces of w(b0 + b) - w(b0)     b: beams that end on it, or on the wall's other side
+///       + hit * share of beams that end on a surface
+///       - early * share of beams that end before a surface that lies ahead of them
+///       - absent * sum over objects of w(b0 + b) - w(b0)     b: beams that pass through it
+///       - through * share of beams that pass through an object and end on nothing mapped
+///       - free_through * share of beams without return whose way crosses a surface
+///
+/// The map holds only the static building, so a beam that ends early met something unmapped and costs little. The form
+/// and the weights are those of a conditional logit model (McFadden 1974) of the true pose among its rivals, over
+/// recorded scans on intact, simplified and damaged maps (docs/experiments.md).
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
@@ -19,13 +31,16 @@ class BeamScorer final : public opal::HypothesisScorer {
 
  private:
   struct Tally;
-  void judge_hit(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, Tally& tally) const;
+  /// Sum of what the amounts are worth beyond what was met `before`; adds them to `now`.
+  double news(const SumsByThing& beams, double each, const opal::Amounts& before, opal::Amounts& now) const;
+  void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, Tally& tally) const;
   void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,
                   Tally& tally) const;
 
   double margin_at(double range_m) const { return margin_m_ + margin_per_m_ * range_m; }
+  double nearness(double distance_m, double range_m) const;
 
-  double weight_nat_, short_, through_, free_through_, sigma_m_, sigma_per_m_, margin_m_, margin_per_m_;
-  double free_range_m_, absence_, floor_;
+  double match_, enough_, hit_, early_, absent_, through_, free_through_;
+  double sigma_m_, sigma_per_m_, margin_m_, margin_per_m_, other_side_m_, ahead_m_, free_range_m_, floor_;
   int min_beams_;
 };

@@ -64,10 +64,11 @@ LackOfFitScorer::Fit LackOfFitScorer::fit_of(const opal::Hypothesis& hypothesis,
 opal::Score LackOfFitScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                    const opal::MapView& map) const {
   const Fit all = fit_of(hypothesis, observation, map);
-  const int n = std::max(1, all.matched + all.unmatched);
-  const double fit = -all.squares / (sigma_m_ * sigma_m_) / n;
-  const double clutter = all.unmatched * std::log(not_on_map_probability_) / n;
-  opal::Score score{weight_ * (fit + clutter), {}, {{"fit", fit}, {"not_on_map", clutter}, {"worst_m", all.worst_m}}};
+  const double fit = -all.squares / (sigma_m_ * sigma_m_);
+  const double matched = -all.matched * std::log(not_on_map_probability_);
+  opal::Score score{weight_ * (matched + fit),
+                    {},
+                    {{"matched", matched}, {"fit", fit}, {"not_on_map", double(all.unmatched)}, {"worst_m", all.worst_m}}};
   if (veto_m_ > 0 && all.worst_m > veto_m_)
     score.veto = "an association is " + std::to_string(all.worst_m) + " m off, more than " + std::to_string(veto_m_);
   return score;

@@ -64,6 +64,18 @@ TEST_CASE("templates that the map's patterns name run alone") {
   CHECK(plan.reasons.back() == "t:Missing: no plugin offers it; 1 patterns of the map stay unused");
 }
 
+TEST_CASE("a template that waits to be named runs only where the map's patterns name it") {
+  std::vector<RegisteredType> types = kTypes;
+  types.front().on_request = true;  // t:Pair
+  const std::vector<MapFeature> columns{feature("c1", kColumn), feature("c2", Circle{{6, 2}, 0.3})};
+  const PipelinePlan plan = plan_pipeline(*map_of(columns), "lidar", types);
+  CHECK(plan.patterns == Names{"t:Any"});
+  CHECK(plan.on_request == Names{"t:Pair"});
+  const PipelinePlan named = plan_pipeline(*map_of(columns, {{"p", "t:Pair", {0, 1}}}), "lidar", types);
+  CHECK(named.patterns == Names{"t:Pair"});
+  CHECK(named.on_request.empty());
+}
+
 TEST_CASE("what one sensor perceives starts no detector for another") {
   const auto map = map_of({feature("w", kWall, "camera")});
   const PipelinePlan plan = plan_pipeline(*map, "lidar", kTypes);

@@ -23,16 +23,6 @@ TEST_CASE("a TUM line carries the heading as a quaternion") {
   CHECK(qw == Approx(std::sqrt(0.5)));
 }
 
-TEST_CASE("result rows are what the benchmark reads") {
-  std::ostringstream out;
-  write_results(out, std::vector<ResultRow>{{"hall-q01", 12.5, Pose2(1, 2, -0.5), true},
-                                            {"a \"b\", c", 13, Pose2(), false}});
-  CHECK(out.str() ==
-        "query_id,timestamp,x,y,theta,localized_flag\n"
-        "hall-q01,12.500000000,1.000000000,2.000000000,-0.500000000,1\n"
-        "\"a \"\"b\"\", c\",13.000000000,0.000000000,0.000000000,0.000000000,0\n");
-}
-
 TEST_CASE("what is not finite is not written, what is huge is") {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   std::ostringstream out;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/encounters.hpp>
 #include <opal/geometry.hpp>
 
 #include <string>
@@ -19,6 +20,7 @@ struct Hypothesis {
   Pose2 T_map_local;                        ///< registration of the local map
   std::vector<Association> associations;    ///< along the branch of the association tree, root first
   double log_likelihood = 0;                ///< evidence gathered so far [nat], against "all of this is clutter"
+  Encounters encounters;                    ///< with mapped things so far
 };
 
 }  // namespace opal

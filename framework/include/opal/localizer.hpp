@@ -27,6 +27,7 @@ struct PoseEstimate {
   Pose2 T_map_base;         ///< of the best hypothesis; meaningless while searching without hypotheses
   bool has_pose = false;
   double probability = 0;   ///< that the best hypothesis is right, "none of these" included
+  double none = 1;          ///< that neither the best nor any other hypothesis is right
   int hypotheses = 0;
   int best = -1;            ///< Hypothesis::id
   struct Rival {

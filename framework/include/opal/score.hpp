@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/encounters.hpp>
 #include <opal/local_map.hpp>
 
 #include <string>
@@ -16,6 +17,7 @@ struct Score {
     double value = 0;
   };
   std::vector<Term> breakdown;  ///< what it is made of, for people and for A/B records
+  Encounters encounters = {};   ///< of this scan, for the hypothesis to remember; may be empty
 };
 
 /// One thing that a scorer saw for or against a hypothesis, for people.

@@ -46,7 +46,8 @@ struct MapPattern {
   std::string pattern_template;        ///< the template's type name
   std::vector<int> features;           ///< positions in SemanticMap::features(), in the template's slot order
   std::vector<std::string> subpatterns = {};
-  std::vector<double> dimensions = {};  ///< the template's invariants
+  std::vector<double> dimensions = {};  ///< the template's invariants; the last ones, or all, may be left out
+  std::string place = {};  ///< where it stands, for messages: "hall.jsonld: /@graph/12"; `make` and `read` fill it in
 };
 
 /// Where a map that this one was joined of lies in it: scaled in its own frame first, then moved.
@@ -84,6 +85,9 @@ class OPAL_EXPORT SemanticMap {
   static std::shared_ptr<const SemanticMap> make(std::string name, std::vector<MapObject> objects,
                                                  std::vector<MapFeature> features,
                                                  std::vector<MapPattern> patterns = {}, MapOrigin origin = {});
+
+  /// The same map with these patterns instead of its own; `features` of a pattern are positions in features().
+  std::shared_ptr<const SemanticMap> with_patterns(std::vector<MapPattern> patterns) const;
 
   const std::string& name() const { return name_; }
   const std::vector<MapObject>& objects() const { return objects_; }

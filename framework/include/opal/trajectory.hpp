@@ -5,7 +5,6 @@
 #include <iosfwd>
 #include <optional>
 #include <span>
-#include <string>
 
 namespace opal {
 
@@ -14,21 +13,9 @@ struct StampedPose {
   Pose2 pose;  ///< in whatever frame the trajectory is in
 };
 
-/// One row of a benchmark's result.
-struct ResultRow {
-  std::string query;
-  double stamp_s = 0;
-  Pose2 T_map_laser;       ///< the laser's pose, not the robot's
-  bool localized = false;  ///< the program vouches for this pose
-};
-
 /// Writes `timestamp tx ty tz qx qy qz qw` per line [s, m], as the TUM RGB-D benchmark's tools read it. What is not
 /// finite is left out.
 OPAL_EXPORT void write_tum(std::ostream& out, std::span<const StampedPose> trajectory);
-
-/// Writes a CSV table `query_id,timestamp,x,y,theta,localized_flag` [s, m, rad] with its header. What is not finite is
-/// left out.
-OPAL_EXPORT void write_results(std::ostream& out, std::span<const ResultRow> rows);
 
 /// Interpolated between neighbouring poses; nullopt outside the time of the poses, which stand by increasing stamp.
 OPAL_EXPORT std::optional<Pose2> pose_at(std::span<const StampedPose> poses, double stamp_s);

@@ -14,6 +14,9 @@ struct PatternShape {
   std::vector<GeometryKind> slots;
   /// Members are no farther apart than this [m] (nearest points of the geometries).
   double reach_m = 0;
+  /// Features of consecutive slots are no farther apart than this [m]; 0: reach_m. A chain of neighbours is found much
+  /// faster than any few features within reach.
+  double neighbour_reach_m = 0;
 };
 
 /// A geometric relation between a few features, described by numbers that a rigid motion leaves unchanged.

@@ -39,6 +39,8 @@ struct DescribedType {
   PluginKind kind = PluginKind::feature_detector;
   std::string description;
   std::vector<OptionInfo> options;
+  /// A pattern template that runs only where the map's patterns or the deployment name it.
+  bool on_request = false;
 };
 
 /// The description that stands beside every plugin: known, and checked, before any code of the plugin runs.

@@ -17,6 +17,7 @@ struct RegisteredType {
   std::string file;  ///< canonical path of the shared library
   std::string description;
   std::vector<OptionInfo> options;
+  bool on_request = false;  ///< a pattern template that runs only where the map's patterns or the deployment name it
 };
 
 /// The door for plugins. Metadata is checked before any code of a file runs; a plugin is taken whole or not

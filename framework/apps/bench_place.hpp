@@ -1,0 +1,24 @@
+#pragma once
+
+#include "bench_site.hpp"
+#include "run_record.hpp"
+
+#include <opal/deployment.hpp>
+#include <opal/site.hpp>
+
+#include <string>
+#include <vector>
+
+/// One recorded place with its map, ready to be run.
+struct BenchPlace {
+  BenchSite site;
+  opal::Deployment deployment;  ///< with the laser of the recording
+  std::vector<opal::Query> queries;
+  std::vector<opal::LogRecord> records;
+
+  /// The samples of one window.
+  opal::Replay replay(const opal::Query& window) const;
+};
+
+/// @throws Error naming the file that is wrong.
+BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment);

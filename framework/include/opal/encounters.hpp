@@ -1,0 +1,37 @@
+#pragma once
+
+#include <opal/export.hpp>
+
+#include <vector>
+
+namespace opal {
+
+/// Amounts by the number of a mapped thing, in order of number.
+class OPAL_EXPORT Amounts {
+ public:
+  struct Entry {
+    int thing = -1;
+    double amount = 0;
+  };
+  /// 0 for a thing that was never added.
+  double of(int thing) const;
+  void add(int thing, double amount);
+  /// All amounts times `keep`; what has nearly vanished is forgotten.
+  void fade(double keep);
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+/// What the beams have met so far if a hypothesis is right. Seeing the same wall again is hardly new evidence: scorers
+/// count what is not in here yet. In beams of a hundred, summed over whole pieces of evidence.
+struct Encounters {
+  Amounts surfaces_met;    ///< by feature: beams that ended on it
+  Amounts objects_passed;  ///< by object: beams that passed through it
+
+  /// `this` fades by `keep`, then takes `newer` times `weight`.
+  OPAL_EXPORT void take(const Encounters& newer, double weight, double keep);
+};
+
+}  // namespace opal

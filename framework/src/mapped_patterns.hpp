@@ -1,0 +1,23 @@
+#pragma once
+
+#include "support_lines.hpp"
+
+#include <opal/localizer.hpp>
+#include <opal/pattern.hpp>
+
+#include <vector>
+
+namespace opal {
+
+/// The map's side of all patterns. The map decides: what its pattern layer names if it has one, else all there are among
+/// its features and support lines.
+struct MappedPatterns {
+  std::vector<MappedFeature> features;
+  /// For each template its instances; members are positions in `features`.
+  std::vector<std::vector<PatternInstance>> by_template;
+};
+
+/// @throws MapError if the layer contradicts its templates.
+MappedPatterns mapped_patterns(const MapView& map, const std::vector<Named<PatternTemplate>>& templates);
+
+}  // namespace opal

@@ -1,0 +1,25 @@
+#include "template.hpp"
+
+#include <opal/plugin/plugin.hpp>
+
+namespace {
+
+using opal::GeometryKind;
+using Options = nlohmann::json;
+using Made = std::unique_ptr<opal::PatternTemplate>;
+
+void register_types(opal::Registrar& registrar) {
+  registrar.add({"opal:LShape", /*consumes*/ {"opal:Column"}, /*produces*/ {}}, [](const Options& options) -> Made {
+    return std::make_unique<LShape>(GeometryKind::circle, GeometryKind::circle, options);
+  });
+  registrar.add({"opal:LShapeCorners", /*consumes*/ {"opal:Corner"}, /*produces*/ {}}, [](const Options& options) -> Made {
+    return std::make_unique<LShape>(GeometryKind::oriented_point, GeometryKind::oriented_point, options);
+  });
+  registrar.add({"opal:LShapeMixed", /*consumes*/ {"opal:Corner", "opal:Column"}, /*produces*/ {}}, [](const Options& options) -> Made {
+    return std::make_unique<LShape>(GeometryKind::oriented_point, GeometryKind::circle, options);
+  });
+}
+
+}  // namespace
+
+OPAL_PLUGIN("l_shape", "0.1.0", register_types)

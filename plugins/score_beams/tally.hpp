@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+/// Sums by the number of a mapped thing, for the few dozen things that one scan meets. Things beyond what there is room
+/// for share the last sum.
+class SumsByThing {
+ public:
+  void add(int thing, double amount) { at(thing) += amount; }
+
+  template <class Use>
+  void each(Use use) const {
+    for (std::size_t k = 0; k < size_; ++k) use(sums_[k].thing, sums_[k].amount);
+  }
+
+ private:
+  struct Sum {
+    int thing = -1;
+    double amount = 0;
+  };
+
+  double& at(int thing) {
+    if (last_ < size_ && sums_[last_].thing == thing) return sums_[last_].amount;  // neighbouring beams meet one thing
+    for (last_ = 0; last_ < size_; ++last_)
+      if (sums_[last_].thing == thing) return sums_[last_].amount;
+    if (size_ < sums_.size())
+      sums_[size_++] = {thing, 0};
+    else
+      --last_;
+    return sums_[last_].amount;
+  }
+
+  std::array<Sum, 64> sums_;
+  std::size_t size_ = 0, last_ = 0;
+};

@@ -1,0 +1,143 @@
+#include "scorer.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+using opal::Point;
+using opal::Pose2;
+using opal::Segment;
+
+namespace {
+
+/// What an outline is made of, in the order in which it was given.
+std::vector<double> numbers_of(const opal::Observation& seen, double margin_m) {
+  std::vector<double> numbers{margin_m, seen.range_max_m, seen.laser_position.x(), seen.laser_position.y()};
+  for (const Point& p : seen.points) numbers.insert(numbers.end(), {p.x(), p.y()});
+  numbers.insert(numbers.end(), seen.free_bearings_rad.begin(), seen.free_bearings_rad.end());
+  return numbers;
+}
+
+std::vector<Point> outline_of(const opal::Observation& seen, const opal::FreeSpaceOptions& options) {
+  opal::Scan scan;
+  scan.range_max_m = seen.range_max_m;
+  scan.free_bearings_rad = seen.free_bearings_rad;
+  for (const Point& point : seen.points) {
+    const Point ray = point - seen.laser_position;
+    scan.points.push_back({ray, ray.norm(), std::atan2(ray.y(), ray.x()), 0});
+  }
+  return free_space_outline(scan, Pose2(seen.laser_position, 0), options);
+}
+
+std::string metres(double length_m) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f m", length_m);
+  return text;
+}
+
+}  // namespace
+
+struct FreeSpaceScorer::Memory {
+  std::vector<double> numbers;
+  FreeRoom room{{}, 0};
+};
+
+FreeSpaceScorer::FreeSpaceScorer(const nlohmann::json& options)
+    : outline_{options.at("reach_m"), options.at("gap_rad"), options.at("tolerance_m")},
+      margin_m_(options.at("margin_m")),
+      sigmas_(options.at("sigmas")),
+      unmatched_m_(options.at("unmatched_m")),
+      weight_nat_per_m_(options.at("weight_nat_per_m")),
+      most_m_(options.at("most_m")),
+      veto_m_(options.at("veto_m")),
+      memory_(std::make_unique<Memory>()) {
+  std::istringstream names(options.at("no_evidence").get<std::string>());
+  for (std::string name; names >> name;) no_evidence_.insert(name);
+}
+
+FreeSpaceScorer::~FreeSpaceScorer() = default;
+
+double FreeSpaceScorer::margin_for(const opal::Observation& observation) const {
+  const opal::ScanMatch& match = observation.local_map.last_match();
+  if (!match.converged) return margin_m_ + unmatched_m_;
+  const double sideways = std::sqrt(std::max({0.0, match.covariance(0, 0), match.covariance(1, 1)}));
+  const double turned = outline_.reach_m / 2 * std::sqrt(std::max(0.0, match.covariance(2, 2)));
+  return margin_m_ + std::min(sigmas_ * std::hypot(sideways, turned), outline_.reach_m / 4);
+}
+
+const FreeRoom& FreeSpaceScorer::room_of(const opal::Observation& observation) const {
+  const double margin_m = margin_for(observation);
+  std::vector<double> numbers = numbers_of(observation, margin_m);
+  if (numbers != memory_->numbers) {
+    memory_->room = FreeRoom(outline_of(observation, outline_), margin_m);
+    memory_->numbers = std::move(numbers);
+  }
+  return memory_->room;
+}
+
+FreeSpaceScorer::Overlap FreeSpaceScorer::overlap_of(const FreeRoom& room, const Pose2& T_base_map, const Point& eye,
+                                                     int number, const opal::MapView& map) const {
+  const opal::MapFeature& feature = map.feature(number);
+  Overlap overlap{number, 0, {}};
+  if (no_evidence_.contains(map.map().objects()[feature.object].type)) return overlap;
+  Segment body;
+  if (const auto* face = std::get_if<Segment>(&feature.geometry)) {
+    body = transformed(T_base_map, *face);
+  } else if (const auto* column = std::get_if<opal::Circle>(&feature.geometry)) {
+    const Point center = T_base_map * column->center, view = center - eye;
+    if (view.norm() == 0) return overlap;
+    const Point side = column->radius_m * opal::left_of(view.normalized());
+    body = {center - side, center + side};
+  } else {
+    return overlap;  // points and corners have no extent: their faces tell
+  }
+  for (const Segment& part : room.inside(body, sigmas_ * feature.position_sigma_m)) {
+    overlap.length_m += feature.existence * part.length_m();
+    if (part.length_m() > overlap.longest.length_m()) overlap.longest = part;
+  }
+  return overlap;
+}
+
+std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_map_base,
+                                                                const opal::Observation& observation,
+                                                                const opal::MapView& map) const {
+  const FreeRoom& room = room_of(observation);
+  const Pose2 T_base_map = T_map_base.inverse();
+  std::vector<int> near = map.within(T_map_base * observation.laser_position, outline_.reach_m);
+  std::sort(near.begin(), near.end());  // sums do not depend on the order of an index
+  std::vector<Overlap> found;
+  for (const int number : near) {
+    const Overlap overlap = overlap_of(room, T_base_map, observation.laser_position, number, map);
+    if (overlap.length_m > 0) found.push_back(overlap);
+  }
+  return found;
+}
+
+opal::Score FreeSpaceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                   const opal::MapView& map) const {
+  const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  double overlap_m = 0;
+  for (const Overlap& overlap : overlaps(T_map_base, observation, map)) overlap_m += overlap.length_m;
+  opal::Score score{-weight_nat_per_m_ * std::min(overlap_m, most_m_), {}, {{"overlap_m", overlap_m}}};
+  if (veto_m_ > 0 && overlap_m > veto_m_)
+    score.veto = metres(overlap_m) + " of mapped geometry stand in free space, more than " + metres(veto_m_);
+  return score;
+}
+
+std::vector<opal::Finding> FreeSpaceScorer::explain(const opal::Hypothesis& hypothesis,
+                                                    const opal::Observation& observation,
+                                                    const opal::MapView& map) const {
+  constexpr std::size_t kMostFindings = 3;
+  const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  std::vector<Overlap> found = overlaps(T_map_base, observation, map);
+  std::stable_sort(found.begin(), found.end(), [](const Overlap& a, const Overlap& b) { return a.length_m > b.length_m; });
+  if (found.size() > kMostFindings) found.resize(kMostFindings);
+  std::vector<opal::Finding> findings;
+  for (const Overlap& overlap : found) {
+    const opal::MapObject& object = map.map().objects()[map.feature(overlap.map_feature).object];
+    findings.push_back({metres(overlap.length_m) + " of " + object.type + " " + object.id + " stand where the scan shows free space",
+                        overlap.map_feature,
+                        {T_map_base * overlap.longest.begin, T_map_base * overlap.longest.end}});
+  }
+  return findings;
+}

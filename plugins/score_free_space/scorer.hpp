@@ -1,0 +1,46 @@
+#pragma once
+
+#include "free_room.hpp"
+
+#include <opal/free_space.hpp>
+#include <opal/plugin/hypothesis_scorer.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <set>
+#include <string>
+
+/// Absence of expected geometry (Hendrikx 2023, 4.3.6): what the map has inside the room that the scan shows to be empty
+/// speaks against a hypothesis. Beams that end early leave less room, and say nothing else. Things that move (doors) or that
+/// a laser looks through (windows) are no evidence, nor is what the sensor does not perceive.
+class FreeSpaceScorer final : public opal::HypothesisScorer {
+ public:
+  explicit FreeSpaceScorer(const nlohmann::json& options);
+  ~FreeSpaceScorer() override;
+  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                    const opal::MapView& map) const override;
+  /// The mapped objects that reach deepest into free space.
+  std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                     const opal::MapView& map) const override;
+
+ private:
+  struct Overlap {
+    int map_feature = -1;
+    double length_m = 0;
+    opal::Segment longest;  ///< its longest part, base_link frame
+  };
+  std::vector<Overlap> overlaps(const opal::Pose2& T_map_base, const opal::Observation& observation,
+                                const opal::MapView& map) const;
+  Overlap overlap_of(const FreeRoom& room, const opal::Pose2& T_base_map, const opal::Point& eye, int number,
+                     const opal::MapView& map) const;
+  double margin_for(const opal::Observation& observation) const;
+  /// The same observation is asked about for every hypothesis, so its polygon is kept.
+  const FreeRoom& room_of(const opal::Observation& observation) const;
+
+  opal::FreeSpaceOptions outline_;
+  double margin_m_, sigmas_, unmatched_m_, weight_nat_per_m_, most_m_, veto_m_;
+  std::set<std::string> no_evidence_;
+  struct Memory;
+  std::unique_ptr<Memory> memory_;
+};
