@@ -35,8 +35,11 @@ void TellingPoints::turn_to(double heading_rad) {
   for (std::size_t k = 0; k < kFirst; ++k) turned_.push_back(turn_.rotate(points_[k]));
 }
 
-float TellingPoints::coarse_nearness(const MapView& map, const Point& position) const {
-  return map.coarse_nearness_sum(std::span(turned_).first(kFirst), position) / static_cast<float>(kFirst);
+float TellingPoints::coarse_nearness(const MapView& map, const Point& position, float bar) const {
+  const std::span<const Point> first = std::span(turned_).first(kFirst);
+  const float half = map.coarse_nearness_sum(first.first(kFirst / 2), position);
+  if (half + static_cast<float>(kFirst / 2) < bar * static_cast<float>(kFirst)) return 0;
+  return (half + map.coarse_nearness_sum(first.subspan(kFirst / 2), position)) / static_cast<float>(kFirst);
 }
 
 float TellingPoints::nearness(const MapView& map, const Point& position, double slack_m) {

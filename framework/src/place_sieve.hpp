@@ -15,6 +15,8 @@ class BestShare {
  public:
   BestShare(std::size_t few, std::size_t one_in) : few_(few), one_in_(one_in) {}
   bool passes(float value);
+  /// What is less does not pass.
+  float bar() const { return static_cast<float>(lowest_) / (kBins - 1); }
 
  private:
   static constexpr int kBins = 128;
@@ -36,8 +38,8 @@ class TellingPoints {
 
   /// From here on the robot has this heading.
   void turn_to(double heading_rad);
-  /// Mean nearness to the map of the first few points, in large cells.
-  float coarse_nearness(const MapView& map, const Point& position) const;
+  /// Mean nearness to the map of the first few points, in large cells; 0 as soon as it is sure to be less than `bar`.
+  float coarse_nearness(const MapView& map, const Point& position, float bar) const;
   /// Mean nearness of all points. @param slack_m  as MapView::nearness_sum.
   float nearness(const MapView& map, const Point& position, double slack_m = 0);
 

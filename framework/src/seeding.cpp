@@ -70,11 +70,13 @@ std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bo
     for (Lookup& lookup : lookups) lookup.expected = tables_[t].index.count(lookup.observed, limit);
     std::stable_sort(lookups.begin(), lookups.end(),
                      [](const Lookup& a, const Lookup& b) { return a.expected < b.expected; });
+    constexpr std::size_t kPlacesPerSlide = 3;
     std::size_t total = 0;
     for (Lookup& lookup : lookups) {
       if (lookup.expected == 0) continue;
-      if (total > 0 && total + lookup.expected > limit) break;
-      total += lookup.expected;
+      const std::size_t places = lookup.expected * (loose ? kPlacesPerSlide : 1);
+      if (total > 0 && total + places > limit) break;
+      total += places;
       chosen.push_back(std::move(lookup));
     }
   }
@@ -136,7 +138,7 @@ void Seeder::look_up(const Lookup& lookup, int number, TellingPoints& points, Be
       slide(lookup.observed, mapped, pose, positions);
       points.turn_to(pose.heading_rad());
       for (const Point& position : positions) {
-        const float nearness = points.coarse_nearness(*map_, position);
+        const float nearness = points.coarse_nearness(*map_, position, sieve.bar());
         if (sieve.passes(nearness) && is_in_region(position))
           places.push_back({position, pose.heading_rad(), nearness, number, k});
       }
