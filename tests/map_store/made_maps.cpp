@@ -22,11 +22,11 @@ constexpr const char* kRichDocument = R"json({
         { "@id": "r1", "@type": "ObjectFeatureRepresentation", "perceivable_by": { "@id": "PlanarLidar2D" }, "acme:made_by": "hand",
           "represented_by": { "@id": "s1", "@type": "LineSegment", "position_sigma_m": 1e-7, "acme:colour": "red",
             "begin": { "@id": "p1", "@type": "Point", "x": 0.1, "y": 0.2 }, "end": { "@id": "p2", "@type": "Point", "x": 8.000000000000002, "y": -3.3e-17 } } },
-        { "@type": "ObjectFeatureRepresentation", "perceivable_by": { "@id": "acme:Camera" }, "existence": 0.3333333333333333, "represented_by": { "@id": "s1" } },
+        { "@type": "ObjectFeatureRepresentation", "perceivable_by": { "@id": "acme:Camera" }, "represented_by": { "@id": "s1" } },
         { "@type": "ObjectFeatureRepresentation", "represented_by": { "@id": "s2", "@type": "LineSegment", "begin": { "@id": "p2" }, "end": { "@id": "p1" } } } ] },
     { "@id": "k'1", "@type": "acme:Kiosk",
       "represented_by": [
-        { "@type": "ObjectFeatureRepresentation", "perceivable_by": { "@id": "PlanarLidar2D" }, "feature_type": "acme:Edge",
+        { "@type": "ObjectFeatureRepresentation", "perceivable_by": { "@id": "PlanarLidar2D" }, "feature_type": "acme:Edge", "existence": 0.3333333333333333,
           "represented_by": { "@id": "k", "@type": "Corner", "point": { "@id": "p2" }, "heading_rad": -3.141592653589793, "opening_rad": 4.71238898038469 } },
         { "@type": "ObjectFeatureRepresentation", "perceivable_by": { "@id": "PlanarLidar2D" },
           "represented_by": { "@id": "other:c", "@type": "Circle", "center": { "@id": "p3", "@type": "Point", "x": 123456.789, "y": 2 }, "radius_m": 0.15 } },
