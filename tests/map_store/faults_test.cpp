@@ -176,6 +176,28 @@ TEST_CASE("a role that may only read pulls, and hears that it may not push") {
   CHECK_THROWS_WITH(store()->push(*malaga(), {"shared"}), Contains("permission denied for table buildings"));
 }
 
+TEST_CASE("a role that is no superuser makes the tables where the extensions are, and shares them") {
+  const std::string before = std::getenv("PGDATABASE");
+  server().use_new_database("delegated");
+  run_sql(
+      "CREATE EXTENSION postgis; CREATE EXTENSION btree_gist; CREATE ROLE owner LOGIN PASSWORD 'owners-only'; "
+      "CREATE ROLE ann LOGIN PASSWORD 'anns-only'; GRANT CREATE ON DATABASE delegated TO owner");
+  const auto push_as = [](const std::string& role, const std::string& word) {
+    const Setting user("PGUSER", role), password("PGPASSWORD", word);
+    return store()->push(*large_map(20, 1), {"shared"});
+  };
+  CHECK_THROWS_WITH(push_as("ann", "anns-only"), Contains("permission denied for database delegated"));
+  CHECK(push_as("owner", "owners-only").pushed_by == "owner");
+  CHECK_THROWS_WITH(push_as("ann", "anns-only"), Contains("permission denied for schema opal"));
+  run_sql(
+      "GRANT USAGE ON SCHEMA opal TO ann; GRANT SELECT ON ALL TABLES IN SCHEMA opal TO ann; GRANT INSERT, UPDATE ON "
+      "opal.buildings, opal.map_versions, opal.nodes, opal.node_relations, opal.features TO ann");
+  const StoredVersion second = push_as("ann", "anns-only");
+  CHECK(second.version == 2);
+  CHECK(second.pushed_by == "ann");
+  setenv("PGDATABASE", before.c_str(), 1);
+}
+
 TEST_CASE("a localizer that has its map goes on when the server goes away") {
   const TemporaryFolder folder;
   const Setting cache("OPAL_MAP_CACHE", "");
