@@ -17,7 +17,7 @@ opal::PluginRegistry load_plugins();
 /// @param thicken_m  if not 0: walls become so much thicker first, which only importers with this option can do.
 opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, double thicken_m = 0);
 
-/// A map from a document, or from any source that an importer recognizes.
+/// A map from a document, from the map store (store:BUILDING), or from any source that an importer recognizes.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
 
 /// The same, made worse. @throws opal::ConfigError if a document shall get thick walls: that is done to grids.

@@ -4,6 +4,7 @@
 
 #include <opal/association.hpp>
 #include <opal/error.hpp>
+#include <opal/store_source.hpp>
 #include <opal/strict_json.hpp>
 
 #include <filesystem>
@@ -141,7 +142,7 @@ void expect_kind(ConfigObject& document) {
 }
 
 std::string resolve(const std::string& path, const std::string& document) {
-  if (path.empty()) return path;
+  if (path.empty() || read_store_source(path)) return path;
   return (std::filesystem::path(document).parent_path() / path).lexically_normal().string();
 }
 
