@@ -1,5 +1,6 @@
 #include "damage_options.hpp"
 #include "join_options.hpp"
+#include "map_frame.hpp"
 #include "map_patterns.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
@@ -167,11 +168,12 @@ void add_raster(CLI::App& map, int& exit_code) {
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, patterns, damage, join, raster");
+  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, patterns, frame, damage, join, raster");
   map->require_subcommand(1);
   add_import(*map, exit_code);
   add_check(*map, exit_code);
   add_map_patterns(*map, exit_code);
+  add_map_frame(*map, exit_code);
   add_damage(*map, exit_code);
   add_join(*map, exit_code);
   add_raster(*map, exit_code);

@@ -71,7 +71,7 @@ Json Compactor::compact_array(const ContextPtr& active, Property property, const
   const TermDefinition* definition = property ? active->find(*property) : nullptr;
   const bool keeps = property && (*property == "@graph" || *property == "@set");
   const bool held = definition && (definition->contains("@list") || definition->contains("@set"));
-  if (result.size() != 1 || keeps || held) return result;
+  if (result.size() != 1 || keeps || held || !options_.compact_arrays) return result;
   Json single = std::move(result[0]);
   return single;
 }
@@ -136,7 +136,7 @@ void Compactor::compact_types(Object& object, const ContextPtr& active, const Js
   const std::string key = alias(active, "@type");
   const TermDefinition* definition = active->find(key);
   const bool as_set = definition && definition->contains("@set");
-  add_compacted(object.result, key, std::move(names), as_set);
+  add_compacted(object.result, key, std::move(names), as_set || !options_.compact_arrays);
 }
 
 void Compactor::compact_reverse(Object& object, const ContextPtr& active, const Json& value) {  // 12.3
@@ -145,7 +145,7 @@ void Compactor::compact_reverse(Object& object, const ContextPtr& active, const 
   for (const auto& [key, nodes] : compacted.items()) {
     const TermDefinition* definition = active->find(key);
     if (definition && definition->reverse)
-      add_compacted(object.result, key, nodes, definition->contains("@set"));
+      add_compacted(object.result, key, nodes, definition->contains("@set") || !options_.compact_arrays);
     else
       rest[key] = nodes;
   }

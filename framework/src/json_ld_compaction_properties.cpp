@@ -48,7 +48,8 @@ void Compactor::compact_property(Object& object, const ContextPtr& active, const
     const TermDefinition* definition = active->find(key);
     Json& nest = nest_of(object.result, *active, definition);
     const Json& inner = is_list(value) ? value[kList] : is_graph_object(value) ? value[kGraph] : value;
-    const bool as_array = (definition && definition->contains("@set")) || iri == kGraph || iri == kList;
+    const bool set = definition && definition->contains("@set");
+    const bool as_array = set || iri == kGraph || iri == kList || !options_.compact_arrays;
     Item item{value, compact(active, &key, inner), key, definition, as_array};
     if (is_list(value))
       add_list(nest, active, std::move(item));
@@ -99,7 +100,7 @@ void Compactor::add_graph(Json& result, const ContextPtr& active, Item item) {  
     if (several) item.compacted = Json{{alias(active, "@included"), std::move(item.compacted)}};
     add_compacted(result, item.key, std::move(item.compacted), item.as_array);
   } else {
-    Json graph{{alias(active, kGraph), unwrapped(std::move(item.compacted))}};
+    Json graph{{alias(active, kGraph), options_.compact_arrays ? unwrapped(std::move(item.compacted)) : std::move(item.compacted)}};
     if (!simple) graph[alias(active, "@id")] = compact_iri(active, expanded["@id"], false);
     if (expanded.contains("@index")) graph[alias(active, "@index")] = expanded["@index"];
     add_compacted(result, item.key, std::move(graph), item.as_array);

@@ -45,6 +45,8 @@ struct Options {
   bool reject_unknown_terms = false;
   /// Reject prefixed names whose prefix no context defines (JSON-LD takes them for absolute IRIs).
   bool reject_unknown_prefixes = false;
+  /// Compaction: an array with one value becomes that value, where the context does not ask for an array.
+  bool compact_arrays = true;
 };
 
 /// W3C JSON-LD 1.1 API, Expansion Algorithm (5.1.2), processing mode json-ld-1.1, every part of it. Arrays
@@ -56,7 +58,7 @@ OPAL_EXPORT nlohmann::json expand(const nlohmann::json& document, const Options&
 /// JsonLdError.
 OPAL_EXPORT nlohmann::json flatten(const nlohmann::json& document, const Options& options = {});
 
-/// W3C JSON-LD 1.1 API, Compaction Algorithm (6.1.2) of the expanded document, with compactArrays.
+/// W3C JSON-LD 1.1 API, Compaction Algorithm (6.1.2) of the expanded document.
 /// @param context  the value of a @context, or an object that has one. @throws JsonLdError.
 OPAL_EXPORT nlohmann::json compact(const nlohmann::json& document, const nlohmann::json& context,
                                    const Options& options = {});
