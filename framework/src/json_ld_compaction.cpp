@@ -54,7 +54,7 @@ Json Compactor::compact_document(const Json& expanded, bool always_graph) {
   if (!always_graph && compacted.is_array() && compacted.empty()) compacted = Json::object();
   if (always_graph) compacted = as_array(std::move(compacted));
   if (compacted.is_array()) compacted = Json{{alias(initial_, "@graph"), std::move(compacted)}};
-  if (!context_.is_null() && !compacted.empty()) compacted["@context"] = context_;
+  if (!context_.is_null()) compacted["@context"] = context_;
   return compacted;
 }
 
