@@ -6,6 +6,7 @@
 #include <opal/map_frame.hpp>
 #include <opal/strict_json.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -16,9 +17,10 @@ struct FrameVerbOptions {
   std::string map, frame, out;
 };
 
-/// A document as it is written; of a source that is imported, the map's own.
+/// A document as it is written; of any other source, that of the map that it gives.
 opal::NamedDocument read_document(const std::string& source) {
-  if (is_map_document(source)) return {opal::read_json(source), source};
+  const std::string extension = std::filesystem::path(source).extension().string();
+  if (extension == ".jsonld" || extension == ".json") return {opal::read_json(source), source};
   return {nlohmann::json(load_map(load_plugins(), source)->to_json_ld()), source};
 }
 

@@ -21,12 +21,12 @@ std::shared_ptr<const T> recognizing(const opal::PluginRegistry& registry, opal:
   return nullptr;
 }
 
-}  // namespace
-
-bool is_map_document(const std::string& source) {
+bool is_document(const std::string& source) {
   const std::string extension = fs::path(source).extension().string();
   return extension == ".jsonld" || extension == ".json";
 }
+
+}  // namespace
 
 opal::PluginRegistry load_plugins() {
   opal::PluginRegistry registry;
@@ -45,14 +45,14 @@ opal::MapImport import_map(const opal::PluginRegistry& registry, const std::stri
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source) {
-  return is_map_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
+  return is_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
                                                   const opal::MapDamage& damage) {
-  if (is_map_document(source) && damage.thick_m > 0)
+  if (is_document(source) && damage.thick_m > 0)
     throw opal::ConfigError(source + ": damage thick= is done to grids before they are imported, found a document");
-  return opal::damaged_map(is_map_document(source) ? *opal::SemanticMap::read(source)
+  return opal::damaged_map(is_document(source) ? *opal::SemanticMap::read(source)
                                                : *import_map(registry, source, damage.thick_m).map,
                            damage);
 }

@@ -17,9 +17,6 @@ opal::PluginRegistry load_plugins();
 /// @param thicken_m  if not 0: walls become so much thicker first, which only importers with this option can do.
 opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, double thicken_m = 0);
 
-/// True for files that are read as map documents: .jsonld, .json. All others are sources that importers recognize.
-bool is_map_document(const std::string& source);
-
 /// A map from a document, or from any source that an importer recognizes.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
 
