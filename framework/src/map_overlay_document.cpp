@@ -5,6 +5,8 @@
 #include "semantic_map_document.hpp"
 #include "semantic_map_graph.hpp"
 
+#include <opal/error.hpp>
+
 #include <algorithm>
 #include <array>
 #include <set>
