@@ -126,7 +126,7 @@ void ChangeMaker::check(const MapChange& change, const Target& target) {
   }
   for (const auto& [word, type] : change.types) {
     const bool of_object = word == "object_type";
-    if (of_object != (target.kind == Target::Kind::object) && (of_object || target.features.empty()))
+    if (of_object ? target.kind != Target::Kind::object : target.features.empty())
       refuse(change, "'" + target.id + "' has no " + word + ", expected " + (of_object ? "an object" : "a geometry"));
     if (of_object) claim("object '" + target.id + "' " + word, type, change.place);
     for (const int i : target.features)
