@@ -3,9 +3,12 @@
 #include "json_ld_expansion.hpp"
 #include "json_ld_inverse_context.hpp"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace opal::json_ld {
@@ -66,14 +69,17 @@ class Compactor {
   std::string compact_iri(const ContextPtr& active, const std::string& iri, bool vocabulary,
                           const Json* value = nullptr, bool reverse = false);
   std::string alias(const ContextPtr& active, const std::string& keyword) { return compact_iri(active, keyword, true); }
+  std::string find_name(const ContextPtr& active, const std::string& iri, bool vocabulary, const Json* value,
+                        bool reverse);
   const std::string* select_term(const ContextPtr& active, const std::string& iri, const Json* value, bool reverse);
-  std::vector<std::string> preferred(const ContextPtr& active, const std::string& wanted, const Json& value);
+  std::vector<std::string_view> preferred(const ContextPtr& active, const std::string& wanted, const Json& value);
   /// Value Compaction (6.5) of a value object or of a node that is nothing but an @id.
   Json compact_value(const ContextPtr& active, const TermDefinition* definition, const Json& value);
 
   struct Inverse {
     ContextPtr active;  // held, so that nothing else can take its address
     std::unique_ptr<const InverseContext> inverse;
+    std::array<std::unordered_map<std::string, std::string>, 2> names;  ///< found already, without a value; [1]: words
   };
 
   const Options& options_;

@@ -66,6 +66,12 @@ auto reading_frame(Step step) {
 }  // namespace
 
 void add_merged_graph(NodeMap& nodes) {
+  if (nodes.graphs().size() == 1) {  // as ever in maps: no copy
+    auto only = nodes.graphs().extract(nodes.graphs().begin());
+    only.key() = kMergedGraph;
+    nodes.graphs().insert(std::move(only));
+    return;
+  }
   NodeGraph merged;
   for (const auto& [name, graph] : nodes.graphs())
     for (const auto& [id, node] : graph) {

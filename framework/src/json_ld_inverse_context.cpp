@@ -73,15 +73,15 @@ void InverseContext::add(const std::string& term, const TermDefinition& definiti
   prefix_lengths_.insert(definition.iri->size());
 }
 
-const std::string* InverseContext::select(const std::string& iri, const std::vector<std::string>& containers,
-                                          const std::string& kind, const std::vector<std::string>& preferred) const {
+const std::string* InverseContext::select(const std::string& iri, const std::vector<std::string_view>& containers,
+                                          std::string_view kind, const std::vector<std::string_view>& preferred) const {
   const Containers& known = terms_.at(iri);
-  for (const std::string& container : containers) {
+  for (const std::string_view container : containers) {
     const auto kinds = known.find(container);
     if (kinds == known.end()) continue;
     const auto terms = kinds->second.find(kind);
     if (terms == kinds->second.end()) continue;
-    for (const std::string& item : preferred)
+    for (const std::string_view item : preferred)
       if (const auto term = terms->second.find(item); term != terms->second.end()) return &term->second;
   }
   return nullptr;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -23,16 +24,16 @@ class InverseContext {
   /// @param kind        "@type", "@language" or "@any"
   /// @param preferred   what may stand under the kind, the preferred first.
   /// @return nullptr if no term fits.
-  const std::string* select(const std::string& iri, const std::vector<std::string>& containers,
-                            const std::string& kind, const std::vector<std::string>& preferred) const;
+  const std::string* select(const std::string& iri, const std::vector<std::string_view>& containers,
+                            std::string_view kind, const std::vector<std::string_view>& preferred) const;
   /// The shortest name with a prefix ("opal:Wall"), the first of several by alphabet; empty if no prefix fits.
   /// @param bare  nothing is known about a value: names that are terms themselves will do if they mean the IRI.
   std::string compact_name(const ActiveContext& active, const std::string& iri, bool bare) const;
 
  private:
-  using TermOf = std::map<std::string, std::string>;  // "@null", "en_ltr", "@id" -> term
-  using Kinds = std::map<std::string, TermOf>;
-  using Containers = std::map<std::string, Kinds>;
+  using TermOf = std::map<std::string, std::string, std::less<>>;  // "@null", "en_ltr", "@id" -> term
+  using Kinds = std::map<std::string, TermOf, std::less<>>;
+  using Containers = std::map<std::string, Kinds, std::less<>>;
 
   void add(const std::string& term, const TermDefinition& definition, const std::string& default_language);
 

@@ -3,14 +3,16 @@
 #include "json_ld_iri.hpp"
 
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace opal::json_ld {
 namespace {
 
 constexpr std::size_t kMaxInverses = 256;
+constexpr std::size_t kMaxNames = 4096;
 
-using Texts = std::vector<std::string>;
+using Texts = std::vector<std::string_view>;
 
 std::optional<std::string> text_of(const Json& object, const char* key) {
   const auto found = object.find(key);
@@ -64,6 +66,7 @@ void add_graph_containers(const Json& value, Texts& containers) {  // 4.8
 /// 4.4 to 4.12: the containers that would do, the most telling first.
 Texts containers_for(const Json* value, bool reverse) {
   Texts containers;
+  containers.reserve(16);
   const auto add = [&](const Texts& texts) { containers.insert(containers.end(), texts.begin(), texts.end()); };
   const bool object = value && value->is_object(), index = object && value->contains("@index");
   if (index && !is_graph_object(*value)) add({"@index", "@index@set"});
@@ -104,12 +107,24 @@ const InverseContext& Compactor::inverse_of(const ContextPtr& active) {
   if (known != inverses_.end()) return *known->second.inverse;
   if (inverses_.size() >= kMaxInverses) inverses_.clear();
   Inverse& made = inverses_[active.get()];
-  made = {active, std::make_unique<InverseContext>(*active)};
+  made.active = active;
+  made.inverse = std::make_unique<InverseContext>(*active);
   return *made.inverse;
 }
 
 std::string Compactor::compact_iri(const ContextPtr& active, const std::string& iri, bool vocabulary, const Json* value,
                                    bool reverse) {
+  if (value) return find_name(active, iri, vocabulary, value, reverse);
+  (void)inverse_of(active);
+  auto& names = inverses_.at(active.get()).names[vocabulary ? 1 : 0];
+  if (names.size() >= kMaxNames) names.clear();
+  if (const auto known = names.find(iri); known != names.end()) return known->second;
+  std::string name = find_name(active, iri, vocabulary, nullptr, reverse);
+  return inverses_.at(active.get()).names[vocabulary ? 1 : 0][iri] = std::move(name);
+}
+
+std::string Compactor::find_name(const ContextPtr& active, const std::string& iri, bool vocabulary, const Json* value,
+                                 bool reverse) {
   const InverseContext& inverse = inverse_of(active);
   if (vocabulary && inverse.knows(iri))
     if (const std::string* term = select_term(active, iri, value, reverse)) return *term;
@@ -130,12 +145,14 @@ std::string Compactor::compact_iri(const ContextPtr& active, const std::string& 
 const std::string* Compactor::select_term(const ContextPtr& active, const std::string& iri, const Json* value,
                                           bool reverse) {
   const Wanted wanted = wanted_for(value, reverse);
-  const Texts values = preferred(active, wanted.value, value ? *value : Json());
+  static const Json nothing;
+  const Texts values = preferred(active, wanted.value, value ? *value : nothing);
   return inverse_of(active).select(iri, containers_for(value, reverse), wanted.kind, values);
 }
 
 /// 4.14 to 4.18
-Texts Compactor::preferred(const ContextPtr& active, const std::string& wanted, const Json& value) {
+std::vector<std::string_view> Compactor::preferred(const ContextPtr& active, const std::string& wanted,
+                                                   const Json& value) {
   Texts result;
   if (wanted == "@reverse") result.push_back(wanted);
   const auto id = value.is_object() ? text_of(value, "@id") : std::nullopt;
@@ -148,7 +165,7 @@ Texts Compactor::preferred(const ContextPtr& active, const std::string& wanted, 
     result.push_back(wanted);
   }
   const std::size_t direction = wanted.rfind('_');
-  if (direction != std::string::npos && direction > 0) result.push_back(wanted.substr(direction));
+  if (direction != std::string::npos && direction > 0) result.push_back(std::string_view(wanted).substr(direction));
   result.push_back("@none");
   return result;
 }

@@ -85,7 +85,7 @@ json add_to(OverlayDraft& draft, const MapOverlay& overlay, std::vector<std::str
     MapObject& object = read.objects[i];
     const auto known = draft.objects_by_id.find(object.id);
     const bool is_new = known == draft.objects_by_id.end();
-    if (is_new) added.push_back(object.id + ": added, a " + object.type);
+    if (is_new) added.push_back(object.id + ": added, " + object.type);
     if (!is_new) draft.object_twins.push_back({object, overlay.source + ": " + read.object_places[i]});
     positions.push_back(is_new ? draft.add(object) : known->second);
   }
@@ -94,7 +94,7 @@ json add_to(OverlayDraft& draft, const MapOverlay& overlay, std::vector<std::str
     feature.object = positions[feature.object];
     const int original = position_of_twin(draft, feature, known_features);
     const bool of_map = original >= 0;
-    if (!of_map) added.push_back(feature.id + ": added to '" + draft.objects[feature.object].id + "', a " + feature.type);
+    if (!of_map) added.push_back(feature.id + ": added to '" + draft.objects[feature.object].id + "', " + feature.type);
     const int position = draft.add(std::move(feature));
     if (of_map) draft.feature_twins[position] = {original, overlay.source + ": " + read.feature_places[i]};
   }

@@ -59,7 +59,7 @@ int OverlayDraft::add(MapFeature feature) {
 std::vector<int> OverlayDraft::settle() {
   for (const ObjectTwin& twin : object_twins)
     if (const MapObject& original = objects[objects_by_id.at(twin.object.id)]; twin.object.type != original.type)
-      throw MapError(twin.place + ": object '" + original.id + "' is a " + twin.object.type + ", but the map has it as a " +
+      throw MapError(twin.place + ": object '" + original.id + "' is " + twin.object.type + ", but the map has it as " +
                      original.type + "; expected the same, or a MapChange");
   for (const auto& [position, twin] : feature_twins)
     if (!same_feature(features[position], features[twin.original]))

@@ -105,7 +105,7 @@ TEST_CASE("objects and features are added, and may use points of the map") {
   CHECK(feature(*added.map, "kiosk/face").points.front() == "corner-3");
   CHECK(object(*added.map, "wall-2").features.size() == 2);
   CHECK(added.map->unused().size() == room()->unused().size() + 1);
-  CHECK_THAT(all_of(added.changes), Contains("kiosk: added, a acme:Kiosk") && Contains("face-2/niche: added to 'wall-2'"));
+  CHECK_THAT(all_of(added.changes), Contains("kiosk: added, acme:Kiosk") && Contains("face-2/niche: added to 'wall-2'"));
 }
 
 TEST_CASE("what is added may be changed by another overlay, whichever comes first") {
@@ -177,7 +177,7 @@ TEST_CASE("changes that mean nothing for their target are errors") {
 
 TEST_CASE("additions that the map has otherwise, or that are no map, are errors") {
   const auto refused = [](const std::string& node) { return refusal(*room(), {overlay("", node)}); };
-  CHECK_THAT(refused(R"({"@id": "wall-1", "@type": "Column"})"), Contains("object 'wall-1' is a opal:Column, but the map has it as a opal:Wall"));
+  CHECK_THAT(refused(R"({"@id": "wall-1", "@type": "Column"})"), Contains("object 'wall-1' is opal:Column, but the map has it as opal:Wall"));
   CHECK_THAT(refused(R"({"@id": "c1", "@type": "Column", "represented_by": {"@type": "ObjectFeatureRepresentation",
       "perceivable_by": "PlanarLidar2D", "represented_by": {"@id": "c1/rim", "@type": "Circle",
         "center": {"@type": "Point", "x": 3, "y": 2}, "radius_m": 0.5}}})"), Contains("the map has another 'c1/rim'"));
