@@ -154,6 +154,7 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   document.text("name", "");
   document.text("comment", "");
   deployment.map = resolve(document.text("map", ""), file);
+  for (const std::string& path : document.texts("overlays")) deployment.overlays.push_back(resolve(path, file));
   if (auto sensor = document.object("sensor")) deployment.laser = read_sensor(*sensor);
   if (auto keyframes = document.object("keyframes")) deployment.keyframes = read_keyframes(*keyframes);
   if (auto local_map = document.object("local_map")) deployment.local_map = read_local_map(*local_map);
