@@ -26,7 +26,7 @@ std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const st
     if (std::any_of(sites.begin(), sites.end(), [&](const BenchSite& site) { return site.name == name; }))
       throw opal::ConfigError("bench: two places are called '" + name + "', expected a name for each");
     const double start_s = process_cpu_s();
-    auto map = import_map(registry, prefix + ".map.yaml", damage.damage().thick_m).map;
+    auto map = import_map(registry, prefix + ".map.yaml", import_options(damage.damage())).map;
     const double import_s = process_cpu_s() - start_s;
     if (damage.any()) map = opal::damaged_map(*map, damage.damage());
     sites.push_back({prefix, name, std::move(map), opal::Pose2(), import_s});
