@@ -44,15 +44,13 @@ class PlanObjects {
   }
 
   /// An element that no sensor perceives: as it was drawn.
-  void add_unseen(int element) {
-    const PlanElement& from = elements_[static_cast<std::size_t>(element)];
-    int strokes = 0;
-    for (const PlanLine& line : from.lines)
-      for (std::size_t k = 0; k + 1 < line.points.size() + (line.closed ? 1 : 0); ++k) {
-        const Segment segment{line.points[k], line.points[(k + 1) % line.points.size()]};
-        if (segment.begin != segment.end) add(element, own_id(element, "/line-", ++strokes), "opal:Wall", segment, {});
-      }
-    for (std::size_t k = 0; k < from.circles.size(); ++k) add_circle(element, static_cast<int>(k));
+  void add_unseen(const PlanPath& path) {
+    for (std::size_t k = 0; k + 1 < path.nodes.size() + (path.closed ? 1 : 0); ++k) {
+      const int from = path.nodes[k], to = path.nodes[(k + 1) % path.nodes.size()];
+      if (from == to) continue;
+      const std::string id = own_id(path.element, "/line-", ++faces_[static_cast<std::size_t>(path.element)]);
+      add(path.element, id, "opal:Wall", Segment{strokes_.at(from), strokes_.at(to)}, {name(from, id + "/begin"), name(to, id + "/end")});
+    }
   }
 
   bool has(int element) const { return object_[static_cast<std::size_t>(element)] >= 0; }
@@ -114,8 +112,10 @@ class Assembly {
     add_circles(objects);
     add_faces(objects);
     add_corners(objects);
+    for (const PlanPath& path : strokes_.unseen) objects.add_unseen(path);
     for (std::size_t k = 0; k < elements_.size(); ++k) {
-      if (elements_[k].sensor.empty()) objects.add_unseen(static_cast<int>(k));
+      for (std::size_t circle = 0; elements_[k].sensor.empty() && circle < elements_[k].circles.size(); ++circle)
+        objects.add_circle(static_cast<int>(k), static_cast<int>(circle));
       if (objects.has(static_cast<int>(k))) result_.outcomes[k] = {elements_[k].id, PlanOutcome::Status::mapped, ""};
     }
     result_.map = objects.map(source_, name);

@@ -66,7 +66,7 @@ std::vector<Point> crossings(const Segment& stroke, const Circle& circle) {
 class Cutting {
  public:
   Cutting(const std::string& name, const std::vector<PlanElement>& elements, double join_m)
-      : name_(name), join_m_(join_m), nodes_(join_m) {
+      : name_(name), elements_(elements), join_m_(join_m), nodes_(join_m) {
     for (std::size_t k = 0; k < elements.size(); ++k) {
       check(name, elements[k]);
       if (!elements[k].sensor.empty()) add(elements[k], static_cast<int>(k));
@@ -80,6 +80,7 @@ class Cutting {
     }
     add_crossings();
     collect_nodes();
+    add_unseen();
     result_.nodes = nodes_.points();
     return std::move(result_);
   }
@@ -149,6 +150,16 @@ class Cutting {
     if (path.nodes.empty() || path.nodes.back() != node) path.nodes.push_back(node);
   }
 
+  void add_unseen() {
+    for (std::size_t k = 0; k < elements_.size(); ++k)
+      for (const PlanLine& line : elements_[k].lines) {
+        if (!elements_[k].sensor.empty()) continue;
+        PlanPath path{static_cast<int>(k), line.sides, line.closed, line.solid, {}};
+        for (const Point& p : line.points) append(path, nodes_.add(p));
+        result_.unseen.push_back(std::move(path));
+      }
+  }
+
   std::vector<int> nodes_on(const Segment& segment, const PlanBoxes& index) {
     const int first = nodes_.add(segment.begin), last = nodes_.add(segment.end);
     std::vector<std::pair<double, int>> between;
@@ -167,6 +178,7 @@ class Cutting {
   }
 
   const std::string& name_;
+  const std::vector<PlanElement>& elements_;
   double join_m_;
   PlanNodes nodes_;
   std::vector<Stroke> strokes_;

@@ -29,13 +29,14 @@ struct PlanStrokes {
   std::vector<Point> nodes;
   std::vector<PlanPath> paths;
   std::vector<PlanEdge> edges;
+  std::vector<PlanPath> unseen;  ///< lines of the elements without a sensor: they cut nothing and are not cut
 
   Segment segment(const PlanEdge& edge) const { return {at(edge.from), at(edge.to)}; }
   const Point& at(int node) const { return nodes[static_cast<std::size_t>(node)]; }
   double length_m(const PlanEdge& edge) const { return segment(edge).length_m(); }
 };
 
-/// Of the elements with a sensor. @throws MapError, see assemble_plan.
+/// @throws MapError, see assemble_plan.
 PlanStrokes cut_strokes(const std::string& name, const std::vector<PlanElement>& elements, double join_m);
 
 /// The paths cut again at the given places of their edges, which are nearer than 1e-6 m to one.

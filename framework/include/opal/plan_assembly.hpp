@@ -51,7 +51,7 @@ struct PlanOutcome {
 };
 
 /// How the sides were found, in metres of line, and what was put together.
-struct PlanTally {
+struct OPAL_EXPORT PlanTally {
   double outlines_m = 0;   ///< one-sided: massive on one side by an outline, a fill or a round column
   double pairs_m = 0;      ///< one-sided: with the wall's other face beside it, or as the end of such a wall
   double two_sided_m = 0;  ///< seen from both sides, since nothing said which
