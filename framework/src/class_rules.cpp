@@ -19,6 +19,10 @@ std::string type_of(const std::string& text) {
   return is_complete ? text : "opal:" + text;
 }
 
+bool fits_any(const std::vector<std::string>& names, const std::string& pattern) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return fits_pattern(name, pattern); });
+}
+
 }  // namespace
 
 bool fits_pattern(const std::string& name, const std::string& pattern) {
@@ -48,21 +52,20 @@ ClassRules::ClassRules(const nlohmann::json& given, const std::map<std::string, 
   });
 }
 
-const ClassRules::Rule* ClassRules::rule_for(const std::string& name) const {
-  const auto found = std::find_if(rules_.begin(), rules_.end(), [&](const Rule& rule) { return fits_pattern(name, rule.pattern); });
+const ClassRules::Rule* ClassRules::rule_for(const std::vector<std::string>& names) const {
+  const auto found = std::find_if(rules_.begin(), rules_.end(), [&](const Rule& rule) { return fits_any(names, rule.pattern); });
   return found == rules_.end() ? nullptr : &*found;
 }
 
-std::optional<std::string> ClassRules::class_of(const std::string& name) const {
-  const Rule* rule = rule_for(name);
+std::optional<std::string> ClassRules::class_of(const std::vector<std::string>& names) const {
+  const Rule* rule = rule_for(names);
   return rule == nullptr ? std::nullopt : std::optional<std::string>(rule->type);
 }
 
 std::vector<std::string> ClassRules::unused(const std::vector<std::string>& names) const {
   std::vector<std::string> patterns;
   for (const Rule& rule : rules_)
-    if (rule.is_given && std::none_of(names.begin(), names.end(), [&](const std::string& name) { return rule_for(name) == &rule; }))
-      patterns.push_back(rule.pattern);
+    if (rule.is_given && !fits_any(names, rule.pattern)) patterns.push_back(rule.pattern);
   return patterns;
 }
 

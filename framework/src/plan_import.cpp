@@ -21,6 +21,13 @@ std::set<std::string> words_of(const std::string& text) {
   return words;
 }
 
+void add_outline(const PlanElement& element, ImportedElement& thing) {
+  thing.circles = element.circles;
+  for (const PlanLine& line : element.lines)
+    for (std::size_t k = 0; k + 1 < line.points.size() + (line.closed ? 1 : 0); ++k)
+      thing.outline.push_back({line.points[k], line.points[(k + 1) % line.points.size()]});
+}
+
 void explain(const PlanOutcome& outcome, ImportedElement& element) {
   switch (outcome.status) {
     case PlanOutcome::Status::mapped: element.status = ImportStatus::imported; break;
@@ -75,12 +82,15 @@ PlanImportOptions::PlanImportOptions(const nlohmann::json& options, const std::m
 
 std::string PlanImportOptions::sensor_for(const std::string& type) const { return perceivable.contains(type) ? sensor : ""; }
 
-void report_outcomes(const PlanAssembly& assembly, std::vector<ImportedElement>& elements) {
-  std::unordered_map<std::string, const PlanOutcome*> outcomes;
-  for (const PlanOutcome& outcome : assembly.outcomes) outcomes[outcome.id] = &outcome;
-  for (ImportedElement& element : elements)
-    if (const auto found = outcomes.find(element.id); found != outcomes.end() && element.status == ImportStatus::imported)
-      explain(*found->second, element);
+void report_outcomes(const std::vector<PlanElement>& plan, const PlanAssembly& assembly, std::vector<ImportedElement>& things) {
+  std::unordered_map<std::string, std::size_t> numbers;
+  for (std::size_t k = 0; k < plan.size(); ++k) numbers[plan[k].id] = k;
+  for (ImportedElement& thing : things) {
+    const auto found = numbers.find(thing.id);
+    if (found == numbers.end() || thing.status != ImportStatus::imported) continue;
+    add_outline(plan[found->second], thing);
+    explain(assembly.outcomes[found->second], thing);
+  }
 }
 
 void sort_by_id(std::vector<ImportedElement>& elements) {

@@ -1,7 +1,6 @@
 #include "dxf_importer.hpp"
 
-#include "layer_tally.hpp"
-
+#include <opal/class_tally.hpp>
 #include <opal/error.hpp>
 
 #include <algorithm>
@@ -45,7 +44,7 @@ class Sorting {
 
   std::vector<PlanElement> elements;
   std::vector<ImportedElement> things;
-  LayerTally tally;
+  ClassTally tally{"layer"};
   int refitted = 0, chorded = 0, wide = 0;
 
  private:
@@ -107,19 +106,6 @@ class Sorting {
   std::map<std::string, std::size_t> parts_;
 };
 
-void add_outlines(const std::vector<PlanElement>& elements, std::vector<ImportedElement>& things) {
-  std::map<std::string, const PlanElement*> by_id;
-  for (const PlanElement& element : elements) by_id[element.id] = &element;
-  for (ImportedElement& thing : things) {
-    const auto found = by_id.find(thing.id);
-    if (found == by_id.end() || thing.status != ImportStatus::imported) continue;
-    thing.circles = found->second->circles;
-    for (const PlanLine& line : found->second->lines)
-      for (std::size_t k = 0; k + 1 < line.points.size() + (line.closed ? 1 : 0); ++k)
-        thing.outline.push_back({line.points[k], line.points[(k + 1) % line.points.size()]});
-  }
-}
-
 std::string counted(int count, const std::string& what) { return std::to_string(count) + " " + what; }
 
 }  // namespace
@@ -162,8 +148,7 @@ MapImport DxfImporter::import(const std::string& path) const {
 
   const PlanAssembly assembly = assemble_plan(path, name_of(path), sorting.elements, plan_.plan);
   MapImport imported{assembly.map, {}, std::move(sorting.things), {}};
-  add_outlines(sorting.elements, imported.elements);
-  report_outcomes(assembly, imported.elements);
+  report_outcomes(sorting.elements, assembly, imported.elements);
   sort_by_id(imported.elements);
 
   imported.report.push_back("drawing in " + unit.name + (unit_ ? ", as the option unit says" : ", as $INSUNITS says"));
@@ -171,7 +156,7 @@ MapImport DxfImporter::import(const std::string& path) const {
     imported.report.push_back("doubtful: $INSUNITS " + std::to_string(*drawing.insunits) + " says another unit");
   imported.report.push_back(extent_sentence(*assembly.map));
   for (const std::string& sentence : sorting.tally.sentences()) imported.report.push_back(sentence);
-  for (const std::string& pattern : plan_.rules.unused(sorting.tally.layers()))
+  for (const std::string& pattern : plan_.rules.unused(sorting.tally.classes()))
     imported.report.push_back("doubtful: no layer is called '" + pattern + "', as a rule of the option classes has it");
   if (sorting.refitted > 0) imported.report.push_back(counted(sorting.refitted, "circles had been drawn as closed lines"));
   if (sorting.chorded > 0) imported.report.push_back(counted(sorting.chorded, "curved lines became short straight ones, at most 5 mm off"));

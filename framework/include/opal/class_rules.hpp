@@ -24,8 +24,10 @@ class OPAL_EXPORT ClassRules {
   ClassRules(const nlohmann::json& given, const std::map<std::string, std::string>& defaults);
 
   /// An object type, kLeaveOut, or nothing if no rule fits.
-  std::optional<std::string> class_of(const std::string& name) const;
-  /// Given rules that decide for none of these names: misspelt, perhaps.
+  std::optional<std::string> class_of(const std::string& name) const { return class_of(std::vector<std::string>{name}); }
+  /// Of a thing with several names: by the first rule that fits any of them.
+  std::optional<std::string> class_of(const std::vector<std::string>& names) const;
+  /// Given rules that fit none of these names: misspelt, perhaps.
   std::vector<std::string> unused(const std::vector<std::string>& names) const;
 
  private:
@@ -34,7 +36,7 @@ class OPAL_EXPORT ClassRules {
     std::string type;
     bool is_given = false;
   };
-  const Rule* rule_for(const std::string& name) const;
+  const Rule* rule_for(const std::vector<std::string>& names) const;
 
   std::vector<Rule> rules_;  ///< the first that fits decides
 };

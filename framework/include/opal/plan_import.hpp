@@ -25,8 +25,9 @@ struct OPAL_EXPORT PlanImportOptions {
   PlanOptions plan;
 };
 
-/// Puts what became of the plan's elements into the report: status and reason of the things with the same ids.
-OPAL_EXPORT void report_outcomes(const PlanAssembly& assembly, std::vector<ImportedElement>& elements);
+/// Puts what became of the plan's elements into the report: outline, status and reason of the things with the same ids.
+OPAL_EXPORT void report_outcomes(const std::vector<PlanElement>& plan, const PlanAssembly& assembly,
+                                 std::vector<ImportedElement>& things);
 
 /// In order of id, numbers inside ids counting as numbers, as importers hand them over.
 OPAL_EXPORT void sort_by_id(std::vector<ImportedElement>& elements);
