@@ -48,7 +48,7 @@ class EntityListener final : public DL_CreationAdapter {
     if (fill().loops.empty()) fill().loops.emplace_back();
     std::vector<DxfVertex>& loop = fill().loops.back();
     if (d.type == 0)
-      for (const std::vector<double>& v : d.vertices) loop.push_back({{v.at(0), v.at(1)}, v.size() > 2 ? v[2] : 0});
+      for (const std::vector<double>& v : d.vertices) add_boundary_vertex(v, loop);
     else if (d.type == 1)
       loop.push_back({{d.x1, d.y1}, 0});
     else if (d.type == 2)
@@ -57,8 +57,13 @@ class EntityListener final : public DL_CreationAdapter {
       has_curves = true;
   }
   bool has_curves = false;
+  bool is_incomplete = false;
 
  private:
+  void add_boundary_vertex(const std::vector<double>& v, std::vector<DxfVertex>& loop) {
+    if (v.size() < 2) is_incomplete = true;
+    else loop.push_back({{v[0], v[1]}, v.size() > 2 ? v[2] : 0});
+  }
   void take(DxfShape taken) {
     ++entities;
     shape = std::move(taken);
@@ -105,6 +110,10 @@ DxfShape read_shape(const std::string& path, const DxfEntityRecords& entity, std
   if (listener.entities != 1)
     throw MapError(path + ":" + std::to_string(entity.head.line) + ": " + entity.head.type + " cannot be read by dxflib (" +
                    std::to_string(listener.entities) + " entities), expected one");
+  const auto* fill = std::get_if<DxfFill>(&listener.shape);
+  const bool lacks_loops = entity.head.type == "HATCH" && fill != nullptr && static_cast<int>(fill->loops.size()) != std::atoi(entity.head.text(91).c_str());
+  if (listener.is_incomplete || lacks_loops)
+    throw MapError(path + ":" + std::to_string(entity.head.line) + ": HATCH: its boundary is incomplete, expected " + entity.head.text(91) + " loops (code 91) of vertices with x and y");
   if (listener.has_curves) trouble = "its boundary has elliptic arcs or splines";
   return std::move(listener.shape);
 }
