@@ -106,8 +106,6 @@ class Sorting {
   std::map<std::string, std::size_t> parts_;
 };
 
-std::string counted(int count, const std::string& what) { return std::to_string(count) + " " + what; }
-
 }  // namespace
 
 DxfImporter::DxfImporter(const nlohmann::json& options) : plan_(options, default_classes()) {
@@ -158,9 +156,9 @@ MapImport DxfImporter::import(const std::string& path) const {
   for (const std::string& sentence : sorting.tally.sentences()) imported.report.push_back(sentence);
   for (const std::string& pattern : plan_.rules.unused(sorting.tally.classes()))
     imported.report.push_back("doubtful: no layer is called '" + pattern + "', as a rule of the option classes has it");
-  if (sorting.refitted > 0) imported.report.push_back(counted(sorting.refitted, "circles had been drawn as closed lines"));
-  if (sorting.chorded > 0) imported.report.push_back(counted(sorting.chorded, "curved lines became short straight ones, at most 5 mm off"));
-  if (sorting.wide > 0) imported.report.push_back("doubtful: " + counted(sorting.wide, "polylines are drawn with a width, of which the middle was taken"));
+  if (sorting.refitted > 0) imported.report.push_back("circles that were drawn as closed lines: " + std::to_string(sorting.refitted));
+  if (sorting.chorded > 0) imported.report.push_back("curved lines that became short straight ones, at most 5 mm off: " + std::to_string(sorting.chorded));
+  if (sorting.wide > 0) imported.report.push_back("doubtful: polylines that are drawn with a width, of which the middle was taken: " + std::to_string(sorting.wide));
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;
 }

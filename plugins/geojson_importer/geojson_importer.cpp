@@ -217,7 +217,7 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   for (const std::string& sentence : sorting.tally.sentences()) imported.report.push_back(sentence);
   for (const std::string& pattern : plan_.rules.unused(sorting.names))
     imported.report.push_back("doubtful: no feature is '" + pattern + "', as a rule of the option classes has it");
-  if (sorting.refitted > 0) imported.report.push_back(std::to_string(sorting.refitted) + " circles had been drawn as polygons");
+  if (sorting.refitted > 0) imported.report.push_back("circles that were drawn as polygons: " + std::to_string(sorting.refitted));
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;
 }

@@ -32,7 +32,7 @@ TEST_CASE("a small office comes in with its walls, columns, doors and glass, and
   CHECK(check.warnings.size() == 1);  // doors and glass that no sensor perceives
   CHECK(says(office, "drawing in mm, as $INSUNITS says"));
   CHECK(says(office, "extent 24.00 m x 12.00 m"));
-  CHECK(says(office, "1 circles had been drawn as closed lines"));
+  CHECK(says(office, "circles that were drawn as closed lines: 1"));
   CHECK(says(office, "left out, no class for its layer: layer A-FURN: 2 LWPOLYLINE"));
   CHECK(says(office, "left out, no class for its layer: layer A-ANNO: 1 TEXT"));
   CHECK(says(office, "left out, its layer is frozen: layer A-OLD: 1 LINE"));
@@ -113,7 +113,7 @@ TEST_CASE("bulges are arcs, and two half circles are a circle") {
     const double off = std::abs((chord.midpoint() - Point(0, 7)).norm() - std::sqrt(8.0));
     if (chord.length_m() < 1.9) CHECK(std::min(off, std::abs((chord.midpoint() - Point(4, 7)).norm() - std::sqrt(8.0))) < 0.006);
   }
-  CHECK(says(plan, "curved lines became short straight ones"));
+  CHECK(says(plan, "curved lines that became short straight ones"));
 }
 
 TEST_CASE("a hatch or a filled shape says where the wall is") {

@@ -55,7 +55,7 @@ TEST_CASE("areas are massive, lines are seen from both sides, points with a radi
   CHECK(all<Segment>(*plan.map).size() == 4 + 5 + 2 + 8);
   CHECK(thing(plan, "room").status == ImportStatus::left_out);
   CHECK(thing(plan, "room").source_class == "indoor=room");
-  CHECK(says(plan, "1 circles had been drawn as polygons"));
+  CHECK(says(plan, "circles that were drawn as polygons: 1"));
   CHECK(says(plan, "coordinates in metres"));
 }
 
