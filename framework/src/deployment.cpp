@@ -161,6 +161,7 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   if (auto matcher = document.object("matcher")) deployment.matcher = read_whole_part(*matcher);
   if (auto detectors = document.list("detectors")) deployment.detectors = read_parts(*detectors);
   if (auto patterns = document.list("patterns")) deployment.patterns = read_parts(*patterns);
+  if (auto importers = document.list("importers")) deployment.importers = read_parts(*importers);
   deployment.scorers = read_scorers(document);
   if (document.object("association")) deployment.association = document.any("association");
   read_association_options(deployment.association, document.where("association"));  // throws if it is unusable
