@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -62,7 +63,7 @@ std::map<std::string, Agreement> compare(const nlohmann::json& reference, const 
     const auto found = by_id.find(expected.at("guid").get<std::string>());
     if (found == by_id.end()) continue;
     std::vector<Segment> outline;
-    for (const auto& s : expected.at("segs")) outline.push_back({{s[0], s[1]}, {s[2], s[3]}});
+    for (const auto& s : expected.at("segs").get<std::vector<std::array<double, 4>>>()) outline.push_back({{s[0], s[1]}, {s[2], s[3]}});
     const std::vector<Segment> own = outline_of(*found->second);
     if (own.empty()) continue;
     const double off_m = std::max(farthest_m(outline, own), farthest_m(own, outline));
