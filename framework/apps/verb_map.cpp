@@ -1,5 +1,6 @@
 #include "damage_options.hpp"
 #include "join_options.hpp"
+#include "map_generate.hpp"
 #include "map_patterns.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
@@ -167,7 +168,7 @@ void add_raster(CLI::App& map, int& exit_code) {
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, patterns, damage, join, raster");
+  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, patterns, damage, join, raster, generate");
   map->require_subcommand(1);
   add_import(*map, exit_code);
   add_check(*map, exit_code);
@@ -175,4 +176,5 @@ void opal::add_map_verb(CLI::App& app, int& exit_code) {
   add_damage(*map, exit_code);
   add_join(*map, exit_code);
   add_raster(*map, exit_code);
+  add_map_generate(*map, exit_code);
 }
