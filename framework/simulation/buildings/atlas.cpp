@@ -12,6 +12,8 @@ void facades(FloorPlan& plan) {
     plan.wall({kWidth - 25, y, kWidth, y + 45});
   }
   for (int x = 380; x < kWidth - 300; x += 400) plan.wall({x, 0, x + 40, 30});
+  for (const int x : {300, 800, 1100, 1450, 1800}) plan.wall({x, kLength - 30, x + 40, kLength});
+  plan.facade_glass({1520, kLength, 1770, kLength + 10});
   plan.facade_glass({460, -10, 740, 0});
   plan.facade_glass({1260, -10, 1540, 0});
   plan.facade_glass({kWidth, 320, kWidth + 10, 590});
@@ -72,6 +74,7 @@ void east_rooms(FloorPlan& plan) {
   plan.door({1510, 1500, 1520, 1600});
   plan.room({1520, 1650, kWidth, 2240});
   plan.door({1510, 1690, 1520, 1790});
+  plan.wall({1940, 2180, kWidth, 2240});
   plan.pane({1510, 1860, 1520, 2180});
   plan.room({1520, 2250, kWidth, 2790});
   plan.door({1510, 2640, 1520, 2740});

@@ -35,6 +35,7 @@ class Corridors {
     for (std::size_t k = 0; k < xs_.size(); k += 2) building_.plan.room({xs_[k], ys_.front(), xs_[k + 1], ys_.back()});
     for (std::size_t row = 1; row + 1 < ys_.size(); row += 2)
       for (std::size_t column = 1; column + 1 < xs_.size(); column += 2) add_block(column, row);
+    add_outer_walls();
     return std::move(building_);
   }
 
@@ -71,12 +72,28 @@ class Corridors {
     if (column > 1) add_dead_end(xs_[column - 1], block);
   }
 
+  /// Opposite the blocks; glass where blocks have doors.
+  void add_outer_walls() {
+    const int width = xs_.back(), height = ys_.back();
+    for (std::size_t column = 1; column + 1 < xs_.size(); column += 2)
+      for (int x = xs_[column] + kCornerClear; x + kStep + kCornerClear <= xs_[column + 1]; x += kStep) {
+        add_cut(x, [](int from, int to, int near, int far) { return Box{from, -far, to, -near}; }, true);
+        add_cut(x, [&](int from, int to, int near, int far) { return Box{from, height + near, to, height + far}; }, true);
+      }
+    for (std::size_t row = 1; row + 1 < ys_.size(); row += 2)
+      for (int y = ys_[row] + kCornerClear; y + kStep + kCornerClear <= ys_[row + 1]; y += kStep) {
+        add_cut(y, [](int from, int to, int near, int far) { return Box{-far, from, -near, to}; }, true);
+        add_cut(y, [&](int from, int to, int near, int far) { return Box{width + near, from, width + far, to}; }, true);
+      }
+  }
+
   template <class BoxBehind>
-  void add_cut(int begin, const BoxBehind& behind) {
+  void add_cut(int begin, const BoxBehind& behind, bool is_facade = false) {
     const Cut cut = vary_.is_usual() ? usual_ : drawn_cut();
     const int from = begin + cut.offset, to = from + cut.width;
     if (cut.kind == Cut::Kind::niche) building_.plan.open(behind(from, to, 0, cut.depth));
     if (cut.kind != Cut::Kind::door) return;
+    if (is_facade) return building_.plan.facade_glass(behind(from, to, 0, kRecess));
     building_.plan.open(behind(from, to, 0, kRecess));
     building_.plan.thing(behind(from, to, kRecess, kRecess + 5), "opal:Door");
   }

@@ -6,24 +6,25 @@ namespace {
 constexpr int kLength = 7000, kDepth = 1700;
 constexpr int kPitchX = 740, kPitchY = 620, kRadius = 33;
 constexpr int kFirstX = 170, kSouthY = 540;
+constexpr int kNorthWall = 1640;                     // of the open space, with niches as deep as the building
 constexpr int kHallway = 4000;                       // the open space ends here
 constexpr int kHallwaySouth = 410, kHallwayNorth = 1290;
 
 constexpr int column_x(int number) { return kFirstX + number * kPitchX; }
 
 void open_space(FloorPlan& plan) {
-  plan.room({0, 0, kHallway, kDepth});
+  plan.room({0, 0, kHallway, kNorthWall});
   plan.room({kHallway, kHallwaySouth, kLength, kHallwayNorth});
   // Pilasters of the south facade, some with glass between them; the north wall has shafts of other pitch.
   for (int k = 0; k < 5; ++k) plan.wall({column_x(k) - 25, 0, column_x(k) + 25, 35});
   for (const int k : {0, 1, 3}) plan.facade_glass({column_x(k) + 90, -10, column_x(k) + 560, 0});
   plan.facade_glass({-10, 620, 0, 1080});
-  plan.wall({0, 1560, 260, kDepth});
-  plan.wall({900, 1640, 990, kDepth});
-  plan.wall({1980, 1520, 2420, kDepth});
-  plan.wall({3130, 1640, 3220, kDepth});
-  plan.open({1250, kDepth, 1680, 1790});
-  plan.open({2700, kDepth, 2960, 1760});
+  plan.wall({0, 1510, 260, kNorthWall});
+  plan.wall({900, 1590, 990, kNorthWall});
+  plan.wall({1980, 1480, 2420, kNorthWall});
+  plan.wall({3130, 1590, 3220, kNorthWall});
+  plan.open({1250, kNorthWall, 1680, kDepth});
+  plan.open({2700, kNorthWall, 2960, kDepth});
 }
 
 /// What stands in the open space and in the hallway: stairs, lifts, shafts, between the columns.

@@ -96,12 +96,12 @@ class Office {
       Room room = vary_.is_usual() ? usual_ : drawn_room(vary_.between(kNarrowestRoom, 900));
       if (end - x - room.width < kPartition + kNarrowestRoom) room.width = end - x;
       room.door = std::min(room.door, room.width - 20 - room.door_width);
-      add_room(band, room, x);
+      add_room(band, room, left, x);
       x += room.width + kPartition;
     }
   }
 
-  void add_room(const Band& band, const Room& room, int x) {
+  void add_room(const Band& band, const Room& room, int left, int x) {
     FloorPlan& plan = building_.plan;
     plan.room(band.box(x, x + room.width, kPartition, kPartition + depth_));
     add_front(band, room, x);
@@ -116,7 +116,7 @@ class Office {
       const int middle = x + room.width / 2, pillar = kPartition + depth_ / 2;
       plan.wall(band.box(middle - 20, middle + 20, pillar - 20, pillar + 20));
     }
-    if (room.buttress >= 15) buttresses_.push_back(band.box(x - 25, x + 15, -room.buttress, 0));
+    if (room.buttress >= 15 && x > left + kPartition) buttresses_.push_back(band.box(x - 25, x + 15, -room.buttress, 0));
   }
 
   void add_front(const Band& band, const Room& room, int x) {

@@ -11,8 +11,9 @@ namespace opal::simulation {
 namespace {
 
 constexpr const char* kSensor = "PlanarLidar2D";
-// A piece of solid that is convex all around, and no longer all around than this, is a pillar.
+// A piece of solid that is convex all around, no longer all around than this, and no sheet, is a pillar.
 constexpr int kMaxPillarPerimeter_cm = 600;
+constexpr int kMinPillarSide_cm = 20;
 
 std::string numbered(const std::string& what, int number) {
   char digits[16];
@@ -66,6 +67,7 @@ class Assembly {
       length += outline[k].length();
       const OutlineFace& next = outline[(k + 1) % outline.size()];
       if (outline[k].thing != FloorPlan::kWall || outline[k].is_glass || turns_left(outline[k], next)) return false;
+      if (outline[k].length() < kMinPillarSide_cm) return false;
     }
     return length <= kMaxPillarPerimeter_cm;
   }

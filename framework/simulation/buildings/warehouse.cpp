@@ -11,6 +11,7 @@ constexpr int kBackAisle = 400;
 constexpr int kSidesOfRacks = 300;  // aisles along the west and east wall
 constexpr int kLongestRack = 3000;  // without a cross aisle
 constexpr int kCrossAisle = 350;
+constexpr int kFrame = 550;         // between pilasters of the west and east walls
 
 class Warehouse {
  public:
@@ -33,6 +34,7 @@ class Warehouse {
       add_row(rows_[k], rows_[k + 1]);
       add_dock(rows_[k], rows_[k + 1], width);
     }
+    add_pilasters(width);
     if (vary_.yes(false, 0.7)) add_office(width);
     return std::move(building_);
   }
@@ -73,6 +75,16 @@ class Warehouse {
     }
     const int y = dock_zone_ * 11 / 20 / 5 * 5;
     if (has_pillar) building_.plan.wall({middle - 20, y - 20, middle + 20, y + 20});
+  }
+
+  /// Of the frame that carries the roof.
+  void add_pilasters(int width) {
+    for (std::size_t k = 0; k + 1 < rows_.size(); k += 2)
+      if (vary_.yes(true, 0.6)) building_.plan.wall({rows_[k], height_ - 30, rows_[k] + 40, height_});
+    for (int y = kFrame; y + kFrame < height_; y += kFrame) {
+      if (vary_.yes(true, 0.6)) building_.plan.wall({0, y, 30, y + 40});
+      if (vary_.yes(true, 0.6)) building_.plan.wall({width - 30, y, width, y + 40});
+    }
   }
 
   /// In a corner of the dock zone, with a door and a window towards the gates.
