@@ -9,6 +9,7 @@ namespace {
 constexpr int kRecess = 15, kShutDoor = 100;
 constexpr int kCornerClear = 60;  // of a block, without niches
 constexpr int kDeepest = 80;       // niche
+constexpr int kShallowest = 150;   // dead end
 constexpr int kStep = 300;        // a niche or door at most every 3 m
 
 /// What may be cut into a block's face, per step of its length.
@@ -33,8 +34,12 @@ class Corridors {
   PlannedBuilding run() {
     for (std::size_t k = 0; k < ys_.size(); k += 2) building_.plan.room({xs_.front(), ys_[k], xs_.back(), ys_[k + 1]});
     for (std::size_t k = 0; k < xs_.size(); k += 2) building_.plan.room({xs_[k], ys_.front(), xs_[k + 1], ys_.back()});
-    for (std::size_t row = 1; row + 1 < ys_.size(); row += 2)
-      for (std::size_t column = 1; column + 1 < xs_.size(); column += 2) add_block(column, row);
+    for (std::size_t row = 1; row + 1 < ys_.size(); row += 2) {
+      for (std::size_t column = 2; column + 2 < xs_.size(); column += 2)
+        add_dead_end({xs_[column], ys_[row], xs_[column + 1], ys_[row + 1]});
+      for (std::size_t column = 1; column + 1 < xs_.size(); column += 2)
+        add_block({xs_[column], ys_[row], xs_[column + 1], ys_[row + 1]});
+    }
     add_outer_walls();
     return std::move(building_);
   }
@@ -59,17 +64,24 @@ class Corridors {
     return cut;
   }
 
-  void add_block(std::size_t column, std::size_t row) {
-    const Box block{xs_[column], ys_[row], xs_[column + 1], ys_[row + 1]};
+  void add_block(const Box& block) {
     for (int x = block.left + kCornerClear; x + kStep + kCornerClear <= block.right; x += kStep) {
       add_cut(x, [&](int from, int to, int near, int far) { return Box{from, block.bottom + near, to, block.bottom + far}; });
       add_cut(x, [&](int from, int to, int near, int far) { return Box{from, block.top - far, to, block.top - near}; });
     }
     for (int y = block.bottom + kCornerClear; y + kStep + kCornerClear <= block.top; y += kStep) {
-      add_cut(y, [&](int from, int to, int near, int far) { return Box{block.left + near, from, block.left + far, to}; });
-      add_cut(y, [&](int from, int to, int near, int far) { return Box{block.right - far, from, block.right - near, to}; });
+      if (!is_closed(block.left, y))
+        add_cut(y, [&](int from, int to, int near, int far) { return Box{block.left + near, from, block.left + far, to}; });
+      if (!is_closed(block.right, y))
+        add_cut(y, [&](int from, int to, int near, int far) { return Box{block.right - far, from, block.right - near, to}; });
     }
-    if (column > 1) add_dead_end(xs_[column - 1], block);
+  }
+
+  /// Whether the corridor beside a block's face at x is closed somewhere along the step that begins at y.
+  bool is_closed(int x, int y) const {
+    return std::any_of(dead_ends_.begin(), dead_ends_.end(), [&](const Box& closed) {
+      return (closed.left == x || closed.right == x) && closed.bottom < y + kStep && y < closed.top;
+    });
   }
 
   /// Opposite the blocks; glass where blocks have doors.
@@ -98,13 +110,16 @@ class Corridors {
     building_.plan.thing(behind(from, to, kRecess, kRecess + 5), "opal:Door");
   }
 
-  /// Closes the corridor west of a block, in part or over all its length; those along x stay open, so nothing is cut off.
-  void add_dead_end(int left, const Box& block) {
+  /// Closes a corridor along y between two crossings, in part or all of it; those along x stay open, so nothing is cut off.
+  void add_dead_end(const Box& corridor) {
     const bool is_there = vary_.yes(false, 0.3), is_south = vary_.chance(0.5);
-    const int closed = vary_.between(block.height() / 3 / 5 * 5, block.height());
+    int length = vary_.between(corridor.height() / 3 / 5 * 5, corridor.height());
     if (!is_there) return;
-    const int bottom = is_south ? block.bottom : block.top - closed;
-    building_.plan.wall({left - kDeepest, bottom, block.left + kDeepest, bottom + closed});  // niches, too
+    if (corridor.height() - length < kShallowest) length = corridor.height();
+    Box closed = corridor;
+    (is_south ? closed.top : closed.bottom) = is_south ? corridor.bottom + length : corridor.top - length;
+    building_.plan.wall(closed);
+    dead_ends_.push_back(closed);
   }
 
   Variation& vary_;
@@ -112,6 +127,7 @@ class Corridors {
   int corridor_;
   std::vector<int> xs_, ys_;
   Cut usual_;
+  std::vector<Box> dead_ends_;
 };
 
 }  // namespace

@@ -54,8 +54,7 @@ class Office {
     const int wing_height = 2 * depth_ + corridor_ + 3 * kPartition;
     for (int k = 0; k < corridors_; ++k) add_corridor(k * wing_height, k == 0, k + 1 == corridors_);
     if (corridors_ > 1)
-      for (int k = 0; k <= wings_; ++k)
-        building_.plan.room({left_of_wing(k) - cross_, 0, left_of_wing(k), corridors_ * wing_height - kPartition});
+      for (int k = 0; k <= wings_; ++k) add_cross_corridor(left_of_wing(k) - cross_, corridors_ * wing_height - kPartition);
     for (const Box& stub : buttresses_) building_.plan.wall(stub);
     return std::move(building_);
   }
@@ -86,6 +85,20 @@ class Office {
       const int left = left_of_wing(wing);
       building_.plan.room({left, front, left + wing_length(), front + corridor_});
       for (const Band& band : {south, north}) add_rooms(band, left);
+    }
+  }
+
+  /// With daylight at its ends; against the outer wall, pillars stand half in it.
+  void add_cross_corridor(int left, int top) {
+    FloorPlan& plan = building_.plan;
+    plan.room({left, 0, left + cross_, top});
+    if (vary_.yes(usual_.has_window, 0.5)) plan.facade_glass({left + 40, -10, left + cross_ - 40, 0});
+    if (vary_.yes(usual_.has_window, 0.5)) plan.facade_glass({left + 40, top, left + cross_ - 40, top + 10});
+    const bool is_first = left < 0, is_last = left + cross_ > wings_ * (wing_length() + cross_) - cross_;
+    for (int y = depth_; (is_first || is_last) && y + 100 < top; y += depth_) {
+      const int at = y + vary_.length(0, -100, 100), out = vary_.length(30, 0, 40);
+      if (out >= 15 && is_first) plan.wall({left, at, left + out, at + 40});
+      if (out >= 15 && is_last) plan.wall({left + cross_ - out, at, left + cross_, at + 40});
     }
   }
 

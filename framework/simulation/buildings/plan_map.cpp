@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kSensor = "PlanarLidar2D";
 // A piece of solid that is convex all around, no longer all around than this, and no sheet, is a pillar.
 constexpr int kMaxPillarPerimeter_cm = 600;
-constexpr int kMinPillarSide_cm = 20;
+constexpr int kMinPillarSide_cm = 25;
 
 std::string numbered(const std::string& what, int number) {
   char digits[16];
