@@ -1,7 +1,6 @@
 #include "session.hpp"
 
 #include "overlay_options.hpp"
-
 #include "stored_maps.hpp"
 
 #include <opal/error.hpp>

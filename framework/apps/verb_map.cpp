@@ -4,6 +4,7 @@
 #include "map_frame.hpp"
 #include "map_overlay.hpp"
 #include "map_import.hpp"
+#include "map_generate.hpp"
 #include "map_patterns.hpp"
 #include "overlay_options.hpp"
 #include "session.hpp"
@@ -140,7 +141,7 @@ void add_raster(CLI::App& map, int& exit_code) {
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
   CLI::App* map = app.add_subcommand(
-      "map", "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, raster, push, pull, list, diff");
+      "map", "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, raster, push, pull, list, diff, generate");
   map->require_subcommand(1);
   add_map_import(*map, exit_code);
   add_map_storeys(*map, exit_code);
@@ -153,4 +154,5 @@ void opal::add_map_verb(CLI::App& app, int& exit_code) {
   add_raster(*map, exit_code);
   add_map_fleet(*map, exit_code);
   add_map_diff(*map, exit_code);
+  add_map_generate(*map, exit_code);
 }
