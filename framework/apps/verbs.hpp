@@ -31,6 +31,9 @@ void add_view_verb(CLI::App& app, int& exit_code);
 /// to judge what became of them.
 void add_bench_verb(CLI::App& app, int& exit_code);
 
+/// `opal simulate MAP -o PREFIX`: a recording with ground truth of drives through a building that does not exist.
+void add_simulate_verb(CLI::App& app, int& exit_code);
+
 /// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
 void add_calibration_verb(CLI::App& app, int& exit_code);
 

@@ -154,12 +154,14 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   document.text("name", "");
   document.text("comment", "");
   deployment.map = resolve(document.text("map", ""), file);
+  for (const std::string& path : document.texts("overlays")) deployment.overlays.push_back(resolve(path, file));
   if (auto sensor = document.object("sensor")) deployment.laser = read_sensor(*sensor);
   if (auto keyframes = document.object("keyframes")) deployment.keyframes = read_keyframes(*keyframes);
   if (auto local_map = document.object("local_map")) deployment.local_map = read_local_map(*local_map);
   if (auto matcher = document.object("matcher")) deployment.matcher = read_whole_part(*matcher);
   if (auto detectors = document.list("detectors")) deployment.detectors = read_parts(*detectors);
   if (auto patterns = document.list("patterns")) deployment.patterns = read_parts(*patterns);
+  if (auto importers = document.list("importers")) deployment.importers = read_parts(*importers);
   deployment.scorers = read_scorers(document);
   if (document.object("association")) deployment.association = document.any("association");
   read_association_options(deployment.association, document.where("association"));  // throws if it is unusable

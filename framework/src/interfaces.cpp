@@ -17,6 +17,7 @@ std::vector<Finding> HypothesisScorer::explain(const Hypothesis&, const Observat
 LogReader::~LogReader() = default;
 LogSource::~LogSource() = default;
 MapImporter::~MapImporter() = default;
+std::vector<Storey> MapImporter::storeys(const std::string&) const { return {}; }
 ScanMatcher::~ScanMatcher() = default;
 MapStore::~MapStore() = default;
 StoreError::~StoreError() = default;

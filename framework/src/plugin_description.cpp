@@ -145,7 +145,7 @@ OptionInfo read_option(const Node& node) {
   OptionInfo option;
   option.name = node.at("name").word();
   option.type = node.at("type").text();
-  const std::set<std::string> types{"boolean", "integer", "number", "string"};
+  const std::set<std::string> types{"boolean", "integer", "number", "object", "string"};
   if (types.count(option.type) == 0) node.at("type").refuse_value("one of: " + listed(types));
   option.description = node.at("description").text();
   if (const auto unit = node.find("unit")) option.unit = unit->text();
