@@ -178,7 +178,7 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* verb = app.add_subcommand("bench", "recorded places from end to end: import their maps, run their queries");
   verb->add_option("PREFIX", options->prefixes,
-                   "PREFIX.map.yaml, PREFIX.info.json, PREFIX.queries.json and PREFIX.log.gz are read")
+                   "PREFIX.map.jsonld (or PREFIX.map.yaml, a grid), PREFIX.info.json, PREFIX.queries.json and PREFIX.log.gz are read")
       ->required();
   verb->add_option("-o,--out", options->out,
                    "folder for results.csv, rivals.csv and summary.json; for several places: NAME.csv and the rest in NAME/")

@@ -55,7 +55,7 @@ std::ofstream event_file(const fs::path& out) {
 int localize(const LocalizeOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = read_deployment_for(options);
-  const auto map = with_overlays(load_map(registry, deployment.map), deployment.overlays);
+  const auto map = load_map(registry, deployment);
   const auto reader = open_log(registry, options.log);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
   deployment.laser = opal::with_log_geometry(deployment.laser, records);

@@ -63,7 +63,7 @@ int track(const TrackOptions& options) {
   const Disturbance disturbance = options.disturb.empty() ? Disturbance{} : read_disturbance(options.disturb);
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = deployment_for(options);
-  auto map = with_overlays(load_map(registry, deployment.map), deployment.overlays);
+  auto map = load_map(registry, deployment);
   if (options.damage.any()) map = opal::damaged_map(*map, options.damage.damage());
   const auto reader = open_log(registry, options.log);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);

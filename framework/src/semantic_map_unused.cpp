@@ -22,8 +22,11 @@ using namespace vocabulary;
 /// In the order of NodeRole.
 const std::array<RoleWords, 12>& words_by_role() {
   static const std::array<RoleWords, 12> words{{
-      {{iri::kName, iri::kSmear}, {iri::kSemanticMap}},
-      {{iri::kRepresentedBy}, {}},
+      {{iri::kName, iri::kSmear, iri::kCutHeight, iri::kStorey, iri::kWidestDoor, iri::kNorth, iri::kCrs, iri::kEastings,
+        iri::kNorthings, iri::kCrsHeight, iri::kCrsHeading},
+       {iri::kSemanticMap}},
+      {{iri::kRepresentedBy, iri::kName, iri::kSourceClass, iri::kStorey, iri::kThickness, iri::kWidth, iri::kAxis, iri::kMergedIds},
+       {}},
       {{}, {iri::kElement}},
       {{iri::kRepresentedBy, iri::kHasGeometry, iri::kPerceivableBy, iri::kFeatureType, iri::kPositionSigma,
         iri::kExistence},
