@@ -11,6 +11,7 @@ namespace opal::simulation {
 namespace {
 
 constexpr double kMostCells = 1e8;
+constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 constexpr double kBesideFace_m = 0.02;
 // Faces stand at round numbers: no cell has its centre on one.
 constexpr double kOffGrid = 0.37;
@@ -44,7 +45,7 @@ class DrivableFloor::Flood {
       const int cell = open.back();
       open.pop_back();
       ++count;
-      for (const auto& [dx, dy] : std::array<std::array<int, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
+      for (const auto& [dx, dy] : kNeighbours) {
         const int next = floor_.neighbour(cell, dx, dy);
         if (next < 0 || marked[static_cast<std::size_t>(next)] || !allowed(next)) continue;
         if (caster_.cast(floor_.centre(cell), Point(dx, dy), floor_.cell_m_).solid >= 0) continue;
@@ -116,13 +117,24 @@ void DrivableFloor::find_places(const RayCaster& caster, double radius_m) {
 
 void DrivableFloor::cover(double radius_m) {
   const int reach = static_cast<int>(radius_m / cell_m_);
+  std::vector<std::array<int, 2>> disc;
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx)
+      if (std::hypot(dx, dy) * cell_m_ <= radius_m) disc.push_back({dx, dy});
+  is_covered_ = can_stand_;
   for (int cell = 0; cell < columns_ * rows_; ++cell) {
-    if (!can_stand_[static_cast<std::size_t>(cell)]) continue;
-    for (int dy = -reach; dy <= reach; ++dy)
-      for (int dx = -reach; dx <= reach; ++dx)
-        if (std::hypot(dx, dy) * cell_m_ <= radius_m)
-          if (const int other = neighbour(cell, dx, dy); other >= 0) is_covered_[static_cast<std::size_t>(other)] = true;
+    if (!can_stand_[static_cast<std::size_t>(cell)] || is_surrounded(cell)) continue;
+    for (const auto& [dx, dy] : disc)
+      if (const int other = neighbour(cell, dx, dy); other >= 0) is_covered_[static_cast<std::size_t>(other)] = true;
   }
+}
+
+/// What the disc covers from such a cell, it covers from the neighbours, too.
+bool DrivableFloor::is_surrounded(int cell) const {
+  return std::all_of(kNeighbours.begin(), kNeighbours.end(), [&](const std::array<int, 2>& step) {
+    const int next = neighbour(cell, step[0], step[1]);
+    return next >= 0 && can_stand_[static_cast<std::size_t>(next)];
+  });
 }
 
 int DrivableFloor::cell_at(const Point& p) const {

@@ -31,6 +31,7 @@ class DrivableFloor {
   void find_floor(const SemanticMap& map, const RayCaster& caster);
   void find_places(const RayCaster& caster, double radius_m);
   void cover(double radius_m);
+  bool is_surrounded(int cell) const;
   int cell_at(const Point& p) const;  ///< -1: outside
   int neighbour(int cell, int dx, int dy) const;
   Point centre(int cell) const;
