@@ -19,6 +19,12 @@ Box box_of(const Geometry& shape) {
   return {circle.center - Point::Constant(circle.radius_m), circle.center + Point::Constant(circle.radius_m)};
 }
 
+/// From a solid and what it encloses.
+double distance_from(const Geometry& shape, const Point& p) {
+  if (const auto* circle = std::get_if<Circle>(&shape)) return std::max(0.0, (p - circle->center).norm() - circle->radius_m);
+  return distance_m(shape, p);
+}
+
 bool can_be_met(const Geometry& shape) {
   if (!std::holds_alternative<Segment>(shape) && !std::holds_alternative<Circle>(shape)) return false;
   const Box box = box_of(shape);
@@ -83,7 +89,7 @@ void RayCaster::insert(int number) {
   for (int row = row_of(box.low.y()); row <= row_of(box.high.y()); ++row)
     for (int column = column_of(box.low.x()); column <= column_of(box.high.x()); ++column) {
       const Point center = low_ + kCell_m * Point(column + 0.5, row + 0.5);
-      if (distance_m(solids_[number].shape, center) <= kReach_m)
+      if (distance_from(solids_[number].shape, center) <= kReach_m)
         filling_[static_cast<std::size_t>(row) * columns_ + column].push_back(number);
     }
 }
@@ -151,11 +157,8 @@ bool RayCaster::touches(const Point& center, double radius_m) const {
   const int high_row = std::min(rows_ - 1, row_of(center.y() + radius_m));
   for (int row = low_row; row <= high_row; ++row)
     for (int column = low_column; column <= high_column; ++column)
-      for (const std::int32_t number : in_cell(column, row)) {
-        const Prepared& solid = prepared_[number];
-        const bool inside = solid.radius >= 0 && (center - Point(solid.x, solid.y)).norm() <= solid.radius;
-        if (inside || distance_m(solids_[number].shape, center) <= radius_m) return true;
-      }
+      for (const std::int32_t number : in_cell(column, row))
+        if (distance_from(solids_[number].shape, center) <= radius_m) return true;
   return false;
 }
 
