@@ -24,11 +24,21 @@ std::string tiny_drawing() {
   dxf.polyline("A-WALL", {{0, 8}, {3, 8}, {3, 9}}, false, {0.3, 0}).insert("S-COLS", "PAIR", {2, 3}, 1, -1, 30);
   dxf.insert("S-COLS", "POST", {5, 3}).pair(70, 2).pair(71, 2).pair(44, 1).pair(45, 1.5);
   dxf.entity("SOLID", "S-COLS").point(10, {8, 2}).point(11, {8.3, 2}).point(12, {8, 2.3}).point(13, {8.3, 2.3});
-  dxf.entity("HATCH", "A-WALL").point(10, {0, 0}).pair(2, std::string("SOLID")).pair(70, 1).pair(71, 0).pair(91, 1).pair(92, 3).pair(72, 0).pair(73, 1).pair(93, 3);
+  dxf.entity("HATCH", "A-WALL")
+      .point(10, {0, 0})
+      .pair(2, std::string("SOLID"))
+      .pair(70, 1)
+      .pair(71, 0)
+      .pair(91, 1)
+      .pair(92, 3)
+      .pair(72, 0)
+      .pair(73, 1)
+      .pair(93, 3);
   for (const opal::Point& p : {opal::Point(1, 6), opal::Point(2, 6), opal::Point(1, 7)}) dxf.point(10, p);
   dxf.pair(97, 0).pair(75, 0).pair(76, 1).pair(98, 0);
   dxf.entity("POLYLINE", "A-WALL").pair(66, 1).pair(70, 1);
-  for (const opal::Point& p : {opal::Point(6, 6), opal::Point(9, 6), opal::Point(9, 6.2)}) dxf.entity("VERTEX", "A-WALL").point(10, p);
+  for (const opal::Point& p : {opal::Point(6, 6), opal::Point(9, 6), opal::Point(9, 6.2)})
+    dxf.entity("VERTEX", "A-WALL").point(10, p);
   dxf.entity("SEQEND", "A-WALL");
   dxf.entity("TEXT", "A-ANNO").point(10, {1, 3}).pair(40, 0.25).pair(1, std::string("Room"));
   return dxf.text();
