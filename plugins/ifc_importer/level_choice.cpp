@@ -5,6 +5,10 @@
 
 #include <opal/error.hpp>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 namespace opal::ifc_importer {
 namespace {
 
@@ -13,10 +17,26 @@ bool meets(const Element& element, double height_m) {
   return span.low_m <= height_m && height_m < span.high_m;
 }
 
-bool gives_walls(const Building& building, const Classes& classes, double height_m) {
+/// Walls, by their own bodies or by their parts.
+std::vector<const Element*> walls_of(const Building& building, const Classes& classes) {
+  std::set<std::string> walls;
   for (const Element& element : building.elements)
-    if (classes.of(element).type == "opal:Wall" && meets(element, height_m)) return true;
-  return false;
+    if (classes.of(element).type == "opal:Wall") walls.insert(element.id);
+  std::vector<const Element*> bodies;
+  for (const Element& element : building.elements)
+    if (walls.count(element.id) || walls.count(element.whole)) bodies.push_back(&element);
+  return bodies;
+}
+
+std::vector<const Element*> solids_of(const Building& building, const Classes& classes) {
+  std::vector<const Element*> solids;
+  for (const Element& element : building.elements)
+    if (classes.of(element).kind == Treatment::Kind::solid) solids.push_back(&element);
+  return solids;
+}
+
+bool any_meets(const std::vector<const Element*>& elements, double height_m) {
+  return std::any_of(elements.begin(), elements.end(), [&](const Element* element) { return meets(*element, height_m); });
 }
 
 std::string names_of(const Building& building) {
@@ -44,15 +64,18 @@ LevelChoice given_height(const Building& building, double height_m) {
   return choice;
 }
 
-LevelChoice lowest_with_walls(const Building& building, const Classes& classes, const ImportOptions& options, const std::string& file) {
-  for (const Level& level : building.levels) {
-    const double height_m = level.elevation_m + options.sensor_height_m;
-    if (gives_walls(building, classes, height_m))
+/// A model of columns alone has a level, too.
+LevelChoice lowest_level(const Building& building, const Classes& classes, const ImportOptions& options, const std::string& file) {
+  const auto walls = walls_of(building, classes), solids = solids_of(building, classes);
+  for (const auto& [things, what] : {std::pair(&walls, "walls"), std::pair(&solids, "solid things")})
+    for (const Level& level : building.levels) {
+      const double height_m = level.elevation_m + options.sensor_height_m;
+      if (!any_meets(*things, height_m)) continue;
       return {height_m, level.name,
-              sentence("cut at %.3f m, %.2f m above '%s', the lowest storey with walls there (--storey or --z choose another)",
-                       height_m, options.sensor_height_m, level.name.c_str())};
-  }
-  throw MapError(file + ": no storey has walls " + sentence("%.2f", options.sensor_height_m) +
+              sentence("cut at %.3f m, %.2f m above '%s', the lowest storey with %s there (--storey or --z choose another)", height_m,
+                       options.sensor_height_m, level.name.c_str(), what)};
+    }
+  throw MapError(file + ": no storey has anything solid " + sentence("%.2f", options.sensor_height_m) +
                  " m above it, expected a storey (--storey) of " + names_of(building) + ", or a height (--z)");
 }
 
@@ -62,7 +85,7 @@ LevelChoice choose_level(const Building& building, const Classes& classes, const
   if (options.z_m && !options.storey.empty()) throw MapError(file + ": options storey and z_m are both given, expected one of them");
   if (options.z_m) return given_height(building, *options.z_m);
   if (!options.storey.empty()) return named_level(building, options, file);
-  return lowest_with_walls(building, classes, options, file);
+  return lowest_level(building, classes, options, file);
 }
 
 std::map<std::string, int> counts_at(const Building& building, double height_m) {

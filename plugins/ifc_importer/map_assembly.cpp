@@ -9,6 +9,8 @@ namespace {
 
 // Shorter faces are rounding and chamfers: no detector finds them.
 constexpr double kShortestFace_m = 0.02;
+// Posts and balusters thinner than this around give a few returns, and no face.
+constexpr double kThinnestAround_m = 0.35;
 // A corner is seen by its two arms.
 constexpr double kShortestArm_m = 0.1;
 constexpr double kLeastTurn_rad = 0.17;  // 10 degrees: facets of curved walls are no corners
@@ -78,10 +80,20 @@ class Assembly {
     return name;
   }
 
+  double length_of(const std::vector<PlanFace>& chain) const {
+    double length_m = 0;
+    for (const PlanFace& face : chain) length_m += segment(face).length_m();
+    return length_m;
+  }
+
   void add(const std::vector<PlanFace>& chain, std::vector<bool>& is_visible) {
+    for (const PlanFace& face : chain) is_visible[static_cast<std::size_t>(face.owner)] = true;
+    if (length_of(chain) < kThinnestAround_m) {
+      ++result_.posts;
+      return;
+    }
     for (std::size_t k = 0; k < chain.size(); ++k) {
       const PlanFace& face = chain[k];
-      is_visible[static_cast<std::size_t>(face.owner)] = true;
       if (face.is_round) continue;
       const double length_m = segment(face).length_m();
       if (length_m < kShortestFace_m) {
@@ -109,7 +121,7 @@ class Assembly {
 
   void add(const PlanCircle& circle, std::vector<bool>& is_visible) {
     const ElementCut& cut = cut_of(circle.owner);
-    if (circle.visible_share <= 0) return;
+    if (circle.visible_share <= 0 || 2 * std::numbers::pi * circle.circle.radius_m < kThinnestAround_m) return;
     is_visible[static_cast<std::size_t>(circle.owner)] = true;
     if (circle.visible_share < kLeastCircle) return result_.hidden_rounds.push_back(cut.element->id);
     const int object = object_of(cut);

@@ -14,6 +14,7 @@ struct AssembledMap {
   std::shared_ptr<const SemanticMap> map;
   int faces = 0, corners = 0, circles = 0;
   double length_m = 0;
+  int posts = 0;                           ///< too thin to be features
   int specks = 0;                          ///< faces too short to be features
   std::vector<std::string> hidden;         ///< ids of solids of which nothing is visible
   std::vector<std::string> hidden_rounds;  ///< ids of round things that stand too deep in others to be circles

@@ -139,6 +139,7 @@ std::vector<std::string> report(const Building& building, const LevelChoice& lev
   sentences.push_back(sentence("%d wall faces, %.0f m; %d corners; %d round columns", assembled.faces, assembled.length_m,
                                assembled.corners, assembled.circles));
   if (assembled.specks > 0) sentences.push_back(sentence("%d faces shorter than 2 cm are no features", assembled.specks));
+  if (assembled.posts > 0) sentences.push_back(sentence("%d posts of less than 35 cm around are no features", assembled.posts));
   if (plan.closed_voids > 0) sentences.push_back(sentence("%d hollow spaces of less than 0.25 m2 are no rooms", plan.closed_voids));
   append(about_doors(cuts));
   append(what_is_missing(elements));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <unordered_map>
 
 namespace opal::ifc_importer {
@@ -77,11 +78,9 @@ class StoreyCut {
 
   Region openings_of(const Element& element, const Element& object) const {
     std::vector<Region> regions;
-    for (const Element* owner : {&element, &object}) {
-      if (owner == &object && &element == &object) break;
+    for (const Element* owner : std::set{&element, &object})
       for (const Opening& opening : owner->openings)
         if (Region region = cut(opening.bodies, height_m_); region.kind != Region::Kind::nothing) regions.push_back(std::move(region));
-    }
     return combined(Region::Kind::unite, std::move(regions));
   }
 

@@ -197,8 +197,10 @@ class Elements {
 
   /// Lines and texts have no body, and none is missed.
   static bool is_flat(const IfcRepresentationItem& item) {
-    return is<IfcCurve>(item) || is<IfcPoint>(item) || is<IfcTextLiteral>(item) || is<IfcAnnotationFillArea>(item) ||
-           is<IfcGeometricCurveSet>(item);
+    const auto is_line = [](const auto& member) { return !member || as<IfcCurve>(member) || as<IfcPoint>(member); };
+    if (const auto* set = dynamic_cast<const IfcGeometricSet*>(&item))
+      return std::all_of(set->m_Elements.begin(), set->m_Elements.end(), is_line);
+    return is<IfcCurve>(item) || is<IfcPoint>(item) || is<IfcTextLiteral>(item) || is<IfcAnnotationFillArea>(item);
   }
 
   /// What the library throws becomes a trouble of the thing.
