@@ -1,5 +1,6 @@
 #include "seeds.hpp"
 
+#include "drawn_building.hpp"
 #include "dxf_text.hpp"
 
 #include <opal/semantic_map.hpp>
@@ -44,6 +45,18 @@ std::string tiny_drawing() {
   return dxf.text();
 }
 
+std::string drawn_building() {
+  opal::DrawnBuilding building;
+  const int south = building.add_wall("south", {3, -0.1, 0}, 6.4, 0.2);
+  building.add_wall("north", {3, 4.1, 0}, 6.4, 0.2);
+  building.add_wall("west", {-0.1, 2, std::numbers::pi / 2}, 4, 0.2);
+  building.add_wall("east", {6.1, 2, std::numbers::pi / 2}, 4, 0.2);
+  building.add_door(south, "door", {2, -0.1, 0}, 1, 0.2);
+  building.add_column("column", {4, 2}, 0.2);
+  building.add_storey("Ground", 0);
+  return building.text();
+}
+
 }  // namespace
 
 std::vector<std::string> dxf_seeds() { return {tiny_drawing(), tiny_drawing(), small_office()}; }
@@ -75,12 +88,10 @@ std::vector<std::string> map_seeds() {
 }
 
 std::vector<std::string> ifc_seeds() {
-  std::vector<std::string> seeds;
+  std::vector<std::string> seeds{drawn_building()};
   for (const char* name : {"simple_room_v6.ifc", "grid-placement_4x3.ifc"}) {
     const std::string path = std::string(OPAL_SOURCE_DIR "/../shared/data/ifc/") + name;
     if (std::filesystem::exists(path)) seeds.push_back(read_file(path));
   }
   return seeds;
 }
-
-nlohmann::json ifc_options() { return nlohmann::json::object(); }
