@@ -1,5 +1,8 @@
 #include "session.hpp"
 
+#include "overlay_options.hpp"
+#include "stored_maps.hpp"
+
 #include <opal/error.hpp>
 #include <opal/plugin/plugin_folders.hpp>
 
@@ -44,14 +47,16 @@ opal::MapImport import_map(const opal::PluginRegistry& registry, const std::stri
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source) {
+  if (const auto stored = opal::read_store_source(source)) return load_stored_map(registry, *stored);
   return is_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment) {
   const std::string& source = deployment.map;
-  if (is_document(source)) return opal::SemanticMap::read(source);
+  if (is_document(source) || opal::read_store_source(source)) return with_overlays(load_map(registry, source), deployment.overlays);
   const std::string& importer = importer_of(registry, source).info.name;
-  return import_map(registry, source, opal::importer_options(deployment, registry, importer)).map;
+  const opal::MapImport imported = import_map(registry, source, opal::importer_options(deployment, registry, importer));
+  return with_overlays(imported.map, deployment.overlays);
 }
 
 nlohmann::json import_options(const opal::MapDamage& damage) {
@@ -61,10 +66,10 @@ nlohmann::json import_options(const opal::MapDamage& damage) {
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
                                                   const opal::MapDamage& damage) {
-  if (is_document(source) && damage.thick_m > 0)
+  const bool is_made = is_document(source) || opal::read_store_source(source);
+  if (is_made && damage.thick_m > 0)
     throw opal::ConfigError(source + ": damage thick= is done to grids before they are imported, found a document");
-  return opal::damaged_map(is_document(source) ? *opal::SemanticMap::read(source)
-                                               : *import_map(registry, source, import_options(damage)).map,
+  return opal::damaged_map(is_made ? *load_map(registry, source) : *import_map(registry, source, import_options(damage)).map,
                            damage);
 }
 

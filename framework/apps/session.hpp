@@ -22,10 +22,10 @@ const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, co
 opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source,
                            const nlohmann::json& options = nlohmann::json::object());
 
-/// A map from a document, or from any source that an importer recognizes.
+/// A map from a document, from the map store (store:BUILDING), or from any source that an importer recognizes.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
 
-/// The map of a deployment; a source is imported with the options that the deployment gives to importers.
+/// The map of a deployment with its overlays; a source is imported with the options that the deployment gives to importers.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment);
 
 /// What `thick_m` of a damage asks of the grid importer.

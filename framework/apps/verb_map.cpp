@@ -1,7 +1,12 @@
 #include "damage_options.hpp"
 #include "join_options.hpp"
+#include "map_fleet.hpp"
+#include "map_frame.hpp"
+#include "map_overlay.hpp"
 #include "map_import.hpp"
+#include "map_generate.hpp"
 #include "map_patterns.hpp"
+#include "overlay_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -23,11 +28,12 @@ void write_text(const std::string& path, const std::string& text) {
 
 struct CheckOptions {
   std::string map, sensor = "PlanarLidar2D";
+  OverlayFiles overlays;
 };
 
 int check(const CheckOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
-  const auto map = load_map(registry, options.map);
+  const auto map = with_overlays(load_map(registry, options.map), options.overlays.files);
   for (const std::string& sentence : opal::check_map(*map).sentences()) std::cout << sentence << '\n';
   const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
   for (const std::string& reason : plan.reasons) std::cout << reason << '\n';
@@ -40,6 +46,7 @@ void add_check(CLI::App& map, int& exit_code) {
   CLI::App* verb = map.add_subcommand("check", "what is in a map, what is odd about it, and what it makes run");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("--sensor", options->sensor, "id of the sensor that is asked about")->capture_default_str();
+  options->overlays.add_to(*verb);
   verb->callback([options, &exit_code] { exit_code = check(*options); });
 }
 
@@ -133,13 +140,19 @@ void add_raster(CLI::App& map, int& exit_code) {
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map", "semantic maps: import, storeys, check, patterns, damage, join, raster");
+  CLI::App* map = app.add_subcommand(
+      "map", "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, raster, push, pull, list, diff, generate");
   map->require_subcommand(1);
   add_map_import(*map, exit_code);
   add_map_storeys(*map, exit_code);
   add_check(*map, exit_code);
   add_map_patterns(*map, exit_code);
+  add_map_frame(*map, exit_code);
+  add_map_overlay(*map, exit_code);
   add_damage(*map, exit_code);
   add_join(*map, exit_code);
   add_raster(*map, exit_code);
+  add_map_fleet(*map, exit_code);
+  add_map_diff(*map, exit_code);
+  add_map_generate(*map, exit_code);
 }

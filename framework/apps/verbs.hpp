@@ -10,7 +10,7 @@ namespace opal {
 /// contract.
 void add_plugins_verb(CLI::App& app, int& exit_code);
 
-/// `opal map import|check`: bring a building in, and see what it would run. Exit code 1 if the map has warnings
+/// `opal map import|check|push|pull|...`: bring a building in, see what it would run, share it. Exit code 1 if the map has warnings
 /// that keep it from being used.
 void add_map_verb(CLI::App& app, int& exit_code);
 
@@ -30,6 +30,9 @@ void add_view_verb(CLI::App& app, int& exit_code);
 /// `opal bench PREFIX -o OUT`: one recorded place from end to end. Reads ground truth only to kidnap robots and
 /// to judge what became of them.
 void add_bench_verb(CLI::App& app, int& exit_code);
+
+/// `opal simulate MAP -o PREFIX`: a recording with ground truth of drives through a building that does not exist.
+void add_simulate_verb(CLI::App& app, int& exit_code);
 
 /// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
 void add_calibration_verb(CLI::App& app, int& exit_code);

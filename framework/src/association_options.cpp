@@ -67,6 +67,7 @@ const std::vector<Field>& fields() {
       {"carried_nat", &O::carried_nat, -kMany, 0},
       {"carried_unseen_nat", &O::carried_unseen_nat, -kMany, 0},
       {"carried_match_share", &O::carried_match_share, 0, 1},
+      {"carried_drop", &O::carried_drop, 0, 1},
       {"carried_place_nat", &O::carried_place_nat, -kMany, 0},
       {"carried_scan_nat", &O::carried_scan_nat, -kMany, kMany},
       {"carried_most_nat", &O::carried_most_nat, 0, kMany},

@@ -9,17 +9,24 @@ void ChangeDetector::add(const Evidence& seen) {
   if (seen.match_share < options_.carried_match_share) discontinued_ = seen.keyframe;
   if (seen.established || suspicion_nat_ > 0)
     suspicion_nat_ =
-        std::clamp(suspicion_nat_ + options_.carried_scan_nat - seen.scan_nat, 0.0, options_.carried_most_nat);
-  if (suspicion_nat_ == 0)
+        std::clamp(suspicion_nat_ + wanted_nat() - seen.scan_nat, 0.0, options_.carried_most_nat);
+  if (suspicion_nat_ == 0) {
+    constexpr double kMemory = 0.9;
+    usual_nat_ = kMemory * usual_nat_ + (1 - kMemory) * seen.scan_nat;
     last_good_ = {seen.keyframe, seen.gathered_nat};
-  else
+  } else
     last_good_.nat *= 1 - seen.novelty * (1 - options_.memory);
 }
 
 void ChangeDetector::reset() {
   suspicion_nat_ = 0;
+  usual_nat_ = 0;
   last_good_ = {};
   discontinued_ = -2;
+}
+
+double ChangeDetector::wanted_nat() const {
+  return discontinued() ? std::max(options_.carried_scan_nat, options_.carried_drop * usual_nat_) : options_.carried_scan_nat;
 }
 
 double ChangeDetector::probability() const {
@@ -28,7 +35,7 @@ double ChangeDetector::probability() const {
 }
 
 bool ChangeDetector::alarming(double scan_nat) const {
-  return scan_nat < options_.carried_scan_nat - options_.carried_alarm_nat;
+  return scan_nat < std::max(options_.carried_scan_nat, options_.carried_drop * usual_nat_) - options_.carried_alarm_nat;
 }
 
 std::optional<ChangeDetector::Break> ChangeDetector::suspected() const {

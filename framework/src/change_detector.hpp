@@ -43,9 +43,13 @@ class ChangeDetector {
  private:
   /// Some scan since then, or just before, did not continue those before.
   bool discontinued() const { return discontinued_ + 1 >= last_good_.keyframe; }
+  /// What a scan has to say, or it is a reason for suspicion [nat]: where it does not continue those before, about what
+  /// they said, which a place that looks alike by chance does not.
+  double wanted_nat() const;
 
   AssociationOptions options_;
   double suspicion_nat_ = 0;
+  double usual_nat_ = 0;  ///< what scans said on average before there was suspicion
   Break last_good_;
   int discontinued_ = -2;  ///< the newest keyframe that did not continue those before
 };

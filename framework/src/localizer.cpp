@@ -195,7 +195,7 @@ void Localizer::State::watch() {
   if (hypotheses.alive().empty()) return change.reset();
   const Live& best = hypotheses.alive().front();
   const bool suspected = change.suspected().has_value();
-  const bool established = status.localized() || best.carried_after >= 0;
+  const bool established = status.believed() || best.carried_after >= 0;
   change.add({keyframe, novelty(), local_map.last_match().inlier_share, best.scan_nat,
               best.hypothesis.log_likelihood, established});
   hindsight.suspect(change.suspected());

@@ -63,6 +63,15 @@ inline constexpr std::string_view kTemplate = "urn:opal:v1#template";
 inline constexpr std::string_view kFeatures = "urn:opal:v1#features";
 inline constexpr std::string_view kSubpatterns = "urn:opal:v1#subpatterns";
 inline constexpr std::string_view kDimensions = "urn:opal:v1#dimensions";
+inline constexpr std::string_view kOverlay = "urn:opal:v1#MapOverlay";
+inline constexpr std::string_view kChanges = "urn:opal:v1#changes";
+inline constexpr std::string_view kChange = "urn:opal:v1#MapChange";
+inline constexpr std::string_view kTarget = "urn:opal:v1#target";
+inline constexpr std::string_view kNotPerceivableBy = "urn:opal:v1#not_perceivable_by";
+inline constexpr std::string_view kObjectType = "urn:opal:v1#object_type";
+inline constexpr std::string_view kBecause = "urn:opal:v1#because";
+inline constexpr std::string_view kWas = "urn:opal:v1#was";
+inline constexpr std::string_view kIfMissing = "urn:opal:v1#if_missing";
 }  // namespace iri
 
 extern const char* const kContextText;  ///< of maps/context/opal.jsonld, built in

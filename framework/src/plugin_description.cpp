@@ -17,8 +17,9 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kContext = "urn:opal:v1";
-constexpr std::array<const char*, 6> kKindNames{"FeatureDetector", "PatternTemplate", "HypothesisScorer",
-                                                "LogSource",       "MapImporter",     "ScanMatcher"};
+constexpr std::array<const char*, 7> kKindNames{"FeatureDetector", "PatternTemplate", "HypothesisScorer",
+                                                "LogSource",       "MapImporter",     "ScanMatcher",
+                                                "MapStore"};
 
 template <class Texts>
 std::string listed(const Texts& texts) {

@@ -46,6 +46,7 @@ class Reader {
   /// A prefix lets any word through the context, so Opal's own words are looked up; and a word must be one that can
   /// be written again.
   static void check_words(const GraphNode& node) {
+    if (node.has_type(iri::kOverlay)) node.fail("a MapOverlay, expected a map; opal map overlay lays it over one");
     for (const auto& [key, value] : node.content().items()) {
       if (is_own(key) && !is_own_term(key))
         node.fail("unknown key " + compact_name(key) + ", expected a term of " + kContextIri);

@@ -34,6 +34,8 @@ class StatusEstimator {
   void settle(double nat) { none_nat_ = std::max(none_nat_ - nat, options_.carried_nat); }
 
   bool localized() const { return last_.status == Status::localized; }
+  /// The best place has the probability that `localized` asks for, if not for long enough yet.
+  bool believed() const { return localized() || sure_ > 0; }
   void reset();
 
  private:

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace opal::ifc_importer {
 namespace {
@@ -67,7 +68,9 @@ MapImport IfcImporter::import(const std::string& path) const {
     throw MapError(path + ": " + level.sentence + ": nothing of the building is there, expected a storey or height that has walls (opal map storeys)");
   const std::vector<std::size_t> order = solids_in_order(chosen);
   std::vector<PlanSolid> solids;
-  for (const std::size_t k : order) solids.push_back({chosen[k].solid});
+  std::map<std::string, int> objects;
+  for (const std::size_t k : order)
+    solids.push_back({chosen[k].solid, objects.try_emplace(chosen[k].object->id, static_cast<int>(objects.size())).first->second});
   const Plan plan = unite(solids);
   const AssembledMap assembled = assemble(name_of(path, level.storey), chosen, plan, order, duplicates,
                                           origin_of(building, level, chosen), options_.sensor);

@@ -74,7 +74,8 @@ struct AssociationOptions {
   // Being carried away.
   double carried_nat = -5.6;        ///< log prior that a robot was carried away whose scan does not continue those before
   double carried_unseen_nat = -10;  ///< the same if every scan continued those before
-  double carried_match_share = 0.45; ///< a scan of whose points fewer lie on what was seen before does not continue it
+  double carried_drop = 0.5;        ///< a scan that does not continue those before says at least this share of what they said, on average
+  double carried_match_share = 0.5; ///< a scan of whose points fewer lie on what was seen before does not continue it
   double carried_place_nat = -10;   ///< log prior of one place among all where it may have been put down
   double carried_scan_nat = 0.3;    ///< what a scan says for the place that the robot was carried away from
   double carried_most_nat = 8;      ///< suspicion grows up to this, so that good scans can take it back

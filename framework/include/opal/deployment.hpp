@@ -32,6 +32,7 @@ struct ScorerConfig {
 struct Deployment {
   std::string file;
   std::string map;  ///< path of the map, resolved against the document's folder; empty: the caller says
+  std::vector<std::string> overlays;  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
   LaserModel laser;
   KeyframeOptions keyframes;
   LocalMapOptions local_map;

@@ -117,6 +117,12 @@ class OPAL_EXPORT SemanticMap {
 
   /// The same map with these patterns instead of its own; `features` of a pattern are positions in features().
   std::shared_ptr<const SemanticMap> with_patterns(std::vector<MapPattern> patterns) const;
+  /// The same map with other contents, which refer to each other as in `make`; same checks. Its prefixes and what Opal
+  /// makes no use of stay, and these are added.
+  std::shared_ptr<const SemanticMap> with_contents(std::vector<MapObject> objects, std::vector<MapFeature> features,
+                                                   std::vector<MapPattern> patterns,
+                                                   const std::map<std::string, std::string>& more_prefixes = {},
+                                                   const nlohmann::json& more_unused = nlohmann::json::array()) const;
 
   const std::string& name() const { return name_; }
   const std::vector<MapObject>& objects() const { return objects_; }

@@ -16,7 +16,8 @@ enum class PluginKind {
   hypothesis_scorer,
   log_source,
   map_importer,
-  scan_matcher
+  scan_matcher,
+  map_store
 };
 
 /// The kind as plugin.jsonld writes it: "FeatureDetector".

@@ -1,0 +1,132 @@
+#include "simulation/clutter.hpp"
+
+#include <algorithm>
+
+namespace opal::simulation {
+namespace {
+
+using Piece = std::vector<Solid>;
+
+Solid straight(const Point& a, const Point& b) { return {Segment{a, b}, false}; }
+Solid round_post(const Point& center, double radius_m) { return {Circle{center, radius_m}, false}; }
+
+Piece box(const Pose2& center, double length_m, double width_m) {
+  const double a = length_m / 2, b = width_m / 2;
+  const Point p[4] = {center * Point(-a, -b), center * Point(a, -b), center * Point(a, b), center * Point(-a, b)};
+  return {straight(p[0], p[1]), straight(p[1], p[2]), straight(p[2], p[3]), straight(p[3], p[0])};
+}
+
+Piece legs(const Pose2& center, double length_m, double width_m, double radius_m) {
+  Piece piece;
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) piece.push_back(round_post(center * Point(x * length_m, y * width_m), radius_m));
+  return piece;
+}
+
+void add(Piece& piece, const Piece& more) { piece.insert(piece.end(), more.begin(), more.end()); }
+
+Pose2 turned(const Point& at, Random& random) { return {at, random.uniform(-std::numbers::pi, std::numbers::pi)}; }
+
+Piece chair(const Pose2& center) { return legs(center, 0.42, 0.42, 0.015); }
+
+Piece table(const Pose2& center, Random& random) {
+  const double length = random.uniform(1.2, 1.8), width = random.uniform(0.7, 0.9);
+  Piece piece = legs(center, length - 0.1, width - 0.1, 0.03);
+  for (const double side : {-1, 1})
+    for (const double along : {-0.3, 0.3})
+      if (random.chance(0.6))
+        add(piece, chair(center * Pose2(along * length, side * (width / 2 + random.uniform(0.1, 0.4)), random.uniform(-0.3, 0.3))));
+  return piece;
+}
+
+/// Faces that one sees, long enough to put something along.
+std::vector<Segment> long_faces(const SemanticMap& map, double least_m) {
+  std::vector<Segment> faces;
+  for (const MapFeature& feature : map.features())
+    if (const auto* face = std::get_if<Segment>(&feature.geometry))
+      if (!feature.sensor.empty() && face->length_m() > least_m) faces.push_back(*face);
+  return faces;
+}
+
+/// Somewhere along a face, its back to the wall.
+Pose2 along_face(const Segment& face, double length_m, double depth_m, Random& random) {
+  const double u = random.uniform(length_m / 2, face.length_m() - length_m / 2);
+  const double off = depth_m / 2 + random.uniform(0.02, 0.1);
+  return {Point(face.begin + u * face.direction() + off * face.normal()), face.heading_rad()};
+}
+
+std::vector<Point> hideable(const SemanticMap& map) {
+  std::vector<Point> places;
+  for (const MapFeature& feature : map.features())
+    if (!feature.sensor.empty() && kind_of(feature.geometry) != GeometryKind::segment) places.push_back(anchor_of(feature.geometry));
+  return places;
+}
+
+double column_radius_m(const SemanticMap& map) {
+  for (const MapFeature& feature : map.features())
+    if (const auto* circle = std::get_if<Circle>(&feature.geometry)) return circle->radius_m;
+  return 0.2;
+}
+
+bool is_glass(const std::string& type) {
+  return type == "opal:Window" || type == "opal:Plate" || type == "opal:CurtainWall" || type == "opal:Glass";
+}
+
+/// A leaf in its opening, or turned about one of its ends.
+Segment leaf(const Segment& closed, double open_share, Random& random) {
+  if (!random.chance(open_share)) return closed;
+  const bool at_begin = random.chance(0.5);
+  const Point hinge = at_begin ? closed.begin : closed.end;
+  const double angle = (random.chance(0.5) ? 1 : -1) * random.uniform(1.2, 1.7);
+  const Point swung = hinge + Pose2(0, 0, angle).rotate((at_begin ? closed.end : closed.begin) - hinge);
+  return at_begin ? Segment{hinge, swung} : Segment{swung, hinge};
+}
+
+/// As many as there should be on average.
+int count_of(double expected, Random& random) {
+  return static_cast<int>(expected) + (random.chance(expected - std::floor(expected)) ? 1 : 0);
+}
+
+}  // namespace
+
+std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random) {
+  std::vector<Solid> solids;
+  for (const MapFeature& feature : map.features()) {
+    const std::string& type = map.objects()[feature.object].type;
+    const auto* segment = std::get_if<Segment>(&feature.geometry);
+    if (feature.sensor.empty() && segment && type == "opal:Door")
+      solids.push_back({leaf(*segment, doors_open_share, random), false});
+    else
+      solids.push_back({feature.geometry, feature.sensor.empty() && is_glass(type)});
+  }
+  return solids;
+}
+
+std::vector<Piece> clutter_pieces(const SemanticMap& map, double floor_m2, const ClutterOptions& options,
+                                  const std::function<Point(Random&)>& somewhere, Random& random) {
+  std::vector<Piece> pieces;
+  const auto each = [&](double per_100_m2, auto&& make) {
+    for (int k = count_of(options.level * per_100_m2 * floor_m2 / 100, random); k > 0; --k) pieces.push_back(make());
+  };
+  each(options.tables, [&] { return table(turned(somewhere(random), random), random); });
+  each(options.chairs, [&] { return chair(turned(somewhere(random), random)); });
+  each(options.carts, [&] { return box(turned(somewhere(random), random), random.uniform(0.8, 1.2), random.uniform(0.5, 0.7)); });
+  each(options.bins, [&] {
+    const Pose2 at = turned(somewhere(random), random);
+    return random.chance(0.5) ? Piece{round_post(at.position(), random.uniform(0.15, 0.25))} : box(at, 0.4, 0.4);
+  });
+  each(options.lookalikes, [&] { return Piece{round_post(somewhere(random), column_radius_m(map))}; });
+  constexpr double kCouch_m = 2, kCabinet_m = 3;
+  if (const auto faces = long_faces(map, kCabinet_m + 0.2); !faces.empty()) {
+    each(options.couches, [&] { return box(along_face(faces[random.below(faces.size())], kCouch_m, 0.85, random), kCouch_m, 0.85); });
+    each(options.cabinets, [&] { return box(along_face(faces[random.below(faces.size())], kCabinet_m, 0.45, random), kCabinet_m, 0.45); });
+  }
+  for (const Point& place : hideable(map))
+    if (random.chance(options.hidden_share)) {
+      const double from = random.uniform(-std::numbers::pi, std::numbers::pi);
+      pieces.push_back(box(Pose2(place + random.uniform(0.4, 0.7) * unit_vector(from), from + std::numbers::pi / 2), 1, 0.05));
+    }
+  return pieces;
+}
+
+}  // namespace opal::simulation

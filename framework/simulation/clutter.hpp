@@ -1,0 +1,34 @@
+#pragma once
+
+#include "simulation/random.hpp"
+#include "simulation/ray_caster.hpp"
+
+#include <opal/semantic_map.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace opal::simulation {
+
+/// What stands in a building that its map does not hold, in pieces per 100 m2 of floor.
+struct ClutterOptions {
+  double level = 1;          ///< multiplies the numbers below
+  double tables = 0.8;       ///< four thin legs each, and up to four chairs of four thinner ones
+  double chairs = 0.8;
+  double carts = 0.4;
+  double bins = 0.6;         ///< round or square
+  double couches = 0.5;      ///< along walls
+  double cabinets = 0.4;     ///< along walls, long enough to be taken for one
+  double lookalikes = 0.15;  ///< round things of the radius of the building's columns, or of 0.2 m
+  double hidden_share = 0;   ///< of columns and wall ends behind a board; not multiplied
+};
+
+/// The building itself: every face and column; glass where no sensor perceives a window or a panel; doors as leaves that are
+/// open (turned about one end) or closed.
+std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random);
+
+/// Pieces on a floor of the given size. Those that stand freely stand at `somewhere`'s answers.
+std::vector<std::vector<Solid>> clutter_pieces(const SemanticMap& map, double floor_m2, const ClutterOptions& options,
+                                               const std::function<Point(Random&)>& somewhere, Random& random);
+
+}  // namespace opal::simulation

@@ -1,0 +1,37 @@
+#include "simulation/odometry.hpp"
+
+namespace opal::simulation {
+
+Pose2 moved(const Velocity& velocity, double duration_s) {
+  const double turn = velocity.turn_radps * duration_s;
+  const Point way = velocity.linear_mps * duration_s;
+  if (std::abs(turn) < 1e-9) return {way, turn};
+  const double s = std::sin(turn) / turn, c = (1 - std::cos(turn)) / turn;
+  return {s * way.x() - c * way.y(), c * way.x() + s * way.y(), turn};
+}
+
+WheelOdometry::WheelOdometry(Drive drive, const OdometryErrors& errors, Random random)
+    : drive_(drive),
+      errors_(errors),
+      random_(random),
+      scale_(1 + random_.normal(errors.scale_bias)),
+      turn_per_m_(random_.normal(errors.turn_bias_rad_per_m)),
+      T_odom_base_(random_.uniform(-10, 10), random_.uniform(-10, 10), random_.uniform(-3, 3)) {}
+
+void WheelOdometry::move(const Pose2& T_before_after) {
+  const double way = T_before_after.position().norm(), turn = std::abs(T_before_after.heading_rad());
+  const double root_m = std::sqrt(way), sideways = drive_ == Drive::omnidirectional ? 2 : 1;
+  Point step = scale_ * T_before_after.position();
+  double heading = T_before_after.heading_rad() + turn_per_m_ * way;
+  const Point along = way > 0 ? Point(T_before_after.position() / way) : Point::UnitX();
+  step += along * random_.normal(errors_.sigma_m_per_sqrt_m * root_m);
+  step += left_of(along) * random_.normal(sideways * errors_.sideways_m_per_sqrt_m * root_m);
+  heading += random_.normal(errors_.sigma_rad_per_sqrt_m * root_m + errors_.sigma_rad_per_sqrt_rad * std::sqrt(turn));
+  if (random_.chance(errors_.slips_per_m * way)) {
+    step += along * random_.normal(errors_.slip_m);
+    heading += random_.normal(errors_.slip_rad);
+  }
+  T_odom_base_ = T_odom_base_ * Pose2(step, heading);
+}
+
+}  // namespace opal::simulation

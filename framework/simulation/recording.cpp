@@ -1,0 +1,98 @@
+#include "simulation/recording.hpp"
+
+#include <cstdio>
+
+namespace opal::simulation {
+namespace {
+
+constexpr double kStep_s = 0.05;
+
+/// One drive under way.
+class RecordedDrive {
+ public:
+  RecordedDrive(Simulation& simulation, const DriveOptions& options, Random& random, Recording& recording)
+      : simulation_(simulation), options_(options), random_(random), recording_(recording),
+        follower_(simulation.options().drive, options.follower) {}
+
+  void run(const std::string& id) {
+    const double start_s = simulation_.now_s();
+    simulation_.place({simulation_.floor().anywhere(random_), random_.uniform(-std::numbers::pi, std::numbers::pi)});
+    read();
+    const double most_s = 30 + 8 * options_.distance_m / options_.follower.speed_mps;
+    double next_scan_s = start_s + options_.scan_every_s;
+    while (driven_m_ < options_.distance_m && simulation_.now_s() < start_s + most_s) {
+      step();
+      if (simulation_.now_s() + 1e-9 < next_scan_s) continue;
+      next_scan_s += options_.scan_every_s;
+      read();
+    }
+    recording_.queries.push_back({id, start_s, simulation_.now_s()});
+    recording_.distances_m.push_back(driven_m_);
+  }
+
+ private:
+  void read() { recording_.scans.push_back({simulation_.scan(), simulation_.T_map_base()}); }
+
+  void step() {
+    if (follower_.arrived())
+      if (auto way = simulation_.floor().way(simulation_.T_map_base().position(), simulation_.floor().anywhere(random_)))
+        follower_.follow(std::move(*way));
+    const Pose2 before = simulation_.T_map_base();
+    if (!simulation_.drive(follower_.steer(before), kStep_s)) give_way();
+    driven_m_ += distance_m(before, simulation_.T_map_base());
+  }
+
+  /// Somebody stands in the way, or a corner was cut: goes on more closely, and at last elsewhere.
+  void give_way() {
+    ++recording_.stops;
+    constexpr int kPatience = 40;
+    if (++waited_ % kPatience == 0)
+      follower_.follow({});
+    else
+      follower_.keep_close();
+  }
+
+  Simulation& simulation_;
+  const DriveOptions& options_;
+  Random& random_;
+  Recording& recording_;
+  PathFollower follower_;
+  double driven_m_ = 0;
+  int waited_ = 0;
+};
+
+}  // namespace
+
+Recording record(Simulation& simulation, const DriveOptions& options, Random random) {
+  Recording recording;
+  recording.laser = simulation.options().laser;
+  for (int k = 1; k <= options.drives; ++k) {
+    char id[16];
+    std::snprintf(id, sizeof id, "q%02d", k);
+    RecordedDrive(simulation, options, random, recording).run(id);
+    simulation.drive({}, options.pause_s);
+  }
+  return recording;
+}
+
+Recording record_along(Simulation& simulation, std::span<const StampedPose> T_map_laser) {
+  Recording recording;
+  recording.laser = simulation.options().laser;
+  const Pose2 T_laser_base = recording.laser.T_base_laser.inverse();
+  double driven_m = 0;
+  for (const StampedPose& stamped : T_map_laser) {
+    const Pose2 next = stamped.pose * T_laser_base;
+    if (recording.scans.empty())
+      simulation.place(next);
+    else
+      driven_m += distance_m(simulation.T_map_base(), next);
+    simulation.follow(next, stamped.stamp_s);
+    recording.scans.push_back({simulation.scan(), next});
+  }
+  if (recording.scans.empty()) return recording;
+  recording.queries.push_back({"q01", recording.scans.front().scan.stamp_s, recording.scans.back().scan.stamp_s});
+  recording.distances_m.push_back(driven_m);
+  return recording;
+}
+
+}  // namespace opal::simulation

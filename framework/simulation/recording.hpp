@@ -1,0 +1,49 @@
+#pragma once
+
+#include "simulation/path_follower.hpp"
+#include "simulation/simulation.hpp"
+
+#include <opal/site.hpp>
+#include <opal/trajectory.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace opal::simulation {
+
+/// How recorded drives look.
+struct DriveOptions {
+  int drives = 5;             ///< each from a place of its own, to places drawn one after the other
+  double distance_m = 30;     ///< of each
+  double scan_every_s = 0.2;
+  double pause_s = 10;        ///< between drives, during which the robot is carried to the next start
+  PathFollowerOptions follower;
+};
+
+/// One reading with the truth.
+struct RecordedScan {
+  RawScan scan;        ///< with odometry
+  Pose2 T_map_base;
+};
+
+/// Drives through a building, as a recording of them would be.
+struct Recording {
+  LaserModel laser;
+  std::vector<RecordedScan> scans;
+  std::vector<Query> queries;  ///< one per drive
+  std::vector<double> distances_m;  ///< by query
+  int stops = 0;               ///< how often the robot waited for somebody
+};
+
+Recording record(Simulation& simulation, const DriveOptions& options, Random random);
+
+/// The same poses at the same times as another recording: one drive.
+/// @param T_map_laser  poses of the laser by increasing stamp.
+Recording record_along(Simulation& simulation, std::span<const StampedPose> T_map_laser);
+
+/// PREFIX.log.gz, .gt.csv, .info.json, .queries.json as recorded places have them; `name` stands before the ids of queries.
+/// @throws Error naming the file that cannot be written.
+void write_recording(const Recording& recording, const std::string& prefix, const std::string& name);
+
+}  // namespace opal::simulation

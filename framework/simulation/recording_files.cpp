@@ -1,0 +1,97 @@
+#include "simulation/recording.hpp"
+
+#include <opal/error.hpp>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <zlib.h>
+
+#include <fstream>
+
+namespace opal::simulation {
+namespace {
+
+std::string line_of_scan(const RecordedScan& recorded) {
+  const Pose2 pose = recorded.scan.T_odom_base.value_or(Pose2());
+  char text[200];
+  std::snprintf(text, sizeof text, "%.6f %.6f %.6f", pose.x(), pose.y(), pose.heading_rad());
+  const std::string odometry = text;
+  std::snprintf(text, sizeof text, "%.4f nohost %.4f\n", recorded.scan.stamp_s, recorded.scan.stamp_s);
+  const std::string when = text;
+  std::string line = "ODOM " + odometry + " 0 0 0 " + when + "FLASER " + std::to_string(recorded.scan.ranges_m.size());
+  for (float range : recorded.scan.ranges_m) {
+    std::snprintf(text, sizeof text, " %.3f", static_cast<double>(range));
+    line += text;
+  }
+  return line + " " + odometry + " " + odometry + " " + when;
+}
+
+void write_log(const Recording& recording, const std::string& path) {
+  const gzFile file = gzopen(path.c_str(), "wb6");
+  bool good = file != nullptr;
+  for (const RecordedScan& recorded : recording.scans) {
+    if (!good) break;
+    const std::string line = line_of_scan(recorded);
+    good = gzwrite(file, line.data(), static_cast<unsigned>(line.size())) == static_cast<int>(line.size());
+  }
+  if (file != nullptr && gzclose(file) != Z_OK) good = false;
+  if (!good) throw Error(path + ": cannot be written");
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  if (!(file << text)) throw Error(path + ": cannot be written");
+}
+
+std::string truth_of(const Recording& recording) {
+  std::string text = "timestamp,x,y,theta,is_scan\n";
+  for (const RecordedScan& recorded : recording.scans) {
+    const Pose2 pose = recorded.T_map_base * recording.laser.T_base_laser;
+    char row[120];
+    std::snprintf(row, sizeof row, "%.4f,%.4f,%.4f,%.5f,1\n", recorded.scan.stamp_s, pose.x(), pose.y(), pose.heading_rad());
+    text += row;
+  }
+  return text;
+}
+
+nlohmann::ordered_json info_of(const Recording& recording, const std::string& name) {
+  const LaserModel& laser = recording.laser;
+  constexpr double kDegree = std::numbers::pi / 180;
+  return {{"site", name},
+          {"laser",
+           {{"n_beams", laser.beams},
+            {"angle_min_deg", laser.angle_min_rad / kDegree},
+            {"angle_increment_deg", laser.angle_increment_rad / kDegree},
+            {"no_return_at_or_above_m", laser.no_return_m},
+            {"offset_x_m", laser.T_base_laser.x()},
+            {"offset_y_m", laser.T_base_laser.y()},
+            {"offset_theta", laser.T_base_laser.heading_rad()}}},
+          {"time", "simulated (start = 0)"},
+          {"n_scans", recording.scans.size()},
+          {"ground_truth", "simulated"}};
+}
+
+nlohmann::ordered_json queries_of(const Recording& recording, const std::string& name) {
+  nlohmann::ordered_json queries = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < recording.queries.size(); ++k) {
+    const Query& query = recording.queries[k];
+    queries.push_back({{"id", name + "-" + query.id},
+                       {"start_time", query.start_s},
+                       {"end_time", query.end_s},
+                       {"distance_m", recording.distances_m[k]},
+                       {"duration_s", query.end_s - query.start_s},
+                       {"map_overlap", 0.0}});
+  }
+  return {{"site", name}, {"honest_split", true}, {"note", "simulated"}, {"queries", queries}};
+}
+
+}  // namespace
+
+void write_recording(const Recording& recording, const std::string& prefix, const std::string& name) {
+  write_log(recording, prefix + ".log.gz");
+  write_text(prefix + ".gt.csv", truth_of(recording));
+  write_text(prefix + ".info.json", info_of(recording, name).dump(1) + '\n');
+  write_text(prefix + ".queries.json", queries_of(recording, name).dump(1) + '\n');
+}
+
+}  // namespace opal::simulation

@@ -1,0 +1,96 @@
+#include "simulation/simulation.hpp"
+
+#include <opal/error.hpp>
+
+namespace opal::simulation {
+namespace {
+
+std::vector<Solid> with(std::vector<Solid> solids, const std::vector<std::vector<Solid>>& pieces) {
+  for (const auto& piece : pieces) solids.insert(solids.end(), piece.begin(), piece.end());
+  return solids;
+}
+
+/// The building with clutter that leaves most of its floor to drive on: if it does not, half of the pieces go, and so on.
+std::unique_ptr<const RayCaster> furnished(const SemanticMap& map, const SimulationOptions& options, Random& random,
+                                           std::unique_ptr<const Floor>& floor) {
+  constexpr double kLeast = 0.6;
+  constexpr double kMargin_m = 0.1;  // so that a way along the centres of cells is a way
+  const double wide_m = options.robot_radius_m + kMargin_m;
+  Random doors = random.branch(), furniture = random.branch();
+  const std::vector<Solid> building = building_solids(map, options.doors_open_share, doors);
+  auto solids = std::make_unique<const RayCaster>(building);
+  const Floor empty(map, *solids, wide_m);
+  auto pieces = clutter_pieces(map, empty.area_m2(), options.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
+  for (;; pieces.resize(pieces.size() / 2)) {
+    solids = std::make_unique<const RayCaster>(with(building, pieces));
+    try {
+      floor = std::make_unique<const Floor>(map, *solids, wide_m);
+    } catch (const MapError&) {
+      if (pieces.empty()) throw;
+      continue;
+    }
+    if (pieces.empty() || floor->area_m2() > kLeast * empty.area_m2()) return solids;
+  }
+}
+
+}  // namespace
+
+LaserModel SimulationOptions::default_laser() {
+  LaserModel laser;
+  laser.angle_min_rad = -0.75 * std::numbers::pi;
+  laser.angle_increment_rad = std::numbers::pi / 360;
+  laser.beams = 541;
+  laser.T_base_laser = Pose2(0.2, 0, 0);
+  return laser;
+}
+
+Simulation::Simulation(std::shared_ptr<const SemanticMap> building, const SimulationOptions& options, std::uint64_t seed)
+    : building_(std::move(building)),
+      options_(options),
+      random_(seed),
+      solids_(furnished(*building_, options_, random_, floor_)),
+      odometry_(options.drive, options.odometry_errors, random_.branch()) {
+  for (int k = 0; k < options_.people; ++k) people_.emplace_back(*floor_, random_.branch());
+  T_map_base_ = {floor_->anywhere(random_), random_.uniform(-std::numbers::pi, std::numbers::pi)};
+}
+
+bool Simulation::blocked(const Pose2& T_map_base) const {
+  if (solids_->touches(T_map_base.position(), options_.robot_radius_m)) return true;
+  for (const Walker& walker : people_)
+    for (const Circle& leg : walker.legs())
+      if ((leg.center - T_map_base.position()).norm() < leg.radius_m + options_.robot_radius_m) return true;
+  return false;
+}
+
+bool Simulation::drive(const Velocity& velocity, double duration_s) {
+  now_s_ += duration_s;
+  for (Walker& walker : people_) walker.walk(duration_s, *floor_, T_map_base_.position());
+  Velocity possible = velocity;
+  if (options_.drive == Drive::differential) possible.linear_mps.y() = 0;
+  const Pose2 step = moved(possible, duration_s), next = T_map_base_ * step;
+  const bool moves = distance_m(next, T_map_base_) > 0;
+  if (moves && blocked(next)) return false;
+  T_map_base_ = next;
+  odometry_.move(step);
+  return true;
+}
+
+void Simulation::follow(const Pose2& T_map_base, double stamp_s) {
+  const double duration_s = std::max(0.0, stamp_s - now_s_);
+  for (Walker& walker : people_) walker.walk(duration_s, *floor_, T_map_base_.position());
+  odometry_.move(T_map_base_.inverse() * T_map_base);
+  T_map_base_ = T_map_base;
+  now_s_ = stamp_s;
+}
+
+RawScan Simulation::scan() {
+  std::vector<Circle> legs;
+  for (const Walker& walker : people_)
+    for (const Circle& leg : walker.legs()) legs.push_back(leg);
+  RawScan scan = swept(*solids_, legs, T_map_laser(), options_.laser, options_.laser_errors, random_);
+  scan.stamp_s = now_s_;
+  scan.T_odom_base = T_odom_base();
+  return scan;
+}
+
+}  // namespace opal::simulation

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "simulation/clutter.hpp"
+#include "simulation/floor.hpp"
+#include "simulation/laser.hpp"
+#include "simulation/odometry.hpp"
+#include "simulation/walker.hpp"
+
+#include <memory>
+
+namespace opal::simulation {
+
+struct SimulationOptions {
+  LaserModel laser = default_laser();
+  LaserErrors laser_errors;
+  Drive drive = Drive::differential;
+  OdometryErrors odometry_errors;
+  ClutterOptions clutter;
+  int people = 4;
+  double doors_open_share = 0.7;
+  double robot_radius_m = 0.3;
+
+  /// 270 degrees in steps of half a degree, up to 30 m, 0.2 m before the robot's centre.
+  static LaserModel default_laser();
+};
+
+/// One robot in one building with what stands and walks there. The same building, options and seed give the same world
+/// and, driven alike, the same readings. Frames as in REP 105; time begins at 0.
+class Simulation {
+ public:
+  /// @throws MapError if the building has no floor for the robot.
+  Simulation(std::shared_ptr<const SemanticMap> building, const SimulationOptions& options, std::uint64_t seed);
+
+  const SemanticMap& building() const { return *building_; }
+  const SimulationOptions& options() const { return options_; }
+  /// Where the robot can be.
+  const Floor& floor() const { return *floor_; }
+  const RayCaster& solids() const { return *solids_; }
+  const std::vector<Walker>& people() const { return people_; }
+
+  double now_s() const { return now_s_; }
+  const Pose2& T_map_base() const { return T_map_base_; }
+  Pose2 T_map_laser() const { return T_map_base_ * options_.laser.T_base_laser; }
+  const Pose2& T_odom_base() const { return odometry_.T_odom_base(); }
+
+  /// Carries the robot away; odometry does not notice.
+  void place(const Pose2& T_map_base) { T_map_base_ = T_map_base; }
+  /// Time goes on, and people walk; the robot moves unless it would touch something.
+  /// @return false if it would have.
+  bool drive(const Velocity& velocity, double duration_s);
+  /// The robot is led to a pose by a time, whatever stands in the way; odometry counts it, people walk.
+  void follow(const Pose2& T_map_base, double stamp_s);
+  /// What the laser reads now.
+  RawScan scan();
+
+ private:
+  bool blocked(const Pose2& T_map_base) const;
+
+  std::shared_ptr<const SemanticMap> building_;
+  SimulationOptions options_;
+  Random random_;
+  std::unique_ptr<const Floor> floor_;  // found while solids_ are put up
+  std::unique_ptr<const RayCaster> solids_;
+  std::vector<Walker> people_;
+  WheelOdometry odometry_;
+  Pose2 T_map_base_;
+  double now_s_ = 0;
+};
+
+}  // namespace opal::simulation

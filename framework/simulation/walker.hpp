@@ -1,0 +1,29 @@
+#pragma once
+
+#include "simulation/floor.hpp"
+
+#include <array>
+
+namespace opal::simulation {
+
+/// Someone who walks about a building: two legs at the height of the laser.
+class Walker {
+ public:
+  Walker(const Floor& floor, Random random);
+  /// Goes on for a while; turns round before touching the robot.
+  void walk(double duration_s, const Floor& floor, const Point& robot);
+  const Point& position() const { return position_; }
+  std::array<Circle, 2> legs() const;
+
+ private:
+  void choose_way(const Floor& floor);
+
+  Random random_;
+  double speed_mps_;
+  Point position_, direction_ = Point::UnitX();
+  double stride_rad_ = 0;
+  std::vector<Point> way_;  ///< what is left of it, last point first
+  double pause_s_ = 0;
+};
+
+}  // namespace opal::simulation

@@ -1,0 +1,131 @@
+#include <simulation/recording.hpp>
+
+#include <opal/error.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace opal;
+using namespace opal::simulation;
+
+namespace {
+
+std::shared_ptr<const SemanticMap> room() { return SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld"); }
+
+SimulationOptions clean() {
+  SimulationOptions options;
+  options.clutter.level = 0;
+  options.people = 0;
+  options.laser_errors = {0, 0, 0, 0, 0.2, 0};
+  options.odometry_errors = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+  return options;
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Recording recorded(const SimulationOptions& options, std::uint64_t seed) {
+  Simulation simulation(room(), options, seed);
+  DriveOptions drives;
+  drives.drives = 2;
+  drives.distance_m = 5;
+  return record(simulation, drives, Random(seed));
+}
+
+}  // namespace
+
+TEST_CASE("the same seed gives the same files to the byte, another seed others") {
+  const auto folder = std::filesystem::temp_directory_path() / "opal_simulation_test";
+  std::filesystem::create_directories(folder);
+  const auto write = [&](std::uint64_t seed, const char* name) {
+    write_recording(recorded({}, seed), (folder / name).string(), "room");
+    return (folder / name).string();
+  };
+  const std::string a = write(7, "a"), b = write(7, "b"), c = write(8, "c");
+  for (const char* end : {".log.gz", ".gt.csv", ".info.json", ".queries.json"}) CHECK(content_of(a + end) == content_of(b + end));
+  CHECK(content_of(a + ".log.gz") != content_of(c + ".log.gz"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("without errors the laser reads the walls, and odometry is the way") {
+  const Recording recording = recorded(clean(), 3);
+  Random closed(1);
+  const RayCaster walls(building_solids(*room(), 0, closed));
+  REQUIRE(recording.scans.size() > 20);
+  const RecordedScan& first = recording.scans.front();
+  for (const RecordedScan& recorded : recording.scans) {
+    if (recorded.scan.stamp_s > recording.queries.front().end_s) break;
+    const Pose2 T_map_laser = recorded.T_map_base * recording.laser.T_base_laser;
+    for (int beam = 0; beam < recording.laser.beams; beam += 50) {
+      const double bearing = recording.laser.angle_min_rad + beam * recording.laser.angle_increment_rad;
+      const RayHit hit = walls.cast(T_map_laser.position(), T_map_laser.rotate(unit_vector(bearing)), 30);
+      const double expected = hit.solid < 0 ? recording.laser.no_return_m : hit.range_m;
+      CHECK(recorded.scan.ranges_m[beam] == Approx(expected).margin(1e-3));
+    }
+    const Pose2 by_odometry = first.scan.T_odom_base->inverse() * *recorded.scan.T_odom_base;
+    const Pose2 truly = first.T_map_base.inverse() * recorded.T_map_base;
+    CHECK(distance_m(by_odometry, truly) < 1e-6);
+    CHECK(angle_between_rad(by_odometry, truly) < 1e-6);
+  }
+}
+
+TEST_CASE("a robot never drives into anything, whoever walks about") {
+  SimulationOptions options;
+  options.clutter.level = 2;
+  options.people = 6;
+  Simulation simulation(room(), options, GENERATE(1, 2, 3));
+  Random random(5);
+  for (int k = 0; k < 2000; ++k) {
+    const Velocity velocity{{random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(-1, 1)};
+    const Pose2 before = simulation.T_map_base();
+    const bool moved = simulation.drive(velocity, 0.1);
+    if (!moved) CHECK(distance_m(before, simulation.T_map_base()) == 0);
+    if (distance_m(before, simulation.T_map_base()) > 0)
+      CHECK_FALSE(simulation.solids().touches(simulation.T_map_base().position(), options.robot_radius_m));
+  }
+}
+
+TEST_CASE("errors of odometry grow with the way as they are said to") {
+  OdometryErrors errors{0.1, 0, 0, 0, 0, 0, 0, 0, 0};
+  double squares = 0;
+  constexpr int kRobots = 2000, kSteps = 50;
+  Random random(11);
+  for (int robot = 0; robot < kRobots; ++robot) {
+    WheelOdometry odometry(Drive::differential, errors, random.branch());
+    const Pose2 start = odometry.T_odom_base();
+    for (int k = 0; k < kSteps; ++k) odometry.move(Pose2(0.1, 0, 0));
+    const double error = (start.inverse() * odometry.T_odom_base()).x() - 5;
+    squares += error * error;
+  }
+  CHECK(std::sqrt(squares / kRobots) == Approx(0.1 * std::sqrt(5)).epsilon(0.06));
+}
+
+TEST_CASE("an arc is many short straight pieces") {
+  const Velocity velocity{{0.6, 0.2}, 0.8};
+  Pose2 pose;
+  for (int k = 0; k < 10000; ++k) pose = pose * Pose2(Point(velocity.linear_mps * 1e-4), velocity.turn_radps * 1e-4);
+  const Pose2 arc = moved(velocity, 1);
+  CHECK(distance_m(arc, pose) < 1e-3);
+  CHECK(arc.heading_rad() == Approx(0.8));
+}
+
+TEST_CASE("the way between two places stays on the floor") {
+  Simulation simulation(room(), clean(), 1);
+  Random random(2);
+  for (int k = 0; k < 50; ++k) {
+    const Point from = simulation.floor().anywhere(random), to = simulation.floor().anywhere(random);
+    const auto way = simulation.floor().way(from, to);
+    REQUIRE(way);
+    CHECK((way->front() - from).norm() < 1e-9);
+    CHECK((way->back() - to).norm() < 1e-9);
+    for (const Point& p : *way) CHECK(simulation.floor().holds(p));
+  }
+  CHECK_FALSE(simulation.floor().way({1e6, 0}, simulation.floor().anywhere(random)));
+}
