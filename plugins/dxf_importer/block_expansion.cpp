@@ -51,10 +51,14 @@ class Expansion {
     }
     check_depth(name);
     open_.push_back(name);
+    const std::size_t before = placed_.size();
     for (int row = 0; row < std::max(1, insert.rows); ++row)
       for (int column = 0; column < std::max(1, insert.columns); ++column)
         place_cell(insert, block->second, frame, column, row);
     open_.pop_back();
+    if (placed_.size() != before) return;
+    frame.trouble = "its block '" + insert.block + "' is empty";
+    placed_.push_back(std::move(frame));
   }
 
   void place_cell(const DxfInsert& insert, const DxfBlock& block, const PlacedEntity& around, int column, int row) {

@@ -172,6 +172,10 @@ TEST_CASE("blocks that are missing, external, endless or too many are said or re
   DxfText missing(6);
   CHECK(thing(import_dxf(with_wall(missing.insert("S-COLS", "NOWHERE", {0, 0}))), "100").reason ==
         "its block 'NOWHERE' is not in the file");
+  DxfText empty(6);
+  empty.begin_block("NOTHING").end_block();
+  CHECK(thing(import_dxf(with_wall(empty.insert("S-COLS", "NOTHING", {0, 0}))), "100").reason ==
+        "its block 'NOTHING' is empty");
   DxfText endless(6);
   endless.begin_block("A")
       .insert("S-COLS", "B", {1, 0})
