@@ -46,6 +46,12 @@ class Statements {
     fail(begin, "a statement without an end", "';'");
   }
 
+  /// After the last statement.
+  void expect_end() const {
+    const std::size_t more = text_.find_first_not_of(" \t\r\n", at_);
+    if (more != std::string::npos) fail(more, "more text after " + std::string(kEnd), "one model in a file");
+  }
+
   [[noreturn]] void fail(std::size_t at, const std::string& found, const std::string& expected) const {
     const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size())), '\n');
     throw MapError(name_ + ": line " + std::to_string(line) + ": " + found + ", expected " + expected);
@@ -179,6 +185,7 @@ StepText StepText::parse(std::string content, const std::string& name) {
     else if (statement == "ENDSEC") in_data = false;
     else if (in_data) step.instances_.push_back(read_instance(statements, statement));
   }
+  statements.expect_end();
   expect_known(step.schema_, name);
   if (in_data) throw MapError(name + ": the data section has no end, expected ENDSEC");
   if (step.instances_.empty()) throw MapError(name + ": has no instances, expected a building model");
