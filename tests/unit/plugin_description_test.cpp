@@ -114,7 +114,7 @@ TEST_CASE("a plugin description with a wrong value is refused with what was expe
         "\"acme:PostDetector\"");
   CHECK(refusal(changed("/types/0/kind", "Detector")) ==
         "lines.jsonld: /types/0/kind: \"Detector\", expected one of: FeatureDetector, PatternTemplate, "
-        "HypothesisScorer, LogSource, MapImporter, ScanMatcher");
+        "HypothesisScorer, LogSource, MapImporter, ScanMatcher, MapStore");
   CHECK(refusal(changed("/types/0/produces", json::array())) ==
         "lines.jsonld: /types/0: a FeatureDetector must say in \"produces\" which feature types it finds");
   CHECK(refusal(changed("/types/0/options/0/type", "int")) ==
