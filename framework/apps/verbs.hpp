@@ -34,6 +34,10 @@ void add_bench_verb(CLI::App& app, int& exit_code);
 /// `opal simulate MAP -o PREFIX`: a recording with ground truth of drives through a building that does not exist.
 void add_simulate_verb(CLI::App& app, int& exit_code);
 
+/// `opal drive CONFIG MAP`: a simulated robot that does not know where it is drives to a goal. Exit code 1 if a drive
+/// does not get there.
+void add_drive_verb(CLI::App& app, int& exit_code);
+
 /// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
 void add_calibration_verb(CLI::App& app, int& exit_code);
 
