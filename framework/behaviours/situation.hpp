@@ -19,9 +19,9 @@ FloorGrid mapped_floor(const MapView& map, double radius_m);
 class Situation {
  public:
   /// What is given must outlive this.
-  Situation(const LocalizationQueries& localization, const MotionPrimitives& motion, const FloorGrid& floor,
-            const Point& goal)
-      : localization(localization), motion(motion), floor(floor), goal(goal) {}
+  Situation(const LocalizationQueries& queries, const MotionPrimitives& primitives, const FloorGrid& mapped_floor,
+            const Point& wanted)
+      : localization(queries), motion(primitives), floor(mapped_floor), goal(wanted) {}
 
   const LocalizationQueries& localization;
   const MotionPrimitives& motion;
