@@ -1,5 +1,8 @@
 #include "session.hpp"
 
+#include "overlay_options.hpp"
+#include "stored_maps.hpp"
+
 #include <opal/error.hpp>
 #include <opal/plugin/plugin_folders.hpp>
 
@@ -10,15 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Name of the type of this kind that recognizes the source; empty if none does.
 template <class T>
-std::shared_ptr<const T> recognizing(const opal::PluginRegistry& registry, opal::PluginKind kind,
-                                     const std::string& path, const nlohmann::json& options = nlohmann::json::object()) {
-  for (const opal::RegisteredType& type : registry.types()) {
-    if (type.kind != kind) continue;
-    auto part = registry.make<T>(type.info.name);
-    if (part->recognizes(path)) return options.empty() ? part : registry.make<T>(type.info.name, options);
-  }
-  return nullptr;
+std::string recognizing(const opal::PluginRegistry& registry, opal::PluginKind kind, const std::string& path) {
+  for (const opal::RegisteredType& type : registry.types())
+    if (type.kind == kind && registry.make<T>(type.info.name)->recognizes(path)) return type.info.name;
+  return "";
 }
 
 bool is_document(const std::string& source) {
@@ -35,33 +35,49 @@ opal::PluginRegistry load_plugins() {
   return registry;
 }
 
-opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, double thicken_m) {
+const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source) {
   if (!fs::exists(source)) throw opal::MapError(source + ": does not exist");
-  nlohmann::json options = nlohmann::json::object();
-  if (thicken_m > 0) options["thicken_m"] = thicken_m;
-  const auto importer = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source, options);
-  if (!importer) throw opal::MapError(source + ": no importer recognizes this file");
-  return importer->import(source);
+  const std::string name = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source);
+  if (name.empty()) throw opal::MapError(source + ": no importer recognizes this file");
+  return registry.type(name);
+}
+
+opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, const nlohmann::json& options) {
+  return registry.make<opal::MapImporter>(importer_of(registry, source).info.name, options)->import(source);
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source) {
+  if (const auto stored = opal::read_store_source(source)) return load_stored_map(registry, *stored);
   return is_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
+}
+
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment) {
+  const std::string& source = deployment.map;
+  if (is_document(source) || opal::read_store_source(source)) return with_overlays(load_map(registry, source), deployment.overlays);
+  const std::string& importer = importer_of(registry, source).info.name;
+  const opal::MapImport imported = import_map(registry, source, opal::importer_options(deployment, registry, importer));
+  return with_overlays(imported.map, deployment.overlays);
+}
+
+nlohmann::json import_options(const opal::MapDamage& damage) {
+  if (damage.thick_m > 0) return {{"thicken_m", damage.thick_m}};
+  return nlohmann::json::object();
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
                                                   const opal::MapDamage& damage) {
-  if (is_document(source) && damage.thick_m > 0)
+  const bool is_made = is_document(source) || opal::read_store_source(source);
+  if (is_made && damage.thick_m > 0)
     throw opal::ConfigError(source + ": damage thick= is done to grids before they are imported, found a document");
-  return opal::damaged_map(is_document(source) ? *opal::SemanticMap::read(source)
-                                               : *import_map(registry, source, damage.thick_m).map,
+  return opal::damaged_map(is_made ? *load_map(registry, source) : *import_map(registry, source, import_options(damage)).map,
                            damage);
 }
 
 std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path) {
   if (!fs::exists(path)) throw opal::LogError(path + ": does not exist");
-  const auto source = recognizing<opal::LogSource>(registry, opal::PluginKind::log_source, path);
-  if (!source) throw opal::LogError(path + ": no log source recognizes this file");
-  return source->open(path);
+  const std::string source = recognizing<opal::LogSource>(registry, opal::PluginKind::log_source, path);
+  if (source.empty()) throw opal::LogError(path + ": no log source recognizes this file");
+  return registry.make<opal::LogSource>(source)->open(path);
 }
 
 std::string shipped_config(const std::string& name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/deployment.hpp>
 #include <opal/map_damage.hpp>
 #include <opal/plugin/log_source.hpp>
 #include <opal/plugin/map_importer.hpp>
@@ -13,12 +14,22 @@
 /// All plugins of the program's folders; refused ones are reported on stderr and left out.
 opal::PluginRegistry load_plugins();
 
-/// Imports a map with the importer that recognizes the source. @throws opal::MapError if none does.
-/// @param thicken_m  if not 0: walls become so much thicker first, which only importers with this option can do.
-opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, double thicken_m = 0);
+/// The importer that recognizes a source, as its plugin describes it. @throws opal::MapError if none does.
+const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source);
 
-/// A map from a document, or from any source that an importer recognizes.
+/// Imports a map with the importer that recognizes the source. @throws opal::MapError if none does.
+/// @param options  of that importer. @throws opal::PluginError if it does not accept them.
+opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source,
+                           const nlohmann::json& options = nlohmann::json::object());
+
+/// A map from a document, from the map store (store:BUILDING), or from any source that an importer recognizes.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
+
+/// The map of a deployment with its overlays; a source is imported with the options that the deployment gives to importers.
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment);
+
+/// What `thick_m` of a damage asks of the grid importer.
+nlohmann::json import_options(const opal::MapDamage& damage);
 
 /// The same, made worse. @throws opal::ConfigError if a document shall get thick walls: that is done to grids.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,

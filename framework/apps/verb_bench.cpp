@@ -1,5 +1,6 @@
 #include "bench_splices.hpp"
 #include "join_options.hpp"
+#include "overlay_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -28,6 +29,7 @@ struct BenchOptions {
   JoinOptions join;
   std::optional<std::uint64_t> splice;  ///< seed
   opal::SpliceOptions splices;
+  OverlayFiles overlays;
 };
 
 double peak_rss_mb() {
@@ -137,6 +139,13 @@ nlohmann::ordered_json run_place(const BenchPlace& place, const opal::PluginRegi
   return summary;
 }
 
+/// Overlays speak of one building's ids, and of the map as it was imported.
+void lay_overlays(std::vector<BenchSite>& sites, const std::vector<std::string>& files, const DamageOptions& damage) {
+  if (files.empty()) return;
+  if (sites.size() > 1 || damage.any()) throw opal::ConfigError("bench: overlays with several places or with damage, expected one place as it is");
+  sites.front().map = with_overlays(sites.front().map, files);
+}
+
 int bench(const BenchOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment =
@@ -146,6 +155,9 @@ int bench(const BenchOptions& options) {
   if (join.copies > 0 && !options.joined) throw opal::ConfigError("bench: --copies without --join");
   if (options.splice && options.joined) throw opal::ConfigError("bench: --splice with --join, expected one of them");
   std::vector<BenchSite> sites = load_sites(registry, options.prefixes, options.damage);
+  std::vector<std::string> overlays = deployment.overlays;
+  overlays.insert(overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
+  lay_overlays(sites, overlays, options.damage);
   if (options.joined) join_sites(sites, join);
   const fs::path out = options.out;
   const bool single = sites.size() == 1;
@@ -172,6 +184,7 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
                    "folder for results.csv, rivals.csv and summary.json; for several places: NAME.csv and the rest in NAME/")
       ->required();
   options->damage.add_to(*verb);
+  options->overlays.add_to(*verb, ", beside those of the deployment; of a single place");
   verb->add_flag("--join", options->joined,
                  "run every query on the maps of all places side by side; results are in the frame of the place's own map");
   options->join.add_to(*verb);

@@ -1,5 +1,6 @@
 #include "live_view.hpp"
 #include "localize_run.hpp"
+#include "overlay_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -21,11 +22,13 @@ struct LocalizeOptions {
   bool serve = false;
   int port = opal::LiveServer::kUsualPort;
   double speed = 0;
+  OverlayFiles overlays;
 };
 
 opal::Deployment read_deployment_for(const LocalizeOptions& options) {
   opal::Deployment deployment = opal::read_deployment(options.config);
   if (!options.map.empty()) deployment.map = options.map;
+  deployment.overlays.insert(deployment.overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
   if (deployment.map.empty())
     throw opal::ConfigError(options.config + ": /map: missing; name a map here or with --map");
   if (!options.info.empty()) {
@@ -52,7 +55,7 @@ std::ofstream event_file(const fs::path& out) {
 int localize(const LocalizeOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = read_deployment_for(options);
-  const auto map = load_map(registry, deployment.map);
+  const auto map = load_map(registry, deployment);
   const auto reader = open_log(registry, options.log);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
   deployment.laser = opal::with_log_geometry(deployment.laser, records);
@@ -108,6 +111,7 @@ void opal::add_localize_verb(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--out", options->out, "folder for trajectory, results, events and pictures")
       ->capture_default_str();
   verb->add_option("--map", options->map, "map document, or a source to import; overrides the deployment's");
+  options->overlays.add_to(*verb, ", beside those of the deployment");
   verb->add_option("--info", options->info,
                    "SITE.info.json that describes the laser; overrides the deployment's");
   verb->add_option("--queries", options->queries, "SITE.queries.json: run each query from scratch");

@@ -1,11 +1,15 @@
 #include "damage_options.hpp"
 #include "join_options.hpp"
+#include "map_fleet.hpp"
+#include "map_frame.hpp"
+#include "map_overlay.hpp"
+#include "map_import.hpp"
+#include "map_generate.hpp"
 #include "map_patterns.hpp"
+#include "overlay_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
-#include <opal/deployment.hpp>
-#include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/map_check.hpp>
 #include <opal/map_raster.hpp>
@@ -17,51 +21,19 @@
 
 namespace {
 
-struct ImportOptions {
-  std::string source, out, svg, png, report;
-  double thicken_m = 0;
-};
-
 void write_text(const std::string& path, const std::string& text) {
   std::ofstream file(path);
   if (!(file << text)) throw opal::Error(path + ": cannot be written");
 }
 
-int import(const ImportOptions& options) {
-  const opal::MapImport imported = import_map(load_plugins(), options.source, options.thicken_m);
-  write_text(options.out, imported.map->to_json_ld().dump(1) + '\n');
-  std::string report;
-  for (const std::string& sentence : imported.report) report += sentence + '\n';
-  std::cout << report << "written: " << options.out << '\n';
-  if (!options.report.empty()) write_text(options.report, report);
-  opal::DrawingScene scene;
-  scene.title = imported.map->name();
-  scene.map = imported.map;
-  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
-  if (!options.png.empty()) opal::write_png(scene, options.png);
-  return 0;
-}
-
-void add_import(CLI::App& map, int& exit_code) {
-  auto options = std::make_shared<ImportOptions>();
-  CLI::App* verb = map.add_subcommand("import", "make a semantic map of a ROS map_server grid (yaml)");
-  verb->add_option("SOURCE", options->source, "what to import")->required();
-  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
-  verb->add_option("--svg", options->svg, "also draw the map into this file");
-  verb->add_option("--png", options->png, "the same as a PNG");
-  verb->add_option("--report", options->report, "also write the report into this file");
-  verb->add_option("--thicken", options->thicken_m,
-                   "for experiments: make walls of a grid so much thicker first, and its cells 0.1 m [m]");
-  verb->callback([options, &exit_code] { exit_code = import(*options); });
-}
-
 struct CheckOptions {
   std::string map, sensor = "PlanarLidar2D";
+  OverlayFiles overlays;
 };
 
 int check(const CheckOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
-  const auto map = load_map(registry, options.map);
+  const auto map = with_overlays(load_map(registry, options.map), options.overlays.files);
   for (const std::string& sentence : opal::check_map(*map).sentences()) std::cout << sentence << '\n';
   const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
   for (const std::string& reason : plan.reasons) std::cout << reason << '\n';
@@ -74,6 +46,7 @@ void add_check(CLI::App& map, int& exit_code) {
   CLI::App* verb = map.add_subcommand("check", "what is in a map, what is odd about it, and what it makes run");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("--sensor", options->sensor, "id of the sensor that is asked about")->capture_default_str();
+  options->overlays.add_to(*verb);
   verb->callback([options, &exit_code] { exit_code = check(*options); });
 }
 
@@ -167,12 +140,19 @@ void add_raster(CLI::App& map, int& exit_code) {
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map", "semantic maps: import, check, patterns, damage, join, raster");
+  CLI::App* map = app.add_subcommand(
+      "map", "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, raster, push, pull, list, diff, generate");
   map->require_subcommand(1);
-  add_import(*map, exit_code);
+  add_map_import(*map, exit_code);
+  add_map_storeys(*map, exit_code);
   add_check(*map, exit_code);
   add_map_patterns(*map, exit_code);
+  add_map_frame(*map, exit_code);
+  add_map_overlay(*map, exit_code);
   add_damage(*map, exit_code);
   add_join(*map, exit_code);
   add_raster(*map, exit_code);
+  add_map_fleet(*map, exit_code);
+  add_map_diff(*map, exit_code);
+  add_map_generate(*map, exit_code);
 }

@@ -123,7 +123,8 @@ void print_sentences(std::ostream& out, const std::string& title, const std::vec
 void print_text(std::ostream& out, const Inventory& inventory) {
   for (const PluginKind kind :
        {PluginKind::log_source, PluginKind::map_importer, PluginKind::scan_matcher,
-        PluginKind::feature_detector, PluginKind::pattern_template, PluginKind::hypothesis_scorer})
+        PluginKind::feature_detector, PluginKind::pattern_template, PluginKind::hypothesis_scorer,
+        PluginKind::map_store})
     print_kind(out, inventory.types, kind);
   print_sentences(out, "Refused", inventory.refused);
   print_sentences(out, "Broken contracts", inventory.violations);

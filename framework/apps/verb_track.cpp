@@ -1,4 +1,5 @@
 #include "damage_options.hpp"
+#include "overlay_options.hpp"
 #include "session.hpp"
 #include "start_poses.hpp"
 #include "track_output.hpp"
@@ -17,11 +18,13 @@ struct TrackOptions {
   std::uint64_t disturb_seed = 1;
   bool keep_offsets = false, offline = false;
   DamageOptions damage;
+  OverlayFiles overlays;
 };
 
 opal::Deployment deployment_for(const TrackOptions& options) {
   opal::Deployment deployment = opal::read_deployment(options.config);
   if (!options.map.empty()) deployment.map = options.map;
+  deployment.overlays.insert(deployment.overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
   if (deployment.map.empty())
     throw opal::ConfigError(options.config + ": /map: missing; name a map here or with --map");
   if (!options.info.empty()) {
@@ -60,7 +63,7 @@ int track(const TrackOptions& options) {
   const Disturbance disturbance = options.disturb.empty() ? Disturbance{} : read_disturbance(options.disturb);
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = deployment_for(options);
-  auto map = load_map(registry, deployment.map);
+  auto map = load_map(registry, deployment);
   if (options.damage.any()) map = opal::damaged_map(*map, options.damage.damage());
   const auto reader = open_log(registry, options.log);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
@@ -106,6 +109,7 @@ void opal::add_track_verb(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--out", options->out, "folder for trajectory, results, summary, pictures and deviations")
       ->capture_default_str();
   verb->add_option("--map", options->map, "map document, or a source to import; overrides the deployment's");
+  options->overlays.add_to(*verb, ", beside those of the deployment");
   verb->add_option("--info", options->info, "SITE.info.json that describes the laser; overrides the deployment's");
   verb->add_option("--pose", options->pose,
                    "X,Y,THETA of the robot at the first scan, map frame [m, m, rad], within about 0.5 m and 10 degrees");

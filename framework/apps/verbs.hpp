@@ -10,7 +10,7 @@ namespace opal {
 /// contract.
 void add_plugins_verb(CLI::App& app, int& exit_code);
 
-/// `opal map import|check`: bring a building in, and see what it would run. Exit code 1 if the map has warnings
+/// `opal map import|check|push|pull|...`: bring a building in, see what it would run, share it. Exit code 1 if the map has warnings
 /// that keep it from being used.
 void add_map_verb(CLI::App& app, int& exit_code);
 

@@ -7,10 +7,11 @@ namespace opal::simulation {
 void PathFollower::follow(std::vector<Point> path) {
   path_ = std::move(path);
   next_ = 0;
+  look_ahead_m_ = options_.look_ahead_m;
 }
 
 Velocity PathFollower::steer(const Pose2& T_map_base) {
-  while (next_ + 1 < path_.size() && (path_[next_] - T_map_base.position()).norm() < options_.look_ahead_m) ++next_;
+  while (next_ + 1 < path_.size() && (path_[next_] - T_map_base.position()).norm() < look_ahead_m_) ++next_;
   if (next_ + 1 == path_.size() && (path_[next_] - T_map_base.position()).norm() < options_.arrived_m) ++next_;
   if (arrived()) return {};
   const Point target = T_map_base.inverse() * path_[next_];

@@ -10,6 +10,7 @@ struct PathFollowerOptions {
   double speed_mps = 0.7;
   double turn_radps = 1.0;
   double look_ahead_m = 0.5;
+  double close_look_ahead_m = 0.15;  ///< where a corner was cut
   double arrived_m = 0.15;
 };
 
@@ -20,6 +21,8 @@ class PathFollower {
 
   /// @param path  frame `map`, from here to the goal.
   void follow(std::vector<Point> path);
+  /// Keeps closer to this path from here on: a corner was cut.
+  void keep_close() { look_ahead_m_ = options_.close_look_ahead_m; }
   bool arrived() const { return next_ >= path_.size(); }
   /// What to do at this pose; zero when it has arrived.
   Velocity steer(const Pose2& T_map_base);
@@ -28,6 +31,7 @@ class PathFollower {
   Drive drive_;
   PathFollowerOptions options_;
   std::vector<Point> path_;
+  double look_ahead_m_ = options_.look_ahead_m;
   std::size_t next_ = 0;  ///< first point of the path that is not behind
 };
 

@@ -42,11 +42,14 @@ class RecordedDrive {
     driven_m_ += distance_m(before, simulation_.T_map_base());
   }
 
-  /// Somebody stands in the way, or a corner was cut: waits, then goes elsewhere.
+  /// Somebody stands in the way, or a corner was cut: goes on more closely, and at last elsewhere.
   void give_way() {
     ++recording_.stops;
-    constexpr int kPatience = 20;
-    if (++waited_ % kPatience == 0) follower_.follow({});
+    constexpr int kPatience = 40;
+    if (++waited_ % kPatience == 0)
+      follower_.follow({});
+    else
+      follower_.keep_close();
   }
 
   Simulation& simulation_;

@@ -14,15 +14,17 @@ std::vector<Solid> with(std::vector<Solid> solids, const std::vector<std::vector
 std::unique_ptr<const RayCaster> furnished(const SemanticMap& map, const SimulationOptions& options, Random& random,
                                            std::unique_ptr<const Floor>& floor) {
   constexpr double kLeast = 0.6;
+  constexpr double kMargin_m = 0.1;  // so that a way along the centres of cells is a way
+  const double wide_m = options.robot_radius_m + kMargin_m;
   Random doors = random.branch(), furniture = random.branch();
   const std::vector<Solid> building = building_solids(map, options.doors_open_share, doors);
   auto solids = std::make_unique<const RayCaster>(building);
-  const Floor empty(map, *solids, options.robot_radius_m);
+  const Floor empty(map, *solids, wide_m);
   auto pieces = clutter_pieces(map, empty.area_m2(), options.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
   for (;; pieces.resize(pieces.size() / 2)) {
     solids = std::make_unique<const RayCaster>(with(building, pieces));
     try {
-      floor = std::make_unique<const Floor>(map, *solids, options.robot_radius_m);
+      floor = std::make_unique<const Floor>(map, *solids, wide_m);
     } catch (const MapError&) {
       if (pieces.empty()) throw;
       continue;

@@ -82,6 +82,17 @@ std::string ConfigObject::required_text(const std::string& key) {
   return text(key, "");
 }
 
+std::vector<std::string> ConfigObject::texts(const std::string& key) {
+  const json* value = find(key);
+  if (!value) return {};
+  std::vector<std::string> texts;
+  for (const json& item : value->is_array() ? *value : json::array({*value})) {
+    if (!item.is_string() || item.get_ref<const std::string&>().empty()) refuse(key, "a list of texts");
+    texts.push_back(item.get<std::string>());
+  }
+  return texts;
+}
+
 const json& ConfigObject::any(const std::string& key) {
   static const json none;
   const json* value = find(key);

@@ -4,6 +4,7 @@
 
 #include <opal/association.hpp>
 #include <opal/error.hpp>
+#include <opal/store_source.hpp>
 #include <opal/strict_json.hpp>
 
 #include <filesystem>
@@ -141,7 +142,7 @@ void expect_kind(ConfigObject& document) {
 }
 
 std::string resolve(const std::string& path, const std::string& document) {
-  if (path.empty()) return path;
+  if (path.empty() || read_store_source(path)) return path;
   return (std::filesystem::path(document).parent_path() / path).lexically_normal().string();
 }
 
@@ -153,12 +154,14 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   document.text("name", "");
   document.text("comment", "");
   deployment.map = resolve(document.text("map", ""), file);
+  for (const std::string& path : document.texts("overlays")) deployment.overlays.push_back(resolve(path, file));
   if (auto sensor = document.object("sensor")) deployment.laser = read_sensor(*sensor);
   if (auto keyframes = document.object("keyframes")) deployment.keyframes = read_keyframes(*keyframes);
   if (auto local_map = document.object("local_map")) deployment.local_map = read_local_map(*local_map);
   if (auto matcher = document.object("matcher")) deployment.matcher = read_whole_part(*matcher);
   if (auto detectors = document.list("detectors")) deployment.detectors = read_parts(*detectors);
   if (auto patterns = document.list("patterns")) deployment.patterns = read_parts(*patterns);
+  if (auto importers = document.list("importers")) deployment.importers = read_parts(*importers);
   deployment.scorers = read_scorers(document);
   if (document.object("association")) deployment.association = document.any("association");
   read_association_options(deployment.association, document.where("association"));  // throws if it is unusable

@@ -56,6 +56,7 @@ void expect_usable(const Deployment& deployment, const PluginRegistry& registry)
   };
   expect_all(deployment.detectors, PluginKind::feature_detector);
   expect_all(deployment.patterns, PluginKind::pattern_template);
+  expect_all(deployment.importers, PluginKind::map_importer);
   if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, registry);
   for (const ScorerConfig& scorer : deployment.scorers)
     expect_usable(scorer.part, PluginKind::hypothesis_scorer, registry);
@@ -112,6 +113,14 @@ std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, const Plugi
 }
 
 }  // namespace
+
+nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
+                                const std::string& importer) {
+  for (const PartConfig& part : deployment.importers) expect_usable(part, PluginKind::map_importer, registry);
+  for (const PartConfig& part : deployment.importers)
+    if (part.type == importer) return part.options;
+  return nlohmann::json::object();
+}
 
 LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
                            std::shared_ptr<const SemanticMap> map) {

@@ -3,6 +3,7 @@
 #include <opal/plugin/hypothesis_scorer.hpp>
 #include <opal/plugin/log_source.hpp>
 #include <opal/plugin/map_importer.hpp>
+#include <opal/plugin/map_store.hpp>
 #include <opal/plugin/pattern_template.hpp>
 #include <opal/plugin/registrar.hpp>
 #include <opal/plugin/scan_matcher.hpp>
@@ -16,7 +17,12 @@ std::vector<Finding> HypothesisScorer::explain(const Hypothesis&, const Observat
 LogReader::~LogReader() = default;
 LogSource::~LogSource() = default;
 MapImporter::~MapImporter() = default;
+std::vector<Storey> MapImporter::storeys(const std::string&) const { return {}; }
 ScanMatcher::~ScanMatcher() = default;
+MapStore::~MapStore() = default;
+StoreError::~StoreError() = default;
+StoreUnreachable::~StoreUnreachable() = default;
+StoreConflict::~StoreConflict() = default;
 Registrar::~Registrar() = default;
 
 }  // namespace opal

@@ -172,11 +172,11 @@ Json Expander::finish(Json result, Property property, const Place& place) const 
     result["@type"] = as_array(std::move(result["@type"]));
   if (!result.is_object()) return result;
   if (result.size() == 1 && result.contains("@language")) return nullptr;
-  if (!result.contains("@value") && (result.contains("@language") || result.contains("@direction")))
+  if (!framing_ && !result.contains("@value") && (result.contains("@language") || result.contains("@direction")))
     throw JsonLdError("invalid value object", place.pointer(),
                       "expected @value beside @language or @direction");
   const bool floating = result.empty() || result.contains("@value") || result.contains("@list") ||
-                        (result.size() == 1 && result.contains("@id"));
+                        (!framing_ && result.size() == 1 && result.contains("@id"));
   if (is_top(property) && floating) return nullptr;
   return is_list(result) ? result : mark(std::move(result), place);
 }
@@ -188,7 +188,7 @@ Json Expander::finish_value(Json result, const Place& place) const {  // 15
       (typed && (result.contains("@language") || result.contains("@direction"))))
     throw JsonLdError("invalid value object", place.pointer(),
                       "expected beside @value only @type, or @language and @direction, and @index");
-  if (typed && *type == "@json") return result;
+  if (framing_ || (typed && *type == "@json")) return result;
   const Json& value = result["@value"];
   if (value.is_null()) return nullptr;
   if (!value.is_string() && result.contains("@language"))

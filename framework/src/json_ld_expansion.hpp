@@ -17,6 +17,10 @@ inline constexpr const char* kPointer = "@pointer";
 inline bool is_list(const Json& value) { return value.is_object() && value.contains("@list"); }
 inline bool is_value(const Json& value) { return value.is_object() && value.contains("@value"); }
 inline bool is_graph(const Json& value) { return value.is_object() && value.contains("@graph"); }
+/// Nothing but an @id; the kept pointer does not count.
+inline bool is_reference(const Json& value) {
+  return value.is_object() && value.contains("@id") && value.size() == (value.contains(kPointer) ? 2u : 1u);
+}
 Json as_array(Json value);
 /// Appends the value, or each of its elements.
 void append(Json& array, Json value);
@@ -27,7 +31,10 @@ void add_value(Json& object, const std::string& key, Json value);
 /// undone.
 class Expander {
  public:
-  explicit Expander(const Options& options) : options_(options), contexts_(options) {}
+  /// @param framing  frames are expanded (JSON-LD 1.1 Framing, 4.1.2): their keywords count, and patterns may
+  ///                 stand where documents have strings.
+  explicit Expander(const Options& options, bool framing = false)
+      : options_(options), contexts_(options), framing_(framing) {}
 
   Json expand_document(const Json& document);
 
@@ -97,6 +104,14 @@ class Expander {
   void add_property_index(Json& item, const ActiveContext& active, const std::string& index_key,
                           const std::string& index, const Place& place) const;
 
+  // json_ld_expansion_framing.cpp: what only frames may say
+  bool expand_frame_keyword(Object& object, const ContextPtr& active, Property property,
+                            const std::string& keyword, const Json& value, const Place& place);
+  Json expand_default(const ContextPtr& active, Property property, const Json& value, const Place& place);
+  Json expand_id_pattern(const ActiveContext& active, const Json& value, const Place& place) const;
+  Json expand_type_pattern(const ActiveContext& active, const Json& value, const Place& place) const;
+  static Json expand_text_pattern(const std::string& keyword, const Json& value, const Place& place);
+
   // json_ld_value.cpp: scalars
   Json expand_value(const ActiveContext& active, const TermDefinition* definition, const Json& value,
                     const Place& place) const;
@@ -108,6 +123,7 @@ class Expander {
 
   const Options& options_;
   ContextReader contexts_;
+  bool framing_;
 };
 
 }  // namespace opal::json_ld

@@ -11,8 +11,10 @@ void Expander::expand_entries(Object& object, const ContextPtr& active, Property
   Nests nests;
   for (const auto& [key, value] : element.items()) {
     if (key == "@context") continue;
-    const auto iri = expand_iri(*active, key, {true, false});
+    const bool frame_word = framing_ && is_framing_keyword(key);
+    const auto iri = frame_word ? key : expand_iri(*active, key, {true, false});
     const Place here = place.at(std::string_view(key));
+    if (framing_ && expand_frame_keyword(object, active, property, iri.value_or(""), value, here)) continue;
     refuse_unknown(*active, key, iri, here);
     if (!iri || (iri->find(':') == std::string::npos && !is_keyword(*iri))) continue;  // 13.3
     if (iri == "@nest")

@@ -1,255 +1,26 @@
-// JSON-LD 1.1 API, 7.2: Flattening, and the Node Map Generation that it rests on. Numbers in comments are
-// steps of the latter.
-#include "json_ld_expansion.hpp"
-#include "json_ld_iri.hpp"
+// JSON-LD 1.1 API, 7.2: Flattening.
+#include "json_ld_node_map.hpp"
 
-#include <map>
-#include <string>
-#include <unordered_set>
 #include <utility>
 
 namespace opal::json_ld {
 namespace {
 
-const std::string kDefaultGraph = "@default";
-
-/// Hands out _:b0, _:b1, ... in the order of asking: the same document always gets the same labels.
-class BlankNodeIssuer {
- public:
-  std::string fresh() { return "_:b" + std::to_string(count_++); }
-  std::string relabel(const std::string& id) {
-    if (!is_blank_node(id)) return id;
-    std::string& label = labels_[id];
-    if (label.empty()) label = fresh();
-    return label;
-  }
-
- private:
-  std::map<std::string, std::string> labels_;
-  std::size_t count_ = 0;
-};
-
-/// What makes two values of one property the same: all but where they stood.
-std::string identity(const Json& value) {
-  if (!value.is_object() || !value.contains(kPointer)) return value.dump();
-  Json bare = value;
-  bare.erase(kPointer);
-  return bare.dump();
-}
-
-/// identity(a) == identity(b), without writing them out.
-bool are_same(const Json& a, const Json& b) {
-  if (!a.is_object() || !b.is_object()) return a.type() == b.type() && a == b;
-  auto x = a.begin();
-  auto y = b.begin();
-  while (true) {
-    while (x != a.end() && x.key() == kPointer) ++x;
-    while (y != b.end() && y.key() == kPointer) ++y;
-    if (x == a.end() || y == b.end()) return x == a.end() && y == b.end();
-    if (x.key() != y.key() || x->type() != y->type() || *x != *y) return false;
-    ++x, ++y;
-  }
-}
-
-/// One node, as gathered from everywhere in the document.
-class Node {
- public:
-  explicit Node(const std::string& id) : id_(id), json_{{"@id", id}} {}
-
-  const std::string& id() const { return id_; }
-  Json& json() { return json_; }
-  Json& values(const std::string& property) {
-    Json& result = json_[property];
-    if (result.is_null()) result = Json::array();
-    return result;
-  }
-  void append_once(const std::string& property, Json value) {
-    Json& known = values(property);
-    // Large arrays (all objects of a building) get an index; it would cost the many small ones too much
-    // memory.
-    constexpr std::size_t kSmall = 8;
-    if (known.size() < kSmall) {
-      for (const Json& one : known)
-        if (are_same(one, value)) return;
-    } else {
-      auto& seen = seen_[property];
-      if (seen.size() != known.size())
-        for (const Json& one : known) seen.insert(identity(one));
-      if (!seen.insert(identity(value)).second) return;
-    }
-    known.push_back(std::move(value));
-  }
-  /// The place of a definition is worth more than that of a mere reference.
-  void mark(const Json& pointer, bool defines) {
-    if (pointer.is_null() || (json_.contains(kPointer) && (defined_ || !defines))) return;
-    json_[kPointer] = pointer;
-    defined_ = defines;
-  }
-  bool is_mere_reference() const { return json_.size() == (json_.contains(kPointer) ? 2u : 1u); }
-
- private:
-  std::string id_;
-  Json json_;
-  bool defined_ = false;
-  std::map<std::string, std::unordered_set<std::string>> seen_;
-};
-
-using Graph = std::map<std::string, Node>;
-
-/// What the element being gathered belongs to: nothing, a property of a node, or a list.
-struct Owner {
-  Graph* graph = nullptr;
-  Node* subject = nullptr;
-  const std::string* property = nullptr;
-  bool reversed = false;  ///< the element points at the subject instead
-  Json* list = nullptr;
-};
-
-class NodeMap {
- public:
-  Json flatten(Json& expanded);
-
- private:
-  void gather(Json& element, const Owner& owner);
-  void relabel_types(Json& types);
-  void gather_list(Json& list, const Owner& owner);
-  void gather_node(Json& element, const Owner& owner);
-  void gather_reverse(Json& reverse, Node& node, const Owner& owner);
-  void gather_properties(Json& element, Node& node, const Owner& owner);
-  static Json listed(Graph& graph);
-
-  std::map<std::string, Graph> graphs_;
-  BlankNodeIssuer blank_nodes_;
-};
-
-Node& node_of(Graph& graph, const std::string& id) { return graph.try_emplace(id, id).first->second; }
-
-void link(Node& node, const Json& pointer, const Owner& owner) {  // 6.5, 6.6
-  if (!owner.subject) return;
-  Json reference{{"@id", (owner.reversed ? *owner.subject : node).id()}};
-  if (!pointer.is_null()) reference[kPointer] = pointer;
-  if (owner.list)
-    owner.list->push_back(std::move(reference));
-  else
-    (owner.reversed ? node : *owner.subject).append_once(*owner.property, std::move(reference));
-}
-
-void take_index(Node& node, Json& element) {  // 6.8
-  const auto index = element.find("@index");
-  if (index == element.end()) return;
-  Json& known = node.json()["@index"];
-  if (!known.is_null() && known != *index)
-    throw JsonLdError("conflicting indexes", node.json().value(kPointer, ""),
-                      "<" + node.id() + "> has two values of @index");
-  known = *index;
-  element.erase(index);
-}
-
-void NodeMap::gather(Json& element, const Owner& owner) {
-  if (element.is_array()) {
-    for (Json& item : element) gather(item, owner);
-    return;
-  }
-  if (element.contains("@type")) relabel_types(element["@type"]);
-  if (is_list(element))
-    gather_list(element, owner);
-  else if (!is_value(element))
-    gather_node(element, owner);
-  else if (owner.list)
-    owner.list->push_back(std::move(element));  // 4
-  else if (owner.subject)
-    owner.subject->append_once(*owner.property, std::move(element));
-}
-
-void NodeMap::relabel_types(Json& types) {  // 3
-  if (types.is_string())
-    types = blank_nodes_.relabel(types.get<std::string>());
-  else if (types.is_array())
-    for (Json& type : types) relabel_types(type);
-}
-
-void NodeMap::gather_list(Json& list, const Owner& owner) {  // 5
-  Json items = Json::array();
-  Owner inside = owner;
-  inside.list = &items;
-  gather(list["@list"], inside);
-  Json result{{"@list", std::move(items)}};
-  if (owner.list)
-    owner.list->push_back(std::move(result));
-  else if (owner.subject)
-    owner.subject->values(*owner.property).push_back(std::move(result));
-}
-
-void NodeMap::gather_node(Json& element, const Owner& owner) {  // 6
-  const bool named = element.contains("@id") && element["@id"].is_string();
-  const std::string id =
-      named ? blank_nodes_.relabel(element["@id"].get<std::string>()) : blank_nodes_.fresh();
-  const Json pointer = element.value(kPointer, Json());
-  element.erase("@id");
-  element.erase(kPointer);
-  Node& node = node_of(*owner.graph, id);
-  node.mark(pointer, !element.empty() || !named);
-  link(node, pointer, owner);
-  if (element.contains("@type"))
-    for (Json& type : element["@type"]) node.append_once("@type", std::move(type));
-  element.erase("@type");
-  take_index(node, element);
-  gather_properties(element, node, owner);
-}
-
-void NodeMap::gather_reverse(Json& reverse, Node& node, const Owner& owner) {  // 6.9
-  for (auto& [property, values] : reverse.items()) {
-    Owner inside;
-    inside.graph = owner.graph;
-    inside.subject = &node;
-    inside.property = &property;
-    inside.reversed = true;
-    gather(values, inside);
-  }
-}
-
-void NodeMap::gather_properties(Json& element, Node& node, const Owner& owner) {  // 6.9 to 6.12
-  Owner inside;
-  inside.graph = owner.graph;
-  if (element.contains("@reverse")) gather_reverse(element["@reverse"], node, owner);
-  if (element.contains("@graph")) {
-    Owner graph;
-    graph.graph = &graphs_[node.id()];
-    gather(element["@graph"], graph);
-  }
-  if (element.contains("@included")) gather(element["@included"], inside);
-  for (const char* done : {"@reverse", "@graph", "@included"}) element.erase(done);
-  inside.subject = &node;
-  for (auto& [key, values] : element.items()) {
-    const std::string property = blank_nodes_.relabel(key);
-    inside.property = &property;
-    node.values(property);
-    gather(values, inside);
-  }
-}
-
-Json NodeMap::listed(Graph& graph) {
+Json listed(NodeGraph& graph) {
   Json nodes = Json::array();
   for (auto& [id, entry] : graph)
     if (!entry.is_mere_reference()) nodes.push_back(std::move(entry.json()));
   return nodes;
 }
 
-Json NodeMap::flatten(Json& expanded) {
-  Graph& main = graphs_[kDefaultGraph];
-  Owner nobody;
-  nobody.graph = &main;
-  gather(expanded, nobody);
-  for (auto& [name, graph] : graphs_)
-    if (&graph != &main) node_of(main, name).json()["@graph"] = listed(graph);
-  return listed(main);
-}
-
 }  // namespace
 
 Json flatten(const Json& document, const Options& options) {
-  Json expanded = expand(document, options);
-  return NodeMap().flatten(expanded);
+  NodeMap node_map(expand(document, options));
+  NodeGraph& main = node_map.graphs()[kDefaultGraph];
+  for (auto& [name, graph] : node_map.graphs())
+    if (&graph != &main) node_of(main, name).json()["@graph"] = listed(graph);
+  return listed(main);
 }
 
 }  // namespace opal::json_ld

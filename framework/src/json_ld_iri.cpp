@@ -111,6 +111,12 @@ bool is_keyword(string_view text) {
   return std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end();
 }
 
+bool is_framing_keyword(string_view text) {
+  static constexpr std::array<string_view, 5> kKeywords{"@default", "@embed", "@explicit", "@omitDefault",
+                                                        "@requireAll"};
+  return std::find(kKeywords.begin(), kKeywords.end(), text) != kKeywords.end();
+}
+
 bool has_keyword_form(string_view text) {
   return text.size() > 1 && text.front() == '@' && std::all_of(text.begin() + 1, text.end(), is_letter);
 }
@@ -144,6 +150,40 @@ std::string resolve_iri(string_view base, string_view reference) {
   }
   const bool rooted = to.path.front() == '/';
   return join(to, remove_dot_segments(rooted ? std::string(to.path) : merge_paths(from, to.path)));
+}
+
+namespace {
+
+/// How many leading bytes of both paths are the same folders.
+std::size_t common_folders(string_view a, string_view b) {
+  std::size_t common = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()) && a[i] == b[i]; ++i)
+    if (a[i] == '/') common = i + 1;
+  return common;
+}
+
+}  // namespace
+
+std::string relative_iri(string_view base, string_view iri) {
+  const IriParts from = split(base), to = split(iri);
+  const std::string whole(iri);
+  if (!from.scheme || from.scheme != to.scheme || from.authority != to.authority) return whole;
+  if (to.path.substr(0, 1) != "/" || from.path.substr(0, 1) != "/") return whole;
+  std::string reference;
+  if (to.path != from.path || (from.query && !to.query)) {
+    const std::size_t common = common_folders(from.path, to.path);
+    const string_view left = from.path.substr(common), rest = to.path.substr(common);
+    for (const char c : left)
+      if (c == '/') reference += "../";
+    reference += rest;
+    const bool hidden = reference.empty() || rest.substr(0, rest.find('/')).find(':') != string_view::npos;
+    if (hidden && reference.size() == rest.size()) reference = "./" + reference;
+  } else if (to.query == from.query) {
+    return to.fragment ? "#" + std::string(*to.fragment) : std::string(to.path.substr(to.path.rfind('/') + 1));
+  }
+  if (to.query) (reference += '?').append(*to.query);
+  if (to.fragment) (reference += '#').append(*to.fragment);
+  return resolve_iri(base, reference) == iri ? reference : whole;
 }
 
 }  // namespace opal::json_ld

@@ -138,7 +138,7 @@ class Join {
   void add(const SemanticMap& map, const MapPlacement& placement) {
     const std::string prefix = placement.id + "/";
     const int first_object = static_cast<int>(objects_.size()), first_feature = static_cast<int>(features_.size());
-    for (const MapObject& object : map.objects()) objects_.push_back({prefix + object.id, object.type});
+    for (const MapObject& object : map.objects()) objects_.push_back({prefix + object.id, object.type, {}, object.notes});
     for (MapFeature feature : map.features()) {
       feature.object += first_object;
       put_before(prefix, feature.id);

@@ -148,7 +148,8 @@ std::span<const int> MapView::features() const { return index_->numbers; }
 std::array<Point, 2> MapView::bounds() const { return {index_->bounds.low, index_->bounds.high}; }
 
 std::vector<int> MapView::within(const Point& p, double radius_m) const {
-  const Point radius = Point::Constant(radius_m);
+  constexpr double kRounding_m = 1e-9;  // of the box, for coordinates up to 1e6 m: what is near enough decides
+  const Point radius = Point::Constant(radius_m + kRounding_m);
   std::vector<int> found;
   const auto near_enough = [&](const Entry& e) {
     return distance_m(feature(e.second).geometry, p) <= radius_m;

@@ -17,6 +17,20 @@ inline constexpr std::string_view kNamespace = "urn:opal:v1#";
 namespace iri {
 inline constexpr std::string_view kSemanticMap = "urn:opal:v1#SemanticMap";
 inline constexpr std::string_view kSmear = "urn:opal:v1#smear_m";
+inline constexpr std::string_view kCutHeight = "urn:opal:v1#cut_height_m";
+inline constexpr std::string_view kStorey = "urn:opal:v1#storey";
+inline constexpr std::string_view kWidestDoor = "urn:opal:v1#widest_door_m";
+inline constexpr std::string_view kNorth = "urn:opal:v1#north_rad";
+inline constexpr std::string_view kCrs = "urn:opal:v1#crs";
+inline constexpr std::string_view kEastings = "urn:opal:v1#eastings_m";
+inline constexpr std::string_view kNorthings = "urn:opal:v1#northings_m";
+inline constexpr std::string_view kCrsHeight = "urn:opal:v1#crs_height_m";
+inline constexpr std::string_view kCrsHeading = "urn:opal:v1#crs_heading_rad";
+inline constexpr std::string_view kSourceClass = "urn:opal:v1#source_class";
+inline constexpr std::string_view kThickness = "urn:opal:v1#thickness_m";
+inline constexpr std::string_view kWidth = "urn:opal:v1#width_m";
+inline constexpr std::string_view kAxis = "urn:opal:v1#axis";
+inline constexpr std::string_view kMergedIds = "urn:opal:v1#merged_ids";
 inline constexpr std::string_view kPlacement = "urn:opal:v1#MapPlacement";
 inline constexpr std::string_view kScaleX = "urn:opal:v1#scale_x";
 inline constexpr std::string_view kScaleY = "urn:opal:v1#scale_y";
@@ -49,6 +63,15 @@ inline constexpr std::string_view kTemplate = "urn:opal:v1#template";
 inline constexpr std::string_view kFeatures = "urn:opal:v1#features";
 inline constexpr std::string_view kSubpatterns = "urn:opal:v1#subpatterns";
 inline constexpr std::string_view kDimensions = "urn:opal:v1#dimensions";
+inline constexpr std::string_view kOverlay = "urn:opal:v1#MapOverlay";
+inline constexpr std::string_view kChanges = "urn:opal:v1#changes";
+inline constexpr std::string_view kChange = "urn:opal:v1#MapChange";
+inline constexpr std::string_view kTarget = "urn:opal:v1#target";
+inline constexpr std::string_view kNotPerceivableBy = "urn:opal:v1#not_perceivable_by";
+inline constexpr std::string_view kObjectType = "urn:opal:v1#object_type";
+inline constexpr std::string_view kBecause = "urn:opal:v1#because";
+inline constexpr std::string_view kWas = "urn:opal:v1#was";
+inline constexpr std::string_view kIfMissing = "urn:opal:v1#if_missing";
 }  // namespace iri
 
 extern const char* const kContextText;  ///< of maps/context/opal.jsonld, built in

@@ -17,8 +17,9 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kContext = "urn:opal:v1";
-constexpr std::array<const char*, 6> kKindNames{"FeatureDetector", "PatternTemplate", "HypothesisScorer",
-                                                "LogSource",       "MapImporter",     "ScanMatcher"};
+constexpr std::array<const char*, 7> kKindNames{"FeatureDetector", "PatternTemplate", "HypothesisScorer",
+                                                "LogSource",       "MapImporter",     "ScanMatcher",
+                                                "MapStore"};
 
 template <class Texts>
 std::string listed(const Texts& texts) {
@@ -144,7 +145,7 @@ OptionInfo read_option(const Node& node) {
   OptionInfo option;
   option.name = node.at("name").word();
   option.type = node.at("type").text();
-  const std::set<std::string> types{"boolean", "integer", "number", "string"};
+  const std::set<std::string> types{"boolean", "integer", "number", "object", "string"};
   if (types.count(option.type) == 0) node.at("type").refuse_value("one of: " + listed(types));
   option.description = node.at("description").text();
   if (const auto unit = node.find("unit")) option.unit = unit->text();

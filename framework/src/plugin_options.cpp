@@ -8,7 +8,10 @@ namespace {
 
 using nlohmann::json;
 
+bool is_text(const json& value) { return value.is_string(); }
+
 bool has_type(const std::string& type, const json& value) {
+  if (type == "object") return value.is_object() && std::all_of(value.begin(), value.end(), is_text);
   if (type == "boolean") return value.is_boolean();
   if (type == "string") return value.is_string();
   if (type == "integer") return value.is_number_integer();
@@ -17,6 +20,7 @@ bool has_type(const std::string& type, const json& value) {
 
 std::string type_in_words(const std::string& type) {
   if (type == "boolean") return "true or false";
+  if (type == "object") return "an object of texts";
   return (type == "integer" ? "an " : "a ") + type;
 }
 
@@ -45,6 +49,7 @@ void require_known(const std::string& type_name, const std::vector<OptionInfo>& 
 }  // namespace
 
 bool is_acceptable(const OptionInfo& option, const json& value) {
+  if (value.is_null()) return option.default_value.is_null();
   return has_type(option.type, value) && (option.minimum.is_null() || option.minimum <= value) &&
          (option.maximum.is_null() || value <= option.maximum);
 }
@@ -57,6 +62,7 @@ std::string accepted_values(const OptionInfo& option) {
     text += " >= " + option.minimum.dump();
   else if (!option.maximum.is_null())
     text += " <= " + option.maximum.dump();
+  if (option.default_value.is_null()) text += ", or null";
   return option.unit.empty() ? text : text + " [" + option.unit + "]";
 }
 
@@ -71,7 +77,7 @@ json complete_options(const std::string& type_name, const std::vector<OptionInfo
     const json& value = is_given ? given.at(option.name) : option.default_value;
     if (!is_acceptable(option, value))
       refuse(type_name, option.name, value.dump() + ", expected " + accepted_values(option));
-    complete[option.name] = option.type == "number" ? json(value.get<double>()) : value;
+    complete[option.name] = option.type == "number" && !value.is_null() ? json(value.get<double>()) : value;
   }
   return complete;
 }

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 /// In the order of PluginKind.
 using AnyFactory = std::variant<Factory<FeatureDetector>, Factory<PatternTemplate>, Factory<HypothesisScorer>,
-                                Factory<LogSource>, Factory<MapImporter>, Factory<ScanMatcher>>;
+                                Factory<LogSource>, Factory<MapImporter>, Factory<ScanMatcher>, Factory<MapStore>>;
 
 PluginKind kind_of(const AnyFactory& factory) { return static_cast<PluginKind>(factory.index()); }
 
@@ -44,6 +44,7 @@ class Collector final : public Registrar {
   void add(TypeInfo type, Factory<LogSource> make) override { take(std::move(type), std::move(make)); }
   void add(TypeInfo type, Factory<MapImporter> make) override { take(std::move(type), std::move(make)); }
   void add(TypeInfo type, Factory<ScanMatcher> make) override { take(std::move(type), std::move(make)); }
+  void add(TypeInfo type, Factory<MapStore> make) override { take(std::move(type), std::move(make)); }
 
   std::vector<Registration> registrations;
 
@@ -245,5 +246,6 @@ template std::shared_ptr<const MapImporter> PluginRegistry::make(const std::stri
                                                                  const nlohmann::json&) const;
 template std::shared_ptr<const ScanMatcher> PluginRegistry::make(const std::string&,
                                                                  const nlohmann::json&) const;
+template std::shared_ptr<const MapStore> PluginRegistry::make(const std::string&, const nlohmann::json&) const;
 
 }  // namespace opal

@@ -1,6 +1,7 @@
 #include "semantic_map_draft.hpp"
 
 #include "map_vocabulary.hpp"
+#include "semantic_map_unused.hpp"
 
 #include <opal/error.hpp>
 
@@ -198,7 +199,17 @@ std::shared_ptr<const SemanticMap> SemanticMap::make(std::string name, std::vect
 }
 
 std::shared_ptr<const SemanticMap> SemanticMap::with_patterns(std::vector<MapPattern> patterns) const {
-  MapDraft draft{name_, name_, objects_, features_, std::move(patterns), origin_, prefixes_, unused_};
+  return with_contents(objects_, features_, std::move(patterns));
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::with_contents(std::vector<MapObject> objects,
+                                                              std::vector<MapFeature> features,
+                                                              std::vector<MapPattern> patterns,
+                                                              const std::map<std::string, std::string>& more_prefixes,
+                                                              const nlohmann::json& more_unused) const {
+  MapDraft draft{name_, name_, std::move(objects), std::move(features), std::move(patterns), origin_, prefixes_, unused_};
+  draft.prefixes.insert(more_prefixes.begin(), more_prefixes.end());
+  add_unused(draft.unused, more_unused);
   draft.object_places = places_in("/objects", draft.objects);
   draft.feature_places = places_in("/features", draft.features);
   draft.pattern_places = places_in("/patterns", draft.patterns);

@@ -1,3 +1,5 @@
+#include "semantic_map_document.hpp"
+
 #include "json_ld_iri.hpp"
 #include "map_vocabulary.hpp"
 #include "semantic_map_reader.hpp"
@@ -10,6 +12,27 @@
 #include <filesystem>
 
 namespace opal {
+
+namespace {
+
+template <class Parse>
+nlohmann::json parsed(Parse parse) {
+  try {
+    return parse();
+  } catch (const JsonError& error) {
+    throw MapError(error.what());
+  }
+}
+
+}  // namespace
+
+nlohmann::json read_document(const std::string& path) {
+  return parsed([&] { return read_json(path); });
+}
+
+nlohmann::json parse_document(const std::string& text, const std::string& name) {
+  return parsed([&] { return parse_json(text, name); });
+}
 
 /// What to call a document in messages, and its map if it has no name of its own.
 struct MapSource {
@@ -34,15 +57,6 @@ std::string expectation(const json_ld::JsonLdError& error) {
   return std::string(", expected a term of ") + vocabulary::kContextIri + " or a name with a prefix, such as opal:Wall";
 }
 
-template <class Parse>
-nlohmann::json parsed(Parse parse) {
-  try {
-    return parse();
-  } catch (const JsonError& error) {
-    throw MapError(error.what());
-  }
-}
-
 /// Adds the prefixes that an object of a context defines; those of whole IRIs only, and none that Opal's context has.
 void add_prefixes(const nlohmann::json& context, vocabulary::Prefixes& prefixes) {
   for (const auto& [word, definition] : context.items()) {
@@ -53,7 +67,8 @@ void add_prefixes(const nlohmann::json& context, vocabulary::Prefixes& prefixes)
   }
 }
 
-/// The prefixes of the document's outermost context.
+}  // namespace
+
 vocabulary::Prefixes prefixes_of(const nlohmann::json& document) {
   vocabulary::Prefixes prefixes;
   if (!document.is_object() || !document.contains("@context")) return prefixes;
@@ -65,7 +80,7 @@ vocabulary::Prefixes prefixes_of(const nlohmann::json& document) {
   return prefixes;
 }
 
-nlohmann::json flattened(const nlohmann::json& document, const std::string& source, bool keep_pointers) {
+nlohmann::json flattened_document(const nlohmann::json& document, const std::string& source, bool keep_pointers) {
   try {
     return json_ld::flatten(document, strict_options(keep_pointers));
   } catch (const json_ld::JsonLdError& error) {
@@ -73,8 +88,10 @@ nlohmann::json flattened(const nlohmann::json& document, const std::string& sour
   }
 }
 
+namespace {
+
 MapDraft draft_of(const nlohmann::json& document, const MapSource& source, bool keep_pointers) {
-  const Graph graph(flattened(document, source.name, keep_pointers), source.name);
+  const Graph graph(flattened_document(document, source.name, keep_pointers), source.name);
   MapDraft draft = read_graph(graph, source.name, source.default_map_name);
   draft.prefixes = prefixes_of(document);
   return draft;
@@ -96,11 +113,11 @@ std::shared_ptr<const SemanticMap> SemanticMap::from_document(const nlohmann::js
 
 std::shared_ptr<const SemanticMap> SemanticMap::read(const std::string& path) {
   const MapSource source{path, std::filesystem::path(path).stem().string()};
-  return from_document(parsed([&] { return read_json(path); }), source);
+  return from_document(read_document(path), source);
 }
 
 std::shared_ptr<const SemanticMap> SemanticMap::parse(const std::string& text, const std::string& name) {
-  return from_document(parsed([&] { return parse_json(text, name); }), {name, name});
+  return from_document(parse_document(text, name), {name, name});
 }
 
 }  // namespace opal

@@ -179,6 +179,18 @@ std::vector<double> GraphNode::number_list(std::string_view iri) const {
   return numbers;
 }
 
+std::vector<std::string> GraphNode::text_list(std::string_view iri) const {
+  std::vector<std::string> texts;
+  const json* list = single_list(iri);
+  if (!list) return texts;
+  for (const json& value : *list) {
+    if (!value.contains("@value") || !value["@value"].is_string())
+      fail_at(place_of(value), short_term(iri) + " of " + description() + " holds " + written(value) + ", expected texts");
+    texts.push_back(value["@value"]);
+  }
+  return texts;
+}
+
 Graph::Graph(json flattened, std::string source) : flattened_(std::move(flattened)), source_(std::move(source)) {
   nodes_.reserve(flattened_.size());
   positions_.reserve(flattened_.size());

@@ -50,6 +50,7 @@ class GraphNode {
 
   std::vector<GraphReference> reference_list(std::string_view iri) const;  ///< in order, repeats kept
   std::vector<double> number_list(std::string_view iri) const;
+  std::vector<std::string> text_list(std::string_view iri) const;
 
   /// @throws MapError "SOURCE: PLACE: message".
   [[noreturn]] void fail(const std::string& message) const { fail_at(place(), message); }

@@ -1,6 +1,7 @@
 #include "semantic_map_reader.hpp"
 
 #include "json_ld_iri.hpp"
+#include "map_notes.hpp"
 #include "map_vocabulary.hpp"
 #include "semantic_map_unused.hpp"
 
@@ -45,6 +46,7 @@ class Reader {
   /// A prefix lets any word through the context, so Opal's own words are looked up; and a word must be one that can
   /// be written again.
   static void check_words(const GraphNode& node) {
+    if (node.has_type(iri::kOverlay)) node.fail("a MapOverlay, expected a map; opal map overlay lays it over one");
     for (const auto& [key, value] : node.content().items()) {
       if (is_own(key) && !is_own_term(key))
         node.fail("unknown key " + compact_name(key) + ", expected a term of " + kContextIri);
@@ -75,6 +77,7 @@ class Reader {
     has_map_node_ = true;
     if (const std::optional<std::string> name = node.text(iri::kName)) draft_.name = *name;
     if (const auto smear = node.number(iri::kSmear)) draft_.origin.smear_m = *smear;
+    read_origin_notes(node, draft_.origin);
     use_of(node).add(NodeRole::map);
   }
 
@@ -118,7 +121,7 @@ class Reader {
     use_of(node).object_type = type;
     // Of an object that nothing represents, bot:Element only says that it is one, which the typed map knows.
     if (!node.has(iri::kRepresentedBy)) use_of(node).add(NodeRole::element);
-    draft_.objects.push_back({node.id(), type});
+    draft_.objects.push_back({node.id(), type, {}, read_object_notes(node)});
     draft_.object_places.push_back(node.place());
     for (const GraphReference& reference : node.references(iri::kRepresentedBy)) {
       const GraphNode& representation = graph_.at(reference, node);

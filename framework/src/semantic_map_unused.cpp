@@ -22,8 +22,11 @@ using namespace vocabulary;
 /// In the order of NodeRole.
 const std::array<RoleWords, 12>& words_by_role() {
   static const std::array<RoleWords, 12> words{{
-      {{iri::kName, iri::kSmear}, {iri::kSemanticMap}},
-      {{iri::kRepresentedBy}, {}},
+      {{iri::kName, iri::kSmear, iri::kCutHeight, iri::kStorey, iri::kWidestDoor, iri::kNorth, iri::kCrs, iri::kEastings,
+        iri::kNorthings, iri::kCrsHeight, iri::kCrsHeading},
+       {iri::kSemanticMap}},
+      {{iri::kRepresentedBy, iri::kName, iri::kSourceClass, iri::kStorey, iri::kThickness, iri::kWidth, iri::kAxis, iri::kMergedIds},
+       {}},
       {{}, {iri::kElement}},
       {{iri::kRepresentedBy, iri::kHasGeometry, iri::kPerceivableBy, iri::kFeatureType, iri::kPositionSigma,
         iri::kExistence},
@@ -132,6 +135,24 @@ std::vector<std::string> NodeUse::properties() const {
     return false;
   });
   return all;
+}
+
+void add_unused(json& unused, const json& more) {
+  for (const json& node : more) {
+    const auto known = std::find_if(unused.begin(), unused.end(), [&](const json& one) { return one["@id"] == node["@id"]; });
+    if (known == unused.end()) {
+      unused.push_back(node);
+      continue;
+    }
+    for (const auto& [key, values] : node.items()) {
+      json& said = (*known)[key];
+      if (!said.is_array()) said = values;
+      for (const json& value : values.is_array() ? values : json::array())
+        if (std::find(said.begin(), said.end(), value) == said.end()) said.push_back(value);
+      if (said.is_array()) std::sort(said.begin(), said.end());
+    }
+  }
+  std::sort(unused.begin(), unused.end(), [](const json& a, const json& b) { return a["@id"] < b["@id"]; });
 }
 
 json unused_part(const GraphNode& node, const NodeUse& use) {

@@ -35,4 +35,7 @@ nlohmann::json unused_part(const GraphNode& node, const NodeUse& use);
 nlohmann::json unused_parts(const Graph& graph, const NodeUses& uses,
                             const std::unordered_map<std::string, std::string>& names);
 
+/// Adds nodes to such parts; what is said of one node stands in one place, and once.
+void add_unused(nlohmann::json& unused, const nlohmann::json& more);
+
 }  // namespace opal

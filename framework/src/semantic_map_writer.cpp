@@ -1,5 +1,6 @@
 #include <opal/semantic_map.hpp>
 
+#include "map_notes.hpp"
 #include "map_vocabulary.hpp"
 #include "semantic_map_draft.hpp"
 
@@ -33,6 +34,7 @@ class Writer {
     Json node = {{"@type", "SemanticMap"}};
     if (!map_.name().empty()) node["name"] = map_.name();
     if (map_.origin().smear_m != 0) node["smear_m"] = map_.origin().smear_m;
+    write_notes(map_.origin(), node);
     return node;
   }
 
@@ -65,6 +67,7 @@ class Writer {
     if (object.features.empty() && !vocabulary::is_object_type(vocabulary::full_iri(object.type)))
       type = Json::array({type, "Element"});  // without representations nothing else says that it is an object
     Json node = {{"@id", object.id}, {"@type", type}};
+    write_notes(object.notes, node);
     if (!representations.empty()) node["represented_by"] = std::move(representations);
     return node;
   }

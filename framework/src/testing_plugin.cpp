@@ -9,6 +9,7 @@
 #include <opal/testing/pattern_contract.hpp>
 #include <opal/testing/reader_contract.hpp>
 #include <opal/testing/scorer_contract.hpp>
+#include <opal/testing/store_contract.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ using nlohmann::json;
 /// Inline parts of libraries that mark their classes as visible cannot be hidden by who uses them.
 bool belongs_to_a_library(const std::string& symbol) {
   const std::string head = symbol.substr(0, symbol.find_first_of("<("));
-  const std::array<const char*, 5> libraries{"std::", "__gnu_cxx::", "boost::", "pcl::", "ceres::"};
+  const std::array<const char*, 6> libraries{"std::", "__gnu_cxx::", "boost::", "pcl::", "ceres::", "pqxx::"};
   return std::any_of(libraries.begin(), libraries.end(), [&](const char* name) {
     const std::size_t at = head.find(name);
     return at == 0 || (at != std::string::npos && head[at - 1] == ' ');
@@ -54,9 +55,11 @@ auto with_interface(PluginKind kind, Call&& call) {
     case PluginKind::map_importer:
       return call.template operator()<MapImporter>();
     case PluginKind::scan_matcher:
+      return call.template operator()<ScanMatcher>();
+    case PluginKind::map_store:
       break;
   }
-  return call.template operator()<ScanMatcher>();
+  return call.template operator()<MapStore>();
 }
 
 std::vector<std::string> violations_of(const FeatureDetector& object, const TypeInfo& type) {
@@ -76,6 +79,9 @@ std::vector<std::string> violations_of(const MapImporter& object, const TypeInfo
 }
 std::vector<std::string> violations_of(const ScanMatcher& object, const TypeInfo& type) {
   return matcher_violations(object, type);
+}
+std::vector<std::string> violations_of(const MapStore& object, const TypeInfo& type) {
+  return map_store_violations(object, type);
 }
 
 /// @return the refusal; empty if the object could be made.

@@ -22,6 +22,17 @@ opal::json_ld::Options options_for(std::uint8_t choice) {
   return options;
 }
 
+/// An array of two is a document and a frame.
+void ask(const nlohmann::json& document, const nlohmann::json& frame, const opal::json_ld::Options& options,
+         std::uint8_t choice) {
+  opal::json_ld::FrameOptions asked;
+  asked.bytes = 1u << 20;
+  asked.embed = choice & 8 ? "@always" : "@once";
+  asked.omit_default = choice & 16;
+  asked.prune_blank_nodes = choice & 32;
+  opal::json_ld::frame(document, frame, options, asked);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -31,6 +42,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto options = options_for(data[0]);
     opal::json_ld::expand(document, options);
     opal::json_ld::flatten(document, options);
+    if (document.is_object()) opal::json_ld::compact(document, document.value("@context", nlohmann::json()), options);
+    if (document.is_array() && document.size() == 2) ask(document[0], document[1], options, data[0]);
   } catch (const opal::Error&) {
     return 0;
   }

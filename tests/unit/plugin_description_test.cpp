@@ -118,7 +118,7 @@ TEST_CASE("a plugin description with a wrong value is refused with what was expe
   CHECK(refusal(changed("/types/0/produces", json::array())) ==
         "lines.jsonld: /types/0: a FeatureDetector must say in \"produces\" which feature types it finds");
   CHECK(refusal(changed("/types/0/options/0/type", "int")) ==
-        "lines.jsonld: /types/0/options/0/type: \"int\", expected one of: boolean, integer, number, string");
+        "lines.jsonld: /types/0/options/0/type: \"int\", expected one of: boolean, integer, number, object, string");
 }
 
 TEST_CASE("names given twice in a plugin description are refused") {
@@ -182,4 +182,34 @@ TEST_CASE("a key that is there twice in a plugin description is refused") {
   std::ofstream(path) << R"({"name": "a", "name": "b"})";
   CHECK_THROWS_WITH(opal::read_plugin_description(path), Catch::StartsWith(path) && Catch::Contains("name"));
   std::remove(path.c_str());
+}
+
+TEST_CASE("an object option holds texts, and an option whose default is null may stay without a value") {
+  json document = good_document();
+  document["types"][0]["options"].push_back(
+      {{"name", "classes"}, {"type", "object"}, {"default", json::object()}, {"description", "classes"}});
+  document["types"][0]["options"].push_back(
+      {{"name", "z_m"}, {"type", "number"}, {"default", nullptr}, {"unit", "m"}, {"description", "height"}});
+  const auto described = parsed(document).types.front().options;
+  const json complete = complete_options("t", described, {{"classes", {{"IfcStair", "leave_out"}}}});
+  CHECK(complete["classes"] == json{{"IfcStair", "leave_out"}});
+  CHECK(complete["z_m"].is_null());
+  CHECK(complete_options("t", described, {{"z_m", 3}})["z_m"] == 3.0);
+  CHECK_THROWS_WITH(complete_options("t", described, {{"classes", {{"IfcStair", 3}}}}),
+                    "t: option classes: {\"IfcStair\":3}, expected an object of texts");
+  CHECK_THROWS_WITH(complete_options("t", described, {{"z_m", "3"}}),
+                    "t: option z_m: \"3\", expected a number, or null [m]");
+}
+
+TEST_CASE("options are read from words as their description says") {
+  json document = good_document();
+  document["types"][0]["options"].push_back(
+      {{"name", "layers"}, {"type", "object"}, {"default", json::object()}, {"description", "layers"}});
+  const auto described = parsed(document).types.front().options;
+  CHECK(opal::parse_options("t", described, {"min_points=7", "label=7", "merge=false", "layers.A=1.x=opal:Wall"}) ==
+        json{{"min_points", 7}, {"label", "7"}, {"merge", false}, {"layers", {{"A=1.x", "opal:Wall"}}}});
+  CHECK_THROWS_WITH(opal::parse_options("t", described, {"merge"}), "t: \"merge\", expected NAME=VALUE");
+  CHECK_THROWS_WITH(opal::parse_options("t", described, {"min_points=many"}),
+                    "t: option min_points: \"many\", expected an integer from 2 to 1000");
+  CHECK_THROWS_WITH(opal::parse_options("t", described, {"label.x=3"}), "t: option label: has no entries, expected label=VALUE");
 }

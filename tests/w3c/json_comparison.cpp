@@ -1,6 +1,7 @@
 #include "json_comparison.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <utility>
@@ -28,6 +29,14 @@ std::string renamed(const std::string& text, const Labels& labels) {
   return found == labels.end() ? text : found->second;
 }
 
+/// Language tags are the same whatever their case (BCP 47, 2.1.1).
+Json lower_case(const Json& value) {
+  if (!value.is_string()) return value;
+  std::string text = value;
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
 /// The document with every unordered array sorted and blank nodes renamed.
 Json canonical(const Json& value, const Labels& labels, bool ordered) {
   if (value.is_string()) return renamed(value.get<std::string>(), labels);
@@ -35,7 +44,9 @@ Json canonical(const Json& value, const Labels& labels, bool ordered) {
     Json result = Json::object();
     const bool literal = value.value("@type", Json()) == "@json";
     for (const auto& [key, entry] : value.items())
-      result[renamed(key, labels)] = literal ? entry : canonical(entry, labels, key == "@list");
+      result[renamed(key, labels)] = literal              ? entry
+                                     : key == "@language" ? lower_case(entry)
+                                                          : canonical(entry, labels, key == "@list");
     return result;
   }
   if (!value.is_array()) return value;

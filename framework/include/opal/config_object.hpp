@@ -30,6 +30,8 @@ class OPAL_EXPORT ConfigObject {
   bool boolean(const std::string& key, bool fallback);
   std::string text(const std::string& key, const std::string& fallback);
   std::string required_text(const std::string& key);
+  /// A text or a list of texts; empty if there is no such key.
+  std::vector<std::string> texts(const std::string& key);
 
   /// The value as it is; null if there is none.
   const nlohmann::json& any(const std::string& key);

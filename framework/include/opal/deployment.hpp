@@ -32,6 +32,7 @@ struct ScorerConfig {
 struct Deployment {
   std::string file;
   std::string map;  ///< path of the map, resolved against the document's folder; empty: the caller says
+  std::vector<std::string> overlays;  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
   LaserModel laser;
   KeyframeOptions keyframes;
   LocalMapOptions local_map;
@@ -41,6 +42,7 @@ struct Deployment {
   std::optional<std::vector<PartConfig>> patterns;
   std::vector<ScorerConfig> scorers;
   nlohmann::json association = nlohmann::json::object();
+  std::vector<PartConfig> importers;  ///< options for those that make the map, if it is made of a source
 };
 
 /// Reads a deployment strictly: unknown keys, wrong types and values out of range are errors, and lists keep
@@ -50,6 +52,11 @@ struct Deployment {
 OPAL_EXPORT Deployment read_deployment(const std::string& path);
 /// @param file  what messages call the document, and what a relative map path starts from.
 OPAL_EXPORT Deployment parse_deployment(const std::string& text, const std::string& file);
+
+/// The options that a deployment gives to an importer; an empty object if it gives none.
+/// @throws ConfigError as `build_parts` does, for any of its importers.
+OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
+                                            const std::string& importer);
 
 /// Makes the parts of a localizer. Detectors and pattern templates are those that the map calls for, narrowed
 /// and parametrised by the deployment.

@@ -45,6 +45,8 @@ struct Options {
   bool reject_unknown_terms = false;
   /// Reject prefixed names whose prefix no context defines (JSON-LD takes them for absolute IRIs).
   bool reject_unknown_prefixes = false;
+  /// Compaction: an array with one value becomes that value, where the context does not ask for an array.
+  bool compact_arrays = true;
 };
 
 /// W3C JSON-LD 1.1 API, Expansion Algorithm (5.1.2), processing mode json-ld-1.1, every part of it. Arrays
@@ -55,5 +57,28 @@ OPAL_EXPORT nlohmann::json expand(const nlohmann::json& document, const Options&
 /// compaction. Blank nodes are labelled _:b0, _:b1, ... the same way for the same document. @throws
 /// JsonLdError.
 OPAL_EXPORT nlohmann::json flatten(const nlohmann::json& document, const Options& options = {});
+
+/// W3C JSON-LD 1.1 API, Compaction Algorithm (6.1.2) of the expanded document.
+/// @param context  the value of a @context, or an object that has one. @throws JsonLdError.
+OPAL_EXPORT nlohmann::json compact(const nlohmann::json& document, const nlohmann::json& context,
+                                   const Options& options = {});
+
+/// What holds where a frame does not say. JSON-LD 1.1 Framing, 5.2.
+struct FrameOptions {
+  std::string embed = "@once";   ///< @once, @always or @never
+  bool explicit_values = false;  ///< leave out properties that the frame does not name
+  bool require_all = false;      ///< a node must match all that the frame asks for, not one of it
+  bool omit_default = false;     ///< leave out what the frame names and the node lacks, instead of null
+  bool omit_graph = true;        ///< a single node stands for itself, outside of @graph
+  bool prune_blank_nodes = true;  ///< no @id for blank nodes that nothing refers to
+  std::size_t bytes = 128u << 20;  ///< the result is no larger than about this, and its work no longer than that takes
+};
+
+/// W3C JSON-LD 1.1 Framing (4.1): the nodes of the document that match the frame, as trees of the frame's shape,
+/// compacted with its context. Matches come in order of @id, the properties of a node in order of their IRIs.
+/// @throws JsonLdError; of our own are the codes "too much to embed", for a result beyond `FrameOptions::bytes`, and
+/// "nested too deeply", for more than 128 nodes inside each other.
+OPAL_EXPORT nlohmann::json frame(const nlohmann::json& document, const nlohmann::json& frame,
+                                 const Options& options = {}, const FrameOptions& frame_options = {});
 
 }  // namespace opal::json_ld

@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,26 @@ namespace opal {
 struct MapDraft;
 struct MapSource;
 
+/// What a source says of a thing beyond its place and its looks. Nothing of it is used to localize.
+struct ObjectNotes {
+  std::string name = {};                     ///< for people
+  std::string source_class = {};             ///< "IfcWallStandardCase", the layer of a drawing
+  std::string storey = {};                   ///< name of the storey that the source puts it on
+  double thickness_m = 0;                    ///< of a wall's layers; 0: not said
+  double width_m = 0;                        ///< of a door or window; 0: not said
+  std::optional<Segment> axis = {};          ///< a wall's reference line; no side is the visible one
+  std::vector<std::string> merged_ids = {};  ///< of things that the source has at the same place once more
+
+  bool operator==(const ObjectNotes& other) const;
+};
+
 /// A thing in the building that the map names: a wall, a column, a door.
 struct MapObject {
   std::string id;    ///< IRI or local name, unique in the map (for imported buildings the IFC GlobalId)
   std::string type;  ///< open: "opal:Wall", "opal:Column", "acme:Kiosk"; "Wall" is taken as "opal:Wall"
   /// Positions in SemanticMap::features(), all sensors; may be empty. `make` fills it in.
   std::vector<int> features = {};
+  ObjectNotes notes = {};
 };
 
 /// One geometric primitive through which an object can be perceived, in the `map` frame.
@@ -60,12 +75,26 @@ struct MapPlacement {
   bool is_rigid() const { return scale.x() == 1 && scale.y() == 1; }
 };
 
+/// Where a map lies on the Earth, if its source says so in earnest (IfcMapConversion).
+struct Georeference {
+  std::string crs;             ///< name of the projected coordinate system: "EPSG:28992"
+  double eastings_m = 0;       ///< of the map's origin
+  double northings_m = 0;
+  double height_m = 0;
+  double heading_rad = 0;      ///< of the map's x axis, counter-clockwise from east
+};
+
 /// What a map says about how it was made.
 struct MapOrigin {
   /// How much thicker than they are walls stand in the source (both sides together); faces have been moved back by half
   /// of it, so nothing has to be done about it, but they are uncertain by about a quarter of it.
   double smear_m = 0;
   std::vector<MapPlacement> placements = {};  ///< in order of id
+  std::optional<double> cut_height_m = {};    ///< where a building model was cut, in its coordinates
+  std::string storey = {};                    ///< name of the level that this belongs to
+  double widest_door_m = 0;                   ///< straight things up to this length may be open doors; 0: not said
+  std::optional<double> north_rad = {};       ///< heading of true north
+  std::optional<Georeference> georeference = {};
 };
 
 /// The static building, as a typed immutable view of a JSON-LD graph. Frame: `map`; units: metres, radians.
@@ -88,6 +117,12 @@ class OPAL_EXPORT SemanticMap {
 
   /// The same map with these patterns instead of its own; `features` of a pattern are positions in features().
   std::shared_ptr<const SemanticMap> with_patterns(std::vector<MapPattern> patterns) const;
+  /// The same map with other contents, which refer to each other as in `make`; same checks. Its prefixes and what Opal
+  /// makes no use of stay, and these are added.
+  std::shared_ptr<const SemanticMap> with_contents(std::vector<MapObject> objects, std::vector<MapFeature> features,
+                                                   std::vector<MapPattern> patterns,
+                                                   const std::map<std::string, std::string>& more_prefixes = {},
+                                                   const nlohmann::json& more_unused = nlohmann::json::array()) const;
 
   const std::string& name() const { return name_; }
   const std::vector<MapObject>& objects() const { return objects_; }

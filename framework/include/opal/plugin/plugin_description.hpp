@@ -16,7 +16,8 @@ enum class PluginKind {
   hypothesis_scorer,
   log_source,
   map_importer,
-  scan_matcher
+  scan_matcher,
+  map_store
 };
 
 /// The kind as plugin.jsonld writes it: "FeatureDetector".
@@ -25,9 +26,9 @@ OPAL_EXPORT const char* name_of(PluginKind kind);
 /// One option of a type.
 struct OptionInfo {
   std::string name;
-  std::string type;  ///< "number", "integer", "boolean", "string"
+  std::string type;  ///< "number", "integer", "boolean", "string", "object" (of texts)
   std::string unit;  ///< "m", "rad", "s"; empty: dimensionless
-  nlohmann::json default_value;
+  nlohmann::json default_value;  ///< null: it may stay without a value
   nlohmann::json minimum;  ///< null: none
   nlohmann::json maximum;  ///< null: none
   std::string description;
@@ -68,5 +69,11 @@ OPAL_EXPORT std::string accepted_values(const OptionInfo& option);
 OPAL_EXPORT nlohmann::json complete_options(const std::string& type_name,
                                             const std::vector<OptionInfo>& described,
                                             const nlohmann::json& given);
+
+/// Options as a person writes them on a command line, each "NAME=VALUE", or "NAME.KEY=TEXT" for an entry of an object.
+/// Only their types are checked here: `complete_options` does the rest.
+/// @throws PluginError "TYPE: option NAME: ...".
+OPAL_EXPORT nlohmann::json parse_options(const std::string& type_name, const std::vector<OptionInfo>& described,
+                                         const std::vector<std::string>& words);
 
 }  // namespace opal

@@ -45,7 +45,7 @@ class OPAL_EXPORT PluginRegistry {
   bool has(const std::string& name) const;
 
   /// Makes an object, which may outlive the registry. Options are checked against the description (unknown
-  /// names, types, ranges) and completed with its defaults first. T is one of the six interfaces.
+  /// names, types, ranges) and completed with its defaults first. T is one of the seven interfaces.
   /// @throws PluginError naming the type, the option, what was found and what is expected; also for a factory
   /// that
   ///         throws or returns null.

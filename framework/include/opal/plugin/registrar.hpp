@@ -4,6 +4,7 @@
 #include <opal/plugin/hypothesis_scorer.hpp>
 #include <opal/plugin/log_source.hpp>
 #include <opal/plugin/map_importer.hpp>
+#include <opal/plugin/map_store.hpp>
 #include <opal/plugin/pattern_template.hpp>
 #include <opal/plugin/scan_matcher.hpp>
 
@@ -38,6 +39,7 @@ class OPAL_EXPORT Registrar {
   virtual void add(TypeInfo type, Factory<LogSource> make) = 0;
   virtual void add(TypeInfo type, Factory<MapImporter> make) = 0;
   virtual void add(TypeInfo type, Factory<ScanMatcher> make) = 0;
+  virtual void add(TypeInfo type, Factory<MapStore> make) = 0;
 };
 
 }  // namespace opal

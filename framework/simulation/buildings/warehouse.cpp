@@ -1,0 +1,113 @@
+#include "kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace opal::simulation {
+namespace {
+
+constexpr int kPartition = 10, kRecess = 20;
+constexpr int kBackAisle = 400;
+constexpr int kSidesOfRacks = 300;  // aisles along the west and east wall
+constexpr int kLongestRack = 3000;  // without a cross aisle
+constexpr int kCrossAisle = 350;
+constexpr int kFrame = 550;         // between pilasters of the west and east walls
+
+class Warehouse {
+ public:
+  Warehouse(Variation& vary, double size_m2)
+      : vary_(vary), rack_depth_(vary.between(110, 250)), aisle_(vary.between(280, 360)), dock_zone_(vary.between(700, 1200)) {
+    const double width = 100 * std::sqrt(1.5 * size_m2);
+    const int racks = std::max(2, static_cast<int>(std::lround((width - 2 * kSidesOfRacks) / pitch())));
+    height_ = std::max(dock_zone_ + kBackAisle + 600, static_cast<int>(std::lround(100 * std::sqrt(size_m2 / 1.5) / 5)) * 5);
+    usual_door_ = vary.between(240, 360);
+    usual_door_ = std::min(usual_door_, pitch() - 60);
+    has_pillars_ = vary.chance(0.6);
+    draw_rows(racks);
+    building_.module = pitch();
+  }
+
+  PlannedBuilding run() {
+    const int width = rows_.back() + kSidesOfRacks;
+    building_.plan.room({0, 0, width, height_});
+    for (std::size_t k = 0; k + 1 < rows_.size(); k += 2) {
+      add_row(rows_[k], rows_[k + 1]);
+      add_dock(rows_[k], rows_[k + 1], width);
+    }
+    add_pilasters(width);
+    if (vary_.yes(false, 0.7)) add_office(width);
+    return std::move(building_);
+  }
+
+ private:
+  int pitch() const { return rack_depth_ + aisle_; }
+
+  /// West and east side of each row of racks.
+  void draw_rows(int count) {
+    int x = kSidesOfRacks;
+    for (int k = 0; k < count; ++k) {
+      const int depth = vary_.length(rack_depth_, 110, 250);
+      rows_.insert(rows_.end(), {x, x + depth});
+      x += depth + vary_.length(aisle_, 280, 450);
+    }
+  }
+
+  void add_row(int left, int right) {
+    const bool is_there = vary_.yes(true, 0.85);
+    const int bottom = dock_zone_ + vary_.length(0, 0, 300), top = height_ - kBackAisle - vary_.length(0, 0, 300);
+    const int aisle = bottom + (top - bottom) * vary_.length(50, 25, 75) / 100 / 5 * 5;
+    if (!is_there) return;
+    const bool is_divided = vary_.yes(top - bottom > kLongestRack, 0.5) && top - bottom > 3 * kCrossAisle;
+    if (!is_divided) return building_.plan.thing({left, bottom, right, top}, "opal:Rack");
+    building_.plan.thing({left, bottom, right, aisle - kCrossAisle / 2}, "opal:Rack");
+    building_.plan.thing({left, aisle + kCrossAisle / 2, right, top}, "opal:Rack");
+  }
+
+  /// A gate in the south wall before each row, and a pillar between.
+  void add_dock(int left, int right, int width) {
+    const bool has_gate = vary_.yes(true, 0.6), has_pillar = vary_.yes(has_pillars_, 0.5);
+    const int door = vary_.length(usual_door_, 240, 360), shift = vary_.length(0, -60, 60);
+    const int middle = (left + right) / 10 * 5;
+    if (has_gate) {
+      const int from = std::max(50, middle + shift - door / 10 * 5), to = std::min(width - 50, from + door);
+      building_.plan.open({from, -kRecess, to, 0});
+      building_.plan.thing({from, -kRecess - 5, to, -kRecess}, "opal:Door");
+    }
+    const int y = dock_zone_ * 11 / 20 / 5 * 5;
+    if (has_pillar) building_.plan.wall({middle - 20, y - 20, middle + 20, y + 20});
+  }
+
+  /// Of the frame that carries the roof.
+  void add_pilasters(int width) {
+    for (std::size_t k = 0; k + 1 < rows_.size(); k += 2)
+      if (vary_.yes(true, 0.6)) building_.plan.wall({rows_[k], height_ - 30, rows_[k] + 40, height_});
+    for (int y = kFrame; y + kFrame < height_; y += kFrame) {
+      if (vary_.yes(true, 0.6)) building_.plan.wall({0, y, 30, y + 40});
+      if (vary_.yes(true, 0.6)) building_.plan.wall({width - 30, y, width, y + 40});
+    }
+  }
+
+  /// In a corner of the dock zone, with a door and a window towards the gates.
+  void add_office(int width) {
+    const int depth = std::min(dock_zone_ - 250, 450), length = 500;
+    const bool is_west = vary_.chance(0.5);
+    const int left = is_west ? 0 : width - length;
+    FloorPlan& plan = building_.plan;
+    plan.wall({left - kPartition, -kRecess - 5, left + length + kPartition, depth + kPartition});
+    plan.room({left, 0, left + length, depth});
+    plan.door({left + 80, depth, left + 180, depth + kPartition});
+    plan.pane({left + 240, depth, left + 440, depth + kPartition});
+  }
+
+  Variation& vary_;
+  PlannedBuilding building_;
+  int rack_depth_, aisle_, dock_zone_, height_ = 0, usual_door_ = 0;
+  bool has_pillars_ = true;
+  std::vector<int> rows_;
+};
+
+}  // namespace
+
+PlannedBuilding plan_warehouse(Variation& vary, double size_m2) { return Warehouse(vary, size_m2).run(); }
+
+}  // namespace opal::simulation

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "dxf_scan.hpp"
+
+#include <opal/geometry.hpp>
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace opal::dxf_importer {
+
+/// A vertex, and how the line goes on from there: bulge is the tangent of a quarter of the arc's angle, counter-clockwise
+/// if positive; 0: straight.
+struct DxfVertex {
+  Point position = Point::Zero();
+  double bulge = 0;
+};
+
+struct DxfPath {
+  std::vector<DxfVertex> vertices;
+  bool closed = false;
+};
+
+struct DxfArc {
+  Circle circle;
+  double from_rad = 0;
+  double sweep_rad = 0;  ///< in (0, 2 pi], counter-clockwise
+};
+
+/// Closed lines, filled between them.
+struct DxfFill {
+  std::vector<std::vector<DxfVertex>> loops;
+};
+
+/// A block put at a place, or at all places of an array of `columns` by `rows`.
+struct DxfInsert {
+  std::string block;
+  Point position = Point::Zero();
+  Point scale{1, 1};
+  double rotation_rad = 0;
+  int columns = 1;
+  int rows = 1;
+  Point spacing = Point::Zero();  ///< between columns and rows, before the rotation
+};
+
+/// Nothing, if the importer does not understand entities of this type.
+using DxfShape = std::variant<std::monostate, DxfPath, Circle, DxfArc, DxfFill, DxfInsert>;
+
+/// An entity in the coordinates and units of its block or drawing.
+struct DxfEntity {
+  std::string type;   ///< "LWPOLYLINE"
+  std::string id;     ///< its handle; "line-1204" if it has none; "2F-line-1204" if another has the same
+  std::string layer;
+  bool is_in_paper_space = false;
+  bool has_width = false;
+  std::string trouble;  ///< why there is no shape, if there should be one
+  DxfShape shape;
+};
+
+struct DxfBlock {
+  Point base = Point::Zero();
+  bool is_external = false;  ///< stands for another file
+  std::vector<DxfEntity> entities;
+};
+
+struct DxfDrawing {
+  std::optional<int> insunits;
+  std::map<std::string, DxfLayer> layers;
+  std::map<std::string, DxfBlock> blocks;  ///< by name in upper case
+  std::vector<DxfEntity> entities;
+};
+
+/// Names of blocks do not distinguish upper and lower case.
+std::string upper_case(std::string name);
+
+/// @throws MapError "PATH:LINE: what was found, what was expected".
+DxfDrawing read_dxf(const std::string& path);
+
+}  // namespace opal::dxf_importer

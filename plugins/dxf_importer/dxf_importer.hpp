@@ -1,0 +1,26 @@
+#pragma once
+
+#include "shapes.hpp"
+#include "unit.hpp"
+
+#include <opal/plan_import.hpp>
+
+namespace opal::dxf_importer {
+
+/// Makes a map of a drawing: layers say what things are.
+class DxfImporter final : public MapImporter {
+ public:
+  explicit DxfImporter(const nlohmann::json& options);
+
+  bool recognizes(const std::string& path) const override;
+  MapImport import(const std::string& path) const override;
+
+ private:
+  Unit unit_of(const std::string& path, const DxfDrawing& drawing) const;
+
+  PlanImportOptions plan_;
+  ShapeOptions shape_;
+  std::optional<Unit> unit_;  ///< as an option says; none: as the drawing says
+};
+
+}  // namespace opal::dxf_importer

@@ -1,0 +1,114 @@
+#include "dxf_record_check.hpp"
+
+#include <opal/error.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+namespace opal::dxf_importer {
+namespace {
+
+// Farther than the Earth is large, in any unit.
+constexpr double kMaxReal = 1e12;
+constexpr long kMaxVertices = 1'000'000;
+
+struct Codes {
+  std::vector<int> once;
+  std::vector<int> at_most_once;
+};
+
+const std::map<std::string, Codes, std::less<>>& understood() {
+  static const std::map<std::string, Codes, std::less<>> kTypes{
+      {"LINE", {{10, 20, 11, 21}, {8, 30, 31}}},
+      {"CIRCLE", {{10, 20, 40}, {8, 30}}},
+      {"ARC", {{10, 20, 40, 50, 51}, {8, 30}}},
+      {"LWPOLYLINE", {{90}, {8, 38, 43, 70}}},
+      {"POLYLINE", {{}, {8, 66, 70}}},
+      {"INSERT", {{2, 10, 20}, {8, 30, 41, 42, 43, 44, 45, 50, 66, 70, 71}}},
+      {"SOLID", {{10, 20, 11, 21, 12, 22}, {8, 13, 23}}},
+      {"TRACE", {{10, 20, 11, 21, 12, 22}, {8, 13, 23}}},
+      {"HATCH", {{91}, {8}}},
+      {"VERTEX", {{10, 20}, {8, 30, 42, 70}}},
+  };
+  return kTypes;
+}
+
+bool is_real(int code) {
+  return (code >= 10 && code < 60) || (code >= 110 && code < 150) || (code >= 210 && code < 240);
+}
+bool is_integer(int code) { return (code >= 60 && code < 80) || (code >= 90 && code < 100); }
+
+class RecordCheck {
+ public:
+  RecordCheck(const std::string& path, const DxfRecord& record) : path_(path), record_(record) {}
+
+  void run() const {
+    for (const DxfPair& pair : record_.pairs) {
+      if (is_real(pair.code)) check_real(pair);
+      if (is_integer(pair.code)) integer(pair);
+    }
+    const Codes& codes = understood().at(record_.type);
+    for (const int code : codes.once)
+      if (count(code) != 1) fail(record_.line, code, count(code) == 0 ? "no" : std::to_string(count(code)) + " times", "one");
+    for (const int code : codes.at_most_once)
+      if (count(code) > 1) fail(record_.line, code, std::to_string(count(code)) + " times", "one at most");
+    if (record_.type == "LWPOLYLINE") check_vertices();
+  }
+
+ private:
+  long count(int code) const {
+    return std::count_if(record_.pairs.begin(), record_.pairs.end(), [&](const DxfPair& pair) { return pair.code == code; });
+  }
+
+  [[noreturn]] void fail(int line, int code, const std::string& found, const std::string& expected) const {
+    throw MapError(path_ + ":" + std::to_string(line) + ": " + record_.type + ": " + found + " code " + std::to_string(code) +
+                   ", expected " + expected);
+  }
+
+  void check_real(const DxfPair& pair) const {
+    std::string_view text = pair.value;
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || std::abs(value) > kMaxReal)
+      fail(pair.line, pair.code, "\"" + pair.value.substr(0, 40) + "\" for", "a number of at most 1e12");
+  }
+
+  long integer(const DxfPair& pair) const {
+    int value = 0;
+    const auto [end, error] = std::from_chars(pair.value.data(), pair.value.data() + pair.value.size(), value);
+    if (error != std::errc() || end != pair.value.data() + pair.value.size())
+      fail(pair.line, pair.code, "\"" + pair.value.substr(0, 40) + "\" for", "an integer");
+    return value;
+  }
+
+  /// Code 90 counts the vertices; each is an x (10) with its y (20) right after it.
+  void check_vertices() const {
+    const DxfPair& number = *record_.find(90);
+    const long stated = integer(number);
+    if (stated < 0 || stated > kMaxVertices) fail(number.line, 90, "\"" + number.value + "\" for", "0 to 1000000 vertices");
+    if (count(10) != stated || count(20) != stated)
+      fail(number.line, 90, std::to_string(count(10)) + " x and " + std::to_string(count(20)) + " y of vertices beside", number.value + " of both");
+    for (std::size_t k = 0; k < record_.pairs.size(); ++k)
+      if (record_.pairs[k].code == 10 && (k + 1 == record_.pairs.size() || record_.pairs[k + 1].code != 20))
+        fail(record_.pairs[k].line, 10, "a vertex without y after its", "code 20");
+  }
+
+  const std::string& path_;
+  const DxfRecord& record_;
+};
+
+}  // namespace
+
+bool is_understood(const std::string& type) { return type != "VERTEX" && understood().contains(type); }
+
+void check_records(const std::string& path, const DxfEntityRecords& entity) {
+  RecordCheck(path, entity.head).run();
+  for (const DxfRecord& part : entity.parts)
+    if (part.type == "VERTEX") RecordCheck(path, part).run();
+}
+
+}  // namespace opal::dxf_importer

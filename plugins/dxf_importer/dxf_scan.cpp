@@ -1,0 +1,205 @@
+#include "dxf_scan.hpp"
+
+#include <opal/error.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace opal::dxf_importer {
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::size_t kShownCharacters = 40;
+
+std::string read_text(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) throw MapError(path + ": is no file that can be read");
+  if (std::filesystem::file_size(path, error) > kMaxBytes) throw MapError(path + ": larger than 256 MiB, expected a plan of one storey");
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw MapError(path + ": cannot be read");
+  if (text.str().empty()) throw MapError(path + ": is empty, expected a DXF drawing");
+  return text.str();
+}
+
+/// Text of another encoding, and drawings of another format, by their first bytes.
+void check_format(const std::string& path, const std::string& text) {
+  if (text.starts_with("AutoCAD Binary DXF")) throw MapError(path + ": is a binary DXF, expected the text format (save as ASCII DXF)");
+  if (text.starts_with("AC10")) throw MapError(path + ": is a DWG drawing, expected DXF (save as DXF)");
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw MapError(path + ": is UTF-16 text, expected UTF-8 or an 8-bit code page");
+}
+
+std::string trimmed(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(" \t\r");
+  return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// As it may stand in a message: short, and without bytes that are no text.
+std::string shown(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text.substr(0, kShownCharacters)) quoted += c >= ' ' && c < 127 ? c : '?';
+  return quoted + (text.size() > kShownCharacters ? "...\"" : "\"");
+}
+
+class Pairs {
+ public:
+  Pairs(const std::string& path, const std::string& text) : path_(path), text_(text) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
+    if (const std::size_t zero = text_.find('\0'); zero != std::string::npos) {
+      line_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(zero), '\n'));
+      fail("holds a zero byte, expected text");
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& complaint) const { fail_at(line_, complaint); }
+  [[noreturn]] void fail_at(int line, const std::string& complaint) const {
+    throw MapError(path_ + ":" + std::to_string(line) + ": " + complaint);
+  }
+
+  /// @throws MapError at the end of the file: that comes after the record EOF only.
+  DxfPair next() {
+    DxfPair pair;
+    const std::string code = line();
+    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), pair.code);
+    if (error != std::errc() || end != code.data() + code.size() || pair.code < -5 || pair.code > 1071)
+      fail(shown(code) + ", expected a group code from -5 to 1071");
+    pair.value = line();
+    pair.line = line_;
+    return pair;
+  }
+
+  void expect_end() {
+    if (text_.find_first_not_of(" \t\r\n", at_) != std::string::npos) fail("goes on after EOF, expected nothing");
+  }
+
+ private:
+  std::string line() {
+    if (at_ >= text_.size()) fail("the file ends here, expected EOF: it was cut off");
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    std::string line = trimmed(text_.substr(at_, end - at_));
+    at_ = end + 1;
+    ++line_;
+    return line;
+  }
+
+  const std::string& path_;
+  std::string text_;
+  std::size_t at_ = 0;
+  int line_ = 0;
+};
+
+class Scanner {
+ public:
+  Scanner(const std::string& path, const std::string& text) : pairs_(path, text) {}
+
+  DxfScan run() {
+    advance();
+    while (!is_record("EOF")) section();
+    pairs_.expect_end();
+    if (!has_entities_) pairs_.fail("the file has no section ENTITIES, expected a drawing");
+    return std::move(scan_);
+  }
+
+ private:
+  void advance() {
+    do pair_ = pairs_.next();
+    while (pair_.code == 999);  // comments
+  }
+  bool is_record(const char* type) const { return pair_.code == 0 && pair_.value == type; }
+
+  void section() {
+    if (!is_record("SECTION")) pairs_.fail(shown(pair_.value) + ", expected 0 SECTION or 0 EOF");
+    advance();
+    if (pair_.code != 2) pairs_.fail("a section without a name, expected the code 2");
+    const std::string name = pair_.value;
+    advance();
+    if (name == "HEADER") header();
+    std::vector<DxfRecord> records = records_of(name);
+    if (name == "ENTITIES") {
+      has_entities_ = true;
+      std::move(records.begin(), records.end(), std::back_inserter(scan_.entities));
+    }
+    if (name == "BLOCKS") blocks(std::move(records));
+    if (name == "TABLES") layers(records);
+    advance();
+  }
+
+  /// Up to the section's end.
+  std::vector<DxfRecord> records_of(const std::string& name) {
+    std::vector<DxfRecord> records;
+    while (!is_record("ENDSEC")) {
+      if (is_record("SECTION") || is_record("EOF")) pairs_.fail("section " + name + " has no end, expected 0 ENDSEC");
+      if (pair_.code == 0) records.push_back({pair_.value, pair_.line, {}});
+      else if (records.empty()) pairs_.fail("code " + std::to_string(pair_.code) + " at the begin of section " + name + ", expected 0");
+      else records.back().pairs.push_back(pair_);
+      advance();
+    }
+    return records;
+  }
+
+  void header() {
+    std::string variable;
+    for (; pair_.code != 0; advance()) {
+      if (pair_.code == 9) variable = pair_.value;
+      if (variable != "$INSUNITS" || pair_.code != 70) continue;
+      int unit = 0;
+      const auto [end, error] = std::from_chars(pair_.value.data(), pair_.value.data() + pair_.value.size(), unit);
+      if (error != std::errc() || end != pair_.value.data() + pair_.value.size())
+        pairs_.fail(shown(pair_.value) + " for $INSUNITS, expected an integer");
+      scan_.insunits = unit;
+    }
+  }
+
+  void layers(const std::vector<DxfRecord>& records) {
+    for (const DxfRecord& record : records) {
+      if (record.type != "LAYER" || record.text(2).empty()) continue;
+      const std::string colour = record.text(62);
+      const std::string flags = record.text(70, "0");
+      scan_.layers[record.text(2)] = {(std::atoi(flags.c_str()) & 1) != 0, colour.starts_with('-')};
+    }
+  }
+
+  void blocks(std::vector<DxfRecord> records) {
+    const DxfRecord* open = nullptr;
+    for (const DxfRecord& record : records) {
+      const bool begins = record.type == "BLOCK", is_inside = open != nullptr;
+      if (begins == is_inside)
+        pairs_.fail_at(record.line, shown(record.type) + ", expected " + (is_inside ? "ENDBLK" : "BLOCK") + " before it");
+      if (begins) open = &record;
+      if (record.type == "ENDBLK") open = nullptr;
+    }
+    if (open != nullptr) pairs_.fail_at(open->line, "this block has no end, expected ENDBLK");
+    std::move(records.begin(), records.end(), std::back_inserter(scan_.blocks));
+  }
+
+  Pairs pairs_;
+  DxfPair pair_;
+  DxfScan scan_;
+  bool has_entities_ = false;
+};
+
+}  // namespace
+
+const DxfPair* DxfRecord::find(int code) const {
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const DxfPair& pair) { return pair.code == code; });
+  return found == pairs.end() ? nullptr : &*found;
+}
+
+std::string DxfRecord::text(int code, const std::string& otherwise) const {
+  const DxfPair* pair = find(code);
+  return pair == nullptr ? otherwise : pair->value;
+}
+
+DxfScan scan_dxf(const std::string& path) {
+  const std::string text = read_text(path);
+  check_format(path, text);
+  return Scanner(path, text).run();
+}
+
+}  // namespace opal::dxf_importer

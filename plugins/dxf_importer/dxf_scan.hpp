@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace opal::dxf_importer {
+
+/// A pair of lines of a DXF file: what a value is, and the value.
+struct DxfPair {
+  int code = 0;
+  std::string value;  ///< without spaces around it
+  int line = 0;       ///< of the value, from 1
+};
+
+/// Everything from one code 0 to the next one: an entity, the begin of a block.
+struct DxfRecord {
+  std::string type;
+  int line = 0;              ///< of its type
+  std::vector<DxfPair> pairs;
+
+  /// Of the first pair with a code; nothing if there is none.
+  const DxfPair* find(int code) const;
+  std::string text(int code, const std::string& otherwise = "") const;
+};
+
+struct DxfLayer {
+  bool is_frozen = false;
+  bool is_off = false;
+};
+
+/// A DXF file as records. Nothing in it has been understood yet, but it is whole: every section and block is closed, and
+/// the file ends as it should.
+struct DxfScan {
+  std::optional<int> insunits;  ///< header variable $INSUNITS
+  std::map<std::string, DxfLayer> layers;
+  std::vector<DxfRecord> blocks;    ///< of the section BLOCKS: BLOCK, entities, ENDBLK, ...
+  std::vector<DxfRecord> entities;  ///< of the section ENTITIES
+};
+
+/// @throws MapError "PATH:LINE: what was found, what was expected".
+DxfScan scan_dxf(const std::string& path);
+
+}  // namespace opal::dxf_importer

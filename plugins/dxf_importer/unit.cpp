@@ -1,0 +1,38 @@
+#include "unit.hpp"
+
+#include <array>
+
+namespace opal::dxf_importer {
+namespace {
+
+struct CodedUnit {
+  int insunits;
+  const char* name;
+  double metres;
+};
+
+// DXF reference, header variable $INSUNITS.
+constexpr std::array<CodedUnit, 7> kUnits{{
+    {6, "m", 1}, {14, "dm", 0.1}, {5, "cm", 0.01}, {4, "mm", 0.001}, {1, "in", 0.0254}, {2, "ft", 0.3048}, {10, "yd", 0.9144}}};
+
+}  // namespace
+
+std::optional<Unit> unit_called(const std::string& name) {
+  for (const CodedUnit& unit : kUnits)
+    if (name == unit.name) return Unit{unit.name, unit.metres};
+  return std::nullopt;
+}
+
+std::optional<Unit> unit_of_insunits(int code) {
+  for (const CodedUnit& unit : kUnits)
+    if (code == unit.insunits) return Unit{unit.name, unit.metres};
+  return std::nullopt;
+}
+
+std::string unit_names() {
+  std::string names;
+  for (const CodedUnit& unit : kUnits) names += (names.empty() ? "" : ", ") + std::string(unit.name);
+  return names;
+}
+
+}  // namespace opal::dxf_importer

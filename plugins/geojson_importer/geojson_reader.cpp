@@ -1,0 +1,157 @@
+#include "geojson_reader.hpp"
+
+#include <opal/error.hpp>
+#include <opal/strict_json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace opal::geojson_importer {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kShownCharacters = 60;
+
+std::string shown(const json& value) {
+  const std::string text = value.dump();
+  return text.size() > kShownCharacters ? text.substr(0, kShownCharacters) + "..." : text;
+}
+
+json document(const std::string& path) {
+  try {
+    return read_json(path);
+  } catch (const JsonError& error) {
+    throw MapError(error.what());
+  }
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : path_(path) {}
+
+  FeatureCollection run() {
+    const json all = document(path_);
+    const std::string type = type_of(all, "", "FeatureCollection or Feature");
+    FeatureCollection collection;
+    collection.has_crs = all.contains("crs");
+    if (all.contains("name") && all.at("name").is_string()) collection.name = all.at("name");
+    if (type == "Feature") {
+      collection.features.push_back(feature(all, "", 0));
+      return collection;
+    }
+    if (type != "FeatureCollection") fail("/type", shown(all.at("type")), "FeatureCollection or Feature");
+    const json& features = list(all, "features", "");
+    for (std::size_t k = 0; k < features.size(); ++k)
+      collection.features.push_back(feature(features[k], "/features/" + std::to_string(k), k));
+    return collection;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& where, const std::string& found, const std::string& expected) const {
+    throw MapError(path_ + ": " + (where.empty() ? "the document" : where) + ": " + found + ", expected " + expected);
+  }
+
+  std::string type_of(const json& object, const std::string& where, const std::string& expected) const {
+    if (!object.is_object()) fail(where, shown(object), "an object with a type");
+    if (!object.contains("type") || !object.at("type").is_string()) fail(where, "no type", expected);
+    return object.at("type");
+  }
+
+  const json& list(const json& object, const char* key, const std::string& where) const {
+    if (!object.contains(key)) fail(where, "no " + std::string(key), "an array");
+    if (!object.at(key).is_array()) fail(where + "/" + key, shown(object.at(key)), "an array");
+    return object.at(key);
+  }
+
+  Feature feature(const json& object, const std::string& where, std::size_t number) {
+    if (type_of(object, where, "Feature") != "Feature") fail(where + "/type", shown(object.at("type")), "Feature");
+    Feature feature;
+    feature.id = id_of(object, where, number);
+    if (object.contains("properties") && !object.at("properties").is_null()) {
+      if (!object.at("properties").is_object()) fail(where + "/properties", shown(object.at("properties")), "an object or null");
+      feature.properties = object.at("properties");
+    }
+    if (object.contains("feature_type")) feature.properties["feature_type"] = object.at("feature_type");  // IMDF
+    if (!object.contains("geometry")) fail(where, "no geometry", "an object or null");
+    if (object.at("geometry").is_null()) return feature;
+    feature.geometry = type_of(object.at("geometry"), where + "/geometry", "a geometry");
+    add_geometry(object.at("geometry"), where + "/geometry", feature.shapes);
+    return feature;
+  }
+
+  std::string id_of(const json& object, const std::string& where, std::size_t number) {
+    std::string id = "feature-" + std::to_string(number + 1);
+    const json* given = object.contains("id") ? &object.at("id") : nullptr;
+    if (given == nullptr && object.contains("properties") && object.at("properties").is_object() && object.at("properties").contains("@id"))
+      given = &object.at("properties").at("@id");  // as exports of OpenStreetMap have it
+    if (given != nullptr) {
+      if (!given->is_string() && !given->is_number_integer()) fail(where + "/id", shown(*given), "a text or an integer");
+      id = given->is_string() ? given->get<std::string>() : given->dump();
+    }
+    if (id.empty()) fail(where + "/id", "an empty id", "a name");
+    if (!ids_.insert(id).second) fail(where + "/id", "\"" + id + "\" for a second feature", "an id of its own");
+    return id;
+  }
+
+  void add_geometry(const json& geometry, const std::string& where, Shapes& shapes) {
+    const std::string type = type_of(geometry, where, "a geometry");
+    if (type == "GeometryCollection") {
+      const json& parts = list(geometry, "geometries", where);
+      for (std::size_t k = 0; k < parts.size(); ++k) add_geometry(parts[k], where + "/geometries/" + std::to_string(k), shapes);
+      return;
+    }
+    const bool is_multiple = type.starts_with("Multi");
+    const std::string single = is_multiple ? type.substr(5) : type;
+    if (single != "Point" && single != "LineString" && single != "Polygon") fail(where + "/type", shown(geometry.at("type")), "a geometry of RFC 7946");
+    const json& coordinates = list(geometry, "coordinates", where);
+    if (!is_multiple) return add_single(single, coordinates, where + "/coordinates", shapes);
+    for (std::size_t k = 0; k < coordinates.size(); ++k)
+      add_single(single, coordinates[k], where + "/coordinates/" + std::to_string(k), shapes);
+  }
+
+  void add_single(const std::string& type, const json& coordinates, const std::string& where, Shapes& shapes) {
+    if (type == "Point") {
+      shapes.points.push_back(position(coordinates, where));
+    } else if (type == "LineString") {
+      shapes.lines.push_back(positions(coordinates, where, 2));
+    } else {
+      if (!coordinates.is_array() || coordinates.empty()) fail(where, shown(coordinates), "an array of rings");
+      shapes.polygons.emplace_back();
+      for (std::size_t k = 0; k < coordinates.size(); ++k)
+        shapes.polygons.back().push_back(ring(coordinates[k], where + "/" + std::to_string(k)));
+    }
+  }
+
+  Ring ring(const json& coordinates, const std::string& where) const {
+    Ring ring = positions(coordinates, where, 4);
+    if (ring.front() != ring.back()) fail(where, "a ring whose last position is not its first", "a closed ring");
+    ring.pop_back();
+    return ring;
+  }
+
+  std::vector<Point> positions(const json& coordinates, const std::string& where, std::size_t at_least) const {
+    if (!coordinates.is_array() || coordinates.size() < at_least)
+      fail(where, shown(coordinates), "at least " + std::to_string(at_least) + " positions");
+    std::vector<Point> points;
+    for (std::size_t k = 0; k < coordinates.size(); ++k) points.push_back(position(coordinates[k], where + "/" + std::to_string(k)));
+    return points;
+  }
+
+  Point position(const json& coordinates, const std::string& where) const {
+    const bool is_position = coordinates.is_array() && coordinates.size() >= 2 &&
+                             std::all_of(coordinates.begin(), coordinates.end(), [](const json& c) { return c.is_number(); });
+    if (!is_position) fail(where, shown(coordinates), "a position of two or three numbers");
+    return {coordinates[0].get<double>(), coordinates[1].get<double>()};
+  }
+
+  const std::string& path_;
+  std::set<std::string> ids_;
+};
+
+}  // namespace
+
+FeatureCollection read_geojson(const std::string& path) { return Reader(path).run(); }
+
+}  // namespace opal::geojson_importer

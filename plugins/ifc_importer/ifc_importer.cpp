@@ -1,0 +1,92 @@
+#include "ifc_importer.hpp"
+
+#include "ifc_model.hpp"
+#include "report.hpp"
+
+#include <opal/error.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace opal::ifc_importer {
+namespace {
+
+using Kind = Treatment::Kind;
+
+std::string name_of(const std::string& path, const std::string& storey) {
+  const std::string name = std::filesystem::path(path).stem().string();
+  return storey.empty() ? name : name + ", " + storey;
+}
+
+bool comes_in(const ElementCut& cut, const Duplicates& duplicates) {
+  return cut.is_cut() && cut.treatment.kind != Kind::left_out && duplicates.kept.count(cut.element->id) == 0;
+}
+
+/// Where two share a face, walls have it before columns, and these before the rest; frames come last.
+int rank_of(const ElementCut& cut) {
+  if (cut.treatment.kind == Kind::filling) return 3;
+  if (cut.treatment.type == "opal:Wall") return 0;
+  return cut.treatment.type == "opal:Column" ? 1 : 2;
+}
+
+std::vector<std::size_t> solids_in_order(const std::vector<ElementCut>& cuts) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+    if (!cuts[k].solid.empty()) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank_of(cuts[a]) < rank_of(cuts[b]); });
+  return order;
+}
+
+MapOrigin origin_of(const Building& building, const LevelChoice& level, const std::vector<ElementCut>& cuts) {
+  MapOrigin origin;
+  origin.cut_height_m = level.height_m;
+  origin.storey = level.storey;
+  origin.widest_door_m = widest_door_m(cuts);
+  origin.north_rad = building.north_rad;
+  origin.georeference = building.georeference;
+  return origin;
+}
+
+}  // namespace
+
+IfcImporter::IfcImporter(ImportOptions options) : options_(std::move(options)) { (void)Classes(options_.classes); }
+
+bool IfcImporter::recognizes(const std::string& path) const {
+  return (path.ends_with(".ifc") || path.ends_with(".IFC")) && begins_like_step(path);
+}
+
+MapImport IfcImporter::import(const std::string& path) const {
+  const Building building = read_building(StepText::read(path), path);
+  const Classes classes(options_.classes);
+  const LevelChoice level = choose_level(building, classes, options_, path);
+  const std::vector<ElementCut> cuts = cut_storey(building, classes, level.height_m);
+  const Duplicates duplicates = find_duplicates(cuts);
+  std::vector<ElementCut> chosen;
+  std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(chosen), [&](const ElementCut& cut) { return comes_in(cut, duplicates); });
+  if (chosen.empty())
+    throw MapError(path + ": " + level.sentence + ": nothing of the building is there, expected a storey or height that has walls (opal map storeys)");
+  const std::vector<std::size_t> order = solids_in_order(chosen);
+  std::vector<PlanSolid> solids;
+  for (const std::size_t k : order) solids.push_back({chosen[k].solid});
+  const Plan plan = unite(solids);
+  const AssembledMap assembled = assemble(name_of(path, level.storey), chosen, plan, order, duplicates,
+                                          origin_of(building, level, chosen), options_.sensor);
+  MapImport imported;
+  imported.map = assembled.map;
+  imported.elements = imported_elements(cuts, duplicates, assembled);
+  imported.report = report(building, level, cuts, imported.elements, plan, assembled);
+  imported.height_m = level.height_m;
+  return imported;
+}
+
+std::vector<Storey> IfcImporter::storeys(const std::string& path) const {
+  const Building building = read_building(StepText::read(path), path);
+  std::vector<Storey> storeys;
+  for (const Level& level : building.levels) {
+    const double height_m = level.elevation_m + options_.sensor_height_m;
+    storeys.push_back({level.id, level.name, level.elevation_m, height_m, counts_at(building, height_m)});
+  }
+  return storeys;
+}
+
+}  // namespace opal::ifc_importer

@@ -1,0 +1,203 @@
+// The one translation unit that knows IfcPlusPlus: its headers take long to compile.
+#include "ifc_model.hpp"
+
+#include "ifcpp/elements.hpp"
+#include "ifcpp/units.hpp"
+
+#include <opal/error.hpp>
+
+#include <ifcpp/IFC4/include/IfcBuildingStorey.h>
+#include <ifcpp/IFC4/include/IfcGeometricRepresentationContext.h>
+#include <ifcpp/IFC4/include/IfcMapConversion.h>
+#include <ifcpp/IFC4/include/IfcProjectedCRS.h>
+#include <ifcpp/model/BuildingException.h>
+#include <ifcpp/model/BuildingModel.h>
+#include <ifcpp/reader/ReaderSTEP.h>
+
+#include <map>
+#include <set>
+
+namespace opal::ifc_importer {
+namespace {
+
+using namespace ifcpp;
+
+/// What the library says while it reads; it would be lost otherwise.
+struct Messages {
+  std::map<std::string, int> counts;
+
+  static void take(void* self, shared_ptr<StatusCallback::Message> message) {
+    const auto type = message ? message->m_message_type : StatusCallback::MESSAGE_TYPE_UNKNOWN;
+    if (type != StatusCallback::MESSAGE_TYPE_ERROR && type != StatusCallback::MESSAGE_TYPE_WARNING) return;
+    auto& counts = static_cast<Messages*>(self)->counts;
+    if (counts.size() < 1000) ++counts[utf8(message->m_message_text)];
+  }
+};
+
+class Reading {
+ public:
+  Reading(const StepText& step, const std::string& name) : step_(step), name_(name) {}
+
+  Building building() {
+    load();
+    expect_whole();
+    const LengthUnit unit = unit_of_length();
+    Building building;
+    building.schema = step_.schema();
+    building.unit_m = unit.metres;
+    building.unit_name = unit.name;
+    Bodies bodies(model_->getUnitConverter(), unit.metres);
+    Elements elements(bodies, unit.metres);
+    std::map<std::string, int> shapeless;
+    for (const auto& [number, entity] : model_->getMapIfcEntities()) {
+      if (const auto storey = as<IfcBuildingStorey>(entity)) read_level(*storey, elements, unit.metres, building);
+      const auto product = as<IfcProduct>(entity);
+      if (!product || is<IfcFeatureElement>(*product)) continue;
+      if (const auto element = as<IfcElement>(entity))
+        building.elements.push_back(elements.read(*element));
+      else if (product->m_Representation)
+        ++shapeless[product->className()];
+    }
+    for (const auto& [class_name, count] : shapeless)
+      building.notes.push_back("left out: " + std::to_string(count) + " " + class_name + ", which are no things of the building");
+    read_context(building, unit.metres);
+    finish(building);
+    return building;
+  }
+
+ private:
+  void load() {
+    std::string text = step_.for_parser();
+    model_ = std::make_shared<BuildingModel>();
+    model_->setMessageCallBack(&messages_, &Messages::take);
+    ReaderSTEP reader;
+    reader.setMessageCallBack(&messages_, &Messages::take);
+    try {
+      reader.loadModelFromString(text, model_);
+    } catch (const std::exception& error) {
+      throw MapError(name_ + ": " + error.what() + ", expected an IFC model");
+    }
+    model_->setMessageCallBack(&messages_, &Messages::take);
+  }
+
+  /// The library leaves out what it cannot read, and says nothing.
+  void expect_whole() {
+    const auto& loaded = model_->getMapIfcEntities();
+    std::set<std::string> known;
+    for (const auto& [number, entity] : loaded) known.insert(upper(entity->className()));
+    for (const StepInstance& instance : step_.instances()) {
+      if (loaded.count(instance.number)) continue;
+      const std::string type(instance.type);
+      if (known.count(type))
+        throw MapError(name_ + ": #" + std::to_string(instance.number) + " (" + type + ") cannot be read, expected a whole model");
+      unknown_[type].push_back(std::string(instance.global_id));
+    }
+  }
+
+  static std::string upper(std::string text) {
+    for (char& c : text)
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return text;
+  }
+
+  LengthUnit unit_of_length() {
+    try {
+      const LengthUnit unit = length_unit(model_->getIfcProject());
+      model_->getUnitConverter()->setLengthInMeterFactor(unit.metres);
+      return unit;
+    } catch (const Unreadable& trouble) {
+      throw MapError(name_ + ": the project " + trouble.what() + ", expected a unit of length");
+    }
+  }
+
+  static void read_level(const IfcBuildingStorey& storey, const Elements& elements, double unit_m, Building& building) {
+    Level level{text_of(storey.m_GlobalId), text_of(storey.m_Name), 0};
+    const std::optional<double> height_m = elements.height_of(storey);
+    if (height_m)
+      level.elevation_m = *height_m;
+    else if (storey.m_Elevation && std::isfinite(storey.m_Elevation->m_value))
+      level.elevation_m = unit_m * storey.m_Elevation->m_value;
+    building.levels.push_back(std::move(level));
+  }
+
+  void read_context(Building& building, double unit_m) const {
+    for (const auto& [number, entity] : model_->getMapIfcEntities()) {
+      const auto context = as<IfcGeometricRepresentationContext>(entity);
+      if (context && context->m_TrueNorth && !building.north_rad) read_north(*context, building);
+      if (const auto conversion = as<IfcMapConversion>(entity)) read_georeference(*conversion, unit_m, building);
+    }
+  }
+
+  static void read_north(const IfcGeometricRepresentationContext& context, Building& building) {
+    try {
+      const Point3 north = direction_of(context.m_TrueNorth, Point3::UnitY());
+      building.north_rad = std::atan2(north.y(), north.x());
+    } catch (const Unreadable& trouble) {
+      building.notes.push_back(std::string("true north ") + trouble.what() + ": not kept");
+    }
+  }
+
+  /// A conversion by nothing is an exporter's default, and latitude and longitude of the site often are.
+  static void read_georeference(const IfcMapConversion& conversion, double unit_m, Building& building) {
+    const auto crs = as<IfcProjectedCRS>(conversion.m_TargetCRS);
+    const auto metres = [unit_m](const auto& length) { return length ? unit_m * length->m_value : 0.0; };
+    Georeference place;
+    if (crs) place.crs = text_of(crs->m_Name);
+    place.eastings_m = metres(conversion.m_Eastings);
+    place.northings_m = metres(conversion.m_Northings);
+    place.height_m = metres(conversion.m_OrthogonalHeight);
+    if (conversion.m_XAxisAbscissa && conversion.m_XAxisOrdinate)
+      place.heading_rad = std::atan2(conversion.m_XAxisOrdinate->m_value, conversion.m_XAxisAbscissa->m_value);
+    const bool is_real = !place.crs.empty() && std::hypot(place.eastings_m, place.northings_m) > 1 &&
+                         std::isfinite(place.eastings_m + place.northings_m + place.height_m + place.heading_rad);
+    if (is_real)
+      building.georeference = place;
+    else
+      building.notes.push_back("its map conversion names no coordinate system or moves nothing: not taken as a georeference");
+  }
+
+  /// Every thing has an id of its own, and all stand in order of id.
+  void finish(Building& building) {
+    std::sort(building.levels.begin(), building.levels.end(),
+              [](const Level& a, const Level& b) { return std::tie(a.elevation_m, a.id) < std::tie(b.elevation_m, b.id); });
+    std::stable_sort(building.elements.begin(), building.elements.end(), [](const Element& a, const Element& b) { return a.id < b.id; });
+    std::set<std::string> ids;
+    for (Element& element : building.elements) {
+      const std::string id = element.id.empty() ? "without-GlobalId" : element.id;
+      std::string own = id;
+      for (int k = 2; !ids.insert(own).second; ++k) own = id + "-" + std::to_string(k);
+      if (own != element.id) building.notes.push_back("the GlobalId '" + element.id + "' is not the only one: a thing is called " + own);
+      element.id = own;
+    }
+    for (const auto& [type, global_ids] : unknown_) {
+      std::string note = "left out: " + std::to_string(global_ids.size()) + " " + type + ", a class that is not known";
+      for (const std::string& id : global_ids)
+        if (!id.empty()) note += " " + id;
+      building.notes.push_back(note);
+    }
+    for (const auto& [message, count] : messages_.counts)
+      building.notes.push_back("while reading: " + message + (count > 1 ? " (" + std::to_string(count) + " times)" : ""));
+  }
+
+  const StepText& step_;
+  const std::string& name_;
+  Messages messages_;
+  shared_ptr<BuildingModel> model_;
+  std::map<std::string, std::vector<std::string>> unknown_;  // GlobalIds by type
+};
+
+}  // namespace
+
+Building read_building(const StepText& step, const std::string& name) {
+  try {
+    return Reading(step, name).building();
+  } catch (const MapError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw MapError(name + ": takes more memory than there is");
+  } catch (const std::exception& error) {
+    throw MapError(name + ": " + error.what() + ", expected an IFC model");
+  }
+}
+
+}  // namespace opal::ifc_importer

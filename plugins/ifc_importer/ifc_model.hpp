@@ -1,0 +1,13 @@
+#pragma once
+
+#include "building.hpp"
+#include "step_text.hpp"
+
+namespace opal::ifc_importer {
+
+/// Makes a building of a looked-over STEP text. What IfcPlusPlus is used for, and its pitfalls, stay behind this function.
+/// @param name  stands for the file in messages.
+/// @throws MapError if the text holds no building that can be used.
+Building read_building(const StepText& step, const std::string& name);
+
+}  // namespace opal::ifc_importer

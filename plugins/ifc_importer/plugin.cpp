@@ -1,0 +1,24 @@
+#include "ifc_importer.hpp"
+
+#include <opal/plugin/plugin.hpp>
+
+namespace {
+
+std::unique_ptr<opal::MapImporter> make_importer(const nlohmann::json& options) {
+  opal::ifc_importer::ImportOptions chosen;
+  chosen.storey = options.at("storey");
+  if (!options.at("z_m").is_null()) chosen.z_m = options.at("z_m").get<double>();
+  chosen.sensor_height_m = options.at("sensor_height_m");
+  chosen.sensor = options.at("sensor");
+  for (const auto& [class_name, word] : options.at("classes").items()) chosen.classes[class_name] = word.get<std::string>();
+  return std::make_unique<opal::ifc_importer::IfcImporter>(std::move(chosen));
+}
+
+void register_types(opal::Registrar& registrar) {
+  registrar.add({"opal:IfcImporter", /*consumes*/ {}, /*produces*/ {"opal:Wall", "opal:Corner", "opal:Column"}},
+                opal::Factory<opal::MapImporter>(make_importer));
+}
+
+}  // namespace
+
+OPAL_PLUGIN("ifc_importer", "0.1.0", register_types)

@@ -1,0 +1,153 @@
+#include "report.hpp"
+
+#include "sentence.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace opal::ifc_importer {
+namespace {
+
+using Kind = Treatment::Kind;
+
+constexpr std::size_t kIdsInSentence = 20;
+
+/// A cut that is all circles is given as circles.
+void set_outline(const ElementCut& cut, ImportedElement& element) {
+  for (const Loop& loop : cut.outline)
+    if (const auto circle = circle_of(loop)) element.circles.push_back(*circle);
+  if (element.circles.size() != cut.outline.size()) element.outline = segments_of(cut.outline);
+}
+
+bool holds(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
+
+ImportedElement imported_element(const ElementCut& cut, const Duplicates& duplicates, const AssembledMap& assembled,
+                                 const std::set<std::string>& wholes) {
+  ImportedElement element{cut.element->id, cut.element->source_class(), cut.element->name};
+  set_outline(cut, element);
+  const auto decide = [&element](ImportStatus status, std::string reason) {
+    element.status = status;
+    element.reason = std::move(reason);
+  };
+  const auto kept = duplicates.kept.find(element.id);
+  if (!cut.is_cut() && wholes.count(element.id))
+    decide(ImportStatus::imported, "its parts are cut: they have its id");
+  else if (!cut.is_cut() && !cut.trouble.empty())
+    decide(ImportStatus::unreadable, cut.trouble);
+  else if (cut.element->bodies.empty() && !cut.is_cut())
+    decide(ImportStatus::not_cut, "it has no body of its own");
+  else if (!cut.is_cut())
+    decide(ImportStatus::not_cut, cut.is_within_reach ? "the plane meets nothing of it but openings" : "the plane passes above or below it");
+  else if (cut.treatment.kind == Kind::left_out)
+    decide(ImportStatus::left_out, cut.treatment.reason);
+  else if (kept != duplicates.kept.end())
+    decide(ImportStatus::merged, "at the same place as " + kept->second);
+  else if (holds(assembled.hidden, element.id))
+    decide(ImportStatus::imported, "hidden in others: nothing of it can be seen");
+  else if (holds(assembled.hidden_rounds, element.id))
+    decide(ImportStatus::imported, "round, and less than half of it stands free: no feature");
+  else if (cut.treatment.kind == Kind::glass)
+    decide(ImportStatus::imported, "not perceivable: " + cut.treatment.reason);
+  else if (cut.object != cut.element)
+    decide(ImportStatus::imported, "part of " + cut.object->id);
+  if (element.status == ImportStatus::imported && !cut.trouble.empty() && cut.is_cut())
+    element.reason += (element.reason.empty() ? "incomplete: " : "; incomplete: ") + cut.trouble;
+  return element;
+}
+
+std::string listed(const std::vector<std::string>& ids) {
+  std::string list;
+  for (std::size_t k = 0; k < std::min(ids.size(), kIdsInSentence); ++k) list += " " + ids[k];
+  return ids.size() > kIdsInSentence ? list + " ... (--report FILE.json has all)" : list;
+}
+
+/// "IfcColumn: 46 came in, 85 merged with others at the same place, 126 not at this height".
+std::vector<std::string> per_class(const std::vector<ImportedElement>& elements) {
+  std::map<std::string, std::map<ImportStatus, int>> counts;
+  for (const ImportedElement& element : elements) ++counts[element.source_class][element.status];
+  const std::vector<std::pair<ImportStatus, const char*>> words{{ImportStatus::imported, "came in"},
+                                                                {ImportStatus::merged, "merged with others at the same place"},
+                                                                {ImportStatus::left_out, "left out"},
+                                                                {ImportStatus::unreadable, "cannot be read"},
+                                                                {ImportStatus::not_cut, "not at this height"}};
+  std::vector<std::string> sentences;
+  for (const auto& [class_name, by_status] : counts) {
+    std::string text;
+    for (const auto& [status, word] : words)
+      if (const auto found = by_status.find(status); found != by_status.end())
+        text += (text.empty() ? "" : ", ") + std::to_string(found->second) + " " + word;
+    sentences.push_back(class_name + ": " + text);
+  }
+  return sentences;
+}
+
+/// Ids by class, status and reason, for whatever somebody might miss.
+std::vector<std::string> what_is_missing(const std::vector<ImportedElement>& elements) {
+  std::map<std::string, std::vector<std::string>> ids;
+  for (const ImportedElement& element : elements) {
+    if (element.status == ImportStatus::left_out) ids["left out: " + element.source_class + ", " + element.reason + ":"].push_back(element.id);
+    if (element.status == ImportStatus::unreadable) ids["cannot be read: " + element.source_class + ", " + element.reason + ":"].push_back(element.id);
+    if (element.reason.find("incomplete: ") != std::string::npos) ids[element.source_class + ", " + element.reason + ":"].push_back(element.id);
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [what, list] : ids) sentences.push_back(what + listed(list));
+  return sentences;
+}
+
+std::vector<std::string> about_doors(const std::vector<ElementCut>& cuts) {
+  std::vector<std::string> sentences, filling_nothing;
+  for (const ElementCut& cut : cuts)
+    if (cut.treatment.kind == Kind::filling && cut.is_cut() && cut.element->fills.empty() && cut.element->whole.empty())
+      filling_nothing.push_back(cut.element->id);
+  if (!filling_nothing.empty())
+    sentences.push_back("fill no opening, so that a wall may close them:" + listed(filling_nothing));
+  if (const double width_m = widest_door_m(cuts); width_m > 0)
+    sentences.push_back(sentence("widest door %.2f m: straight things up to that length may be open doors, walls should be detected from there on "
+                                 "(opal:LineDetector, min_length_m)", width_m));
+  return sentences;
+}
+
+}  // namespace
+
+std::vector<ImportedElement> imported_elements(const std::vector<ElementCut>& cuts, const Duplicates& duplicates,
+                                               const AssembledMap& assembled) {
+  std::set<std::string> wholes;
+  for (const ElementCut& cut : cuts)
+    if (cut.is_cut() && cut.object != cut.element) wholes.insert(cut.object->id);
+  std::vector<ImportedElement> elements;
+  for (const ElementCut& cut : cuts) elements.push_back(imported_element(cut, duplicates, assembled, wholes));
+  return elements;
+}
+
+double widest_door_m(const std::vector<ElementCut>& cuts) {
+  double width_m = 0;
+  for (const ElementCut& cut : cuts)
+    if (cut.treatment.type == "opal:Door") width_m = std::max(width_m, cut.width_m);
+  return width_m;
+}
+
+std::vector<std::string> report(const Building& building, const LevelChoice& level, const std::vector<ElementCut>& cuts,
+                                const std::vector<ImportedElement>& elements, const Plan& plan, const AssembledMap& assembled) {
+  std::vector<std::string> sentences;
+  const auto append = [&sentences](const std::vector<std::string>& more) { sentences.insert(sentences.end(), more.begin(), more.end()); };
+  sentences.push_back(sentence("%s in %s: %zu storeys, %zu things", building.schema.c_str(), building.unit_name.c_str(),
+                               building.levels.size(), building.elements.size()));
+  sentences.push_back(level.sentence);
+  append(per_class(elements));
+  sentences.push_back(sentence("%d wall faces, %.0f m; %d corners; %d round columns", assembled.faces, assembled.length_m,
+                               assembled.corners, assembled.circles));
+  if (assembled.specks > 0) sentences.push_back(sentence("%d faces shorter than 2 cm are no features", assembled.specks));
+  if (assembled.posts > 0) sentences.push_back(sentence("%d posts of less than 35 cm around are no features", assembled.posts));
+  if (plan.closed_voids > 0) sentences.push_back(sentence("%d hollow spaces of less than 0.25 m2 are no rooms", plan.closed_voids));
+  append(about_doors(cuts));
+  append(what_is_missing(elements));
+  if (building.north_rad)
+    sentences.push_back(sentence("true north is at %.1f degrees from the x axis", *building.north_rad * 180 / std::numbers::pi));
+  sentences.push_back(building.georeference ? "georeferenced in " + building.georeference->crs : "not georeferenced");
+  append(building.notes);
+  return sentences;
+}
+
+}  // namespace opal::ifc_importer

@@ -1,0 +1,204 @@
+#include "step_text.hpp"
+
+#include "reference_check.hpp"
+
+#include <opal/error.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace opal::ifc_importer {
+namespace {
+
+// A parsed model takes about twenty times the memory of its text.
+constexpr std::uintmax_t kMaxBytes = 400'000'000;
+constexpr const char* kBegin = "ISO-10303-21;";
+constexpr const char* kEnd = "END-ISO-10303-21;";
+
+bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// Goes through the statements of a STEP text; texts and comments may hold semicolons.
+class Statements {
+ public:
+  Statements(std::string& text, const std::string& name) : text_(text), name_(name) {}
+
+  /// The next statement without its semicolon; comments in it are blanked out.
+  std::string_view next() {
+    const std::size_t begin = at_;
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == '\'') skip_text();
+      else if (c == '/' && at_ + 1 < text_.size() && text_[at_ + 1] == '*') blank_comment();
+      else if (c == ';') return trimmed(std::string_view(text_).substr(begin, at_++ - begin));
+    }
+    if (trimmed(std::string_view(text_).substr(begin)).empty()) return {};
+    fail(begin, "a statement without an end", "';'");
+  }
+
+  [[noreturn]] void fail(std::size_t at, const std::string& found, const std::string& expected) const {
+    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size())), '\n');
+    throw MapError(name_ + ": line " + std::to_string(line) + ": " + found + ", expected " + expected);
+  }
+  [[noreturn]] void fail(std::string_view statement, const std::string& expected) const {
+    std::string found(statement.substr(0, 60));
+    for (char& c : found)
+      if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
+    fail(static_cast<std::size_t>(statement.data() - text_.data()), "'" + found + "'", expected);
+  }
+
+ private:
+  void skip_text() {
+    const std::size_t begin = at_;
+    for (++at_; at_ < text_.size(); ++at_)
+      if (text_[at_] == '\'') return;  // a doubled one begins the next text at once
+    fail(begin, "a text without an end", "'");
+  }
+  void blank_comment() {
+    const std::size_t begin = at_, end = text_.find("*/", at_ + 2);
+    if (end == std::string::npos) fail(begin, "a comment without an end", "*/");
+    std::fill(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.begin() + static_cast<std::ptrdiff_t>(end + 2), ' ');
+    at_ = end + 1;
+  }
+
+  std::string& text_;
+  const std::string& name_;
+  std::size_t at_ = 0;
+};
+
+int read_number(std::string_view text, std::size_t& at) {
+  int number = -1;
+  const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+  if (error != std::errc()) return -1;
+  at = static_cast<std::size_t>(end - text.data());
+  return number;
+}
+
+/// Calls visit(position) for what stands outside of texts; false if the parentheses do not match.
+template <class Visit>
+bool visit_outside_texts(std::string_view text, Visit visit) {
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '\'') {
+      at = text.find('\'', at + 1);
+      if (at == std::string_view::npos) return false;
+      continue;
+    }
+    depth += (text[at] == '(') - (text[at] == ')');
+    if (depth < 0) return false;
+    visit(at, depth);
+  }
+  return depth == 0;
+}
+
+StepInstance read_instance(const Statements& statements, std::string_view statement) {
+  const char* expected = "an instance such as #12= IFCWALL(...)";
+  StepInstance instance;
+  std::size_t at = 1;
+  instance.number = statement.starts_with('#') ? read_number(statement, at) : -1;
+  if (instance.number < 0) statements.fail(statement, expected);
+  while (at < statement.size() && (is_space(statement[at]) || statement[at] == '=')) ++at;
+  const std::size_t type = at;
+  while (at < statement.size() && is_word(statement[at])) ++at;
+  instance.type = statement.substr(type, at - type);
+  while (at < statement.size() && is_space(statement[at])) ++at;
+  if (instance.type.empty() || at >= statement.size() || statement[at] != '(' || statement.back() != ')')
+    statements.fail(statement, expected);
+  instance.arguments = statement.substr(at + 1, statement.size() - at - 2);
+  const bool closed = visit_outside_texts(instance.arguments, [&](std::size_t k, int) {
+    if (instance.arguments[k] != '#') return;
+    std::size_t number_at = k + 1;
+    const int number = read_number(instance.arguments, number_at);
+    if (number < 0) statements.fail(statement, "a number after '#'");
+    instance.references.push_back(number);
+  });
+  if (!closed) statements.fail(statement, "as many ')' as '('");
+  const std::string_view first = trimmed(instance.arguments.substr(0, 40));
+  if (first.starts_with('\''))
+    if (const std::size_t end = first.find('\'', 1); end != std::string_view::npos) instance.global_id = first.substr(1, end - 1);
+  return instance;
+}
+
+/// "IFC4" of FILE_SCHEMA(('IFC4')).
+std::string schema_of(std::string_view statement) {
+  const std::size_t begin = statement.find('\''), end = statement.find('\'', begin + 1);
+  return begin == std::string_view::npos || end == std::string_view::npos ? ""
+                                                                          : std::string(statement.substr(begin + 1, end - begin - 1));
+}
+
+void expect_known(const std::string& schema, const std::string& name) {
+  if (!schema.starts_with("IFC2X3") && !schema.starts_with("IFC4"))
+    throw MapError(name + ": FILE_SCHEMA: '" + schema + "', expected IFC2X3, IFC4 or IFC4X3");
+}
+
+}  // namespace
+
+StepText StepText::read(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) throw MapError(path + ": is no file, expected an IFC model");
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size > kMaxBytes)
+    throw MapError(path + ": " + std::to_string(size) + " bytes, expected at most " + std::to_string(kMaxBytes) +
+                   "; export the storeys apart");
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw MapError(path + ": cannot be read");
+  return parse(std::move(text).str(), path);
+}
+
+StepText StepText::parse(std::string content, const std::string& name) {
+  StepText step;
+  step.text_ = std::move(content);
+  const std::string_view whole = trimmed(step.text_);
+  if (whole.find(kBegin) > 16) throw MapError(name + ": does not begin with " + kBegin + ", expected an IFC model (STEP)");
+  if (!whole.ends_with(kEnd))
+    throw MapError(name + ": does not end with " + kEnd + ": the file is truncated, expected a whole model");
+  Statements statements(step.text_, name);
+  bool in_data = false;
+  for (std::string_view statement = statements.next(); statement != "END-ISO-10303-21"; statement = statements.next()) {
+    if (statement.empty()) throw MapError(name + ": has an empty statement or ends early, expected " + kEnd);
+    if (statement.starts_with("FILE_SCHEMA")) step.schema_ = schema_of(statement);
+    else if (statement == "DATA") in_data = true;
+    else if (statement == "ENDSEC") in_data = false;
+    else if (in_data) step.instances_.push_back(read_instance(statements, statement));
+  }
+  expect_known(step.schema_, name);
+  if (in_data) throw MapError(name + ": the data section has no end, expected ENDSEC");
+  if (step.instances_.empty()) throw MapError(name + ": has no instances, expected a building model");
+  check_references(step.instances_, name);
+  return step;
+}
+
+std::string StepText::for_parser() const {
+  const bool is_4x3 = schema_.starts_with("IFC4X");
+  std::string text = std::string(kBegin) + "\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('" +
+                     (schema_.starts_with("IFC2X3") ? "IFC2X3" : "IFC4") + "'));\nENDSEC;\nDATA;\n";
+  text.reserve(text_.size() + text.size());
+  for (const StepInstance& instance : instances_) {
+    std::string_view arguments = instance.arguments;
+    if (is_4x3 && instance.type == "IFCGRIDPLACEMENT" && std::count(arguments.begin(), arguments.end(), ',') == 2)
+      arguments.remove_prefix(arguments.find(',') + 1);  // PlacementRelTo came first in 4X3
+    text.append("#").append(std::to_string(instance.number)).append("=").append(instance.type).append("(").append(arguments).append(");\n");
+  }
+  return text + "ENDSEC;\n" + kEnd + "\n";
+}
+
+bool begins_like_step(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(64, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head.find("ISO-10303-21") <= 16;
+}
+
+}  // namespace opal::ifc_importer

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace opal::ifc_importer {
+
+/// One instance of the data section. Views point into StepText::text.
+struct StepInstance {
+  int number = 0;               ///< of "#12="
+  std::string_view type;        ///< "IFCWALL"
+  std::string_view arguments;   ///< between the parentheses
+  std::string_view global_id;   ///< its first argument, if that is a text; else empty
+  std::vector<int> references;  ///< numbers of the instances that it mentions
+};
+
+/// A STEP file (ISO 10303-21) as text, looked over before a parser builds objects of it: whole, closed, without references to
+/// nothing and without circles, so that what a parser leaves out can be told.
+class StepText {
+ public:
+  /// @throws MapError naming the file, the place (line or instance), what was found and what was expected.
+  static StepText read(const std::string& path);
+  /// @param name  stands for the file in messages.
+  static StepText parse(std::string text, const std::string& name);
+
+  const std::string& schema() const { return schema_; }  ///< "IFC2X3", "IFC4", "IFC4X3_ADD2": as the file says
+  const std::vector<StepInstance>& instances() const { return instances_; }
+
+  /// The same instances, one a line and without comments, in a schema that the parser knows: IFC4X3 as IFC4, with the arguments of
+  /// grid placements as they were there.
+  std::string for_parser() const;
+
+ private:
+  std::string text_;
+  std::string schema_;
+  std::vector<StepInstance> instances_;
+};
+
+/// Whether a file begins like a STEP file; false if it cannot be read.
+bool begins_like_step(const std::string& path);
+
+}  // namespace opal::ifc_importer
