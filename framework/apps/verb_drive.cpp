@@ -55,7 +55,8 @@ int drive(DriveVerbOptions options) {
   opal::Deployment deployment = opal::read_deployment(options.config);
   options.world.laser.id = deployment.laser.id;
   deployment.laser = options.world.laser;
-  const auto map = load_map(registry, options.map);
+  deployment.map = options.map;
+  const auto map = load_map(registry, deployment);
   const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
   opal::Localizer localizer(parts);
   const opal::FloorGrid floor = behaviours::mapped_floor(*parts.map, 0.8 * options.world.robot_radius_m);
