@@ -49,7 +49,7 @@ class Situation {
   double room_m(double bearing_rad, double most_m) const;
 
   /// Whether the robot has wanted to get somewhere for some seconds, and has not moved.
-  bool is_stuck() const { return driving_ && now_s() - moved_at_s_ > kPatience_s; }
+  bool is_stuck() const { return now_s() - moved_at_s_ > kPatience_s; }
   void forget_being_stuck() { moved_at_s_ = now_s(); }
 
  private:
@@ -64,7 +64,7 @@ class Situation {
   Velocity velocity_, before_;
   bool driving_ = false;     ///< some node wanted to get somewhere at the tick before
   Point moved_from_ = Point::Zero();
-  double moved_at_s_ = 0;
+  double moved_at_s_ = 0;    ///< or was not driving
 };
 
 }  // namespace opal::behaviours
