@@ -38,6 +38,9 @@ void add_simulate_verb(CLI::App& app, int& exit_code);
 /// does not get there.
 void add_drive_verb(CLI::App& app, int& exit_code);
 
+/// `opal experiment thesis3 --map MAP -o OUT`: the thesis' challenges in simulation, in its table.
+void add_experiment_verb(CLI::App& app, int& exit_code);
+
 /// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
 void add_calibration_verb(CLI::App& app, int& exit_code);
 

@@ -1,6 +1,8 @@
 #include "simulation/recording.hpp"
 
 #include <cstdio>
+#include <functional>
+#include <limits>
 
 namespace opal::simulation {
 namespace {
@@ -10,17 +12,18 @@ constexpr double kStep_s = 0.05;
 /// One drive under way.
 class RecordedDrive {
  public:
-  RecordedDrive(Simulation& simulation, const DriveOptions& options, Random& random, Recording& recording)
-      : simulation_(simulation), options_(options), random_(random), recording_(recording),
+  using Goal = std::function<Point()>;  ///< where to go next
+
+  RecordedDrive(Simulation& simulation, const DriveOptions& options, Goal goal, Recording& recording)
+      : simulation_(simulation), options_(options), goal_(std::move(goal)), recording_(recording),
         follower_(simulation.options().drive, options.follower) {}
 
-  void run(const std::string& id) {
+  /// From where the robot stands, up to a distance or a time, whichever comes first.
+  void run(const std::string& id, double distance_m, double duration_s) {
     const double start_s = simulation_.now_s();
-    simulation_.place({simulation_.floor().anywhere(random_), random_.uniform(-std::numbers::pi, std::numbers::pi)});
     read();
-    const double most_s = 30 + 8 * options_.distance_m / options_.follower.speed_mps;
     double next_scan_s = start_s + options_.scan_every_s;
-    while (driven_m_ < options_.distance_m && simulation_.now_s() < start_s + most_s) {
+    while (driven_m_ < distance_m && simulation_.now_s() < start_s + duration_s) {
       step();
       if (simulation_.now_s() + 1e-9 < next_scan_s) continue;
       next_scan_s += options_.scan_every_s;
@@ -34,10 +37,9 @@ class RecordedDrive {
   void read() { recording_.scans.push_back({simulation_.scan(), simulation_.T_map_base()}); }
 
   void step() {
-    if (follower_.arrived())
-      if (auto way = simulation_.floor().way(simulation_.T_map_base().position(), simulation_.floor().anywhere(random_)))
-        follower_.follow(std::move(*way));
     const Pose2 before = simulation_.T_map_base();
+    if (follower_.arrived())
+      if (auto way = simulation_.floor().way(before.position(), goal_())) follower_.follow(std::move(*way));
     if (!simulation_.drive(follower_.steer(before), kStep_s)) give_way();
     driven_m_ += distance_m(before, simulation_.T_map_base());
   }
@@ -54,24 +56,44 @@ class RecordedDrive {
 
   Simulation& simulation_;
   const DriveOptions& options_;
-  Random& random_;
+  Goal goal_;
   Recording& recording_;
   PathFollower follower_;
   double driven_m_ = 0;
   int waited_ = 0;
 };
 
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
 }  // namespace
 
 Recording record(Simulation& simulation, const DriveOptions& options, Random random) {
   Recording recording;
   recording.laser = simulation.options().laser;
+  const auto anywhere = [&] { return simulation.floor().anywhere(random); };
+  const double longest_s = 30 + 8 * options.distance_m / options.follower.speed_mps;
   for (int k = 1; k <= options.drives; ++k) {
     char id[16];
     std::snprintf(id, sizeof id, "q%02d", k);
-    RecordedDrive(simulation, options, random, recording).run(id);
+    const Point start = anywhere();
+    simulation.place({start, random.uniform(-std::numbers::pi, std::numbers::pi)});
+    RecordedDrive(simulation, options, anywhere, recording).run(id, options.distance_m, longest_s);
     simulation.drive({}, options.pause_s);
   }
+  return recording;
+}
+
+Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s, const DriveOptions& options) {
+  Recording recording;
+  recording.laser = simulation.options().laser;
+  Random elsewhere(places.size());
+  std::size_t next = 0;
+  const auto goal = [&] {
+    return simulation.floor().nearest(places[next++ % places.size()]).value_or(simulation.floor().anywhere(elsewhere));
+  };
+  const Point start = goal();
+  simulation.place({start, elsewhere.uniform(-std::numbers::pi, std::numbers::pi)});
+  RecordedDrive(simulation, options, goal, recording).run("q01", kForever, duration_s);
   return recording;
 }
 

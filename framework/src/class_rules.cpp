@@ -53,7 +53,8 @@ ClassRules::ClassRules(const nlohmann::json& given, const std::map<std::string, 
 }
 
 const ClassRules::Rule* ClassRules::rule_for(const std::vector<std::string>& names) const {
-  const auto found = std::find_if(rules_.begin(), rules_.end(), [&](const Rule& rule) { return fits_any(names, rule.pattern); });
+  const auto found =
+      std::find_if(rules_.begin(), rules_.end(), [&](const Rule& rule) { return fits_any(names, rule.pattern); });
   return found == rules_.end() ? nullptr : &*found;
 }
 

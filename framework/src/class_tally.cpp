@@ -10,11 +10,13 @@ constexpr int kShownClasses = 20;
 
 }  // namespace
 
-void ClassTally::count_used(const std::string& source_class, const std::string& object_type, const std::string& entity_type) {
+void ClassTally::count_used(const std::string& source_class, const std::string& object_type,
+                            const std::string& entity_type) {
   ++used_[{source_class, object_type}].by_type[entity_type];
 }
 
-void ClassTally::count_left_out(const std::string& source_class, const std::string& why, const std::string& entity_type, const std::string& id) {
+void ClassTally::count_left_out(const std::string& source_class, const std::string& why, const std::string& entity_type,
+                                const std::string& id) {
   Count& count = left_out_[{why, source_class}];
   ++count.by_type[entity_type];
   if (count.ids.size() < kShownIds) count.ids.push_back(id);
@@ -22,13 +24,15 @@ void ClassTally::count_left_out(const std::string& source_class, const std::stri
 
 std::string ClassTally::text_of(const Count& count) {
   std::string text;
-  for (const auto& [type, number] : count.by_type) text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + type;
+  for (const auto& [type, number] : count.by_type)
+    text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + type;
   return text;
 }
 
 std::vector<std::string> ClassTally::sentences() const {
   std::vector<std::string> all;
-  for (const auto& [key, count] : used_) all.push_back(noun_ + " " + key.first + " as " + key.second + ": " + text_of(count));
+  for (const auto& [key, count] : used_)
+    all.push_back(noun_ + " " + key.first + " as " + key.second + ": " + text_of(count));
   for (const auto& [key, count] : left_out_) {
     std::string sentence = "left out, " + key.first + ": " + noun_ + " " + key.second + ": " + text_of(count) + " (";
     for (std::size_t k = 0; k < count.ids.size(); ++k) sentence += (k > 0 ? ", " : "") + count.ids[k];

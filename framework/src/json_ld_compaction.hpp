@@ -56,6 +56,8 @@ class Compactor {
   // json_ld_compaction_properties.cpp: values of properties
   void compact_property(Object& object, const ContextPtr& active, const std::string& iri, const Json& values);
   Json& nest_of(Json& result, const ActiveContext& active, const TermDefinition* definition);
+  Json& map_at(Json& result, const std::string& key) const;
+  void add_wrapped(Json& result, const ContextPtr& active, Item item);
   void add_list(Json& result, const ContextPtr& active, Item item);
   void add_graph(Json& result, const ContextPtr& active, Item item);
   void add_to_map(Json& result, const ContextPtr& active, Item item);

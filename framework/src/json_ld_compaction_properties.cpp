@@ -68,9 +68,17 @@ Json& Compactor::nest_of(Json& result, const ActiveContext& active, const TermDe
   const std::string& nest = *definition->nest;
   if (nest != "@nest" && expand_iri(active, nest, {true, false}) != "@nest")
     throw JsonLdError("invalid @nest value", place_.pointer(), "\"" + nest + "\" does not mean @nest");
-  Json& object = result[nest];
-  if (object.is_null()) object = Json::object();
-  return object;
+  return map_at(result, nest);
+}
+
+/// The object that stands at a key, which is made if absent.
+Json& Compactor::map_at(Json& result, const std::string& key) const {
+  Json& map = result[key];
+  if (map.is_null()) map = Json::object();
+  if (!map.is_object())
+    throw JsonLdError("colliding containers", place_.pointer(),
+                      "\"" + key + "\" would hold an object and other values at once");
+  return map;
 }
 
 void Compactor::add_list(Json& result, const ContextPtr& active, Item item) {  // 12.8.7
@@ -79,9 +87,19 @@ void Compactor::add_list(Json& result, const ContextPtr& active, Item item) {  /
     result[item.key] = std::move(items);
     return;
   }
-  Json list{{alias(active, kList), std::move(items)}};
-  if (item.expanded.contains("@index")) list[alias(active, "@index")] = item.expanded["@index"];
-  add_compacted(result, item.key, std::move(list), item.as_array);
+  item.compacted = Json{{alias(active, kList), std::move(items)}};
+  add_wrapped(result, active, std::move(item));
+}
+
+/// A list or graph that stands in an object of its own, which says its index unless its place in an index map does.
+void Compactor::add_wrapped(Json& result, const ContextPtr& active, Item item) {
+  const bool indexed = item.in("@index") && !item.in(kGraph.c_str());
+  if (item.expanded.contains("@index") && !(indexed && !item.definition->index))
+    item.compacted[alias(active, "@index")] = item.expanded["@index"];
+  if (indexed)
+    add_to_map(result, active, std::move(item));
+  else
+    add_compacted(result, item.key, std::move(item.compacted), item.as_array);
 }
 
 void Compactor::add_graph(Json& result, const ContextPtr& active, Item item) {  // 12.8.8
@@ -92,9 +110,7 @@ void Compactor::add_graph(Json& result, const ContextPtr& active, Item item) {  
     std::string key = expanded.value(keyword, "");
     if (expanded.contains("@id")) key = compact_iri(active, key, false);
     if (!expanded.contains(keyword)) key = alias(active, "@none");
-    Json& map = result[item.key];
-    if (map.is_null()) map = Json::object();
-    add_compacted(map, key, std::move(item.compacted), item.as_array);
+    add_compacted(map_at(result, item.key), key, std::move(item.compacted), item.as_array);
   } else if (item.in(kGraph.c_str()) && simple) {
     const bool several = item.compacted.is_array() && item.compacted.size() > 1;
     if (several) item.compacted = Json{{alias(active, "@included"), std::move(item.compacted)}};
@@ -102,16 +118,14 @@ void Compactor::add_graph(Json& result, const ContextPtr& active, Item item) {  
   } else {
     Json graph{{alias(active, kGraph), options_.compact_arrays ? unwrapped(std::move(item.compacted)) : std::move(item.compacted)}};
     if (!simple) graph[alias(active, "@id")] = compact_iri(active, expanded["@id"], false);
-    if (expanded.contains("@index")) graph[alias(active, "@index")] = expanded["@index"];
-    add_compacted(result, item.key, std::move(graph), item.as_array);
+    item.compacted = std::move(graph);
+    add_wrapped(result, active, std::move(item));
   }
 }
 
 void Compactor::add_to_map(Json& result, const ContextPtr& active, Item item) {  // 12.8.9
   const Json key = take_map_key(active, item);
-  Json& map = result[item.key];
-  if (map.is_null()) map = Json::object();
-  add_compacted(map, key.is_string() ? key.get<std::string>() : alias(active, "@none"), std::move(item.compacted),
+  add_compacted(map_at(result, item.key), key.is_string() ? key.get<std::string>() : alias(active, "@none"), std::move(item.compacted),
                 item.as_array);
 }
 

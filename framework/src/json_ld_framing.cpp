@@ -24,14 +24,6 @@ void check_names(const Json& frame, const char* keyword) {
       refuse_frame(name.dump() + " for " + keyword + ", expected IRIs");
 }
 
-/// A frame for what the frame around it does not mention.
-Json implicit_frame(const FrameFlags& flags) {
-  const auto flag = [](const Json& value) { return Json::array({Json{{"@value", value}}}); };
-  return {{"@embed", flag(flags.embed)},
-          {"@explicit", flag(flags.explicit_values)},
-          {"@requireAll", flag(flags.require_all)}};
-}
-
 }  // namespace
 
 void FrameBudget::spend(std::size_t bytes) {
@@ -94,6 +86,16 @@ FrameFlags Framer::flags_of(const Json& frame) const {  // 2
   if (flags.embed != "@once" && flags.embed != "@always" && flags.embed != "@never")
     throw JsonLdError("invalid @embed value", "frame", "\"" + flags.embed + "\", expected @once, @always or @never");
   return flags;
+}
+
+const Json& Framer::implied_frame(const FrameFlags& flags) {
+  Json& frame = implied_[{flags.embed, flags.explicit_values, flags.require_all}];
+  if (!frame.is_null()) return frame;
+  const auto flag = [](const Json& value) { return Json::array({Json{{"@value", value}}}); };
+  frame = {{"@embed", flag(flags.embed)},
+           {"@explicit", flag(flags.explicit_values)},
+           {"@requireAll", flag(flags.require_all)}};
+  return frame;
 }
 
 void Framer::frame_nodes(const State& state, const Ids& ids, const Json& frame, Json& parent) {
@@ -180,8 +182,7 @@ void Framer::show_property(Shown& shown, const std::string& property, const Json
   const auto wanted = shown.frame.find(property);
   const bool named = wanted != shown.frame.end();
   if (named && wanted->empty()) return;  // []: none of them
-  const Json implied = named ? Json() : implicit_frame(shown.flags);
-  const Json& frame = named ? single_frame(*wanted) : implied;
+  const Json& frame = named ? single_frame(*wanted) : implied_frame(shown.flags);
   const State inside{shown.state.graph, true};
   Json output = Json::array();
   for (const Json& value : values) {
@@ -199,8 +200,7 @@ void Framer::show_property(Shown& shown, const std::string& property, const Json
 
 void Framer::show_list(Shown& shown, const Json& items, const Json& frame, Json& values) {  // 4.7.3.1
   const bool named = is_list(frame) && !frame["@list"].empty();
-  const Json implied = named ? Json() : implicit_frame(shown.flags);
-  const Json& inner = named ? single_frame(frame["@list"]) : implied;
+  const Json& inner = named ? single_frame(frame["@list"]) : implied_frame(shown.flags);
   const State inside{shown.state.graph, true};
   Json shown_items = Json::array();
   for (const Json& item : items) {

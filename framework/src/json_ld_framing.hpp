@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -84,6 +85,8 @@ class Framer {
   };
 
   FrameFlags flags_of(const Json& frame) const;
+  /// The frame for what a frame with these flags does not mention.
+  const Json& implied_frame(const FrameFlags& flags);
   void frame_nodes(const State& state, const Ids& ids, const Json& frame, Json& parent);
   void frame_node(const State& state, const Json& frame, const FrameFlags& flags, const Node& node, const Ids& beside,
                   Json& parent);
@@ -104,6 +107,7 @@ class Framer {
   std::string graph_;
   const FrameOptions& options_;
   FrameBudget budget_;
+  std::map<std::tuple<std::string, bool, bool>, Json> implied_;
   std::map<std::string, std::set<std::string>> embedded_;               // by graph
   std::vector<std::pair<const std::string*, const std::string*>> open_;  // graph and @id of nodes around
   std::map<std::pair<std::string, std::string>, Referring> referring_;  // by graph and property

@@ -1,5 +1,7 @@
 #include <opal/map_diff.hpp>
 
+#include "map_notes.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -36,6 +38,18 @@ std::vector<Point> points_in(const Geometry& geometry) {
 const char* shape_of(const Geometry& geometry) {
   static constexpr const char* kNames[] = {"point", "corner", "segment", "circle"};
   return kNames[geometry.index()];
+}
+
+/// As a document has them.
+template <class Noted>
+nlohmann::ordered_json notes_of(const Noted& noted) {
+  nlohmann::ordered_json notes = nlohmann::ordered_json::object();
+  write_notes(noted, notes);
+  return notes;
+}
+
+std::string text_of(const nlohmann::ordered_json& notes, const std::string& key) {
+  return notes.contains(key) ? notes[key].dump() : "not said";
 }
 
 /// Gathers changes of one thing after the other.
@@ -77,9 +91,19 @@ class Comparison {
     if (before != after) add(part, kind, id, (what.empty() ? "" : what + " ") + from_to(text(before), text(after)));
   }
 
+  void compare_notes(MapPart part, const std::string& id, const nlohmann::ordered_json& before,
+                     const nlohmann::ordered_json& after) {
+    for (const auto& [key, value] : after.items())
+      if (!before.contains(key) || before[key] != value)
+        add(part, ChangeKind::altered, id, key + " " + from_to(text_of(before, key), value.dump()));
+    for (const auto& [key, value] : before.items())
+      if (!after.contains(key)) add(part, ChangeKind::altered, id, key + " " + from_to(value.dump(), "not said"));
+  }
+
   void compare_maps() {
     compare(MapPart::map, ChangeKind::altered, "", "name", before_.name(), after_.name(), quoted);
     compare(MapPart::map, ChangeKind::altered, "", "smear_m", before_.origin().smear_m, after_.origin().smear_m, number);
+    compare_notes(MapPart::map, "", notes_of(before_.origin()), notes_of(after_.origin()));
     if (before_.prefixes() != after_.prefixes()) add(MapPart::map, ChangeKind::altered, "", "other prefixes of names");
     if (before_.unused() != after_.unused())
       add(MapPart::map, ChangeKind::altered, "",
@@ -116,6 +140,7 @@ class Comparison {
 
   void compare_one(const MapObject& before, const MapObject& after) {
     compare(MapPart::object, ChangeKind::retyped, after.id, "", before.type, after.type, as_is);
+    compare_notes(MapPart::object, after.id, notes_of(before.notes), notes_of(after.notes));
   }
 
   void compare_one(const MapPlacement& before, const MapPlacement& after) {

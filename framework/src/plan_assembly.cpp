@@ -23,7 +23,11 @@ constexpr double kProbe_m = 0.003;
 class PlanObjects {
  public:
   PlanObjects(const PlanStrokes& strokes, const std::vector<PlanElement>& elements)
-      : strokes_(strokes), elements_(elements), object_(elements.size(), -1), faces_(elements.size()), corners_(elements.size()),
+      : strokes_(strokes),
+        elements_(elements),
+        object_(elements.size(), -1),
+        faces_(elements.size()),
+        corners_(elements.size()),
         point_names_(strokes.nodes.size()) {}
 
   void add_face(int element, const PlanFace& face) {
@@ -49,7 +53,8 @@ class PlanObjects {
       const int from = path.nodes[k], to = path.nodes[(k + 1) % path.nodes.size()];
       if (from == to) continue;
       const std::string id = own_id(path.element, "/line-", ++faces_[static_cast<std::size_t>(path.element)]);
-      add(path.element, id, "opal:Wall", Segment{strokes_.at(from), strokes_.at(to)}, {name(from, id + "/begin"), name(to, id + "/end")});
+      add(path.element, id, "opal:Wall", Segment{strokes_.at(from), strokes_.at(to)},
+          {name(from, id + "/begin"), name(to, id + "/end")});
     }
   }
 
@@ -74,7 +79,8 @@ class PlanObjects {
     return name;
   }
 
-  void add(int element, const std::string& id, const char* type, const Geometry& geometry, std::vector<std::string> points) {
+  void add(int element, const std::string& id, const char* type, const Geometry& geometry,
+           std::vector<std::string> points) {
     const PlanElement& from = elements_[static_cast<std::size_t>(element)];
     int& object = object_[static_cast<std::size_t>(element)];
     if (object < 0) {
@@ -96,7 +102,10 @@ class PlanObjects {
 class Assembly {
  public:
   Assembly(const std::string& source, const std::vector<PlanElement>& elements, const PlanOptions& options)
-      : source_(source), elements_(elements), options_(options), strokes_(cut_strokes(source, elements, options.join_m)),
+      : source_(source),
+        elements_(elements),
+        options_(options),
+        strokes_(cut_strokes(source, elements, options.join_m)),
         centres_(options.join_m) {
     const PlanPairs pairs = find_pairs(strokes_, options);
     cut_again(strokes_, pairs.ends);
@@ -107,7 +116,8 @@ class Assembly {
 
   PlanAssembly run(const std::string& name) {
     PlanObjects objects(strokes_, elements_);
-    for (std::size_t k = 0; k < elements_.size(); ++k) result_.outcomes.push_back({elements_[k].id, PlanOutcome::Status::empty, ""});
+    for (std::size_t k = 0; k < elements_.size(); ++k)
+      result_.outcomes.push_back({elements_[k].id, PlanOutcome::Status::empty, ""});
     tally_edges();
     add_circles(objects);
     add_faces(objects);
@@ -132,16 +142,21 @@ class Assembly {
       const PlanEdge& edge = strokes_.edges[k];
       const double length_m = strokes_.length_m(edge);
       tally.repeated_m += length_m * static_cast<double>(edge.lines.size() - 1);
-      if (sides_[k].is_hidden()) hide(edge, length_m);
-      else if (sides_[k].is_two_sided()) tally.two_sided_m += length_m;
-      else if (sides_[k].reasons & PlanMaterial::outline) tally.outlines_m += length_m;
-      else tally.pairs_m += length_m;
+      if (sides_[k].is_hidden())
+        hide(edge, length_m);
+      else if (sides_[k].is_two_sided())
+        tally.two_sided_m += length_m;
+      else if (sides_[k].reasons & PlanMaterial::outline)
+        tally.outlines_m += length_m;
+      else
+        tally.pairs_m += length_m;
     }
   }
 
   void hide(const PlanEdge& edge, double length_m) {
     result_.tally.hidden_m += length_m;
-    for (const int line : edge.lines) outcome(strokes_.paths[static_cast<std::size_t>(line)].element).status = PlanOutcome::Status::hidden;
+    for (const int line : edge.lines)
+      outcome(strokes_.paths[static_cast<std::size_t>(line)].element).status = PlanOutcome::Status::hidden;
   }
 
   bool is_on_rim_hidden(const Circle& circle, int element) const {
@@ -171,7 +186,8 @@ class Assembly {
         const int other = same_circle(circle, element);
         if (other == element) continue;
         if (other >= 0) {
-          outcome(element) = {elements_[k].id, PlanOutcome::Status::merged, elements_[static_cast<std::size_t>(other)].id};
+          outcome(element) = {elements_[k].id, PlanOutcome::Status::merged,
+                              elements_[static_cast<std::size_t>(other)].id};
         } else if (is_on_rim_hidden(circle, element)) {
           outcome(element).status = PlanOutcome::Status::hidden;
         } else {
@@ -202,7 +218,9 @@ class Assembly {
       if (before.next < 0) continue;
       const PlanFace& after = faces_[static_cast<std::size_t>(before.next)];
       const Segment a = segment(before), b = segment(after);
-      if (std::min(a.length_m(), b.length_m()) < arm_m || std::abs(cross(a.direction(), b.direction())) < kMinCornerSine) continue;
+      if (std::min(a.length_m(), b.length_m()) < arm_m ||
+          std::abs(cross(a.direction(), b.direction())) < kMinCornerSine)
+        continue;
       // Open to view is what lies counter-clockwise from the way on, up to the way back.
       const double opening_rad = std::numbers::pi - wrap_angle(b.heading_rad() - a.heading_rad());
       objects.add_corner(std::min(before.element, after.element), after.from,

@@ -58,7 +58,8 @@ std::optional<Circle> circle_drawn_by(const std::vector<Point>& closed_line, dou
 
 std::vector<Point> arc_points(const Circle& circle, double from_rad, double sweep_rad, double tolerance_m) {
   // A chord over the angle w is r (1 - cos(w / 2)) away from its arc.
-  const double step_rad = circle.radius_m > tolerance_m ? 2 * std::acos(1 - tolerance_m / circle.radius_m) : std::numbers::pi / 2;
+  const double step_rad =
+      circle.radius_m > tolerance_m ? 2 * std::acos(1 - tolerance_m / circle.radius_m) : std::numbers::pi / 2;
   const double wanted = std::ceil(std::abs(sweep_rad) / std::max(step_rad, 1e-6));
   const int chords = static_cast<int>(std::clamp(wanted, 1.0, kMaxChords));
   std::vector<Point> points;

@@ -14,9 +14,11 @@ constexpr double kStraight_rad = 0.01;
 /// An edge in one direction; number 2 k is edge k from `from` to `to`, 2 k + 1 the other way.
 class HalfEdges {
  public:
-  HalfEdges(const PlanStrokes& strokes, const std::vector<EdgeSides>& sides) : strokes_(strokes), sides_(sides), around_(strokes.nodes.size()) {
+  HalfEdges(const PlanStrokes& strokes, const std::vector<EdgeSides>& sides)
+      : strokes_(strokes), sides_(sides), around_(strokes.nodes.size()) {
     for (int half = 0; half < size(); ++half)
-      if (!sides[static_cast<std::size_t>(half / 2)].is_hidden()) around_[static_cast<std::size_t>(from(half))].push_back(half);
+      if (!sides[static_cast<std::size_t>(half / 2)].is_hidden())
+        around_[static_cast<std::size_t>(from(half))].push_back(half);
   }
 
   int size() const { return 2 * static_cast<int>(sides_.size()); }
@@ -80,7 +82,8 @@ class Straight {
 
 class FaceJoining {
  public:
-  FaceJoining(const PlanStrokes& strokes, const std::vector<EdgeSides>& sides, const std::vector<PlanElement>& elements, double join_m)
+  FaceJoining(const PlanStrokes& strokes, const std::vector<EdgeSides>& sides, const std::vector<PlanElement>& elements,
+              double join_m)
       : strokes_(strokes), elements_(elements), join_m_(join_m), halves_(strokes, sides) {
     for (int half = 0; half < halves_.size(); ++half) next_.push_back(halves_.is_seen(half) ? halves_.next(half) : -1);
     face_of_.assign(next_.size(), -1);

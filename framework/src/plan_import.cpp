@@ -30,7 +30,9 @@ void add_outline(const PlanElement& element, ImportedElement& thing) {
 
 void explain(const PlanOutcome& outcome, ImportedElement& element) {
   switch (outcome.status) {
-    case PlanOutcome::Status::mapped: element.status = ImportStatus::imported; break;
+    case PlanOutcome::Status::mapped:
+      element.status = ImportStatus::imported;
+      break;
     case PlanOutcome::Status::merged:
       element.status = ImportStatus::merged;
       element.reason = "its lines run where those of " + outcome.with + " do";
@@ -75,14 +77,19 @@ bool before(const std::string& a, const std::string& b) {
 }  // namespace
 
 PlanImportOptions::PlanImportOptions(const nlohmann::json& options, const std::map<std::string, std::string>& defaults)
-    : rules(options.at("classes"), defaults), perceivable(words_of(options.at("perceivable"))), sensor(options.at("sensor")) {
+    : rules(options.at("classes"), defaults),
+      perceivable(words_of(options.at("perceivable"))),
+      sensor(options.at("sensor")) {
   plan.max_wall_thickness_m = options.at("max_wall_thickness_m");
   plan.min_face_m = options.at("min_face_m");
 }
 
-std::string PlanImportOptions::sensor_for(const std::string& type) const { return perceivable.contains(type) ? sensor : ""; }
+std::string PlanImportOptions::sensor_for(const std::string& type) const {
+  return perceivable.contains(type) ? sensor : "";
+}
 
-void report_outcomes(const std::vector<PlanElement>& plan, const PlanAssembly& assembly, std::vector<ImportedElement>& things) {
+void report_outcomes(const std::vector<PlanElement>& plan, const PlanAssembly& assembly,
+                     std::vector<ImportedElement>& things) {
   std::unordered_map<std::string, std::size_t> numbers;
   for (std::size_t k = 0; k < plan.size(); ++k) numbers[plan[k].id] = k;
   for (ImportedElement& thing : things) {

@@ -29,7 +29,8 @@ struct SideBySide {
 /// Edges that go on into each other have one number.
 class Runs {
  public:
-  Runs(const PlanStrokes& strokes, const std::vector<bool>& takes_part) : strokes_(strokes), run_(strokes.edges.size()) {
+  Runs(const PlanStrokes& strokes, const std::vector<bool>& takes_part)
+      : strokes_(strokes), run_(strokes.edges.size()) {
     std::iota(run_.begin(), run_.end(), 0);
     std::vector<std::vector<int>> at_node(strokes.nodes.size());
     for (std::size_t k = 0; k < strokes.edges.size(); ++k) {
@@ -111,7 +112,8 @@ std::vector<SideBySide> all_side_by_side(const PlanStrokes& strokes, const std::
     });
     std::sort(others.begin(), others.end());
     for (const int other : others)
-      if (auto found = side_by_side(segment, strokes.segment(strokes.edges[static_cast<std::size_t>(other)]), options)) {
+      if (auto found =
+              side_by_side(segment, strokes.segment(strokes.edges[static_cast<std::size_t>(other)]), options)) {
         found->edge = static_cast<int>(k);
         found->other = other;
         all.push_back(*found);
@@ -127,9 +129,10 @@ struct Overlap {
   bool is_enough() const { return length_m >= kMinOverlapByDistance * distance_m; }
 };
 
-/// Ends of the covered stretches of one edge on one side. Gaps up to the thickness of a wall, where one abuts, do not count,
-/// nor do ends as near as that to the edge's own: there is a corner.
-void add_ends(PlanPairs& pairs, int number, const Segment& edge, std::vector<std::pair<double, double>> covered, double thickness_m) {
+/// Ends of the covered stretches of one edge on one side. Gaps up to the thickness of a wall, where one abuts, do not
+/// count, nor do ends as near as that to the edge's own: there is a corner.
+void add_ends(PlanPairs& pairs, int number, const Segment& edge, std::vector<std::pair<double, double>> covered,
+              double thickness_m) {
   std::sort(covered.begin(), covered.end());
   std::vector<std::pair<double, double>> joined;
   for (const auto& stretch : covered)
@@ -164,8 +167,8 @@ PlanPairs find_pairs(const PlanStrokes& strokes, const PlanOptions& options) {
     covered[{one.edge, one.is_left}].emplace_back(one.from_m, one.to_m);
   }
   for (const auto& [edge_and_side, stretches] : covered)
-    add_ends(pairs, edge_and_side.first, strokes.segment(strokes.edges[static_cast<std::size_t>(edge_and_side.first)]), stretches,
-             options.max_wall_thickness_m);
+    add_ends(pairs, edge_and_side.first, strokes.segment(strokes.edges[static_cast<std::size_t>(edge_and_side.first)]),
+             stretches, options.max_wall_thickness_m);
   return pairs;
 }
 

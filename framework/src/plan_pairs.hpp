@@ -15,8 +15,8 @@ struct PlanPairs {
   std::vector<std::pair<int, Point>> ends;
 };
 
-/// Among the lines whose sides are to be found. Edges that go on straight, or around a smooth bend, count together: side by
-/// side over at least their distance, which is at most max_wall_thickness_m.
+/// Among the lines whose sides are to be found. Edges that go on straight, or around a smooth bend, count together:
+/// side by side over at least their distance, which is at most max_wall_thickness_m.
 PlanPairs find_pairs(const PlanStrokes& strokes, const PlanOptions& options);
 
 }  // namespace opal

@@ -32,7 +32,8 @@ Side probe(const Segment& edge, const Point& towards, const PlanMaterial& materi
 
 EdgeSides sides_of(const Segment& edge, const PlanMaterial& material) {
   const Side left = probe(edge, edge.normal(), material), right = probe(edge, -edge.normal(), material);
-  return {!left.is_massive, !right.is_massive, (left.is_massive ? left.reasons : 0) | (right.is_massive ? right.reasons : 0)};
+  return {!left.is_massive, !right.is_massive,
+          (left.is_massive ? left.reasons : 0) | (right.is_massive ? right.reasons : 0)};
 }
 
 /// Carries the known side of a face around to the short end of its wall.
@@ -55,7 +56,8 @@ class Ends {
       const int known = waiting.back();
       waiting.pop_back();
       for (const int node : {edge(known).from, edge(known).to})
-        if (const int other = neighbour(node, known); other >= 0 && take_over(known, other, node)) waiting.push_back(other);
+        if (const int other = neighbour(node, known); other >= 0 && take_over(known, other, node))
+          waiting.push_back(other);
     }
   }
 
@@ -100,15 +102,16 @@ std::vector<Point> ring_of(const PlanStrokes& strokes, const PlanPath& path) {
 
 }  // namespace
 
-std::vector<EdgeSides> find_sides(const PlanStrokes& strokes, const PlanMaterial& material, const PlanOptions& options) {
+std::vector<EdgeSides> find_sides(const PlanStrokes& strokes, const PlanMaterial& material,
+                                  const PlanOptions& options) {
   std::vector<EdgeSides> sides;
   for (const PlanEdge& edge : strokes.edges) sides.push_back(sides_of(strokes.segment(edge), material));
   Ends(strokes, options, sides).run();
   return sides;
 }
 
-PlanMaterial material_of(const PlanStrokes& strokes, const std::vector<PlanElement>& elements, const PlanOptions& options,
-                         const std::vector<std::array<Point, 4>>& walls_between_pairs) {
+PlanMaterial material_of(const PlanStrokes& strokes, const std::vector<PlanElement>& elements,
+                         const PlanOptions& options, const std::vector<std::array<Point, 4>>& walls_between_pairs) {
   PlanMaterial material;
   std::map<std::pair<int, int>, std::vector<std::vector<Point>>> solids;  // by element and solid
   for (const PlanPath& path : strokes.paths) {
@@ -122,7 +125,6 @@ PlanMaterial material_of(const PlanStrokes& strokes, const std::vector<PlanEleme
   for (auto& [solid, rings] : solids) material.add(std::move(rings), PlanMaterial::outline, solid.first);
   for (std::size_t k = 0; k < elements.size(); ++k) {
     if (elements[k].sensor.empty()) continue;
-    for (const std::vector<Point>& fill : elements[k].fills) material.add({fill}, PlanMaterial::outline, static_cast<int>(k));
     for (const Circle& circle : elements[k].circles) material.add(circle, static_cast<int>(k));
   }
   for (const auto& wall : walls_between_pairs)

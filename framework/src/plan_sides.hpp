@@ -17,12 +17,12 @@ struct EdgeSides {
   bool is_two_sided() const { return left && right; }
 };
 
-/// Asks the material on both sides of each edge. Short edges of which it says nothing, the ends of walls, go on like the face
-/// that they are joined to.
+/// Asks the material on both sides of each edge. Short edges of which it says nothing, the ends of walls, go on like
+/// the face that they are joined to.
 std::vector<EdgeSides> find_sides(const PlanStrokes& strokes, const PlanMaterial& material, const PlanOptions& options);
 
-/// What outlines, fills, round columns and pairs of lines say is massive.
-PlanMaterial material_of(const PlanStrokes& strokes, const std::vector<PlanElement>& elements, const PlanOptions& options,
-                         const std::vector<std::array<Point, 4>>& walls_between_pairs);
+/// What outlines, round columns and pairs of lines say is massive.
+PlanMaterial material_of(const PlanStrokes& strokes, const std::vector<PlanElement>& elements,
+                         const PlanOptions& options, const std::vector<std::array<Point, 4>>& walls_between_pairs);
 
 }  // namespace opal

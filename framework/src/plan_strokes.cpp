@@ -33,8 +33,6 @@ void check(const std::string& name, const PlanElement& element, const Point& p) 
 void check(const std::string& name, const PlanElement& element) {
   for (const PlanLine& line : element.lines)
     for (const Point& p : line.points) check(name, element, p);
-  for (const std::vector<Point>& fill : element.fills)
-    for (const Point& p : fill) check(name, element, p);
   for (const Circle& circle : element.circles) {
     check(name, element, circle.center);
     check(name, element, Point(circle.radius_m, 0));
@@ -91,7 +89,8 @@ class Cutting {
       const int path = static_cast<int>(result_.paths.size());
       result_.paths.push_back({number, line.sides, line.closed, line.solid, {}});
       const std::size_t count = line.points.size();
-      for (std::size_t k = 0; k + 1 < count + (line.closed ? 1 : 0); ++k) add({line.points[k], line.points[(k + 1) % count]}, path);
+      for (std::size_t k = 0; k + 1 < count + (line.closed ? 1 : 0); ++k)
+        add({line.points[k], line.points[(k + 1) % count]}, path);
     }
     circles_.insert(circles_.end(), element.circles.begin(), element.circles.end());
   }
@@ -113,17 +112,20 @@ class Cutting {
     for (std::size_t k = 0; k < strokes_.size(); ++k) {
       std::vector<int> others;
       index.visit(boxes[k], [&](int other) {
-        if (++tries > 8 * kMaxCrossings) throw MapError(name_ + ": more than 4000000 crossings of strokes, expected a plan");
+        if (++tries > 8 * kMaxCrossings)
+          throw MapError(name_ + ": more than 4000000 crossings of strokes, expected a plan");
         if (other > static_cast<int>(k)) others.push_back(other);
       });
       std::sort(others.begin(), others.end());
       for (const int other : others)
-        if (const auto p = crossing(strokes_[k].segment, strokes_[static_cast<std::size_t>(other)].segment)) add_crossing(*p);
+        if (const auto p = crossing(strokes_[k].segment, strokes_[static_cast<std::size_t>(other)].segment))
+          add_crossing(*p);
     }
     for (const Circle& circle : circles_) {
       const Point reach(circle.radius_m, circle.radius_m);
       std::vector<int> others;
-      index.visit(PlanBoxes::around(circle.center - reach, circle.center + reach, 0), [&](int other) { others.push_back(other); });
+      index.visit(PlanBoxes::around(circle.center - reach, circle.center + reach, 0),
+                  [&](int other) { others.push_back(other); });
       std::sort(others.begin(), others.end());
       for (const int other : others)
         for (const Point& p : crossings(strokes_[static_cast<std::size_t>(other)].segment, circle)) add_crossing(p);
@@ -131,7 +133,8 @@ class Cutting {
   }
 
   void add_crossing(const Point& p) {
-    if (++crossings_ > kMaxCrossings) throw MapError(name_ + ": more than 4000000 crossings of strokes, expected a plan");
+    if (++crossings_ > kMaxCrossings)
+      throw MapError(name_ + ": more than 4000000 crossings of strokes, expected a plan");
     nodes_.add(p);
   }
 
@@ -141,7 +144,8 @@ class Cutting {
     for (const Point& p : nodes_.points()) boxes.push_back(PlanBoxes::around(p, p, 0));
     const PlanBoxes index(boxes);
     for (const Stroke& stroke : strokes_)
-      for (const int node : nodes_on(stroke.segment, index)) append(result_.paths[static_cast<std::size_t>(stroke.path)], node);
+      for (const int node : nodes_on(stroke.segment, index))
+        append(result_.paths[static_cast<std::size_t>(stroke.path)], node);
     for (PlanPath& path : result_.paths)
       while (path.closed && path.nodes.size() > 1 && path.nodes.front() == path.nodes.back()) path.nodes.pop_back();
   }
@@ -219,7 +223,9 @@ void cut_again(PlanStrokes& strokes, const std::vector<std::pair<int, Point>>& e
   std::unordered_map<std::uint64_t, std::map<double, int>> cuts;  // node by distance from the edge's `from`
   for (const auto& [number, place] : edge_and_place) {
     const PlanEdge& edge = strokes.edges[static_cast<std::size_t>(number)];
-    if (cuts[key_of(edge.from, edge.to)].try_emplace((place - strokes.at(edge.from)).norm(), strokes.nodes.size()).second)
+    if (cuts[key_of(edge.from, edge.to)]
+            .try_emplace((place - strokes.at(edge.from)).norm(), strokes.nodes.size())
+            .second)
       strokes.nodes.push_back(place);
   }
   for (PlanPath& path : strokes.paths) {

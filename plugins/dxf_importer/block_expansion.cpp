@@ -27,37 +27,51 @@ class Expansion {
                      (open_.empty() ? "" : open_.back()) + "', expected a plan of one storey");
     frame.entity = &entity;
     if (frame.insert.empty() || entity.layer != "0") frame.layer = entity.layer;
-    if (const auto layer = drawing_.layers.find(entity.layer); layer != drawing_.layers.end()) frame.is_frozen |= layer->second.is_frozen;
+    if (const auto layer = drawing_.layers.find(entity.layer); layer != drawing_.layers.end())
+      frame.is_frozen |= layer->second.is_frozen;
     const auto* insert = std::get_if<DxfInsert>(&entity.shape);
-    if (insert != nullptr && !entity.is_in_paper_space) place_block(*insert, std::move(frame));
-    else placed_.push_back(std::move(frame));
+    if (insert != nullptr && !entity.is_in_paper_space)
+      place_block(*insert, std::move(frame));
+    else
+      placed_.push_back(std::move(frame));
   }
 
   void place_block(const DxfInsert& insert, PlacedEntity frame) {
     const std::string name = upper_case(insert.block);
     const auto block = drawing_.blocks.find(name);
-    if (block == drawing_.blocks.end()) frame.trouble = "its block '" + insert.block + "' is not in the file";
-    else if (block->second.is_external) frame.trouble = "its block '" + insert.block + "' stands for another file (bind the reference)";
-    else if (insert.scale.x() == 0 || insert.scale.y() == 0) frame.trouble = "it is scaled to nothing";
+    if (block == drawing_.blocks.end())
+      frame.trouble = "its block '" + insert.block + "' is not in the file";
+    else if (block->second.is_external)
+      frame.trouble = "its block '" + insert.block + "' stands for another file (bind the reference)";
+    else if (insert.scale.x() == 0 || insert.scale.y() == 0)
+      frame.trouble = "it is scaled to nothing";
     if (!frame.trouble.empty()) {
       placed_.push_back(std::move(frame));
       return;
     }
     check_depth(name);
     open_.push_back(name);
+    const std::size_t before = placed_.size();
     for (int row = 0; row < std::max(1, insert.rows); ++row)
-      for (int column = 0; column < std::max(1, insert.columns); ++column) place_cell(insert, block->second, frame, column, row);
+      for (int column = 0; column < std::max(1, insert.columns); ++column)
+        place_cell(insert, block->second, frame, column, row);
     open_.pop_back();
+    if (placed_.size() != before) return;
+    frame.trouble = "its block '" + insert.block + "' is empty";
+    placed_.push_back(std::move(frame));
   }
 
   void place_cell(const DxfInsert& insert, const DxfBlock& block, const PlacedEntity& around, int column, int row) {
     ++count_;  // an array of an empty block has an end, too
-    if (count_ > kMaxEntities) throw MapError(path_ + ": more than 300000 entities when all blocks are in place, at block '" + open_.back() + "'");
+    if (count_ > kMaxEntities)
+      throw MapError(path_ + ": more than 300000 entities when all blocks are in place, at block '" + open_.back() +
+                     "'");
     PlacedEntity frame = around;
     const bool is_array = insert.rows > 1 || insert.columns > 1;
     frame.insert += (frame.insert.empty() ? "" : "/") + around.entity->id;
     if (is_array) frame.insert += "[" + std::to_string(column) + "," + std::to_string(row) + "]";
-    frame.T_drawing_entity = around.T_drawing_entity * Eigen::Translation2d(insert.position) * Eigen::Rotation2Dd(insert.rotation_rad) *
+    frame.T_drawing_entity = around.T_drawing_entity * Eigen::Translation2d(insert.position) *
+                             Eigen::Rotation2Dd(insert.rotation_rad) *
                              Eigen::Translation2d(column * insert.spacing.x(), row * insert.spacing.y()) *
                              Eigen::AlignedScaling2d(insert.scale) * Eigen::Translation2d(-block.base);
     for (const DxfEntity& entity : block.entities) place(entity, frame);
@@ -67,9 +81,11 @@ class Expansion {
     const auto same = std::find(open_.begin(), open_.end(), name);
     if (same == open_.end() && open_.size() < kMaxDepth) return;
     std::string way;
-    for (auto block = same == open_.end() ? open_.begin() : same; block != open_.end(); ++block) way += "'" + *block + "' > ";
-    throw MapError(path_ + ": block " + way + "'" + name + "': " +
-                   (same == open_.end() ? "more than 32 inside each other" : "it contains itself") + ", expected blocks that end");
+    for (auto block = same == open_.end() ? open_.begin() : same; block != open_.end(); ++block)
+      way += "'" + *block + "' > ";
+    throw MapError(path_ + ": block " + way + "'" + name +
+                   "': " + (same == open_.end() ? "more than 32 inside each other" : "it contains itself") +
+                   ", expected blocks that end");
   }
 
   const std::string& path_;

@@ -13,14 +13,15 @@ namespace opal::dxf_importer {
 struct PlacedEntity {
   const DxfEntity* entity = nullptr;
   Eigen::Affine2d T_drawing_entity = Eigen::Affine2d::Identity();  ///< may scale, also differently by axis, and mirror
-  std::string insert;  ///< ids of the INSERTs that it came by, "2F/31" or "2F[0,2]" in arrays; empty: by none
-  std::string layer;   ///< that of its INSERT, if it is on layer 0 of a block
-  std::string trouble; ///< why it cannot be used, as far as blocks are to blame; then it may be an INSERT
+  std::string insert;   ///< ids of the INSERTs that it came by, "2F/31" or "2F[0,2]" in arrays; empty: by none
+  std::string layer;    ///< that of its INSERT, if it is on layer 0 of a block
+  std::string trouble;  ///< why it cannot be used, as far as blocks are to blame; then it may be an INSERT
   bool is_frozen = false;
 };
 
 /// All entities in model and paper space, in order.
-/// @throws MapError naming the file and the block if blocks contain themselves, or if this gives more than 300,000 entities.
+/// @throws MapError naming the file and the block if blocks contain themselves, or if this gives more than 300,000
+/// entities.
 std::vector<PlacedEntity> expand_blocks(const std::string& path, const DxfDrawing& drawing);
 
 }  // namespace opal::dxf_importer

@@ -11,8 +11,8 @@
 
 namespace opal::dxf_importer {
 
-/// A vertex, and how the line goes on from there: bulge is the tangent of a quarter of the arc's angle, counter-clockwise
-/// if positive; 0: straight.
+/// A vertex, and how the line goes on from there: bulge is the tangent of a quarter of the arc's angle,
+/// counter-clockwise if positive; 0: straight.
 struct DxfVertex {
   Point position = Point::Zero();
   double bulge = 0;
@@ -50,8 +50,8 @@ using DxfShape = std::variant<std::monostate, DxfPath, Circle, DxfArc, DxfFill, 
 
 /// An entity in the coordinates and units of its block or drawing.
 struct DxfEntity {
-  std::string type;   ///< "LWPOLYLINE"
-  std::string id;     ///< its handle; "line-1204" if it has none; "2F-line-1204" if another has the same
+  std::string type;  ///< "LWPOLYLINE"
+  std::string id;    ///< its handle; "line-1204" if it has none; "2F-line-1204" if another has the same
   std::string layer;
   bool is_in_paper_space = false;
   bool has_width = false;

@@ -10,17 +10,42 @@
 namespace opal::dxf_importer {
 namespace {
 
-/// Layer names by the US National CAD Standard (AIA), ISO 13567 with SfB elements, and plain words.
+/// Layer names by the US National CAD Standard (AIA; "PLAN$0$A-WALL" in a bound reference), ISO 13567 with SfB
+/// elements, and plain words.
 const std::map<std::string, std::string>& default_classes() {
-  static const std::map<std::string, std::string> kClasses{
-      {"?-WALL*", "Wall"},       {"WALL*", "Wall"},          {"*WALLS", "Wall"},        {"*MUREN*", "Wall"},
-      {"*WAND", "Wall"},         {"*WAENDE*", "Wall"},       {"A-21*", "Wall"},         {"A-22*", "Wall"},
-      {"?-COLS*", "Column"},     {"*COLUMN*", "Column"},     {"*KOLOM*", "Column"},     {"*STUETZE*", "Column"},
-      {"A-28*", "Column"},       {"?-DOOR*", "Door"},        {"*DOORS", "Door"},        {"DOOR*", "Door"},
-      {"*DEUREN*", "Door"},      {"*TUEREN*", "Door"},       {"A-32*", "Door"},         {"?-GLAZ*", "Window"},
-      {"*WINDOW*", "Window"},    {"*FENSTER*", "Window"},    {"*KOZIJN*", "Window"},    {"A-31*", "Window"},
-      {"?-WALL-HEAD*", "leave_out"}, {"?-WALL-CNTR*", "leave_out"}, {"?-WALL-IDEN*", "leave_out"}, {"?-WALL-ABOV*", "leave_out"},
-      {"?-COLS-GRID*", "leave_out"}, {"?-COLS-IDEN*", "leave_out"}, {"?-DOOR-IDEN*", "leave_out"}, {"?-GLAZ-IDEN*", "leave_out"}};
+  static const std::map<std::string, std::string> kClasses{{"*-WALL*", "Wall"},
+                                                           {"WALL*", "Wall"},
+                                                           {"*_WALL*", "Wall"},
+                                                           {"*WALLS", "Wall"},
+                                                           {"*MUREN*", "Wall"},
+                                                           {"*WAND", "Wall"},
+                                                           {"*WAENDE*", "Wall"},
+                                                           {"A-21*", "Wall"},
+                                                           {"A-22*", "Wall"},
+                                                           {"*-COLS*", "Column"},
+                                                           {"*COLUMN*", "Column"},
+                                                           {"*KOLOM*", "Column"},
+                                                           {"*STUETZE*", "Column"},
+                                                           {"A-28*", "Column"},
+                                                           {"*-DOOR*", "Door"},
+                                                           {"*DOORS", "Door"},
+                                                           {"DOOR*", "Door"},
+                                                           {"*DEUREN*", "Door"},
+                                                           {"*TUEREN*", "Door"},
+                                                           {"A-32*", "Door"},
+                                                           {"*-GLAZ*", "Window"},
+                                                           {"*WINDOW*", "Window"},
+                                                           {"*FENSTER*", "Window"},
+                                                           {"*KOZIJN*", "Window"},
+                                                           {"A-31*", "Window"},
+                                                           {"*-WALL-HEAD*", "leave_out"},
+                                                           {"*-WALL-CNTR*", "leave_out"},
+                                                           {"*-WALL-IDEN*", "leave_out"},
+                                                           {"*-WALL-ABOV*", "leave_out"},
+                                                           {"*-COLS-GRID*", "leave_out"},
+                                                           {"*-COLS-IDEN*", "leave_out"},
+                                                           {"*-DOOR-IDEN*", "leave_out"},
+                                                           {"*-GLAZ-IDEN*", "leave_out"}};
   return kClasses;
 }
 
@@ -33,13 +58,16 @@ std::string name_of(const std::string& path) {
 /// Sorts the entities of a drawing by what shall become of them.
 class Sorting {
  public:
-  Sorting(const PlanImportOptions& plan, const ShapeOptions& shape, const DxfDrawing& drawing) : plan_(plan), shape_(shape), drawing_(drawing) {}
+  Sorting(const PlanImportOptions& plan, const ShapeOptions& shape, const DxfDrawing& drawing)
+      : plan_(plan), shape_(shape), drawing_(drawing) {}
 
   void add(const PlacedEntity& placed) {
     const std::optional<std::string> type = plan_.rules.class_of(placed.layer);
     const std::string why = why_left_out(placed, type);
-    if (!why.empty()) leave_out(placed, why, ImportStatus::left_out);
-    else if (const std::string trouble = use(placed, *type); !trouble.empty()) leave_out(placed, trouble, ImportStatus::unreadable);
+    if (!why.empty())
+      leave_out(placed, why, ImportStatus::left_out);
+    else if (const std::string trouble = use(placed, *type); !trouble.empty())
+      leave_out(placed, trouble, ImportStatus::unreadable);
   }
 
   std::vector<PlanElement> elements;
@@ -51,7 +79,8 @@ class Sorting {
   std::string why_left_out(const PlacedEntity& placed, const std::optional<std::string>& type) const {
     if (placed.entity->is_in_paper_space) return "it is on a sheet, not in the model";
     if (placed.is_frozen) return "its layer is frozen";
-    if (const auto layer = drawing_.layers.find(placed.layer); layer != drawing_.layers.end() && layer->second.is_off) return "its layer is off";
+    if (const auto layer = drawing_.layers.find(placed.layer); layer != drawing_.layers.end() && layer->second.is_off)
+      return "its layer is off";
     if (!type) return "no class for its layer";
     return *type == ClassRules::kLeaveOut ? "a rule for its layer says so" : "";
   }
@@ -71,7 +100,8 @@ class Sorting {
     if (!placed.trouble.empty()) return placed.trouble;
     if (!placed.entity->trouble.empty()) return placed.entity->trouble;
     Shapes shapes;
-    const std::string trouble = add_shape(placed, shape_, type == "opal:Column" ? PlanSides::solid : PlanSides::to_find, shapes);
+    const std::string trouble =
+        add_shape(placed, shape_, type == "opal:Column" ? PlanSides::solid : PlanSides::to_find, shapes);
     if (!trouble.empty()) return trouble;
     tally.count_used(placed.layer, type, placed.entity->type);
     refitted += shapes.refitted;
@@ -80,7 +110,6 @@ class Sorting {
     PlanElement& element = element_for(placed, type);
     std::move(shapes.lines.begin(), shapes.lines.end(), std::back_inserter(element.lines));
     std::move(shapes.circles.begin(), shapes.circles.end(), std::back_inserter(element.circles));
-    std::move(shapes.fills.begin(), shapes.fills.end(), std::back_inserter(element.fills));
     return "";
   }
 
@@ -114,7 +143,8 @@ DxfImporter::DxfImporter(const nlohmann::json& options) : plan_(options, default
   shape_.max_column_radius_m = options.at("max_column_radius_m");
   const std::string name = options.at("unit");
   unit_ = unit_called(name);
-  if (!unit_ && !name.empty()) throw ConfigError("opal:DxfImporter: option unit: \"" + name + "\", expected one of: " + unit_names());
+  if (!unit_ && !name.empty())
+    throw ConfigError("opal:DxfImporter: option unit: \"" + name + "\", expected one of: " + unit_names());
 }
 
 bool DxfImporter::recognizes(const std::string& path) const {
@@ -126,7 +156,8 @@ bool DxfImporter::recognizes(const std::string& path) const {
 Unit DxfImporter::unit_of(const std::string& path, const DxfDrawing& drawing) const {
   if (unit_) return *unit_;
   if (!drawing.insunits || *drawing.insunits == 0)
-    throw MapError(path + ": does not say in which unit it is drawn ($INSUNITS), expected the option unit: one of " + unit_names());
+    throw MapError(path + ": does not say in which unit it is drawn ($INSUNITS), expected the option unit: one of " +
+                   unit_names());
   const std::optional<Unit> unit = unit_of_insunits(*drawing.insunits);
   if (!unit)
     throw MapError(path + ": is drawn in the unit $INSUNITS " + std::to_string(*drawing.insunits) +
@@ -142,7 +173,8 @@ MapImport DxfImporter::import(const std::string& path) const {
   Sorting sorting(plan_, shape, drawing);
   for (const PlacedEntity& placed : expand_blocks(path, drawing)) sorting.add(placed);
   if (sorting.elements.empty())
-    throw MapError(path + ": no layer gives anything for a map, expected the option classes to name one of: " + sorting.tally.overview());
+    throw MapError(path + ": no layer gives anything for a map, expected the option classes to name one of: " +
+                   sorting.tally.overview());
 
   const PlanAssembly assembly = assemble_plan(path, name_of(path), sorting.elements, plan_.plan);
   MapImport imported{assembly.map, {}, std::move(sorting.things), {}};
@@ -150,15 +182,21 @@ MapImport DxfImporter::import(const std::string& path) const {
   sort_by_id(imported.elements);
 
   imported.report.push_back("drawing in " + unit.name + (unit_ ? ", as the option unit says" : ", as $INSUNITS says"));
-  if (unit_ && drawing.insunits && *drawing.insunits != 0 && unit_of_insunits(*drawing.insunits).value_or(Unit{}).name != unit.name)
+  if (unit_ && drawing.insunits && *drawing.insunits != 0 &&
+      unit_of_insunits(*drawing.insunits).value_or(Unit{}).name != unit.name)
     imported.report.push_back("doubtful: $INSUNITS " + std::to_string(*drawing.insunits) + " says another unit");
   imported.report.push_back(extent_sentence(*assembly.map));
   for (const std::string& sentence : sorting.tally.sentences()) imported.report.push_back(sentence);
   for (const std::string& pattern : plan_.rules.unused(sorting.tally.classes()))
     imported.report.push_back("doubtful: no layer is called '" + pattern + "', as a rule of the option classes has it");
-  if (sorting.refitted > 0) imported.report.push_back("circles that were drawn as closed lines: " + std::to_string(sorting.refitted));
-  if (sorting.chorded > 0) imported.report.push_back("curved lines that became short straight ones, at most 5 mm off: " + std::to_string(sorting.chorded));
-  if (sorting.wide > 0) imported.report.push_back("doubtful: polylines that are drawn with a width, of which the middle was taken: " + std::to_string(sorting.wide));
+  if (sorting.refitted > 0)
+    imported.report.push_back("circles that were drawn as closed lines: " + std::to_string(sorting.refitted));
+  if (sorting.chorded > 0)
+    imported.report.push_back("curved lines that became short straight ones, at most 5 mm off: " +
+                              std::to_string(sorting.chorded));
+  if (sorting.wide > 0)
+    imported.report.push_back("doubtful: polylines that are drawn with a width, of which the middle was taken: " +
+                              std::to_string(sorting.wide));
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;
 }

@@ -25,9 +25,7 @@ class EntityListener final : public DL_CreationAdapter {
   int entities = 0;
   DxfShape shape;
 
-  void addLine(const DL_LineData& d) override {
-    take(DxfPath{{{{d.x1, d.y1}, 0}, {{d.x2, d.y2}, 0}}, false});
-  }
+  void addLine(const DL_LineData& d) override { take(DxfPath{{{{d.x1, d.y1}, 0}, {{d.x2, d.y2}, 0}}, false}); }
   void addCircle(const DL_CircleData& d) override { take(Circle{{d.cx, d.cy}, d.radius}); }
   void addArc(const DL_ArcData& d) override {
     const double sweep_deg = std::fmod(std::fmod(d.angle2 - d.angle1, 360) + 360, 360);
@@ -43,7 +41,10 @@ class EntityListener final : public DL_CreationAdapter {
   void addSolid(const DL_SolidData& d) override { take_filled(d); }
   void addTrace(const DL_TraceData& d) override { take_filled(d); }
   void addHatch(const DL_HatchData&) override { take(DxfFill{}); }
-  void addHatchLoop(const DL_HatchLoopData&) override { fill().loops.emplace_back(); }
+  /// Before the loop of a polyline, dxflib names an empty one.
+  void addHatchLoop(const DL_HatchLoopData& d) override {
+    if (d.numEdges > 0) fill().loops.emplace_back();
+  }
   void addHatchEdge(const DL_HatchEdgeData& d) override {
     if (fill().loops.empty()) fill().loops.emplace_back();
     std::vector<DxfVertex>& loop = fill().loops.back();
@@ -61,8 +62,10 @@ class EntityListener final : public DL_CreationAdapter {
 
  private:
   void add_boundary_vertex(const std::vector<double>& v, std::vector<DxfVertex>& loop) {
-    if (v.size() < 2) is_incomplete = true;
-    else loop.push_back({{v[0], v[1]}, v.size() > 2 ? v[2] : 0});
+    if (v.size() < 2)
+      is_incomplete = true;
+    else
+      loop.push_back({{v[0], v[1]}, v.size() > 2 ? v[2] : 0});
   }
   void take(DxfShape taken) {
     ++entities;
@@ -79,15 +82,18 @@ class EntityListener final : public DL_CreationAdapter {
   /// dxflib gives angles in radians; of a clockwise arc they are mirrored.
   static DxfVertex arc_vertex(const DL_HatchEdgeData& d) {
     const double sign = d.ccw ? 1 : -1;
-    const double sweep_rad = std::fmod(std::fmod(d.angle2 - d.angle1, 2 * std::numbers::pi) + 2 * std::numbers::pi, 2 * std::numbers::pi);
-    return {Point(d.cx, d.cy) + d.radius * unit_vector(sign * d.angle1), sign * std::tan((sweep_rad > 0 ? sweep_rad : 1e-9) / 4)};
+    const double sweep_rad =
+        std::fmod(std::fmod(d.angle2 - d.angle1, 2 * std::numbers::pi) + 2 * std::numbers::pi, 2 * std::numbers::pi);
+    return {Point(d.cx, d.cy) + d.radius * unit_vector(sign * d.angle1),
+            sign * std::tan((sweep_rad > 0 ? sweep_rad : 1e-9) / 4)};
   }
 };
 
 void write(std::ostream& text, const DxfRecord& record) {
   text << "0\n" << record.type << '\n';
   for (const DxfPair& pair : record.pairs)
-    if (pair.code == 2 || (pair.code >= 8 && pair.code < 300)) text << pair.code << '\n' << pair.value.substr(0, 500) << '\n';
+    if (pair.code == 2 || (pair.code >= 8 && pair.code < 300))
+      text << pair.code << '\n' << pair.value.substr(0, 500) << '\n';
 }
 
 int flags_of(const DxfRecord& record) { return std::atoi(record.text(70, "0").c_str()); }
@@ -103,17 +109,20 @@ DxfShape read_shape(const std::string& path, const DxfEntityRecords& entity, std
   write(text, entity.head);
   const bool is_fitted = (flags_of(entity.head) & kFitted) != 0;
   for (const DxfRecord& part : entity.parts)
-    if (part.type == "SEQEND" || (part.type == "VERTEX" && !(is_fitted && flags_of(part) & kFrameVertex))) write(text, part);
+    if (part.type == "SEQEND" || (part.type == "VERTEX" && !(is_fitted && flags_of(part) & kFrameVertex)))
+      write(text, part);
   text << "0\nENDSEC\n0\nEOF\n";
   EntityListener listener;
   DL_Dxf().in(text, &listener);
   if (listener.entities != 1)
-    throw MapError(path + ":" + std::to_string(entity.head.line) + ": " + entity.head.type + " cannot be read by dxflib (" +
-                   std::to_string(listener.entities) + " entities), expected one");
+    throw MapError(path + ":" + std::to_string(entity.head.line) + ": " + entity.head.type +
+                   " cannot be read by dxflib (" + std::to_string(listener.entities) + " entities), expected one");
   const auto* fill = std::get_if<DxfFill>(&listener.shape);
-  const bool lacks_loops = entity.head.type == "HATCH" && fill != nullptr && static_cast<int>(fill->loops.size()) != std::atoi(entity.head.text(91).c_str());
+  const bool lacks_loops = entity.head.type == "HATCH" && fill != nullptr &&
+                           static_cast<int>(fill->loops.size()) != std::atoi(entity.head.text(91).c_str());
   if (listener.is_incomplete || lacks_loops)
-    throw MapError(path + ":" + std::to_string(entity.head.line) + ": HATCH: its boundary is incomplete, expected " + entity.head.text(91) + " loops (code 91) of vertices with x and y");
+    throw MapError(path + ":" + std::to_string(entity.head.line) + ": HATCH: its boundary is incomplete, expected " +
+                   entity.head.text(91) + " loops (code 91) of vertices with x and y");
   if (listener.has_curves) trouble = "its boundary has elliptic arcs or splines";
   return std::move(listener.shape);
 }
@@ -166,7 +175,8 @@ class Reader {
 
   void read_blocks() {
     for (auto begin = scan_.blocks.begin(); begin != scan_.blocks.end();) {
-      const auto end = std::find_if(begin, scan_.blocks.end(), [](const DxfRecord& record) { return record.type == "ENDBLK"; });
+      const auto end =
+          std::find_if(begin, scan_.blocks.end(), [](const DxfRecord& record) { return record.type == "ENDBLK"; });
       const std::string name = upper_case(begin->text(2));
       if (name.empty()) fail(begin->line, "a block without a name (code 2), expected one");
       DxfBlock block;
@@ -175,7 +185,8 @@ class Reader {
       block.base = {real_of(*begin, 10, 0), real_of(*begin, 20, 0)};
       block.is_external = (flags_of(*begin) & kExternalBlock) != 0;
       block.entities = entities({begin + 1, end});
-      if (!drawing_.blocks.emplace(name, std::move(block)).second) fail(begin->line, "a second block of this name, expected one");
+      if (!drawing_.blocks.emplace(name, std::move(block)).second)
+        fail(begin->line, "a second block of this name, expected one");
       begin = end + 1;
     }
   }
@@ -190,7 +201,8 @@ class Reader {
     for (std::size_t k = 0; k < records.size();) {
       DxfEntityRecords entity{records[k], {}};
       ++k;
-      const bool has_parts = entity.head.type == "POLYLINE" || (entity.head.type == "INSERT" && entity.head.text(66) == "1");
+      const bool has_parts =
+          entity.head.type == "POLYLINE" || (entity.head.type == "INSERT" && entity.head.text(66) == "1");
       while (has_parts && k < records.size() && is_part(records[k].type)) {
         entity.parts.push_back(records[k++]);
         if (entity.parts.back().type == "SEQEND") break;
@@ -222,7 +234,8 @@ class Reader {
 
   std::string id_of(const DxfRecord& record) {
     std::string id = record.text(5);
-    const bool is_usable = !id.empty() && id.size() <= 16 && std::all_of(id.begin(), id.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
+    const bool is_usable = !id.empty() && id.size() <= 16 &&
+                           std::all_of(id.begin(), id.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
     const std::string place = "line-" + std::to_string(record.line);
     if (!is_usable) id = place;
     if (!ids_.insert(id).second) ids_.insert(id += "-" + place);

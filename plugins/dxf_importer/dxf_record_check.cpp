@@ -52,7 +52,8 @@ class RecordCheck {
     }
     const Codes& codes = understood().at(record_.type);
     for (const int code : codes.once)
-      if (count(code) != 1) fail(record_.line, code, count(code) == 0 ? "no" : std::to_string(count(code)) + " times", "one");
+      if (count(code) != 1)
+        fail(record_.line, code, count(code) == 0 ? "no" : std::to_string(count(code)) + " times", "one");
     for (const int code : codes.at_most_once)
       if (count(code) > 1) fail(record_.line, code, std::to_string(count(code)) + " times", "one at most");
     if (record_.type == "LWPOLYLINE") check_vertices();
@@ -60,12 +61,13 @@ class RecordCheck {
 
  private:
   long count(int code) const {
-    return std::count_if(record_.pairs.begin(), record_.pairs.end(), [&](const DxfPair& pair) { return pair.code == code; });
+    return std::count_if(record_.pairs.begin(), record_.pairs.end(),
+                         [&](const DxfPair& pair) { return pair.code == code; });
   }
 
   [[noreturn]] void fail(int line, int code, const std::string& found, const std::string& expected) const {
-    throw MapError(path_ + ":" + std::to_string(line) + ": " + record_.type + ": " + found + " code " + std::to_string(code) +
-                   ", expected " + expected);
+    throw MapError(path_ + ":" + std::to_string(line) + ": " + record_.type + ": " + found + " code " +
+                   std::to_string(code) + ", expected " + expected);
   }
 
   void check_real(const DxfPair& pair) const {
@@ -89,9 +91,11 @@ class RecordCheck {
   void check_vertices() const {
     const DxfPair& number = *record_.find(90);
     const long stated = integer(number);
-    if (stated < 0 || stated > kMaxVertices) fail(number.line, 90, "\"" + number.value + "\" for", "0 to 1000000 vertices");
+    if (stated < 0 || stated > kMaxVertices)
+      fail(number.line, 90, "\"" + number.value + "\" for", "0 to 1000000 vertices");
     if (count(10) != stated || count(20) != stated)
-      fail(number.line, 90, std::to_string(count(10)) + " x and " + std::to_string(count(20)) + " y of vertices beside", number.value + " of both");
+      fail(number.line, 90, std::to_string(count(10)) + " x and " + std::to_string(count(20)) + " y of vertices beside",
+           number.value + " of both");
     for (std::size_t k = 0; k < record_.pairs.size(); ++k)
       if (record_.pairs[k].code == 10 && (k + 1 == record_.pairs.size() || record_.pairs[k + 1].code != 20))
         fail(record_.pairs[k].line, 10, "a vertex without y after its", "code 20");

@@ -15,8 +15,8 @@ struct DxfEntityRecords {
 /// Whether the importer makes something of an entity of this type.
 bool is_understood(const std::string& type);
 
-/// All that dxflib would pass over without a word: values that are missing, there twice or no numbers, and numbers of vertices
-/// that do not agree with the vertices. For types that are understood.
+/// All that dxflib would pass over without a word: values that are missing, there twice or no numbers, and numbers of
+/// vertices that do not agree with the vertices. For types that are understood.
 /// @throws MapError "PATH:LINE: what was found, what was expected".
 void check_records(const std::string& path, const DxfEntityRecords& entity);
 

@@ -18,7 +18,8 @@ constexpr std::size_t kShownCharacters = 40;
 std::string read_text(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) throw MapError(path + ": is no file that can be read");
-  if (std::filesystem::file_size(path, error) > kMaxBytes) throw MapError(path + ": larger than 256 MiB, expected a plan of one storey");
+  if (std::filesystem::file_size(path, error) > kMaxBytes)
+    throw MapError(path + ": larger than 256 MiB, expected a plan of one storey");
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
@@ -29,7 +30,8 @@ std::string read_text(const std::string& path) {
 
 /// Text of another encoding, and drawings of another format, by their first bytes.
 void check_format(const std::string& path, const std::string& text) {
-  if (text.starts_with("AutoCAD Binary DXF")) throw MapError(path + ": is a binary DXF, expected the text format (save as ASCII DXF)");
+  if (text.starts_with("AutoCAD Binary DXF"))
+    throw MapError(path + ": is a binary DXF, expected the text format (save as ASCII DXF)");
   if (text.starts_with("AC10")) throw MapError(path + ": is a DWG drawing, expected DXF (save as DXF)");
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw MapError(path + ": is UTF-16 text, expected UTF-8 or an 8-bit code page");
@@ -135,9 +137,12 @@ class Scanner {
     std::vector<DxfRecord> records;
     while (!is_record("ENDSEC")) {
       if (is_record("SECTION") || is_record("EOF")) pairs_.fail("section " + name + " has no end, expected 0 ENDSEC");
-      if (pair_.code == 0) records.push_back({pair_.value, pair_.line, {}});
-      else if (records.empty()) pairs_.fail("code " + std::to_string(pair_.code) + " at the begin of section " + name + ", expected 0");
-      else records.back().pairs.push_back(pair_);
+      if (pair_.code == 0)
+        records.push_back({pair_.value, pair_.line, {}});
+      else if (records.empty())
+        pairs_.fail("code " + std::to_string(pair_.code) + " at the begin of section " + name + ", expected 0");
+      else
+        records.back().pairs.push_back(pair_);
       advance();
     }
     return records;
@@ -170,7 +175,8 @@ class Scanner {
     for (const DxfRecord& record : records) {
       const bool begins = record.type == "BLOCK", is_inside = open != nullptr;
       if (begins == is_inside)
-        pairs_.fail_at(record.line, shown(record.type) + ", expected " + (is_inside ? "ENDBLK" : "BLOCK") + " before it");
+        pairs_.fail_at(record.line,
+                       shown(record.type) + ", expected " + (is_inside ? "ENDBLK" : "BLOCK") + " before it");
       if (begins) open = &record;
       if (record.type == "ENDBLK") open = nullptr;
     }

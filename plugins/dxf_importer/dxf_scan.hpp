@@ -17,7 +17,7 @@ struct DxfPair {
 /// Everything from one code 0 to the next one: an entity, the begin of a block.
 struct DxfRecord {
   std::string type;
-  int line = 0;              ///< of its type
+  int line = 0;  ///< of its type
   std::vector<DxfPair> pairs;
 
   /// Of the first pair with a code; nothing if there is none.
@@ -30,8 +30,8 @@ struct DxfLayer {
   bool is_off = false;
 };
 
-/// A DXF file as records. Nothing in it has been understood yet, but it is whole: every section and block is closed, and
-/// the file ends as it should.
+/// A DXF file as records. Nothing in it has been understood yet, but it is whole: every section and block is closed,
+/// and the file ends as it should.
 struct DxfScan {
   std::optional<int> insunits;  ///< header variable $INSUNITS
   std::map<std::string, DxfLayer> layers;

@@ -6,8 +6,9 @@ namespace {
 
 void register_types(opal::Registrar& registrar) {
   registrar.add({"opal:DxfImporter", /*consumes*/ {}, /*produces*/ {"opal:Wall", "opal:Corner", "opal:Column"}},
-                opal::Factory<opal::MapImporter>(
-                    [](const nlohmann::json& options) { return std::make_unique<opal::dxf_importer::DxfImporter>(options); }));
+                opal::Factory<opal::MapImporter>([](const nlohmann::json& options) {
+                  return std::make_unique<opal::dxf_importer::DxfImporter>(options);
+                }));
 }
 
 }  // namespace

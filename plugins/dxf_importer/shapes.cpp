@@ -14,10 +14,12 @@ class Drawer {
  public:
   Drawer(const PlacedEntity& placed, const ShapeOptions& options, PlanSides closed_sides, Shapes& shapes)
       : options_(options), closed_sides_(closed_sides), shapes_(shapes), T_(placed.T_drawing_entity) {
-    T_ = Eigen::Translation2d(-options.origin_m) * Eigen::AlignedScaling2d(options.metres_per_unit, options.metres_per_unit) * T_;
+    T_ = Eigen::Translation2d(-options.origin_m) *
+         Eigen::AlignedScaling2d(options.metres_per_unit, options.metres_per_unit) * T_;
     const Eigen::Vector2d x = T_.linear().col(0), y = T_.linear().col(1);
     scale_ = std::max(x.norm(), y.norm());
-    is_similarity_ = std::abs(x.dot(y)) <= kSimilarity * scale_ * scale_ && std::abs(x.norm() - y.norm()) <= kSimilarity * scale_;
+    is_similarity_ =
+        std::abs(x.dot(y)) <= kSimilarity * scale_ * scale_ && std::abs(x.norm() - y.norm()) <= kSimilarity * scale_;
   }
 
   std::string operator()(const std::monostate&) { return "entities of this type are not read"; }
@@ -49,11 +51,17 @@ class Drawer {
     return "";
   }
 
+  /// Loops inside each other are holes.
   std::string operator()(const DxfFill& fill) {
+    closed_sides_ = PlanSides::solid;
     std::size_t used = 0;
     for (const auto& loop : fill.loops) {
       if (loop.size() < 2) continue;
-      shapes_.fills.push_back(moved(flattened(loop, true)));
+      std::vector<Point> points = moved(flattened(loop, true));
+      if (fill.loops.size() == 1)
+        add_line(std::move(points), true);
+      else
+        shapes_.lines.push_back({std::move(points), true, PlanSides::solid});
       ++used;
     }
     return used == 0 ? "it has no boundary that can be read" : "";
@@ -103,7 +111,8 @@ class Drawer {
       closed = true;
     }
     if (closed)
-      if (const auto circle = circle_drawn_by(points, options_.circle_tolerance_m); circle && circle->radius_m <= options_.max_column_radius_m) {
+      if (const auto circle = circle_drawn_by(points, options_.circle_tolerance_m);
+          circle && circle->radius_m <= options_.max_column_radius_m) {
         shapes_.circles.push_back(*circle);
         ++shapes_.refitted;
         shapes_.chorded -= was_curved_;

@@ -21,7 +21,6 @@ struct ShapeOptions {
 struct Shapes {
   std::vector<PlanLine> lines;
   std::vector<Circle> circles;
-  std::vector<std::vector<Point>> fills;
   int refitted = 0;  ///< circles that were drawn as closed lines
   int chorded = 0;   ///< arcs and circles that are short straight lines now
 };

@@ -12,8 +12,13 @@ struct CodedUnit {
 };
 
 // DXF reference, header variable $INSUNITS.
-constexpr std::array<CodedUnit, 7> kUnits{{
-    {6, "m", 1}, {14, "dm", 0.1}, {5, "cm", 0.01}, {4, "mm", 0.001}, {1, "in", 0.0254}, {2, "ft", 0.3048}, {10, "yd", 0.9144}}};
+constexpr std::array<CodedUnit, 7> kUnits{{{6, "m", 1},
+                                           {14, "dm", 0.1},
+                                           {5, "cm", 0.01},
+                                           {4, "mm", 0.001},
+                                           {1, "in", 0.0254},
+                                           {2, "ft", 0.3048},
+                                           {10, "yd", 0.9144}}};
 
 }  // namespace
 

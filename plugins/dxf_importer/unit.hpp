@@ -13,7 +13,8 @@ struct Unit {
 
 /// @param name  "m", "dm", "cm", "mm", "in", "ft", "yd".
 std::optional<Unit> unit_called(const std::string& name);
-/// The unit that the header variable $INSUNITS stands for; none for 0 (unitless) and those that no building is drawn in.
+/// The unit that the header variable $INSUNITS stands for; none for 0 (unitless) and those that no building is drawn
+/// in.
 std::optional<Unit> unit_of_insunits(int code);
 /// All names, for messages.
 std::string unit_names();

@@ -10,8 +10,9 @@ namespace opal::geojson_importer {
 
 /// By what names rules may know a feature.
 struct FeatureClasses {
-  std::vector<std::string> names;  ///< "indoor=wall", one for each property; or the value of the one property that is asked for
-  std::string shown;               ///< the one that says most, for the report
+  std::vector<std::string>
+      names;          ///< "indoor=wall", one for each property; or the value of the one property that is asked for
+  std::string shown;  ///< the one that says most, for the report
 };
 
 /// @param class_property  name of the property that holds the class; empty: all may say it.

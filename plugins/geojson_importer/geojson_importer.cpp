@@ -42,14 +42,19 @@ bool is_on_earth(const Point& low, const Point& high) {
 /// Makes elements of a plan of features.
 class Sorting {
  public:
-  Sorting(const PlanImportOptions& plan, const std::string& radius_property, double circle_tolerance_m, double max_column_radius_m)
-      : plan_(plan), radius_property_(radius_property), circle_tolerance_m_(circle_tolerance_m), max_column_radius_m_(max_column_radius_m) {}
+  Sorting(const PlanImportOptions& plan, const std::string& radius_property, double circle_tolerance_m,
+          double max_column_radius_m)
+      : plan_(plan),
+        radius_property_(radius_property),
+        circle_tolerance_m_(circle_tolerance_m),
+        max_column_radius_m_(max_column_radius_m) {}
 
   void add(const Feature& feature, const FeatureClasses& classes) {
     const std::optional<std::string> type = plan_.rules.class_of(classes.names);
     names.insert(names.end(), classes.names.begin(), classes.names.end());
     if (!type) return leave_out(feature, classes.shown, "no class for it", ImportStatus::left_out);
-    if (*type == ClassRules::kLeaveOut) return leave_out(feature, classes.shown, "a rule says so", ImportStatus::left_out);
+    if (*type == ClassRules::kLeaveOut)
+      return leave_out(feature, classes.shown, "a rule says so", ImportStatus::left_out);
     if (const std::string trouble = use(feature, *type); !trouble.empty())
       return leave_out(feature, classes.shown, trouble, ImportStatus::unreadable);
     tally.count_used(classes.shown, *type, feature.geometry);
@@ -85,7 +90,8 @@ class Sorting {
   }
 
   std::optional<double> radius_of(const Feature& feature) const {
-    if (!feature.properties.contains(radius_property_) || !feature.properties.at(radius_property_).is_number()) return std::nullopt;
+    if (!feature.properties.contains(radius_property_) || !feature.properties.at(radius_property_).is_number())
+      return std::nullopt;
     const double radius_m = feature.properties.at(radius_property_);
     return radius_m > 0 ? std::optional<double>(radius_m) : std::nullopt;
   }
@@ -118,7 +124,8 @@ GeoJsonImporter::GeoJsonImporter(const nlohmann::json& options)
       max_column_radius_m_(options.at("max_column_radius_m")) {
   const nlohmann::json &longitude = options.at("origin_lon_deg"), &latitude = options.at("origin_lat_deg");
   if (longitude.is_null() != latitude.is_null())
-    throw ConfigError("opal:GeoJsonImporter: options origin_lon_deg, origin_lat_deg: one of them is null, expected both or none");
+    throw ConfigError(
+        "opal:GeoJsonImporter: options origin_lon_deg, origin_lat_deg: one of them is null, expected both or none");
   if (!longitude.is_null()) origin_deg_ = Point(longitude.get<double>(), latitude.get<double>());
 }
 
@@ -133,12 +140,18 @@ bool GeoJsonImporter::recognizes(const std::string& path) const {
   return begin.find("\"FeatureCollection\"") != std::string::npos;
 }
 
-std::vector<std::string> GeoJsonImporter::project(const std::string& path, FeatureCollection& collection, const Point& low, const Point& high) const {
-  if (!is_on_earth(low, high)) throw MapError(path + ": holds coordinates that are no longitude and latitude, expected degrees, as the option geographic says");
+std::vector<std::string> GeoJsonImporter::project(const std::string& path, FeatureCollection& collection,
+                                                  const Point& low, const Point& high) const {
+  if (!is_on_earth(low, high))
+    throw MapError(
+        path +
+        ": holds coordinates that are no longitude and latitude, expected degrees, as the option geographic says");
   if ((high - low).maxCoeff() > kGeographicExtent)
-    throw MapError(path + ": reaches over " + std::to_string((high - low).maxCoeff()) + " degrees, expected a building (0.05 degrees at most)");
+    throw MapError(path + ": reaches over " + std::to_string((high - low).maxCoeff()) +
+                   " degrees, expected a building (0.05 degrees at most)");
   const Point origin = origin_deg_.value_or((low + high) / 2);
-  if (std::abs(origin.y()) > kHighestLatitude_deg) throw MapError(path + ": lies nearer than 5 degrees to a pole, expected another place");
+  if (std::abs(origin.y()) > kHighestLatitude_deg)
+    throw MapError(path + ": lies nearer than 5 degrees to a pole, expected another place");
   const LocalProjection projection(origin);
   double error_m = 0;
   for (Feature& feature : collection.features)
@@ -147,8 +160,9 @@ std::vector<std::string> GeoJsonImporter::project(const std::string& path, Featu
       error_m = std::max(error_m, projection.error_m(p));
     });
   std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), "longitude and latitude (WGS 84) around %.8f, %.8f: x east, y north; off by %.3f m at most",
-                origin.x(), origin.y(), error_m);
+  std::snprintf(text.data(), text.size(),
+                "longitude and latitude (WGS 84) around %.8f, %.8f: x east, y north; off by %.3f m at most", origin.x(),
+                origin.y(), error_m);
   return {text.data()};
 }
 
@@ -163,8 +177,10 @@ std::vector<std::string> GeoJsonImporter::place(const std::string& path, Feature
     });
   if (is_geographic_) return project(path, collection, low, high);
   if (!is_first && is_on_earth(low, high) && (high - low).maxCoeff() < kGeographicExtent)
-    throw MapError(path + ": all coordinates lie within 0.05 and look like longitude and latitude, expected metres; the option "
-                   "geographic=true projects degrees to metres around the middle");
+    throw MapError(
+        path +
+        ": all coordinates lie within 0.05 and look like longitude and latitude, expected metres; the option "
+        "geographic=true projects degrees to metres around the middle");
   for (Feature& feature : collection.features) visit_positions(feature.shapes, [&](Point& p) { p -= origin_m_; });
   return {"coordinates in metres"};
 }
@@ -175,11 +191,12 @@ void GeoJsonImporter::check_level(const std::string& path, const FeatureCollecti
   for (const std::string& level : levels) listed += (listed.empty() ? "'" : ", '") + level + "'";
   if (storey_.empty() && levels.size() > 1)
     throw MapError(path + ": has the levels " + listed + ", expected the option storey to name one");
-  const bool is_known = std::any_of(collection.features.begin(), collection.features.end(), [&](const Feature& feature) {
-    return !levels_of(feature).empty() && is_on_level(feature, storey_);
-  });
+  const bool is_known =
+      std::any_of(collection.features.begin(), collection.features.end(),
+                  [&](const Feature& feature) { return !levels_of(feature).empty() && is_on_level(feature, storey_); });
   if (!storey_.empty() && !is_known)
-    throw MapError(path + ": has no level '" + storey_ + "', expected " + (listed.empty() ? "no storey: it has no levels" : "one of " + listed));
+    throw MapError(path + ": has no level '" + storey_ + "', expected " +
+                   (listed.empty() ? "no storey: it has no levels" : "one of " + listed));
 }
 
 std::vector<Storey> GeoJsonImporter::storeys(const std::string& path) const {
@@ -201,14 +218,19 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   Sorting sorting(plan_, radius_property_, circle_tolerance_m_, max_column_radius_m_);
   for (const Feature& feature : collection.features) {
     const FeatureClasses classes = classes_of(feature, class_property_);
-    if (storey_.empty() || is_on_level(feature, storey_)) sorting.add(feature, classes);
-    else sorting.leave_out(feature, classes.shown, "it is on another level", ImportStatus::not_cut);
+    if (storey_.empty() || is_on_level(feature, storey_))
+      sorting.add(feature, classes);
+    else
+      sorting.leave_out(feature, classes.shown, "it is on another level", ImportStatus::not_cut);
   }
   if (sorting.elements.empty())
-    throw MapError(path + ": no feature gives anything for a map, expected the options classes and class_property to name some of: " +
-                   sorting.tally.overview());
+    throw MapError(
+        path +
+        ": no feature gives anything for a map, expected the options classes and class_property to name some of: " +
+        sorting.tally.overview());
 
-  const PlanAssembly assembly = assemble_plan(path, collection.name.empty() ? name_of(path) : collection.name, sorting.elements, plan_.plan);
+  const PlanAssembly assembly =
+      assemble_plan(path, collection.name.empty() ? name_of(path) : collection.name, sorting.elements, plan_.plan);
   MapImport imported{assembly.map, about_place, std::move(sorting.things), {}};
   report_outcomes(sorting.elements, assembly, imported.elements);
   sort_by_id(imported.elements);
@@ -217,7 +239,8 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   for (const std::string& sentence : sorting.tally.sentences()) imported.report.push_back(sentence);
   for (const std::string& pattern : plan_.rules.unused(sorting.names))
     imported.report.push_back("doubtful: no feature is '" + pattern + "', as a rule of the option classes has it");
-  if (sorting.refitted > 0) imported.report.push_back("circles that were drawn as polygons: " + std::to_string(sorting.refitted));
+  if (sorting.refitted > 0)
+    imported.report.push_back("circles that were drawn as polygons: " + std::to_string(sorting.refitted));
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;
 }

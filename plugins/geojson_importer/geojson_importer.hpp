@@ -22,7 +22,8 @@ class GeoJsonImporter final : public MapImporter {
  private:
   /// All coordinates to metres in the `map` frame. @return sentences about it.
   std::vector<std::string> place(const std::string& path, FeatureCollection& collection) const;
-  std::vector<std::string> project(const std::string& path, FeatureCollection& collection, const Point& low, const Point& high) const;
+  std::vector<std::string> project(const std::string& path, FeatureCollection& collection, const Point& low,
+                                   const Point& high) const;
   void check_level(const std::string& path, const FeatureCollection& collection) const;
 
   PlanImportOptions plan_;

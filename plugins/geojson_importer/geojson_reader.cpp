@@ -70,7 +70,8 @@ class Reader {
     Feature feature;
     feature.id = id_of(object, where, number);
     if (object.contains("properties") && !object.at("properties").is_null()) {
-      if (!object.at("properties").is_object()) fail(where + "/properties", shown(object.at("properties")), "an object or null");
+      if (!object.at("properties").is_object())
+        fail(where + "/properties", shown(object.at("properties")), "an object or null");
       feature.properties = object.at("properties");
     }
     if (object.contains("feature_type")) feature.properties["feature_type"] = object.at("feature_type");  // IMDF
@@ -84,10 +85,12 @@ class Reader {
   std::string id_of(const json& object, const std::string& where, std::size_t number) {
     std::string id = "feature-" + std::to_string(number + 1);
     const json* given = object.contains("id") ? &object.at("id") : nullptr;
-    if (given == nullptr && object.contains("properties") && object.at("properties").is_object() && object.at("properties").contains("@id"))
+    if (given == nullptr && object.contains("properties") && object.at("properties").is_object() &&
+        object.at("properties").contains("@id"))
       given = &object.at("properties").at("@id");  // as exports of OpenStreetMap have it
     if (given != nullptr) {
-      if (!given->is_string() && !given->is_number_integer()) fail(where + "/id", shown(*given), "a text or an integer");
+      if (!given->is_string() && !given->is_number_integer())
+        fail(where + "/id", shown(*given), "a text or an integer");
       id = given->is_string() ? given->get<std::string>() : given->dump();
     }
     if (id.empty()) fail(where + "/id", "an empty id", "a name");
@@ -99,12 +102,14 @@ class Reader {
     const std::string type = type_of(geometry, where, "a geometry");
     if (type == "GeometryCollection") {
       const json& parts = list(geometry, "geometries", where);
-      for (std::size_t k = 0; k < parts.size(); ++k) add_geometry(parts[k], where + "/geometries/" + std::to_string(k), shapes);
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        add_geometry(parts[k], where + "/geometries/" + std::to_string(k), shapes);
       return;
     }
     const bool is_multiple = type.starts_with("Multi");
     const std::string single = is_multiple ? type.substr(5) : type;
-    if (single != "Point" && single != "LineString" && single != "Polygon") fail(where + "/type", shown(geometry.at("type")), "a geometry of RFC 7946");
+    if (single != "Point" && single != "LineString" && single != "Polygon")
+      fail(where + "/type", shown(geometry.at("type")), "a geometry of RFC 7946");
     const json& coordinates = list(geometry, "coordinates", where);
     if (!is_multiple) return add_single(single, coordinates, where + "/coordinates", shapes);
     for (std::size_t k = 0; k < coordinates.size(); ++k)
@@ -135,13 +140,15 @@ class Reader {
     if (!coordinates.is_array() || coordinates.size() < at_least)
       fail(where, shown(coordinates), "at least " + std::to_string(at_least) + " positions");
     std::vector<Point> points;
-    for (std::size_t k = 0; k < coordinates.size(); ++k) points.push_back(position(coordinates[k], where + "/" + std::to_string(k)));
+    for (std::size_t k = 0; k < coordinates.size(); ++k)
+      points.push_back(position(coordinates[k], where + "/" + std::to_string(k)));
     return points;
   }
 
   Point position(const json& coordinates, const std::string& where) const {
-    const bool is_position = coordinates.is_array() && coordinates.size() >= 2 &&
-                             std::all_of(coordinates.begin(), coordinates.end(), [](const json& c) { return c.is_number(); });
+    const bool is_position =
+        coordinates.is_array() && coordinates.size() >= 2 &&
+        std::all_of(coordinates.begin(), coordinates.end(), [](const json& c) { return c.is_number(); });
     if (!is_position) fail(where, shown(coordinates), "a position of two or three numbers");
     return {coordinates[0].get<double>(), coordinates[1].get<double>()};
   }

@@ -14,7 +14,9 @@ constexpr double kMostLevels = 300;
 std::optional<double> number(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && std::abs(value) < 1e6 ? std::optional<double>(value) : std::nullopt;
+  return error == std::errc() && end == text.data() + text.size() && std::abs(value) < 1e6
+             ? std::optional<double>(value)
+             : std::nullopt;
 }
 
 std::string written(double level) {

@@ -7,8 +7,8 @@
 
 namespace opal::geojson_importer {
 
-/// The levels that a feature is on, as OpenStreetMap writes them in the property `level`: "1", "0;1", "-1-2" (-1, 0, 1, 2), or
-/// a number. None: it does not say, and is on all of them.
+/// The levels that a feature is on, as OpenStreetMap writes them in the property `level`: "1", "0;1", "-1-2" (-1, 0, 1,
+/// 2), or a number. None: it does not say, and is on all of them.
 std::vector<std::string> levels_of(const Feature& feature);
 
 bool is_on_level(const Feature& feature, const std::string& level);

@@ -6,8 +6,9 @@ namespace {
 
 void register_types(opal::Registrar& registrar) {
   registrar.add({"opal:GeoJsonImporter", /*consumes*/ {}, /*produces*/ {"opal:Wall", "opal:Corner", "opal:Column"}},
-                opal::Factory<opal::MapImporter>(
-                    [](const nlohmann::json& options) { return std::make_unique<opal::geojson_importer::GeoJsonImporter>(options); }));
+                opal::Factory<opal::MapImporter>([](const nlohmann::json& options) {
+                  return std::make_unique<opal::geojson_importer::GeoJsonImporter>(options);
+                }));
 }
 
 }  // namespace

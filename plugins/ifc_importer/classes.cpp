@@ -36,9 +36,11 @@ Treatment treatment_of(const std::string& class_name, const std::string& word) {
   if (word == "leave_out") return {Kind::left_out, "", "the option classes leaves out " + class_name};
   if (word == "glass") return {Kind::glass, type_of(class_name), "the option classes calls " + class_name + " glass"};
   if (word == "door" || word == "window") return {Kind::filling, word == "door" ? "opal:Door" : "opal:Window", ""};
+  if (!word.empty() && word.front() >= 'A' && word.front() <= 'Z' && word.find(':') == std::string::npos)
+    return {Kind::solid, "opal:" + word, ""};
   if (word.find(':') == std::string::npos)
     throw MapError("option classes: " + class_name + ": \"" + word +
-                   "\", expected a type with a prefix (\"opal:Wall\"), \"glass\", \"door\", \"window\" or \"leave_out\"");
+                   "\", expected a type (\"Wall\", \"acme:Shelf\"), \"glass\", \"door\", \"window\" or \"leave_out\"");
   return {Kind::solid, word, ""};
 }
 

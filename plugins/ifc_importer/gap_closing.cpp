@@ -3,6 +3,8 @@
 #include "point_nodes.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -16,6 +18,10 @@ struct Edge {
   int from, to, solid;
 };
 
+struct Corner {
+  Point at, to_previous, to_next;
+};
+
 class GapClosing {
  public:
   explicit GapClosing(const std::vector<PlanSolid>& solids) : solids_(solids), nodes_(kGap_m) {}
@@ -23,7 +29,8 @@ class GapClosing {
   std::vector<PlanSolid> run() {
     for (std::size_t k = 0; k < solids_.size(); ++k)
       for (const Loop& loop : solids_[k].loops) add(loop, static_cast<int>(k));
-    positions_ = nodes_.points();
+    for (const std::vector<Corner>& corners : corners_) settled_.push_back(best_place(corners));
+    positions_ = settled_;
     move_to_faces();
     return moved();
   }
@@ -31,7 +38,13 @@ class GapClosing {
  private:
   void add(const Loop& loop, int solid) {
     loops_.push_back({solid, {}, circle_of(loop).has_value()});
-    for (const Point& p : loop) loops_.back().nodes.push_back(loops_.back().is_round ? nodes_.add(p) : node_for(p, solid));
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Point& p = loop[k];
+      const int node = loops_.back().is_round ? nodes_.add(p) : node_for(p, solid);
+      loops_.back().nodes.push_back(node);
+      corners_.resize(nodes_.points().size());
+      corners_[static_cast<std::size_t>(node)].push_back({p, loop[(k + loop.size() - 1) % loop.size()] - p, loop[(k + 1) % loop.size()] - p});
+    }
     users_.resize(nodes_.points().size());
     for (const int node : loops_.back().nodes) users_[static_cast<std::size_t>(node)].insert(loops_.back().is_round ? kNobody : solid);
   }
@@ -49,8 +62,24 @@ class GapClosing {
     return best >= 0 ? best : nodes_.add(p);
   }
 
+  /// What it does to a corner's two faces if it is moved: how far they tilt, long ones more than short ones.
+  static double tilt(const Corner& corner, const Point& to) {
+    return std::abs(cross(corner.to_previous, to - corner.at)) + std::abs(cross(corner.to_next, to - corner.at));
+  }
+
+  static Point best_place(const std::vector<Corner>& corners) {
+    Point best = corners.front().at;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Corner& candidate : corners) {
+      double all = 0;
+      for (const Corner& corner : corners) all += tilt(corner, candidate.at);
+      if (all < least - 1e-9) least = all, best = candidate.at;
+    }
+    return best;
+  }
+
   Segment segment(const Edge& edge) const {
-    return {nodes_.points()[static_cast<std::size_t>(edge.from)], nodes_.points()[static_cast<std::size_t>(edge.to)]};
+    return {settled_[static_cast<std::size_t>(edge.from)], settled_[static_cast<std::size_t>(edge.to)]};
   }
 
   /// A corner goes onto the face of another solid that it nearly touches; onto the meeting of two, if there are two.
@@ -68,13 +97,13 @@ class GapClosing {
     const Segment s = segment(edge);
     if (edge.from == edge.to || s.length_m() < 3 * kGap_m) return;
     if (by_x_.empty()) {
-      for (std::size_t k = 0; k < nodes_.points().size(); ++k) by_x_.push_back({nodes_.points()[k].x(), static_cast<int>(k)});
+      for (std::size_t k = 0; k < settled_.size(); ++k) by_x_.push_back({settled_[k].x(), static_cast<int>(k)});
       std::sort(by_x_.begin(), by_x_.end());
     }
     const auto [low, high] = std::minmax(s.begin.x(), s.end.x());
     for (auto it = std::lower_bound(by_x_.begin(), by_x_.end(), std::pair(low - kGap_m, -1)); it != by_x_.end() && it->first <= high + kGap_m; ++it) {
       const auto& users = users_[static_cast<std::size_t>(it->second)];
-      const Point& p = nodes_.points()[static_cast<std::size_t>(it->second)];
+      const Point& p = settled_[static_cast<std::size_t>(it->second)];
       if (users.count(edge.solid) || users.count(kNobody) || distance_m(s, p) > kGap_m) continue;
       const double along = s.direction().dot(p - s.begin);
       if (along > kGap_m && along < s.length_m() - kGap_m) visit(it->second, edge);
@@ -97,6 +126,7 @@ class GapClosing {
 
   std::vector<PlanSolid> moved() const {
     std::vector<PlanSolid> solids(solids_.size());
+    for (std::size_t k = 0; k < solids.size(); ++k) solids[k].object = solids_[k].object;
     for (const SolidLoop& loop : loops_) {
       Loop points;
       for (std::size_t k = 0; k < loop.nodes.size(); ++k)
@@ -118,7 +148,9 @@ class GapClosing {
   std::vector<std::set<int>> users_;
   std::vector<SolidLoop> loops_;
   std::vector<std::pair<double, int>> by_x_;
-  std::vector<Point> positions_;
+  std::vector<std::vector<Corner>> corners_;  // by node
+  std::vector<Point> settled_;                // nodes, before any moves to a face
+  std::vector<Point> positions_;              // and after
 };
 
 }  // namespace

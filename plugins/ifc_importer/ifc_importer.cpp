@@ -2,16 +2,22 @@
 
 #include "ifc_model.hpp"
 #include "report.hpp"
+#include "trial.hpp"
 
 #include <opal/error.hpp>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace opal::ifc_importer {
 namespace {
 
 using Kind = Treatment::Kind;
+
+// Real models of 60,000 instances are read in half a second.
+constexpr unsigned kTrial_s = 8;
+constexpr std::size_t kInstancesPerSecond = 20'000;
 
 std::string name_of(const std::string& path, const std::string& storey) {
   const std::string name = std::filesystem::path(path).stem().string();
@@ -20,6 +26,14 @@ std::string name_of(const std::string& path, const std::string& storey) {
 
 bool comes_in(const ElementCut& cut, const Duplicates& duplicates) {
   return cut.is_cut() && cut.treatment.kind != Kind::left_out && duplicates.kept.count(cut.element->id) == 0;
+}
+
+/// Read once in a child process, and once more if that survived.
+Building building_of(const std::string& path) {
+  const StepText step = StepText::read(path);
+  const unsigned seconds = kTrial_s + static_cast<unsigned>(step.instances().size() / kInstancesPerSecond);
+  try_in_child([&] { (void)read_building(step, path); }, path, seconds);
+  return read_building(step, path);
 }
 
 /// Where two share a face, walls have it before columns, and these before the rest; frames come last.
@@ -56,7 +70,7 @@ bool IfcImporter::recognizes(const std::string& path) const {
 }
 
 MapImport IfcImporter::import(const std::string& path) const {
-  const Building building = read_building(StepText::read(path), path);
+  const Building building = building_of(path);
   const Classes classes(options_.classes);
   const LevelChoice level = choose_level(building, classes, options_, path);
   const std::vector<ElementCut> cuts = cut_storey(building, classes, level.height_m);
@@ -67,7 +81,9 @@ MapImport IfcImporter::import(const std::string& path) const {
     throw MapError(path + ": " + level.sentence + ": nothing of the building is there, expected a storey or height that has walls (opal map storeys)");
   const std::vector<std::size_t> order = solids_in_order(chosen);
   std::vector<PlanSolid> solids;
-  for (const std::size_t k : order) solids.push_back({chosen[k].solid});
+  std::map<std::string, int> objects;
+  for (const std::size_t k : order)
+    solids.push_back({chosen[k].solid, objects.try_emplace(chosen[k].object->id, static_cast<int>(objects.size())).first->second});
   const Plan plan = unite(solids);
   const AssembledMap assembled = assemble(name_of(path, level.storey), chosen, plan, order, duplicates,
                                           origin_of(building, level, chosen), options_.sensor);
@@ -80,7 +96,7 @@ MapImport IfcImporter::import(const std::string& path) const {
 }
 
 std::vector<Storey> IfcImporter::storeys(const std::string& path) const {
-  const Building building = read_building(StepText::read(path), path);
+  const Building building = building_of(path);
   std::vector<Storey> storeys;
   for (const Level& level : building.levels) {
     const double height_m = level.elevation_m + options_.sensor_height_m;

@@ -14,6 +14,7 @@ constexpr double kThinnestAround_m = 0.35;
 // A corner is seen by its two arms.
 constexpr double kShortestArm_m = 0.1;
 constexpr double kLeastTurn_rad = 0.17;  // 10 degrees: facets of curved walls are no corners
+constexpr double kStraight_rad = 0.02;
 // Of a round column in a wall, that much must be visible to be one.
 constexpr double kLeastCircle = 0.5;
 
@@ -105,18 +106,34 @@ class Assembly {
       result_.length_m += length_m;
       features_.push_back({numbered(object, "face"), object, "opal:Wall", sensor_, segment(face), 0, 1,
                            {point_name(face.begin, object), point_name(face.end, object)}});
-      add_corner(face, chain[(k + 1) % chain.size()]);
+      add_corner(chain, k);
     }
   }
 
-  void add_corner(const PlanFace& before, const PlanFace& after) {
-    const Segment a = segment(before), b = segment(after);
-    if (after.is_round || std::min(a.length_m(), b.length_m()) < kShortestArm_m) return;
-    if (std::abs(wrap_angle(b.heading_rad() - a.heading_rad())) < kLeastTurn_rad) return;
-    const int object = object_of(cut_of(before.owner));
+  /// How far a chain goes straight on from a corner, whoever owns the faces: a frame lies in line with its wall.
+  double arm_m(const std::vector<PlanFace>& chain, std::size_t from, bool forward) const {
+    const std::size_t n = chain.size();
+    const double heading_rad = segment(chain[from]).heading_rad();
+    double length_m = 0;
+    for (std::size_t step = 0; step < n; ++step) {
+      const PlanFace& face = chain[(from + (forward ? step : n - step)) % n];
+      if (face.is_round || std::abs(wrap_angle(segment(face).heading_rad() - heading_rad)) > kStraight_rad) break;
+      length_m += segment(face).length_m();
+    }
+    return length_m;
+  }
+
+  /// Between a face and the next one.
+  void add_corner(const std::vector<PlanFace>& chain, std::size_t k) {
+    const std::size_t next = (k + 1) % chain.size();
+    const Segment a = segment(chain[k]), b = segment(chain[next]);
+    if (chain[next].is_round || b.length_m() < kShortestFace_m || std::abs(wrap_angle(b.heading_rad() - a.heading_rad())) < kLeastTurn_rad)
+      return;
+    if (std::min(arm_m(chain, k, false), arm_m(chain, next, true)) < kShortestArm_m) return;
+    const int object = object_of(cut_of(chain[k].owner));
     ++result_.corners;
     features_.push_back({numbered(object, "corner"), object, "opal:Corner", sensor_, oriented_corner(a, b), 0, 1,
-                         {point_name(before.end, object)}});
+                         {point_name(chain[k].end, object)}});
   }
 
   void add(const PlanCircle& circle, std::vector<bool>& is_visible) {

@@ -46,7 +46,7 @@ class Union {
       if (is_closed_void(plan, joined))
         ++plan.closed_voids;
       else
-        plan.chains.push_back(joined_straight(plan, std::move(joined)));
+        plan.chains.push_back(joined_straight(plan, joined));
     }
     measure_circles(plan);
     return plan;
@@ -108,14 +108,16 @@ class Union {
     return area > 0 && area < kSmallestRoom_m2;
   }
 
-  static bool goes_on(const Plan& plan, const PlanFace& a, const PlanFace& b) {
-    if (a.owner != b.owner || a.is_round || b.is_round) return false;
+  int object_of(const PlanFace& face) const { return solids_[static_cast<std::size_t>(face.owner)].object; }
+
+  bool goes_on(const Plan& plan, const PlanFace& a, const PlanFace& b) const {
+    if (object_of(a) != object_of(b) || a.is_round || b.is_round) return false;
     const Point way = at(plan, b.end) - at(plan, a.begin), to_middle = at(plan, b.begin) - at(plan, a.begin);
     return way.norm() > kSame_m && std::abs(cross(way.normalized(), to_middle)) < kStraight_m && to_middle.dot(way) > 0 &&
            (at(plan, b.end) - at(plan, b.begin)).dot(way) > 0;
   }
 
-  static std::vector<PlanFace> joined_straight(const Plan& plan, std::vector<PlanFace> chain) {
+  std::vector<PlanFace> joined_straight(const Plan& plan, const std::vector<PlanFace>& chain) const {
     std::vector<PlanFace> joined;
     for (const PlanFace& face : chain) {
       if (!joined.empty() && goes_on(plan, joined.back(), face))

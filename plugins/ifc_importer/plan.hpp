@@ -10,6 +10,7 @@ namespace opal::ifc_importer {
 /// What one thing puts into the plan. Things are given in order of precedence: where two share a face, the first has it.
 struct PlanSolid {
   std::vector<Loop> loops;
+  int object = 0;  ///< number of the map's object: faces of one object that lie in line are one face
 };
 
 /// A straight piece of visible surface; free space on the left of begin -> end.

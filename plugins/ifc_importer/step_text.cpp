@@ -46,6 +46,12 @@ class Statements {
     fail(begin, "a statement without an end", "';'");
   }
 
+  /// After the last statement.
+  void expect_end() const {
+    const std::size_t more = text_.find_first_not_of(" \t\r\n", at_);
+    if (more != std::string::npos) fail(more, "more text after " + std::string(kEnd), "one model in a file");
+  }
+
   [[noreturn]] void fail(std::size_t at, const std::string& found, const std::string& expected) const {
     const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size())), '\n');
     throw MapError(name_ + ": line " + std::to_string(line) + ": " + found + ", expected " + expected);
@@ -84,14 +90,20 @@ int read_number(std::string_view text, std::size_t& at) {
   return number;
 }
 
-/// Calls visit(position) for what stands outside of texts; false if the parentheses do not match.
+/// After a text comes a comma or the end of its list; a doubled quote begins the next piece of the same text.
+bool may_follow_text(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_space(text[at])) ++at;
+  return at == text.size() || text[at] == ',' || text[at] == ')' || text[at] == '\'';
+}
+
+/// Calls visit(position) for what stands outside of texts; false if the parentheses do not match, or a comma is missing.
 template <class Visit>
 bool visit_outside_texts(std::string_view text, Visit visit) {
   int depth = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '\'') {
       at = text.find('\'', at + 1);
-      if (at == std::string_view::npos) return false;
+      if (at == std::string_view::npos || !may_follow_text(text, at + 1)) return false;
       continue;
     }
     depth += (text[at] == '(') - (text[at] == ')');
@@ -122,7 +134,7 @@ StepInstance read_instance(const Statements& statements, std::string_view statem
     if (number < 0) statements.fail(statement, "a number after '#'");
     instance.references.push_back(number);
   });
-  if (!closed) statements.fail(statement, "as many ')' as '('");
+  if (!closed) statements.fail(statement, "arguments with commas between them, and as many ')' as '('");
   const std::string_view first = trimmed(instance.arguments.substr(0, 40));
   if (first.starts_with('\''))
     if (const std::size_t end = first.find('\'', 1); end != std::string_view::npos) instance.global_id = first.substr(1, end - 1);
@@ -173,6 +185,7 @@ StepText StepText::parse(std::string content, const std::string& name) {
     else if (statement == "ENDSEC") in_data = false;
     else if (in_data) step.instances_.push_back(read_instance(statements, statement));
   }
+  statements.expect_end();
   expect_known(step.schema_, name);
   if (in_data) throw MapError(name + ": the data section has no end, expected ENDSEC");
   if (step.instances_.empty()) throw MapError(name + ": has no instances, expected a building model");

@@ -1,5 +1,7 @@
 #include "feature_rows.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -46,8 +48,8 @@ const char* const kInsertFeatures =
     "object_type text, representation text, shape text, x float8, y float8, x2 float8, y2 float8, radius_m float8, "
     "heading_rad float8, opening_rad float8, position_sigma_m float8, existence float8)";
 
-std::vector<json> feature_rows(const SemanticMap& map) {
-  std::vector<json> rows;
+std::vector<std::string> feature_rows(const SemanticMap& map) {
+  std::vector<std::string> rows;
   rows.reserve(map.features().size());
   for (const MapFeature& feature : map.features()) {
     json row = std::visit(ShapeColumns{}, feature.geometry);
@@ -61,7 +63,7 @@ std::vector<json> feature_rows(const SemanticMap& map) {
     row["representation"] = feature.representation;
     row["position_sigma_m"] = feature.position_sigma_m;
     row["existence"] = feature.existence;
-    rows.push_back(std::move(row));
+    rows.push_back(row.dump());
   }
   return rows;
 }

@@ -3,15 +3,13 @@
 #include <opal/geometry.hpp>
 #include <opal/semantic_map.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 #include <vector>
 
 namespace opal::postgis_store {
 
-/// Features as rows of the table opal.features: an object per feature, which kInsertFeatures takes an array of.
-std::vector<nlohmann::json> feature_rows(const SemanticMap& map);
+/// Features as rows of the table opal.features: a JSON object per feature, which kInsertFeatures takes an array of.
+std::vector<std::string> feature_rows(const SemanticMap& map);
 
 /// $1: id of the map version; $2: array of rows.
 extern const char* const kInsertFeatures;

@@ -1,5 +1,8 @@
 #include "graph_rows.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <string>
 #include <unordered_map>
 
@@ -47,7 +50,12 @@ class Flattening {
       if (key != "@id") there[key] = key == "@type" && there.contains(key) ? united(there[key], value) : value;
   }
 
-  std::vector<json> take() { return std::move(nodes_); }
+  std::vector<std::string> texts() const {
+    std::vector<std::string> texts;
+    texts.reserve(nodes_.size());
+    for (const json& node : nodes_) texts.push_back(node.dump());
+    return texts;
+  }
 
  private:
   json flattened(const json& value, bool strings_are_ids) {
@@ -80,7 +88,7 @@ GraphRows graph_rows(const SemanticMap& map) {
       flattening.add_nested(node);
     else
       flattening.add_flat(node);
-  return {document["@context"], flattening.take()};
+  return {document["@context"].dump(), flattening.texts()};
 }
 
 }  // namespace opal::postgis_store

@@ -2,16 +2,15 @@
 
 #include <opal/semantic_map.hpp>
 
-#include <nlohmann/json.hpp>
-
+#include <string>
 #include <vector>
 
 namespace opal::postgis_store {
 
-/// A map as a flat JSON-LD graph.
+/// A map as a flat JSON-LD graph, in pieces of JSON.
 struct GraphRows {
-  nlohmann::json context;
-  std::vector<nlohmann::json> nodes;  ///< with an @id each, which several may share; other nodes only by reference
+  std::string context;
+  std::vector<std::string> nodes;  ///< with an @id each, which several may share; other nodes only by reference
 };
 
 GraphRows graph_rows(const SemanticMap& map);

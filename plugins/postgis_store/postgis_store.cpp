@@ -84,7 +84,7 @@ void expect_newest(const MapPush& request, int newest) {
 }
 
 /// @return id of the map version.
-std::string add_version(Session& session, const SemanticMap& map, const MapPush& request, const json& context) {
+std::string add_version(Session& session, const SemanticMap& map, const MapPush& request, const std::string& context) {
   const Row building = lock_building(session, request.building);
   const int newest = std::stoi(building.at(1));
   expect_newest(request, newest);
@@ -94,21 +94,21 @@ std::string add_version(Session& session, const SemanticMap& map, const MapPush&
       .ask("INSERT INTO opal.map_versions (building, version, message, map_name, context, objects, features, patterns, "
            "largest_radius_m) VALUES ($1::bigint, $2::integer, $3, $4, $5::jsonb, $6::integer, $7::integer, $8::integer, "
            "$9::float8) RETURNING id",
-           {building[0], version, request.message, map.name(), context.dump(), std::to_string(map.objects().size()),
+           {building[0], version, request.message, map.name(), context, std::to_string(map.objects().size()),
             std::to_string(map.features().size()), std::to_string(map.patterns().size()),
             json(largest_radius_m(map)).dump()})
       .at(0)
       .at(0);
 }
 
-/// Statements of moderate size: `work` gets an array of some rows as text, and the position of the first.
+/// Statements of moderate size: `work` gets a JSON array of some rows, and the position of the first.
 template <class Work>
-void in_batches(std::span<const json> rows, Work work) {
+void in_batches(std::span<const std::string> rows, Work work) {
   constexpr std::size_t kRowsAtOnce = 10000;
   for (std::size_t first = 0; first < rows.size(); first += kRowsAtOnce) {
     std::string batch = "[";
-    for (const json& row : rows.subspan(first, std::min(kRowsAtOnce, rows.size() - first)))
-      batch.append(batch.size() > 1 ? "," : "").append(row.dump());
+    for (const std::string& row : rows.subspan(first, std::min(kRowsAtOnce, rows.size() - first)))
+      batch.append(batch.size() > 1 ? "," : "").append(row);
     work(batch + "]", first);
   }
 }
@@ -133,7 +133,7 @@ constexpr const char* kInsertRelations =
     "jsonb_path_query(entry.value, 'lax $[*].\"@list\"[*]') WITH ORDINALITY AS member(value, ord) "
     "WHERE n.map = $1::bigint AND jsonb_typeof(member.value) = 'object' AND member.value ? '@id'";
 
-void add_graph(Session& session, const std::string& map_id, std::span<const json> nodes) {
+void add_graph(Session& session, const std::string& map_id, std::span<const std::string> nodes) {
   in_batches(nodes, [&](const std::string& batch, std::size_t first) {
     session.ask(kInsertNodes, {map_id, std::to_string(first), batch});
   });
@@ -147,8 +147,8 @@ void add_features(Session& session, const std::string& map_id, const SemanticMap
 
 void expect_storable(const GraphRows& graph, const MapPush& request) {
   expect_storable(request.message, "the message");
-  expect_storable(graph.context.dump(), "the map's context");
-  for (const json& node : graph.nodes) expect_storable(node.dump(), "node " + node["@id"].dump() + " of the map");
+  expect_storable(graph.context, "the map's context");
+  for (const std::string& node : graph.nodes) expect_storable(node, "node " + node.substr(0, 120) + " of the map");
 }
 
 // Pull ---------------------------------------------------------------------------------------------------------------

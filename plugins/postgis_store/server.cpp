@@ -99,7 +99,7 @@ void Server::guarded(const std::function<void(Session&)>& work) const {
     transaction.commit();
     return;
   } catch (const pqxx::broken_connection& error) {
-    unreachable = error.what();
+    unreachable = std::string(connection_ ? "the connection broke: " : "") + error.what();
   } catch (const pqxx::in_doubt_error&) {
     unreachable = "the connection broke in the very moment of the commit: see in the list whether it took place";
   } catch (const pqxx::sql_error& error) {

@@ -11,7 +11,8 @@ namespace {
 std::shared_ptr<const opal::MapImporter> importer() {
   opal::PluginRegistry registry;
   registry.load(OPAL_PLUGIN_DIR "/dxf_importer.so");
-  return registry.make<opal::MapImporter>("opal:DxfImporter", {{"unit", "m"}, {"classes", {{"W*", "Wall"}, {"C*", "Column"}, {"D*", "Door"}}}});
+  return registry.make<opal::MapImporter>(
+      "opal:DxfImporter", {{"unit", "m"}, {"classes", {{"W*", "Wall"}, {"C*", "Column"}, {"D*", "Door"}}}});
 }
 
 }  // namespace

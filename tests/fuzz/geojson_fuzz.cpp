@@ -13,7 +13,8 @@ using Importer = std::shared_ptr<const opal::MapImporter>;
 Importer importer(bool geographic) {
   opal::PluginRegistry registry;
   registry.load(OPAL_PLUGIN_DIR "/geojson_importer.so");
-  return registry.make<opal::MapImporter>("opal:GeoJsonImporter", {{"geographic", geographic}, {"classes", {{"a=*", "Wall"}, {"b=*", "Door"}}}});
+  return registry.make<opal::MapImporter>(
+      "opal:GeoJsonImporter", {{"geographic", geographic}, {"classes", {{"a=*", "Wall"}, {"b=*", "Door"}}}});
 }
 
 void use(const opal::MapImporter& importer, const std::string& path) {

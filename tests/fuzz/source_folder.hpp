@@ -9,7 +9,8 @@
 /// A folder of its own for each process, so that several may fuzz at a time.
 class SourceFolder {
  public:
-  explicit SourceFolder(const std::string& name) : path_((std::filesystem::temp_directory_path() / (name + "_XXXXXX")).string()) {
+  explicit SourceFolder(const std::string& name)
+      : path_((std::filesystem::temp_directory_path() / (name + "_XXXXXX")).string()) {
     if (mkdtemp(path_.data()) == nullptr) std::abort();
   }
   ~SourceFolder() {

@@ -95,12 +95,15 @@ std::string death(int status) {
 }
 
 Trial trial_of(const std::string& answer) {
-  const Trial::Result result = answer[0] == 'a' ? Trial::Result::accepted : answer[0] == 'r' ? Trial::Result::refused : Trial::Result::failed;
+  const Trial::Result result = answer[0] == 'a'   ? Trial::Result::accepted
+                               : answer[0] == 'r' ? Trial::Result::refused
+                                                  : Trial::Result::failed;
   return {result, answer.substr(1)};
 }
 
 /// Reads texts from `first` on in a child until it has read all or died. @return the first that was not read.
-std::size_t run_child(std::size_t first, const std::string& path, const std::vector<std::string>& texts, const Read& read, std::vector<Trial>& trials) {
+std::size_t run_child(std::size_t first, const std::string& path, const std::vector<std::string>& texts,
+                      const Read& read, std::vector<Trial>& trials) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("cannot make a pipe");
   const pid_t child = fork();
@@ -124,9 +127,11 @@ std::size_t run_child(std::size_t first, const std::string& path, const std::vec
 
 }  // namespace
 
-std::vector<Trial> read_in_children(const std::string& file_name, const std::vector<std::string>& texts, const Read& read) {
+std::vector<Trial> read_in_children(const std::string& file_name, const std::vector<std::string>& texts,
+                                    const Read& read) {
   const Folder folder;
   std::vector<Trial> trials(texts.size());
-  for (std::size_t next = 0; next < texts.size();) next = run_child(next, folder.path() + "/" + file_name, texts, read, trials);
+  for (std::size_t next = 0; next < texts.size();)
+    next = run_child(next, folder.path() + "/" + file_name, texts, read, trials);
   return trials;
 }

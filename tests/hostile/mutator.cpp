@@ -20,7 +20,9 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-bool is_of_number(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == 'e' || c == 'E' || c == '+'; }
+bool is_of_number(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == 'e' || c == 'E' || c == '+';
+}
 
 /// From the first digit at or after a place to the number's end; empty if there is none.
 std::pair<std::size_t, std::size_t> number_after(const std::string& text, std::size_t at) {
@@ -41,7 +43,8 @@ std::size_t reference_end(const std::string& text, std::size_t begin, char refer
 }  // namespace
 
 std::string Mutator::flip_bytes(std::string text) {
-  for (std::size_t k = 1 + below(8); k > 0 && !text.empty(); --k) text[below(text.size())] ^= static_cast<char>(1U << below(8));
+  for (std::size_t k = 1 + below(8); k > 0 && !text.empty(); --k)
+    text[below(text.size())] ^= static_cast<char>(1U << below(8));
   return text;
 }
 
@@ -65,17 +68,26 @@ std::string Mutator::change_lines(const std::string& text) {
   const std::size_t a = below(lines.size()), b = below(lines.size()), count = 1 + below(6);
   const auto at = [&](std::size_t k) { return lines.begin() + static_cast<std::ptrdiff_t>(k); };
   switch (below(4)) {
-    case 0: lines.erase(at(a), at(std::min(lines.size(), a + count))); break;
-    case 1: lines.insert(at(a), lines[b]); break;
-    case 2: std::swap(lines[a], lines[b]); break;
-    default: std::rotate(at(std::min(a, b)), at((a + b) / 2), at(std::max(a, b))); break;
+    case 0:
+      lines.erase(at(a), at(std::min(lines.size(), a + count)));
+      break;
+    case 1:
+      lines.insert(at(a), lines[b]);
+      break;
+    case 2:
+      std::swap(lines[a], lines[b]);
+      break;
+    default:
+      std::rotate(at(std::min(a, b)), at((a + b) / 2), at(std::max(a, b)));
+      break;
   }
   return joined(lines);
 }
 
 std::string Mutator::change_number(const std::string& text) {
-  static const std::array<const char*, 16> kNumbers{"1e308", "-1e308", "1e999", "NaN", "nan", "inf", "-inf", "2147483648",
-                                                    "-2147483649", "99999999999999999999", "0", "-1", "1e-320", "0x7f", "1,5", ""};
+  static const std::array<const char*, 16> kNumbers{
+      "1e308", "-1e308", "1e999",  "NaN",  "nan", "inf", "-inf", "2147483648", "-2147483649", "99999999999999999999",
+      "0",     "-1",     "1e-320", "0x7f", "1,5", ""};
   const auto [begin, end] = number_after(text, below(text.size()));
   return text.substr(0, begin) + kNumbers[below(kNumbers.size())] + text.substr(end);
 }
@@ -105,7 +117,8 @@ std::string Mutator::nest(const std::string& text) {
 std::string Mutator::encode_otherwise(const std::string& text) {
   std::string encoded;
   switch (below(5)) {
-    case 0: return "\xEF\xBB\xBF" + text;
+    case 0:
+      return "\xEF\xBB\xBF" + text;
     case 1:
       for (const char c : text) encoded += c == '\n' ? std::string("\r\n") : std::string(1, c);
       return encoded;
@@ -116,22 +129,35 @@ std::string Mutator::encode_otherwise(const std::string& text) {
       encoded = "\xFF\xFE";
       for (const char c : text) encoded += std::string{c, '\0'};
       return encoded;
-    default: return std::string(1 + below(64), '\0') + text;
+    default:
+      return std::string(1 + below(64), '\0') + text;
   }
 }
 
 std::string Mutator::once(std::string text, char reference) {
   if (text.empty()) return text;
   switch (below(12)) {
-    case 0: case 1: return flip_bytes(std::move(text));
-    case 2: return cut(text);
-    case 3: return without_piece(text);
-    case 4: return with_piece_twice(text);
-    case 5: case 6: return change_lines(text);
-    case 7: case 8: return change_number(text);
-    case 9: return swap_references(std::move(text), reference);
-    case 10: return nest(text);
-    default: return encode_otherwise(text);
+    case 0:
+    case 1:
+      return flip_bytes(std::move(text));
+    case 2:
+      return cut(text);
+    case 3:
+      return without_piece(text);
+    case 4:
+      return with_piece_twice(text);
+    case 5:
+    case 6:
+      return change_lines(text);
+    case 7:
+    case 8:
+      return change_number(text);
+    case 9:
+      return swap_references(std::move(text), reference);
+    case 10:
+      return nest(text);
+    default:
+      return encode_otherwise(text);
   }
 }
 

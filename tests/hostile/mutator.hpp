@@ -4,18 +4,21 @@
 #include <string>
 #include <vector>
 
-/// Damages texts in the ways in which files are damaged, and in some that only malice thinks of. The same seed gives the same
-/// damage.
+/// Damages texts in the ways in which files are damaged, and in some that only malice thinks of. The same seed gives
+/// the same damage.
 class Mutator {
  public:
   explicit Mutator(unsigned seed) : random_(seed) {}
 
   /// One to three kinds of damage, one after the other.
-  /// @param references  how the format refers to other things: a character that begins a reference ('#' in STEP, '"' in JSON).
+  /// @param references  how the format refers to other things: a character that begins a reference ('#' in STEP, '"' in
+  /// JSON).
   std::string damaged(const std::string& text, char reference);
 
  private:
-  std::size_t below(std::size_t limit) { return limit == 0 ? 0 : std::uniform_int_distribution<std::size_t>(0, limit - 1)(random_); }
+  std::size_t below(std::size_t limit) {
+    return limit == 0 ? 0 : std::uniform_int_distribution<std::size_t>(0, limit - 1)(random_);
+  }
   std::string once(std::string text, char reference);
 
   std::string flip_bytes(std::string text);

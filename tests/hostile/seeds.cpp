@@ -1,5 +1,6 @@
 #include "seeds.hpp"
 
+#include "drawn_building.hpp"
 #include "dxf_text.hpp"
 
 #include <opal/semantic_map.hpp>
@@ -24,14 +25,36 @@ std::string tiny_drawing() {
   dxf.polyline("A-WALL", {{0, 8}, {3, 8}, {3, 9}}, false, {0.3, 0}).insert("S-COLS", "PAIR", {2, 3}, 1, -1, 30);
   dxf.insert("S-COLS", "POST", {5, 3}).pair(70, 2).pair(71, 2).pair(44, 1).pair(45, 1.5);
   dxf.entity("SOLID", "S-COLS").point(10, {8, 2}).point(11, {8.3, 2}).point(12, {8, 2.3}).point(13, {8.3, 2.3});
-  dxf.entity("HATCH", "A-WALL").point(10, {0, 0}).pair(2, std::string("SOLID")).pair(70, 1).pair(71, 0).pair(91, 1).pair(92, 3).pair(72, 0).pair(73, 1).pair(93, 3);
+  dxf.entity("HATCH", "A-WALL")
+      .point(10, {0, 0})
+      .pair(2, std::string("SOLID"))
+      .pair(70, 1)
+      .pair(71, 0)
+      .pair(91, 1)
+      .pair(92, 3)
+      .pair(72, 0)
+      .pair(73, 1)
+      .pair(93, 3);
   for (const opal::Point& p : {opal::Point(1, 6), opal::Point(2, 6), opal::Point(1, 7)}) dxf.point(10, p);
   dxf.pair(97, 0).pair(75, 0).pair(76, 1).pair(98, 0);
   dxf.entity("POLYLINE", "A-WALL").pair(66, 1).pair(70, 1);
-  for (const opal::Point& p : {opal::Point(6, 6), opal::Point(9, 6), opal::Point(9, 6.2)}) dxf.entity("VERTEX", "A-WALL").point(10, p);
+  for (const opal::Point& p : {opal::Point(6, 6), opal::Point(9, 6), opal::Point(9, 6.2)})
+    dxf.entity("VERTEX", "A-WALL").point(10, p);
   dxf.entity("SEQEND", "A-WALL");
   dxf.entity("TEXT", "A-ANNO").point(10, {1, 3}).pair(40, 0.25).pair(1, std::string("Room"));
   return dxf.text();
+}
+
+std::string drawn_building() {
+  opal::DrawnBuilding building;
+  const int south = building.add_wall("south", {3, -0.1, 0}, 6.4, 0.2);
+  building.add_wall("north", {3, 4.1, 0}, 6.4, 0.2);
+  building.add_wall("west", {-0.1, 2, std::numbers::pi / 2}, 4, 0.2);
+  building.add_wall("east", {6.1, 2, std::numbers::pi / 2}, 4, 0.2);
+  building.add_door(south, "door", {2, -0.1, 0}, 1, 0.2);
+  building.add_column("column", {4, 2}, 0.2);
+  building.add_storey("Ground", 0);
+  return building.text();
 }
 
 }  // namespace
@@ -65,12 +88,10 @@ std::vector<std::string> map_seeds() {
 }
 
 std::vector<std::string> ifc_seeds() {
-  std::vector<std::string> seeds;
+  std::vector<std::string> seeds{drawn_building()};
   for (const char* name : {"simple_room_v6.ifc", "grid-placement_4x3.ifc"}) {
     const std::string path = std::string(OPAL_SOURCE_DIR "/../shared/data/ifc/") + name;
     if (std::filesystem::exists(path)) seeds.push_back(read_file(path));
   }
   return seeds;
 }
-
-nlohmann::json ifc_options() { return nlohmann::json::object(); }

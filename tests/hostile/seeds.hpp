@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 #include <vector>
 
@@ -11,6 +9,5 @@ std::vector<std::string> dxf_seeds();
 std::vector<std::string> geojson_seeds();
 std::vector<std::string> map_seeds();
 
-/// Small real models of ../shared; none where that is absent.
+/// A drawn building, and small real ones of ../shared where that is there.
 std::vector<std::string> ifc_seeds();
-nlohmann::json ifc_options();

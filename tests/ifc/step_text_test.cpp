@@ -98,6 +98,15 @@ TEST_CASE("classes that the reader does not know are told about") {
   CHECK(told);
 }
 
+TEST_CASE("a model of wrong types is refused or reported, and brings nothing down") {
+  const std::string text = drawn();
+  for (const char* type : {"IFCDIRECTION", "IFCLOCALPLACEMENT", "IFCSHAPEREPRESENTATION", "IFCRECTANGLEPROFILEDEF", "IFCWALL"})
+    for (const char* by : {"IFCCARTESIANPOINT(", "IFCAXIS2PLACEMENT3D(", "IFCEXTRUDEDAREASOLID(", "IFCPOLYLINE("}) {
+      CAPTURE(type, by);
+      CHECK_NOTHROW(refusal(replaced(text, std::string(type) + "(", by)));
+    }
+}
+
 TEST_CASE("bodies that cannot be cut are named with the reason") {
   const std::string text = replaced(drawn(), "IFCCIRCLEPROFILEDEF(.AREA.,$,$,0.2)", "IFCCIRCLEPROFILEDEF(.AREA.,$,$,1.E12)");
   const MapImport imported = import_text(text);

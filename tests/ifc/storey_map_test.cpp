@@ -252,7 +252,13 @@ TEST_CASE("what the model says survives writing and reading") {
   const auto map = import(building).map;
   const auto again = SemanticMap::parse(map->to_json_ld().dump(), "again");
   REQUIRE(again->objects().size() == map->objects().size());
-  for (std::size_t k = 0; k < map->objects().size(); ++k) CHECK(again->objects()[k].notes == map->objects()[k].notes);
+  for (std::size_t k = 0; k < map->objects().size(); ++k) {
+    const ObjectNotes &a = map->objects()[k].notes, &b = again->objects()[k].notes;
+    CHECK(a.name == b.name);
+    CHECK(a.source_class == b.source_class);
+    CHECK(a.width_m == b.width_m);
+    CHECK(a.merged_ids == b.merged_ids);
+  }
   CHECK(again->origin().storey == "Ground");
   CHECK(again->origin().cut_height_m == 1.0);
   CHECK(again->origin().widest_door_m == map->origin().widest_door_m);

@@ -13,10 +13,10 @@ namespace {
 constexpr const char* kRichDocument = R"json({
   "@context": ["urn:opal:v1", { "acme": "https://acme.example/types#", "other": "urn:other:" }],
   "@graph": [
-    { "@type": "SemanticMap", "name": "It's \"rich\": \\ \u00e9 \u4e2d $1 %s", "smear_m": 0.04 },
+    { "@type": "SemanticMap", "name": "It's \"rich\": \\ \u00e9 \u4e2d $1 %s", "smear_m": 0.04, "storey": "Level 1", "cut_height_m": 0.3, "crs": "EPSG:28992", "eastings_m": 1.5, "northings_m": 2 },
     { "@id": "hall", "@type": "MapPlacement", "x": 1.5, "y": -2, "heading_rad": 0.25, "scale_x": -1, "scale_y": 1.0000000000000002 },
     { "@id": "storey-1", "@type": "Storey", "name": "Level 1", "has_element": [{ "@id": "w1" }, { "@id": "k'1" }] },
-    { "@id": "w1", "@type": ["Wall", "acme:FireWall"], "acme:thickness": 0.1, "acme:rating": { "@value": "F90", "@language": "de" },
+    { "@id": "w1", "@type": ["Wall", "acme:FireWall"], "name": "a wall", "source_class": "IfcWall", "merged_ids": ["w9", "k'1"], "axis": [0, 0.1, 8, 0.1], "acme:thickness": 0.1, "acme:rating": { "@value": "F90", "@language": "de" },
       "acme:next": [{ "@id": "k'1" }, { "@id": "acme:Nowhere" }], "acme:steps": { "@list": [1, 2, { "@id": "w1" }] },
       "represented_by": [
         { "@id": "r1", "@type": "ObjectFeatureRepresentation", "perceivable_by": { "@id": "PlanarLidar2D" }, "acme:made_by": "hand",

@@ -103,7 +103,7 @@ TEST_CASE("a text that PostgreSQL cannot store is refused by name") {
   const auto map = SemanticMap::parse(
       R"({"@context": ["urn:opal:v1", {"acme": "urn:acme:"}], "@graph": [{"@id": "w", "@type": "Wall", "acme:note": "a\u0000b"}]})",
       "zero");
-  CHECK_THROWS_WITH(store()->push(*map, {"zero"}), Catch::Contains("node \"w\"") && Catch::Contains("U+0000"));
+  CHECK_THROWS_WITH(store()->push(*map, {"zero"}), Catch::Contains("node {\"@id\":\"w\"") && Catch::Contains("U+0000"));
   CHECK(store()->list("zero").empty());
 }
 

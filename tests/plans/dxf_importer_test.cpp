@@ -38,7 +38,8 @@ TEST_CASE("a small office comes in with its walls, columns, doors and glass, and
   CHECK(says(office, "left out, its layer is frozen: layer A-OLD: 1 LINE"));
   CHECK(says(office, "left out, entities of this type are not read: layer A-WALL: 1 SPLINE"));
   for (const MapFeature& feature : office.map->features())
-    if (office.map->objects()[static_cast<std::size_t>(feature.object)].type == "opal:Door") CHECK(feature.sensor.empty());
+    if (office.map->objects()[static_cast<std::size_t>(feature.object)].type == "opal:Door")
+      CHECK(feature.sensor.empty());
 }
 
 TEST_CASE("the unit is the drawing's, or that of the option, or asked for") {
@@ -47,18 +48,22 @@ TEST_CASE("the unit is the drawing's, or that of the option, or asked for") {
   CHECK(all<Segment>(*import_dxf(wall(1)).map).size() == 8);  // five metres thick: no wall, but rooms
   CHECK(has_face(*import_dxf(wall(0), {{"unit", "mm"}}).map, {5, 0}, {0, 0}));
   CHECK(says(import_dxf(wall(4), {{"unit", "cm"}}), "$INSUNITS 4 says another unit"));
-  CHECK_THROWS_WITH(import_dxf(wall(0)), Contains("plan.dxf: does not say in which unit it is drawn") && Contains("m, dm, cm, mm, in, ft, yd"));
+  CHECK_THROWS_WITH(import_dxf(wall(0)), Contains("plan.dxf: does not say in which unit it is drawn") &&
+                                             Contains("m, dm, cm, mm, in, ft, yd"));
   CHECK_THROWS_AS(import_dxf(wall(-1)), MapError);
   CHECK_THROWS_WITH(import_dxf(wall(7)), Contains("$INSUNITS 7"));
-  CHECK_THROWS_WITH(import_dxf(wall(4), {{"unit", "miles"}}), Contains("option unit: \"miles\", expected one of: m, dm"));
+  CHECK_THROWS_WITH(import_dxf(wall(4), {{"unit", "miles"}}),
+                    Contains("option unit: \"miles\", expected one of: m, dm"));
 }
 
 TEST_CASE("layers become classes by rules; what no rule knows is named") {
   DxfText dxf(6);
   dxf.box("Innenwand", 0, 0, 5, 0.2).circle("PFEILER", {3, 3}, 0.2).line("A-WALL-CNTR", {0, 0.1}, {5, 0.1});
   CHECK_THROWS_WITH(import_dxf(dxf.text(), {{"classes", {{"*wand", "leave_out"}}}}),
-                    Contains("no layer gives anything") && Contains("'Innenwand' (1 LWPOLYLINE)") && Contains("'PFEILER' (1 CIRCLE)"));
-  const MapImport plan = import_dxf(dxf.text(), {{"classes", {{"innen*", "Wall"}, {"PFEILER", "opal:Column"}, {"NOTHING*", "Wall"}}}});
+                    Contains("no layer gives anything") && Contains("'Innenwand' (1 LWPOLYLINE)") &&
+                        Contains("'PFEILER' (1 CIRCLE)"));
+  const MapImport plan =
+      import_dxf(dxf.text(), {{"classes", {{"innen*", "Wall"}, {"PFEILER", "opal:Column"}, {"NOTHING*", "Wall"}}}});
   CHECK(all<Circle>(*plan.map).size() == 1);
   CHECK(all<Segment>(*plan.map).size() == 4);
   CHECK(says(plan, "no layer is called 'NOTHING*'"));
@@ -77,7 +82,9 @@ TEST_CASE("blocks are put in their places: nested, scaled, turned, mirrored, in 
   const auto circles = all<Circle>(*plan.map);
   REQUIRE(circles.size() == 10);
   const auto has = [&](const Point& centre, double radius_m) {
-    return std::any_of(circles.begin(), circles.end(), [&](const Circle& c) { return (c.center - centre).norm() < 1e-9 && std::abs(c.radius_m - radius_m) < 1e-9; });
+    return std::any_of(circles.begin(), circles.end(), [&](const Circle& c) {
+      return (c.center - centre).norm() < 1e-9 && std::abs(c.radius_m - radius_m) < 1e-9;
+    });
   };
   CHECK(has({10, 10}, 0.2));
   CHECK(has({10, 14}, 0.2));
@@ -111,7 +118,8 @@ TEST_CASE("bulges are arcs, and two half circles are a circle") {
   const ImportedElement line = thing(plan, "101");
   for (const Segment& chord : line.outline) {
     const double off = std::abs((chord.midpoint() - Point(0, 7)).norm() - std::sqrt(8.0));
-    if (chord.length_m() < 1.9) CHECK(std::min(off, std::abs((chord.midpoint() - Point(4, 7)).norm() - std::sqrt(8.0))) < 0.006);
+    if (chord.length_m() < 1.9)
+      CHECK(std::min(off, std::abs((chord.midpoint() - Point(4, 7)).norm() - std::sqrt(8.0))) < 0.006);
   }
   CHECK(says(plan, "curved lines that became short straight ones"));
 }
@@ -121,9 +129,18 @@ TEST_CASE("a hatch or a filled shape says where the wall is") {
   dxf.box("A-WALL", 0, 0, 3, 2);
   dxf.entity("SOLID", "A-WALL").point(10, {0, 0}).point(11, {3, 0}).point(12, {0, 2}).point(13, {3, 2});
   CHECK(all<Segment>(*import_dxf(dxf.text()).map).size() == 4);
+  DxfText alone(6);
+  alone.entity("SOLID", "S-COLS").point(10, {0, 0}).point(11, {0.4, 0}).point(12, {0, 0.3}).point(13, {0.4, 0.3});
+  CHECK(has_face(*import_dxf(alone.text()).map, {0.4, 0}, {0, 0}));
   const auto hatched = [](bool as_polyline) {
     DxfText text(6);
-    text.box("A-WALL", 0, 0, 3, 2).entity("HATCH", "A-WALL-PATT").point(10, {0, 0}).pair(2, "SOLID").pair(70, 1).pair(71, 0).pair(91, 1);
+    text.box("A-WALL", 0, 0, 3, 2)
+        .entity("HATCH", "A-WALL-PATT")
+        .point(10, {0, 0})
+        .pair(2, "SOLID")
+        .pair(70, 1)
+        .pair(71, 0)
+        .pair(91, 1);
     const std::vector<Point> ring{{0, 0}, {3, 0}, {3, 2}, {0, 2}};
     if (as_polyline) {
       text.pair(92, 3).pair(72, 0).pair(73, 1).pair(93, 4);
@@ -141,7 +158,8 @@ TEST_CASE("a hatch or a filled shape says where the wall is") {
 TEST_CASE("old polylines are read vertex by vertex, meshes are reported") {
   DxfText dxf(6);
   dxf.entity("POLYLINE", "A-WALL").pair(66, 1).pair(70, 1);
-  for (const Point& p : {Point(0, 0), Point(5, 0), Point(5, 0.2), Point(0, 0.2)}) dxf.entity("VERTEX", "A-WALL").point(10, p);
+  for (const Point& p : {Point(0, 0), Point(5, 0), Point(5, 0.2), Point(0, 0.2)})
+    dxf.entity("VERTEX", "A-WALL").point(10, p);
   dxf.entity("SEQEND", "A-WALL");
   dxf.entity("POLYLINE", "A-WALL").pair(66, 1).pair(70, 64).entity("SEQEND", "A-WALL");
   const MapImport plan = import_dxf(dxf.text());
@@ -152,10 +170,21 @@ TEST_CASE("old polylines are read vertex by vertex, meshes are reported") {
 TEST_CASE("blocks that are missing, external, endless or too many are said or refused") {
   const auto with_wall = [](DxfText& dxf) { return dxf.box("A-WALL", 0, 0, 5, 0.2).text(); };
   DxfText missing(6);
-  CHECK(thing(import_dxf(with_wall(missing.insert("S-COLS", "NOWHERE", {0, 0}))), "100").reason == "its block 'NOWHERE' is not in the file");
+  CHECK(thing(import_dxf(with_wall(missing.insert("S-COLS", "NOWHERE", {0, 0}))), "100").reason ==
+        "its block 'NOWHERE' is not in the file");
+  DxfText empty(6);
+  empty.begin_block("NOTHING").end_block();
+  CHECK(thing(import_dxf(with_wall(empty.insert("S-COLS", "NOTHING", {0, 0}))), "100").reason ==
+        "its block 'NOTHING' is empty");
   DxfText endless(6);
-  endless.begin_block("A").insert("S-COLS", "B", {1, 0}).end_block().begin_block("B").insert("S-COLS", "A", {1, 0}).end_block();
-  CHECK_THROWS_WITH(import_dxf(with_wall(endless.insert("S-COLS", "A", {0, 0}))), Contains("block 'A' > 'B' > 'A': it contains itself"));
+  endless.begin_block("A")
+      .insert("S-COLS", "B", {1, 0})
+      .end_block()
+      .begin_block("B")
+      .insert("S-COLS", "A", {1, 0})
+      .end_block();
+  CHECK_THROWS_WITH(import_dxf(with_wall(endless.insert("S-COLS", "A", {0, 0}))),
+                    Contains("block 'A' > 'B' > 'A': it contains itself"));
   DxfText bomb(6);
   bomb.begin_block("L0").circle("S-COLS", {0, 0}, 0.1).end_block();
   for (int level = 1; level < 25; ++level) {

@@ -40,7 +40,8 @@ class DxfText {
   DxfText& arc(const std::string& layer, const opal::Point& centre, double radius, double from_deg, double to_deg) {
     return entity("ARC", layer).point(10, centre).pair(40, radius).pair(50, from_deg).pair(51, to_deg);
   }
-  DxfText& polyline(const std::string& layer, const std::vector<opal::Point>& points, bool closed, const std::vector<double>& bulges = {}) {
+  DxfText& polyline(const std::string& layer, const std::vector<opal::Point>& points, bool closed,
+                    const std::vector<double>& bulges = {}) {
     entity("LWPOLYLINE", layer).pair(90, static_cast<double>(points.size())).pair(70, closed ? 1 : 0);
     for (std::size_t k = 0; k < points.size(); ++k) {
       point(10, points[k]);
@@ -51,7 +52,8 @@ class DxfText {
   DxfText& box(const std::string& layer, double x0, double y0, double x1, double y1) {
     return polyline(layer, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, true);
   }
-  DxfText& insert(const std::string& layer, const std::string& block, const opal::Point& at, double scale_x = 1, double scale_y = 1, double angle_deg = 0) {
+  DxfText& insert(const std::string& layer, const std::string& block, const opal::Point& at, double scale_x = 1,
+                  double scale_y = 1, double angle_deg = 0) {
     return entity("INSERT", layer).pair(2, block).point(10, at).pair(41, scale_x).pair(42, scale_y).pair(50, angle_deg);
   }
 
@@ -87,22 +89,36 @@ class DxfText {
   std::ostringstream layers_, blocks_, entities_;
 };
 
-/// A floor of an office in millimetres, 24 m x 12 m: an outline with a corridor and rooms, partitions as pairs of lines, columns as
-/// circles, blocks and closed lines, doors as blocks with a swing, glass, furniture and text.
+/// A floor of an office in millimetres, 24 m x 12 m: an outline with a corridor and rooms, partitions as pairs of
+/// lines, columns as circles, blocks and closed lines, doors as blocks with a swing, glass, furniture and text.
 inline std::string small_office() {
   DxfText dxf(4);
   dxf.layer("A-WALL", 0, 7).layer("A-FURN", 0, 7).layer("A-OLD", 1, 7);
   dxf.begin_block("DOOR").line("0", {0, 0}, {0, 900}).arc("0", {0, 0}, 900, 0, 90).end_block();
-  dxf.begin_block("COLUMN").circle("0", {0, 0}, 200).line("0", {-140, -140}, {140, 140}).line("0", {-140, 140}, {140, -140}).end_block();
+  dxf.begin_block("COLUMN")
+      .circle("0", {0, 0}, 200)
+      .line("0", {-140, -140}, {140, 140})
+      .line("0", {-140, 140}, {140, -140})
+      .end_block();
   dxf.begin_block("DESK").box("A-FURN", 0, 0, 1600, 800).end_block();
   dxf.box("A-WALL", 0, 0, 24000, 12000);
   // Rooms along the south, each with a door of 900 to the corridor at y = 5000 to 7000.
   const auto room = [&](double x0, double x1, double y0, double y1, double door_y, double far_y) {
     const double d0 = x0 + 500, d1 = d0 + 900;
-    dxf.polyline("A-WALL", {{d0, far_y}, {d0, door_y}, {x0, door_y}, {x0, door_y == y1 ? y0 : y1}, {x1, door_y == y1 ? y0 : y1}, {x1, door_y}, {d1, door_y}, {d1, far_y}}, false);
+    dxf.polyline("A-WALL",
+                 {{d0, far_y},
+                  {d0, door_y},
+                  {x0, door_y},
+                  {x0, door_y == y1 ? y0 : y1},
+                  {x1, door_y == y1 ? y0 : y1},
+                  {x1, door_y},
+                  {d1, door_y},
+                  {d1, far_y}},
+                 false);
     dxf.insert("A-DOOR", "DOOR", {d0, door_y});
   };
-  for (const double x : {300.0, 6300.0, 12300.0, 18300.0}) room(x, x + (x > 18000 ? 5400 : 5850), 300, 4850, 4850, 5000);
+  for (const double x : {300.0, 6300.0, 12300.0, 18300.0})
+    room(x, x + (x > 18000 ? 5400 : 5850), 300, 4850, 4850, 5000);
   for (const double x : {300.0, 12300.0}) room(x, x + (x > 12000 ? 11400 : 11850), 7150, 11700, 7150, 7000);
   // The corridor's faces between the doors.
   const auto corridor = [&](double y, const std::vector<double>& doors) {
@@ -119,7 +135,8 @@ inline std::string small_office() {
   for (const double x : {4000.0, 8000.0, 16000.0, 20000.0}) dxf.insert("S-COLS", "COLUMN", {x, 9500});
   dxf.circle("S-COLS", {2500, 2500}, 150);
   std::vector<opal::Point> drawn;
-  for (int k = 0; k < 32; ++k) drawn.push_back(opal::Point(9000, 2500) + 180 * opal::unit_vector(k * std::numbers::pi / 16));
+  for (int k = 0; k < 32; ++k)
+    drawn.push_back(opal::Point(9000, 2500) + 180 * opal::unit_vector(k * std::numbers::pi / 16));
   dxf.polyline("S-COLS", drawn, true);
   dxf.box("S-COLS", 14800, 2300, 15200, 2700);
   dxf.line("A-GLAZ", {20000, 300}, {20000, 4850});

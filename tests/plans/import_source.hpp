@@ -21,7 +21,8 @@ template <class Shape>
 std::vector<Shape> all(const opal::SemanticMap& map) {
   std::vector<Shape> shapes;
   for (const opal::MapFeature& feature : map.features())
-    if (const auto* shape = std::get_if<Shape>(&feature.geometry); shape != nullptr && !feature.sensor.empty()) shapes.push_back(*shape);
+    if (const auto* shape = std::get_if<Shape>(&feature.geometry); shape != nullptr && !feature.sensor.empty())
+      shapes.push_back(*shape);
   return shapes;
 }
 

@@ -23,7 +23,8 @@ std::vector<PlanElement> random_plan(unsigned seed) {
     } else if (k % 4 == 1) {
       element.lines = {{{T * Point(0, 0), T * Point(l, 0)}}, {{T * Point(0, t), T * Point(l, t)}}};
     } else {
-      element.lines = {{{T * Point(0, 0), T * Point(l, 0), T * Point(l, t), T * Point(0, t)}, true,
+      element.lines = {{{T * Point(0, 0), T * Point(l, 0), T * Point(l, t), T * Point(0, t)},
+                        true,
                         k % 4 == 2 ? PlanSides::solid : PlanSides::to_find}};
     }
     elements.push_back(std::move(element));
@@ -59,7 +60,8 @@ TEST_CASE("a plan that is moved gives the same map, moved") {
   REQUIRE(here.map->features().size() == there.map->features().size());
   for (std::size_t k = 0; k < here.map->features().size(); ++k) {
     const Geometry expected = transformed(T, here.map->features()[k].geometry);
-    CHECK(distance_m(expected, anchor_of(there.map->features()[k].geometry)) < 0.02 + (std::holds_alternative<Circle>(expected) ? 1 : 0));
+    CHECK(distance_m(expected, anchor_of(there.map->features()[k].geometry)) <
+          0.02 + (std::holds_alternative<Circle>(expected) ? 1 : 0));
   }
   CHECK(face_length_m(*here.map) == Approx(face_length_m(*there.map)).margin(0.02));
 }
@@ -75,7 +77,8 @@ TEST_CASE("every face of massive walls has free space before it and wall behind 
       if (const auto* circle = std::get_if<Circle>(&other.geometry))
         CHECK((face->midpoint() - circle->center).norm() > circle->radius_m - 0.011);
   }
-  for (const PlanOutcome& outcome : plan.outcomes) CHECK((outcome.status != PlanOutcome::Status::merged || !outcome.with.empty()));
+  for (const PlanOutcome& outcome : plan.outcomes)
+    CHECK((outcome.status != PlanOutcome::Status::merged || !outcome.with.empty()));
 }
 
 TEST_CASE("corners are where two faces share a point, and everything that shares a place shares it") {
@@ -88,8 +91,10 @@ TEST_CASE("corners are where two faces share a point, and everything that shares
       ends.emplace_back(feature.points[1], face->end);
     }
   for (std::size_t a = 0; a < ends.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b) CHECK(((ends[a].second - ends[b].second).norm() > 0.01) == (ends[a].first != ends[b].first));
+    for (std::size_t b = 0; b < a; ++b)
+      CHECK(((ends[a].second - ends[b].second).norm() > 0.01) == (ends[a].first != ends[b].first));
   for (const MapFeature& feature : plan.map->features())
     if (std::holds_alternative<OrientedPoint>(feature.geometry))
-      CHECK(std::count_if(ends.begin(), ends.end(), [&](const auto& end) { return end.first == feature.points[0]; }) >= 2);
+      CHECK(std::count_if(ends.begin(), ends.end(), [&](const auto& end) { return end.first == feature.points[0]; }) >=
+            2);
 }

@@ -129,6 +129,14 @@ TEST_CASE("a map's path starts from the folder of the deployment") {
   CHECK(parsed(R"("map": "/maps/hall.jsonld")").map == "/maps/hall.jsonld");
 }
 
+TEST_CASE("overlays are one or several files, from the folder of the deployment") {
+  CHECK(parsed("").overlays.empty());
+  CHECK(parsed(R"("overlays": "../maps/may.jsonld")").overlays == std::vector<std::string>{"maps/may.jsonld"});
+  CHECK(parsed(R"("overlays": ["may.jsonld", "/maps/june.jsonld"])").overlays ==
+        std::vector<std::string>{"configs/may.jsonld", "/maps/june.jsonld"});
+  CHECK(refusal_of(document(R"("overlays": [1])")) == "/overlays: [1], expected a list of texts");
+}
+
 TEST_CASE("a wrong deployment is refused with the place, what was found and what was expected") {
   const auto refusal = [](const std::string& members) { return refusal_of(document(members)); };
   CHECK(refusal(R"("sensor": {"beams": 0})") == "/sensor/beams: 0, expected an integer from 1 to 100000");

@@ -11,20 +11,24 @@
 
 namespace opal {
 
-/// Says what the layers or classes of a source become: names, with `*` for any characters and `?` for one, to object types.
-/// Upper and lower case are the same. If several rules fit a name, the one with the most characters of its own goes first.
+/// Says what the layers or classes of a source become: names, with `*` for any characters and `?` for one, to object
+/// types. Upper and lower case are the same. If several rules fit a name, the one with the most characters of its own
+/// goes first.
 class OPAL_EXPORT ClassRules {
  public:
   /// What a rule says of names that shall not come into the map.
   static constexpr const char* kLeaveOut = "leave_out";
 
-  /// @param given     an importer's option `classes`: {"A-WALL*": "opal:Wall", "A-FURN*": "leave_out"}. These rules go before
+  /// @param given     an importer's option `classes`: {"A-WALL*": "opal:Wall", "A-FURN*": "leave_out"}. These rules go
+  /// before
   ///                  all defaults; "Wall" stands for "opal:Wall".
   /// @param defaults  in the same form.
   ClassRules(const nlohmann::json& given, const std::map<std::string, std::string>& defaults);
 
   /// An object type, kLeaveOut, or nothing if no rule fits.
-  std::optional<std::string> class_of(const std::string& name) const { return class_of(std::vector<std::string>{name}); }
+  std::optional<std::string> class_of(const std::string& name) const {
+    return class_of(std::vector<std::string>{name});
+  }
   /// Of a thing with several names: by the first rule that fits any of them.
   std::optional<std::string> class_of(const std::vector<std::string>& names) const;
   /// Given rules that fit none of these names: misspelt, perhaps.
@@ -41,7 +45,8 @@ class OPAL_EXPORT ClassRules {
   std::vector<Rule> rules_;  ///< the first that fits decides
 };
 
-/// Whether a name fits a pattern with `*` and `?`, in upper or lower case. Time grows with the product of the lengths at most.
+/// Whether a name fits a pattern with `*` and `?`, in upper or lower case. Time grows with the product of the lengths
+/// at most.
 OPAL_EXPORT bool fits_pattern(const std::string& name, const std::string& pattern);
 
 }  // namespace opal

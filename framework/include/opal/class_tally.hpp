@@ -17,7 +17,8 @@ class OPAL_EXPORT ClassTally {
 
   void count_used(const std::string& source_class, const std::string& object_type, const std::string& entity_type);
   /// @param why  begins the sentence: "no class for its layer".
-  void count_left_out(const std::string& source_class, const std::string& why, const std::string& entity_type, const std::string& id);
+  void count_left_out(const std::string& source_class, const std::string& why, const std::string& entity_type,
+                      const std::string& id);
 
   /// What is used first; then what is left out, and why.
   std::vector<std::string> sentences() const;

@@ -13,7 +13,7 @@ namespace opal::json_ld {
 /// A document that breaks JSON-LD 1.1.
 class OPAL_EXPORT JsonLdError : public MapError {
  public:
-  /// @param code     W3C error code, e.g. "invalid term definition". Of our own are "nested too deeply" and,
+  /// @param code     W3C error code, e.g. "invalid term definition". Of our own are "nested too deeply", "colliding containers" and,
   ///                 for Options::reject_unknown_terms, "unknown term", "unknown prefix", "unknown keyword",
   ///                 "misplaced keyword" and "free-floating value".
   /// @param pointer  JSON pointer into the source document, "" for the whole; inside a context that was named

@@ -49,7 +49,7 @@ class Corridors {
   std::vector<int> lines(int block, int blocks) {
     std::vector<int> all{0, vary_.length(corridor_, 170, 320)};
     for (int k = 0; k < blocks; ++k) {
-      all.push_back(all.back() + vary_.length(block, 500, 1500));
+      all.push_back(all.back() + vary_.length(block, block * 2 / 3 / 5 * 5, block * 4 / 3 / 5 * 5));
       all.push_back(all.back() + vary_.length(corridor_, 170, 320));
     }
     return all;
@@ -58,7 +58,7 @@ class Corridors {
   Cut drawn_cut() {
     Cut cut;
     cut.kind = static_cast<Cut::Kind>(vary_.between(0, 10) / 5);
-    cut.width = cut.kind == Cut::Kind::door ? kShutDoor : vary_.between(80, 200);
+    cut.width = cut.kind == Cut::Kind::door ? kShutDoor : vary_.between(110, 220);
     cut.offset = vary_.between(20, kStep - 20 - cut.width);
     cut.depth = vary_.between(25, kDeepest);
     return cut;

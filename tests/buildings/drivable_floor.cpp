@@ -1,16 +1,15 @@
 #include "drivable_floor.hpp"
 
-#include <opal/error.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <simulation/ray_caster.hpp>
 
-namespace opal::simulation {
+using namespace opal;
+using namespace opal::simulation;
+
 namespace {
 
-constexpr double kMostCells = 1e8;
+constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 constexpr double kBesideFace_m = 0.02;
 // Faces stand at round numbers: no cell has its centre on one.
 constexpr double kOffGrid = 0.37;
@@ -44,7 +43,7 @@ class DrivableFloor::Flood {
       const int cell = open.back();
       open.pop_back();
       ++count;
-      for (const auto& [dx, dy] : std::array<std::array<int, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
+      for (const auto& [dx, dy] : kNeighbours) {
         const int next = floor_.neighbour(cell, dx, dy);
         if (next < 0 || marked[static_cast<std::size_t>(next)] || !allowed(next)) continue;
         if (caster_.cast(floor_.centre(cell), Point(dx, dy), floor_.cell_m_).solid >= 0) continue;
@@ -61,22 +60,16 @@ class DrivableFloor::Flood {
 };
 
 DrivableFloor::DrivableFloor(const SemanticMap& map, double radius_m, double cell_m) : cell_m_(cell_m) {
-  if (!(radius_m > 0) || !(cell_m > 0)) throw ConfigError("radius of a robot and side of a cell must be above 0 m");
   const RayCaster caster(standing_solids(map));
-  lay_out(map, caster);
+  lay_out(caster);
   find_floor(map, caster);
   find_places(caster, radius_m);
   cover(radius_m);
 }
 
-void DrivableFloor::lay_out(const SemanticMap& map, const RayCaster& caster) {
+void DrivableFloor::lay_out(const RayCaster& caster) {
   const auto [low, high] = caster.bounds();
-  const bool is_empty = std::none_of(map.features().begin(), map.features().end(), [](const MapFeature& f) {
-    return !f.sensor.empty() && (kind_of(f.geometry) == GeometryKind::segment || kind_of(f.geometry) == GeometryKind::circle);
-  });
-  if (is_empty) throw MapError(map.name() + ": no face and no circle that a sensor perceives, so there is no floor");
   const Point cells = ((high - low) / cell_m_).array().floor() + 1;
-  if (!(cells.x() * cells.y() <= kMostCells)) throw ConfigError("a grid of such small cells has more than 10^8 of them");
   columns_ = static_cast<int>(cells.x());
   rows_ = static_cast<int>(cells.y());
   origin_ = low.array() + kOffGrid * cell_m_;
@@ -116,18 +109,28 @@ void DrivableFloor::find_places(const RayCaster& caster, double radius_m) {
 
 void DrivableFloor::cover(double radius_m) {
   const int reach = static_cast<int>(radius_m / cell_m_);
+  std::vector<std::array<int, 2>> disc;
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx)
+      if (std::hypot(dx, dy) * cell_m_ <= radius_m) disc.push_back({dx, dy});
+  is_covered_ = can_stand_;
   for (int cell = 0; cell < columns_ * rows_; ++cell) {
-    if (!can_stand_[static_cast<std::size_t>(cell)]) continue;
-    for (int dy = -reach; dy <= reach; ++dy)
-      for (int dx = -reach; dx <= reach; ++dx)
-        if (std::hypot(dx, dy) * cell_m_ <= radius_m)
-          if (const int other = neighbour(cell, dx, dy); other >= 0) is_covered_[static_cast<std::size_t>(other)] = true;
+    if (!can_stand_[static_cast<std::size_t>(cell)] || is_surrounded(cell)) continue;
+    for (const auto& [dx, dy] : disc)
+      if (const int other = neighbour(cell, dx, dy); other >= 0) is_covered_[static_cast<std::size_t>(other)] = true;
   }
+}
+
+/// What the disc covers from such a cell, it covers from the neighbours, too.
+bool DrivableFloor::is_surrounded(int cell) const {
+  return std::all_of(kNeighbours.begin(), kNeighbours.end(), [&](const std::array<int, 2>& step) {
+    const int next = neighbour(cell, step[0], step[1]);
+    return next >= 0 && can_stand_[static_cast<std::size_t>(next)];
+  });
 }
 
 int DrivableFloor::cell_at(const Point& p) const {
   const Point at = (p - origin_) / cell_m_;
-  if (!(std::abs(at.x()) < kMostCells && std::abs(at.y()) < kMostCells)) return -1;
   const int column = static_cast<int>(std::lround(at.x())), row = static_cast<int>(std::lround(at.y()));
   return column < 0 || row < 0 || column >= columns_ || row >= rows_ ? -1 : row * columns_ + column;
 }
@@ -158,5 +161,3 @@ double DrivableFloor::floor_m2() const {
 double DrivableFloor::covered_m2() const {
   return cell_m_ * cell_m_ * static_cast<double>(std::count(is_covered_.begin(), is_covered_.end(), true));
 }
-
-}  // namespace opal::simulation
