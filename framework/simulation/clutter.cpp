@@ -1,6 +1,7 @@
 #include "simulation/clutter.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace opal::simulation {
 namespace {
@@ -72,14 +73,30 @@ bool is_glass(const std::string& type) {
   return type == "opal:Window" || type == "opal:Plate" || type == "opal:CurtainWall" || type == "opal:Glass";
 }
 
-/// A leaf in its opening, or turned about one of its ends.
-Segment leaf(const Segment& closed, double open_share, Random& random) {
-  if (!random.chance(open_share)) return closed;
-  const bool at_begin = random.chance(0.5);
-  const Point hinge = at_begin ? closed.begin : closed.end;
-  const double angle = (random.chance(0.5) ? 1 : -1) * random.uniform(1.2, 1.7);
-  const Point swung = hinge + Pose2(0, 0, angle).rotate((at_begin ? closed.end : closed.begin) - hinge);
-  return at_begin ? Segment{hinge, swung} : Segment{swung, hinge};
+/// How the leaf of a door has been moved out of its opening: turned about a hinge, or not at all.
+class Leaf {
+ public:
+  /// @param outline  of one door; the hinge is one end of its longest straight piece.
+  Leaf(std::span<const Segment> outline, bool open, Random& random) {
+    if (!open || outline.empty()) return;
+    const Segment longest = *std::max_element(outline.begin(), outline.end(), [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
+    const Point hinge = random.chance(0.5) ? longest.begin : longest.end;
+    const double angle = (random.chance(0.5) ? 1 : -1) * random.uniform(1.2, 1.7);
+    moved_ = Pose2(hinge, 0) * Pose2(0, 0, angle) * Pose2(-hinge, 0);
+  }
+  Segment moved(const Segment& piece) const { return transformed(moved_, piece); }
+
+ private:
+  Pose2 moved_;
+};
+
+/// Pieces of one object that no sensor perceives.
+std::vector<Segment> unperceived(const SemanticMap& map, const MapObject& object) {
+  std::vector<Segment> pieces;
+  for (int number : object.features)
+    if (const auto* piece = std::get_if<Segment>(&map.features()[number].geometry); piece && map.features()[number].sensor.empty())
+      pieces.push_back(*piece);
+  return pieces;
 }
 
 /// As many as there should be on average.
@@ -91,13 +108,16 @@ int count_of(double expected, Random& random) {
 
 std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random) {
   std::vector<Solid> solids;
-  for (const MapFeature& feature : map.features()) {
-    const std::string& type = map.objects()[feature.object].type;
-    const auto* segment = std::get_if<Segment>(&feature.geometry);
-    if (feature.sensor.empty() && segment && type == "opal:Door")
-      solids.push_back({leaf(*segment, doors_open_share, random), false});
-    else
-      solids.push_back({feature.geometry, feature.sensor.empty() && is_glass(type)});
+  for (const MapObject& object : map.objects()) {
+    const bool is_door = object.type == "opal:Door";
+    const std::vector<Segment> outline = is_door ? unperceived(map, object) : std::vector<Segment>();
+    const Leaf leaf(outline, is_door && random.chance(doors_open_share), random);
+    for (const Segment& piece : outline) solids.push_back({leaf.moved(piece), false});
+    for (int number : object.features) {
+      const MapFeature& feature = map.features()[number];
+      if (is_door && feature.sensor.empty()) continue;  // the leaf, done
+      solids.push_back({feature.geometry, feature.sensor.empty() && is_glass(object.type)});
+    }
   }
   return solids;
 }

@@ -83,7 +83,7 @@ class OverlayReader {
     expect_words(node, words);
     if (!node.types().empty() && !node.has_type(iri::kChange)) node.fail(node.description() + " is no MapChange, expected one");
     used_.insert(node.id());
-    MapChange change;
+    OverlayChange change;
     change.target = name_of(node.required_reference(iri::kTarget).id);
     change.place = overlay_.source + ": " + node.place();
     change.because = node.text(iri::kBecause).value_or(because);
@@ -107,7 +107,7 @@ class OverlayReader {
     return numbers;
   }
 
-  std::map<std::string, double> read_was(const GraphNode& node, const MapChange& change) {
+  std::map<std::string, double> read_was(const GraphNode& node, const OverlayChange& change) {
     expect_words(node, Words(kNumbers.begin(), kNumbers.end()));
     used_.insert(node.id());
     const auto was = numbers_of(node);
@@ -116,7 +116,7 @@ class OverlayReader {
     return was;
   }
 
-  static void expect_something(const GraphNode& node, const MapChange& change) {
+  static void expect_something(const GraphNode& node, const OverlayChange& change) {
     if (change.numbers.empty() && change.types.empty() && change.perceivable_by.empty() && change.not_perceivable_by.empty())
       node.fail("the change of '" + change.target + "' changes nothing, expected x and y, existence, not_perceivable_by, ...");
   }

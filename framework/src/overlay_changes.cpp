@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStale = 0.01;  // m, rad or probability: what differs more is not what the change was written for
 
-[[noreturn]] void refuse(const MapChange& change, const std::string& message) { throw MapError(change.place + ": " + message); }
+[[noreturn]] void refuse(const OverlayChange& change, const std::string& message) { throw MapError(change.place + ": " + message); }
 
 bool is_coordinate(const std::string& word) { return word == "x" || word == "y"; }
 bool is_quality(const std::string& word) { return word == "existence" || word == "position_sigma_m"; }
@@ -51,7 +51,7 @@ std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-std::string reason(const MapChange& change) { return change.because.empty() ? "" : ", because " + change.because; }
+std::string reason(const OverlayChange& change) { return change.because.empty() ? "" : ", because " + change.because; }
 
 }  // namespace
 
@@ -64,7 +64,7 @@ struct ChangeMaker::Target {
   std::string point;  ///< that x and y are about; empty if there is none, or are several
 };
 
-bool ChangeMaker::find(const MapChange& change, Target& target) const {
+bool ChangeMaker::find(const OverlayChange& change, Target& target) const {
   const auto is_in = [&](const auto& names) { return names.find(change.target) != names.end(); };
   target.id = change.target;
   if (is_in(draft_.objects_by_id)) {
@@ -109,7 +109,7 @@ std::vector<double*> ChangeMaker::numbers_of(const Target& target, const std::st
 }
 
 /// The change means something for its target, and no other change contradicts it.
-void ChangeMaker::check(const MapChange& change, const Target& target) {
+void ChangeMaker::check(const OverlayChange& change, const Target& target) {
   for (const auto& [word, value] : change.numbers) {
     const Range range = range_of(word);
     if (!(value >= range.minimum && value <= range.maximum))
@@ -151,7 +151,7 @@ void ChangeMaker::claim(const std::string& what, const std::string& value, const
                  first.value + "; expected one of them");
 }
 
-void ChangeMaker::check_was(const MapChange& change, const Target& target) {
+void ChangeMaker::check_was(const OverlayChange& change, const Target& target) {
   for (const auto& [word, was] : change.was) {
     const double now = *numbers_of(target, word).front(), wanted = change.numbers.at(word);
     if (std::abs(now - was) > kStale && std::abs(now - wanted) > kRounding_m)
@@ -185,7 +185,7 @@ std::string ChangeMaker::set_type(const Target& target, const std::string& word,
   return changes ? word + " " + before + " -> " + type : "";
 }
 
-std::string ChangeMaker::disable(const MapChange& change, const Target& target, const std::string& sensor) {
+std::string ChangeMaker::disable(const OverlayChange& change, const Target& target, const std::string& sensor) {
   std::size_t disabled = 0, others = 0, all = 0;
   for (const int i : target.features) {
     MapFeature& feature = draft_.features[i];
@@ -234,14 +234,14 @@ void ChangeMaker::apply(const Found& found) {
     for (std::size_t i = 0; i < found.size(); ++i) step(*found[i].first, found[i].second, effects[i]);
   };
   using Texts = std::vector<std::string>;
-  round([&](const MapChange& change, const Target& target, Texts& texts) {
+  round([&](const OverlayChange& change, const Target& target, Texts& texts) {
     for (const auto& [word, value] : change.numbers) texts.push_back(set_number(target, word, value));
     for (const auto& [word, type] : change.types) texts.push_back(set_type(target, word, type));
   });
-  round([&](const MapChange& change, const Target& target, Texts& texts) {
+  round([&](const OverlayChange& change, const Target& target, Texts& texts) {
     for (const std::string& sensor : change.not_perceivable_by) texts.push_back(disable(change, target, sensor));
   });
-  round([&](const MapChange& change, const Target& target, Texts& texts) {
+  round([&](const OverlayChange& change, const Target& target, Texts& texts) {
     for (const std::string& sensor : change.perceivable_by) texts.push_back(enable(target, sensor));
   });
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -256,7 +256,7 @@ void ChangeMaker::make(const std::vector<MapOverlay>& overlays) {
   Found found;
   std::string missing;
   for (const MapOverlay& overlay : overlays)
-    for (const MapChange& change : overlay.changes) {
+    for (const OverlayChange& change : overlay.changes) {
       Target target;
       if (find(change, target)) {
         check(change, target);

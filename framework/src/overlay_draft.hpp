@@ -66,19 +66,19 @@ class ChangeMaker {
 
  private:
   struct Target;
-  using Found = std::vector<std::pair<const MapChange*, Target>>;
+  using Found = std::vector<std::pair<const OverlayChange*, Target>>;
   struct Claim {
     std::string value, place;
   };
 
-  bool find(const MapChange& change, Target& target) const;
-  void check(const MapChange& change, const Target& target);
+  bool find(const OverlayChange& change, Target& target) const;
+  void check(const OverlayChange& change, const Target& target);
   void claim(const std::string& what, const std::string& value, const std::string& place);
-  void check_was(const MapChange& change, const Target& target);
+  void check_was(const OverlayChange& change, const Target& target);
   void apply(const Found& found);
   std::string set_number(const Target& target, const std::string& word, double value);
   std::string set_type(const Target& target, const std::string& word, const std::string& type);
-  std::string disable(const MapChange& change, const Target& target, const std::string& sensor);
+  std::string disable(const OverlayChange& change, const Target& target, const std::string& sensor);
   std::string enable(const Target& target, const std::string& sensor);
   std::vector<double> values_of(const Target& target, const std::string& word) const;
   std::vector<double*> numbers_of(const Target& target, const std::string& word) const;

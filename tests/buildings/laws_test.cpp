@@ -25,7 +25,10 @@ Shape shape_of(const MapFeature& feature, double shift_m) {
     numbers.insert(numbers.end(), {std::lround(1e3 * (p.x() + shift_m)), std::lround(1e3 * p.y())});
   };
   if (const auto* face = std::get_if<Segment>(&feature.geometry)) add(face->begin), add(face->end);
-  if (const auto* circle = std::get_if<Circle>(&feature.geometry)) add(circle->center), numbers.push_back(std::lround(1e3 * circle->radius_m));
+  if (const auto* circle = std::get_if<Circle>(&feature.geometry)) {
+    add(circle->center);
+    numbers.push_back(std::lround(1e3 * circle->radius_m));
+  }
   if (const auto* corner = std::get_if<OrientedPoint>(&feature.geometry)) {
     add(corner->position);
     numbers.insert(numbers.end(), {std::lround(1e3 * corner->heading_rad), std::lround(1e3 * corner->opening_rad)});

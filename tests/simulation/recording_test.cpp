@@ -129,3 +129,27 @@ TEST_CASE("the way between two places stays on the floor") {
   }
   CHECK_FALSE(simulation.floor().way({1e6, 0}, simulation.floor().anywhere(random)));
 }
+
+TEST_CASE("a door that is open leaves its opening, as a whole") {
+  const Segment a{{1, 0}, {2, 0}}, b{{2, 0.05}, {1, 0.05}};
+  std::vector<MapFeature> features;
+  for (const Segment& piece : {a, b}) {
+    MapFeature feature;
+    feature.id = "leaf-" + std::to_string(features.size());
+    feature.object = 0;
+    feature.type = "opal:Door";
+    feature.geometry = piece;
+    features.push_back(feature);
+  }
+  const auto map = SemanticMap::make("door", {{"door", "opal:Door"}}, features);
+  Random random(1);
+  for (int k = 0; k < 20; ++k) {
+    const RayCaster closed(building_solids(*map, 0, random)), open(building_solids(*map, 1, random));
+    CHECK(closed.cast({1.5, -3}, {0, 1}, 10).range_m == Approx(3));
+    const auto& moved_a = std::get<Segment>(open.solids()[0].shape);
+    const auto& moved_b = std::get<Segment>(open.solids()[1].shape);
+    CHECK(open.cast({1.5, -3}, {0, 1}, 10).solid == -1);
+    CHECK((moved_a.begin - moved_b.end).norm() == Approx(0.05));
+    CHECK((moved_a.end - moved_b.begin).norm() == Approx(0.05));
+  }
+}

@@ -12,7 +12,7 @@
 namespace opal {
 
 /// What shall hold for one thing of a map, instead of what the map says. Metres and radians in the `map` frame.
-struct MapChange {
+struct OverlayChange {
   std::string target;   ///< id of an object, a representation, a geometry or a point
   std::string place;    ///< where it is written: "hall.overlay.jsonld: /@graph/0/changes/2"
   std::string because;  ///< in words; may be empty
@@ -30,7 +30,7 @@ struct MapChange {
 struct MapOverlay {
   std::string source;  ///< file or name, first word of every message
   std::string name;    ///< for people; may be empty
-  std::vector<MapChange> changes;
+  std::vector<OverlayChange> changes;
   nlohmann::json additions = nlohmann::json::array();  ///< all other nodes of the document, expanded and flattened
   std::map<std::string, std::string> prefixes = {};
 };

@@ -26,7 +26,7 @@ struct ObjectNotes {
   std::optional<Segment> axis = {};          ///< a wall's reference line; no side is the visible one
   std::vector<std::string> merged_ids = {};  ///< of things that the source has at the same place once more
 
-  bool operator==(const ObjectNotes& other) const;
+  OPAL_EXPORT bool operator==(const ObjectNotes& other) const;
 };
 
 /// A thing in the building that the map names: a wall, a column, a door.

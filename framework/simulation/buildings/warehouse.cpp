@@ -11,6 +11,7 @@ constexpr int kBackAisle = 400;
 constexpr int kSidesOfRacks = 300;  // aisles along the west and east wall
 constexpr int kLongestRack = 3000;  // without a cross aisle
 constexpr int kCrossAisle = 350;
+constexpr int kOffice = 500;        // its length
 constexpr int kFrame = 550;         // between pilasters of the west and east walls
 
 class Warehouse {
@@ -30,12 +31,14 @@ class Warehouse {
   PlannedBuilding run() {
     const int width = rows_.back() + kSidesOfRacks;
     building_.plan.room({0, 0, width, height_});
+    const bool has_office = vary_.yes(false, 0.7), is_west = vary_.chance(0.5);
+    if (has_office) office_ = is_west ? Box{0, 0, kOffice, office_depth()} : Box{width - kOffice, 0, width, office_depth()};
     for (std::size_t k = 0; k + 1 < rows_.size(); k += 2) {
       add_row(rows_[k], rows_[k + 1]);
       add_dock(rows_[k], rows_[k + 1], width);
     }
     add_pilasters(width);
-    if (vary_.yes(false, 0.7)) add_office(width);
+    if (has_office) add_office();
     return std::move(building_);
   }
 
@@ -68,8 +71,8 @@ class Warehouse {
     const bool has_gate = vary_.yes(true, 0.6), has_pillar = vary_.yes(has_pillars_, 0.5);
     const int door = vary_.length(usual_door_, 240, 360), shift = vary_.length(0, -60, 60);
     const int middle = (left + right) / 10 * 5;
-    if (has_gate) {
-      const int from = std::max(50, middle + shift - door / 10 * 5), to = std::min(width - 50, from + door);
+    const int from = std::max(50, middle + shift - door / 10 * 5), to = std::min(width - 50, from + door);
+    if (has_gate && !is_at_office(from, to)) {
       building_.plan.open({from, -kRecess, to, 0});
       building_.plan.thing({from, -kRecess - 5, to, -kRecess}, "opal:Door");
     }
@@ -88,15 +91,18 @@ class Warehouse {
   }
 
   /// In a corner of the dock zone, with a door and a window towards the gates.
-  void add_office(int width) {
-    const int depth = std::min(dock_zone_ - 250, 450), length = 500;
-    const bool is_west = vary_.chance(0.5);
-    const int left = is_west ? 0 : width - length;
+  void add_office() {
+    const auto [left, bottom, right, top] = office_;
     FloorPlan& plan = building_.plan;
-    plan.wall({left - kPartition, -kRecess - 5, left + length + kPartition, depth + kPartition});
-    plan.room({left, 0, left + length, depth});
-    plan.door({left + 80, depth, left + 180, depth + kPartition});
-    plan.pane({left + 240, depth, left + 440, depth + kPartition});
+    plan.wall({left - kPartition, bottom, right + kPartition, top + kPartition});
+    plan.room(office_);
+    plan.door({left + 80, top, left + 180, top + kPartition});
+    plan.pane({left + 240, top, left + 440, top + kPartition});
+  }
+  int office_depth() const { return std::min(dock_zone_ - 250, 450); }
+  bool is_at_office(int from, int to) const {
+    constexpr int kBeside = 40;
+    return office_.width() > 0 && from < office_.right + kBeside && office_.left - kBeside < to;
   }
 
   Variation& vary_;
@@ -104,6 +110,7 @@ class Warehouse {
   int rack_depth_, aisle_, dock_zone_, height_ = 0, usual_door_ = 0;
   bool has_pillars_ = true;
   std::vector<int> rows_;
+  Box office_;  // without width: none
 };
 
 }  // namespace
