@@ -34,6 +34,10 @@ void add_bench_verb(CLI::App& app, int& exit_code);
 /// `opal simulate MAP -o PREFIX`: a recording with ground truth of drives through a building that does not exist.
 void add_simulate_verb(CLI::App& app, int& exit_code);
 
+/// `opal drive CONFIG MAP`: a simulated robot that does not know where it is drives to a goal. Exit code 1 if a drive
+/// does not get there.
+void add_drive_verb(CLI::App& app, int& exit_code);
+
 /// `opal experiment thesis3 --map MAP -o OUT`: the thesis' challenges in simulation, in its table.
 void add_experiment_verb(CLI::App& app, int& exit_code);
 

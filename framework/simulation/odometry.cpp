@@ -2,14 +2,6 @@
 
 namespace opal::simulation {
 
-Pose2 moved(const Velocity& velocity, double duration_s) {
-  const double turn = velocity.turn_radps * duration_s;
-  const Point way = velocity.linear_mps * duration_s;
-  if (std::abs(turn) < 1e-9) return {way, turn};
-  const double s = std::sin(turn) / turn, c = (1 - std::cos(turn)) / turn;
-  return {s * way.x() - c * way.y(), c * way.x() + s * way.y(), turn};
-}
-
 WheelOdometry::WheelOdometry(Drive drive, const OdometryErrors& errors, Random random)
     : drive_(drive),
       errors_(errors),

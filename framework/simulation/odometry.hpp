@@ -2,20 +2,11 @@
 
 #include "simulation/random.hpp"
 
-#include <opal/geometry.hpp>
+#include <opal/velocity.hpp>
 
 namespace opal::simulation {
 
 enum class Drive { differential, omnidirectional };
-
-/// How a robot moves: velocities in `base_link` [m/s, rad/s]. A differential drive has no y.
-struct Velocity {
-  Point linear_mps = Point::Zero();
-  double turn_radps = 0;
-};
-
-/// The motion in `base_link` of a constant velocity over a time: an arc of a circle.
-Pose2 moved(const Velocity& velocity, double duration_s);
 
 /// What wheel odometry gets wrong. Variances grow with the motion (Thrun, Burgard and Fox 2005, 5.4), biases are those of
 /// one robot, slips those of one moment.

@@ -1,4 +1,4 @@
-#include "config_object.hpp"
+#include <opal/config_object.hpp>
 
 #include <opal/error.hpp>
 #include <opal/strict_json.hpp>

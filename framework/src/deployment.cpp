@@ -1,6 +1,6 @@
 #include <opal/deployment.hpp>
 
-#include "config_object.hpp"
+#include <opal/config_object.hpp>
 
 #include <opal/association.hpp>
 #include <opal/error.hpp>

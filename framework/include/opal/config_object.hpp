@@ -1,5 +1,7 @@
 #pragma once
 
+#include <opal/export.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <limits>
@@ -18,7 +20,7 @@ struct NumberRange {
 
 /// One object of a configuration document, read strictly: values have the right type and range, and a key that nobody
 /// asked for is an error, because it is misspelt or obsolete. The document must outlive it.
-class ConfigObject {
+class OPAL_EXPORT ConfigObject {
  public:
   /// @param place  JSON pointer of `value`; empty for the whole document. @throws ConfigError if it is no object.
   ConfigObject(const nlohmann::json& value, std::string file, std::string place = "");

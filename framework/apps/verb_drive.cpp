@@ -1,0 +1,113 @@
+#include "drive_report.hpp"
+#include "session.hpp"
+#include "verbs.hpp"
+
+#include <behaviours/node_registry.hpp>
+
+#include <opal/deployment.hpp>
+#include <opal/error.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+namespace sim = opal::simulation;
+namespace behaviours = opal::behaviours;
+
+struct DriveVerbOptions {
+  std::string config, map, out = "out", behaviour, trees;
+  std::vector<double> goal, start;
+  std::uint64_t seed = 1;
+  int runs = 1;
+  bool omnidirectional = false;
+  sim::SimulationOptions world;
+  opal::ClosedLoopOptions loop;
+};
+
+/// Draws what was not given, the same way for every behaviour.
+DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, std::uint64_t seed) {
+  constexpr double kLeast_m = 3;
+  sim::Random random(seed ^ 0x9e3779b97f4a7c15u);
+  if (!options.start.empty()) {
+    const opal::Pose2 start(options.start[0], options.start[1], options.start[2]);
+    if (!simulation.floor().holds(start.position()))
+      throw opal::ConfigError("--start: there is no room for the robot there, expected a place on the floor");
+    simulation.place(start);
+  }
+  DriveTask task{seed, simulation.T_map_base(), opal::Point::Zero()};
+  if (!options.goal.empty()) {
+    task.goal = {options.goal[0], options.goal[1]};
+    if (!simulation.floor().nearest(task.goal))
+      throw opal::ConfigError("--goal: there is no room for the robot within 0.5 m, expected a place on the floor");
+    return task;
+  }
+  do task.goal = simulation.floor().anywhere(random);
+  while ((task.goal - task.start.position()).norm() < kLeast_m && simulation.floor().area_m2() > 40);
+  return task;
+}
+
+int drive(DriveVerbOptions options) {
+  if (options.omnidirectional) options.world.drive = sim::Drive::omnidirectional;
+  options.loop.motion.omnidirectional = options.omnidirectional;
+  options.loop.motion.radius_m = options.world.robot_radius_m;
+  const opal::PluginRegistry registry = load_plugins();
+  opal::Deployment deployment = opal::read_deployment(options.config);
+  options.world.laser.id = deployment.laser.id;
+  deployment.laser = options.world.laser;
+  deployment.map = options.map;
+  const auto map = load_map(registry, deployment);
+  const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
+  opal::Localizer localizer(parts);
+  const opal::FloorGrid floor = behaviours::mapped_floor(*parts.map, 0.8 * options.world.robot_radius_m);
+  const std::string trees = options.trees.empty() ? shipped_config("behaviours.jsonld") : options.trees;
+  const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
+  behaviours::read_tree(nodes, trees, options.behaviour);  // before anything is written
+
+  std::filesystem::create_directories(options.out);
+  DriveReport report(map, options.behaviour, options.out);
+  for (int k = 0; k < options.runs; ++k) {
+    const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
+    sim::Simulation simulation(map, options.world, seed);
+    const DriveTask task = task_of(options, simulation, seed);
+    const auto tree = behaviours::read_tree(nodes, trees, options.behaviour);
+    report.add(task, opal::drive_to_goal(simulation, localizer, floor, *tree, task.goal, options.loop));
+  }
+  report.write();
+  return report.all_reached() ? 0 : 1;
+}
+
+void add_world(CLI::App& verb, DriveVerbOptions& o) {
+  const auto flag = [&](const char* name, auto& value, const char* help) {
+    verb.add_option(name, value, help)->capture_default_str();
+  };
+  flag("--clutter", o.world.clutter.level, "how much stands about that the map does not hold; 1: everyday, 0: nothing");
+  flag("--lookalikes", o.world.clutter.lookalikes, "round things like the building's columns, per 100 m2, times --clutter");
+  flag("--hidden", o.world.clutter.hidden_share, "share of columns and corners behind a board");
+  flag("--people", o.world.people, "who walk about");
+  flag("--doors-open", o.world.doors_open_share, "share of doors that are open");
+  flag("--robot-radius", o.world.robot_radius_m, "[m]");
+  flag("--speed", o.loop.motion.speed_mps, "the fastest [m/s]");
+  verb.add_flag("--omnidirectional", o.omnidirectional, "mecanum wheels instead of two wheels");
+}
+
+}  // namespace
+
+void opal::add_drive_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DriveVerbOptions>();
+  CLI::App* verb = app.add_subcommand("drive", "let a simulated robot find out where it is and drive to a goal");
+  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld); the laser is the simulator's")->required();
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("--goal", options->goal, "X,Y in the map frame [m]; drawn if not given")->delimiter(',')->expected(2);
+  verb->add_option("--start", options->start, "X,Y,THETA [m, rad], which the robot is not told; drawn if not given")
+      ->delimiter(',')->expected(3);
+  verb->add_option("--behaviour", options->behaviour, "a tree of the document: disambiguate, rotate_and_go, inspect, search")
+      ->default_str("the first one");
+  verb->add_option("--trees", options->trees, "document of behaviour trees")->default_str("configs/behaviours.jsonld");
+  verb->add_option("--seed", options->seed, "of everything: the same seed gives the same drive")->capture_default_str();
+  verb->add_option("--runs", options->runs, "drives, with this seed and those after it")->capture_default_str()->check(CLI::Range(1, 100000));
+  verb->add_option("--most", options->loop.most_s, "of each drive, before it is given up [s]")->capture_default_str();
+  verb->add_option("-o,--out", options->out, "folder for summary.json and pictures")->capture_default_str();
+  add_world(*verb, *options);
+  verb->callback([options, &exit_code] { exit_code = drive(*options); });
+}

@@ -1,0 +1,48 @@
+#include "behaviours/actions.hpp"
+
+namespace opal::behaviours {
+
+void Disambiguate::halt() { drive_.reset(); }
+
+bool Disambiguate::choose(Situation& situation) {
+  const PoseEstimate& estimate = situation.estimate();
+  std::vector<PossiblePlace> places{{estimate.T_map_base, estimate.probability}};
+  for (const PoseEstimate::Rival& rival : estimate.rivals)
+    if (static_cast<int>(places.size()) < options_.most_places) places.push_back({rival.T_map_base, rival.probability});
+  std::vector<Point> avoided;
+  for (const Point& p : visited_odom_) avoided.push_back(situation.T_map_odom() * p);
+  const auto viewpoint = best_viewpoint(situation.localization.map(), situation.localization.laser(), situation.floor,
+                                        unmapped_surcharge(situation), places, avoided, options_);
+  rivals_ = estimate.rivals.size();
+  if (!viewpoint) {
+    failed_at_s_ = situation.now_s();
+    return false;
+  }
+  drive_.emplace(situation.T_map_odom().inverse(), viewpoint->path);
+  return true;
+}
+
+/// A place is chosen again when the robot is there, when hypotheses come or go, and when no way leads there.
+Outcome Disambiguate::tick(Situation& situation) {
+  constexpr double kArrived_m = 0.3, kAskAgain_s = 3;
+  const PoseEstimate& estimate = situation.estimate();
+  const bool just_failed = situation.now_s() - failed_at_s_ < kAskAgain_s;
+  if (!estimate.has_pose || estimate.rivals.empty() || just_failed) {
+    halt();
+    return Outcome::failure;
+  }
+  if (drive_ && (drive_->arrived(situation, kArrived_m) || situation.is_stuck())) {
+    visited_odom_.push_back(drive_->path().back());
+    halt();
+    situation.forget_being_stuck();
+    return Outcome::success;
+  }
+  if ((!drive_ || estimate.rivals.size() != rivals_) && !choose(situation)) {
+    halt();
+    return Outcome::failure;
+  }
+  drive_->drive(situation);
+  return Outcome::running;
+}
+
+}  // namespace opal::behaviours

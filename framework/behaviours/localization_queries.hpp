@@ -1,0 +1,49 @@
+#pragma once
+
+#include <opal/localizer.hpp>
+
+namespace opal::behaviours {
+
+/// All that behaviours know of localization (Hendrikx 2023, 4.4.2: two programs with a query interface). Answers are
+/// about the newest scan.
+class LocalizationQueries {
+ public:
+  virtual ~LocalizationQueries() = default;
+
+  /// Where the robot is, with status, rivals and their probabilities.
+  virtual PoseEstimate estimate() const = 0;
+  /// The newest scan, laser frame, with the odometry of its stamp.
+  virtual const Scan& newest_scan() const = 0;
+  virtual const Pose2& T_odom_base() const = 0;
+  virtual const LaserModel& laser() const = 0;
+  /// Seen features that the best hypothesis rests on, in the order in which it took them: its pattern first.
+  /// Frame: base_link.
+  virtual std::vector<Geometry> pattern() const = 0;
+  virtual const MapView& map() const = 0;
+};
+
+/// Localization in the same process.
+class LocalizerQueries : public LocalizationQueries {
+ public:
+  /// The localizer must outlive this.
+  LocalizerQueries(Localizer& localizer, const LaserModel& laser) : localizer_(localizer), laser_(laser) {}
+
+  /// Gives the localizer a scan.
+  void take(const Scan& scan, const Pose2& T_odom_base);
+
+  PoseEstimate estimate() const override { return estimate_; }
+  const Scan& newest_scan() const override { return scan_; }
+  const Pose2& T_odom_base() const override { return T_odom_base_; }
+  const LaserModel& laser() const override { return laser_; }
+  std::vector<Geometry> pattern() const override;
+  const MapView& map() const override { return localizer_.map(); }
+
+ private:
+  Localizer& localizer_;
+  LaserModel laser_;
+  Scan scan_;
+  Pose2 T_odom_base_;
+  PoseEstimate estimate_;
+};
+
+}  // namespace opal::behaviours

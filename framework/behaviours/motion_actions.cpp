@@ -1,0 +1,106 @@
+#include "behaviours/actions.hpp"
+
+#include <limits>
+
+namespace opal::behaviours {
+
+Outcome Rotate::tick(Situation& situation) {
+  const Pose2 now = situation.T_odom_base();
+  if (!before_) turned_rad_ = 0;
+  else turned_rad_ += wrap_angle(now.heading_rad() - before_->heading_rad());
+  before_ = now;
+  if (std::abs(turned_rad_) >= 2 * std::numbers::pi * std::abs(turns_)) {
+    before_.reset();
+    return Outcome::success;
+  }
+  situation.turn(turns_ < 0 ? -turn_radps_ : turn_radps_);
+  return Outcome::running;
+}
+
+Outcome BackOff::tick(Situation& situation) {
+  if (!from_) from_ = situation.T_odom_base();
+  const bool there = opal::distance_m(*from_, situation.T_odom_base()) >= distance_m_;
+  if (!there && situation.drive_back()) return Outcome::running;
+  from_.reset();
+  situation.forget_being_stuck();
+  return Outcome::success;
+}
+
+void DriveFreely::halt() {
+  target_odom_.reset();
+  before_.reset();
+}
+
+Point DriveFreely::choose(const Situation& situation) const {
+  constexpr int kDirections = 36;
+  constexpr double kMost_m = 6, kVisited_m = 1.2;
+  const Pose2& T_odom_base = situation.T_odom_base();
+  Point best = T_odom_base.position();
+  double most = -std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kDirections; ++k) {
+    const double bearing = wrap_angle(2 * std::numbers::pi * k / kDirections);
+    const double room = situation.room_m(bearing, kMost_m);
+    const Point target = T_odom_base * Point(0.8 * room * unit_vector(bearing));
+    double score = room * (1 + 0.5 * std::cos(bearing));
+    for (const Point& been : situation.trail())
+      if ((been - target).norm() < kVisited_m) score -= 0.3;
+    if (score <= most) continue;
+    most = score;
+    best = target;
+  }
+  return best;
+}
+
+Outcome DriveFreely::tick(Situation& situation) {
+  constexpr double kArrived_m = 0.4, kLongest_s = 15;
+  const Pose2 now = situation.T_odom_base();
+  if (!before_) driven_m_ = 0;
+  else driven_m_ += opal::distance_m(*before_, now);
+  before_ = now;
+  if (distance_m_ > 0 && driven_m_ >= distance_m_) {
+    halt();
+    return Outcome::success;
+  }
+  const bool stale = situation.now_s() - chosen_at_s_ > kLongest_s;
+  if (!target_odom_ || stale || (*target_odom_ - now.position()).norm() < kArrived_m) {
+    target_odom_ = choose(situation);
+    chosen_at_s_ = situation.now_s();
+  }
+  if (!situation.drive_towards(*target_odom_)) target_odom_.reset();
+  return Outcome::running;
+}
+
+Outcome DriveBetweenFeatures::tick(Situation& situation) {
+  constexpr double kArrived_m = 0.3, kLongest_s = 40, kFarthest_m = 15;
+  if (!target_odom_) {
+    const std::vector<Geometry> pattern = situation.localization.pattern();
+    if (pattern.size() < 2) return Outcome::failure;
+    const Point between = 0.5 * (anchor_of(pattern[0]) + anchor_of(pattern[1]));
+    if (between.norm() > kFarthest_m) return Outcome::failure;
+    target_odom_ = situation.T_odom_base() * between;
+    began_s_ = situation.now_s();
+  }
+  const double left_m = (*target_odom_ - situation.T_odom_base().position()).norm();
+  if (left_m < kArrived_m || situation.is_stuck() || situation.now_s() - began_s_ > kLongest_s) {
+    target_odom_.reset();
+    return left_m < kArrived_m ? Outcome::success : Outcome::failure;
+  }
+  situation.drive_towards(*target_odom_);
+  return Outcome::running;
+}
+
+Outcome GoToGoal::tick(Situation& situation) {
+  constexpr double kReplan_s = 1;
+  if (!situation.estimate().has_pose) return Outcome::failure;
+  if ((situation.estimate().T_map_base.position() - situation.goal).norm() < arrived_m_) return Outcome::success;
+  if (!drive_ || situation.now_s() - planned_at_s_ > kReplan_s) {
+    const auto way = situation.floor.way(situation.estimate().T_map_base.position(), situation.goal, unmapped_surcharge(situation));
+    if (!way) return Outcome::failure;
+    drive_.emplace(situation.T_map_odom().inverse(), *way);
+    planned_at_s_ = situation.now_s();
+  }
+  drive_->drive(situation);
+  return Outcome::running;
+}
+
+}  // namespace opal::behaviours

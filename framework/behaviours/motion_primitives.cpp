@@ -1,0 +1,100 @@
+#include "behaviours/motion_primitives.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace opal::behaviours {
+namespace {
+
+MotionPrimitive predicted(const Velocity& velocity, const MotionOptions& options) {
+  MotionPrimitive primitive{velocity, {}};
+  for (double t = options.step_s; t < options.horizon_s + 1e-9; t += options.step_s)
+    primitive.footprints.push_back(moved(velocity, t));
+  return primitive;
+}
+
+std::vector<Point> linear_velocities(const MotionOptions& options) {
+  std::vector<Point> linear;
+  for (const double share : {-0.3, 0.0, 0.15, 0.3, 0.6, 1.0}) linear.emplace_back(share * options.speed_mps, 0);
+  if (!options.omnidirectional) return linear;
+  for (const double share : {0.3, 0.6, 1.0})
+    for (const double bearing : {0.25, 0.5, 0.75})
+      for (const int side : {-1, 1})
+        linear.push_back(share * options.speed_mps * unit_vector(side * bearing * std::numbers::pi));
+  return linear;
+}
+
+double distance_to(const Point& p, std::span<const Point> points, double most_m) {
+  double least = most_m * most_m;
+  for (const Point& point : points) least = std::min(least, (point - p).squaredNorm());
+  return std::sqrt(least);
+}
+
+}  // namespace
+
+MotionPrimitives::MotionPrimitives(const MotionOptions& options) : options_(options) {
+  for (const Point& linear : linear_velocities(options))
+    for (const double share : {0.0, -0.2, 0.2, -0.4, 0.4, -0.7, 0.7, -1.0, 1.0})
+      if (linear.x() >= 0 || share == 0) primitives_.push_back(predicted({linear, share * options.turn_radps}, options));
+}
+
+double MotionPrimitives::reach_m() const {
+  return options_.speed_mps * options_.horizon_s + options_.radius_m + options_.margin_m + 0.3;
+}
+
+bool MotionPrimitives::is_free(const MotionPrimitive& primitive, std::span<const Point> obstacles) const {
+  const double keep = options_.radius_m + options_.margin_m;
+  for (const Point& point : obstacles) {
+    const double now = point.norm();
+    const double least = std::min(keep, now - 1e-6);
+    for (const Pose2& footprint : primitive.footprints)
+      if ((point - footprint.position()).squaredNorm() < least * least) return false;
+  }
+  return true;
+}
+
+double MotionPrimitives::cost(const MotionPrimitive& primitive, const Point& target, std::span<const Point> obstacles,
+                              const Velocity& before) const {
+  constexpr double kHeading_m_per_rad = 0.3, kClearance_m = 0.25, kWanted_m = 0.35, kChange_s = 0.03;
+  const Pose2& end = primitive.footprints.back();
+  const double left_m = (target - end.position()).norm();
+  const Point ahead = end.inverse() * target;
+  const double bearing = left_m > 0.2 ? std::abs(std::atan2(ahead.y(), ahead.x())) : 0;
+  const double clearance = distance_to(primitive.footprints[primitive.footprints.size() / 2].position(), obstacles, kWanted_m + options_.radius_m) - options_.radius_m;
+  return left_m + (options_.omnidirectional ? 0.3 : 1) * kHeading_m_per_rad * bearing +
+         kClearance_m * (1 - clearance / kWanted_m) + kChange_s * std::abs(primitive.velocity.turn_radps - before.turn_radps);
+}
+
+std::optional<Velocity> MotionPrimitives::towards(const Point& target, std::span<const Point> obstacles,
+                                                  const Velocity& before) const {
+  const MotionPrimitive* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const MotionPrimitive& primitive : primitives_) {
+    const double price = cost(primitive, target, obstacles, before);
+    if (price >= least || !is_free(primitive, obstacles)) continue;
+    least = price;
+    best = &primitive;
+  }
+  if (!best || (best->velocity.linear_mps.isZero() && best->velocity.turn_radps == 0)) return std::nullopt;
+  return best->velocity;
+}
+
+std::optional<Velocity> MotionPrimitives::backwards(std::span<const Point> obstacles) const {
+  for (const MotionPrimitive& primitive : primitives_)
+    if (primitive.velocity.linear_mps.x() < 0 && primitive.velocity.linear_mps.y() == 0 && is_free(primitive, obstacles))
+      return primitive.velocity;
+  return std::nullopt;
+}
+
+double MotionPrimitives::room_m(double bearing_rad, std::span<const Point> obstacles, double most_m) const {
+  const double keep = options_.radius_m + options_.margin_m;
+  const Point direction = unit_vector(bearing_rad);
+  double room = most_m;
+  for (const Point& point : obstacles) {
+    const double along = direction.dot(point), across = std::abs(cross(direction, point));
+    if (along > 0 && across < keep) room = std::min(room, along - std::sqrt(keep * keep - across * across));
+  }
+  return std::max(0.0, room);
+}
+
+}  // namespace opal::behaviours

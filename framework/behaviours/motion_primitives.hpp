@@ -1,0 +1,59 @@
+#pragma once
+
+#include <opal/velocity.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace opal::behaviours {
+
+/// A round robot and what it may do.
+struct MotionOptions {
+  bool omnidirectional = false;
+  double radius_m = 0.3;
+  double margin_m = 0.06;     ///< kept between the robot and what the laser sees
+  double speed_mps = 0.7;
+  double turn_radps = 1.0;
+  double horizon_s = 1.5;     ///< over which a motion must be free
+  double step_s = 0.125;      ///< between predicted footprints
+};
+
+/// One velocity, kept up over the horizon.
+struct MotionPrimitive {
+  Velocity velocity;
+  std::vector<Pose2> footprints;  ///< centres of the robot to come, frame: base_link now
+};
+
+/// A small set of velocities whose footprints are predicted and checked against what the laser sees (Hendrikx 2023,
+/// 4.3.8; Fox, Burgard and Thrun 1997). All points: frame base_link [m].
+class MotionPrimitives {
+ public:
+  explicit MotionPrimitives(const MotionOptions& options = {});
+
+  const MotionOptions& options() const { return options_; }
+  const std::vector<MotionPrimitive>& all() const { return primitives_; }
+  /// Points farther away than this concern no primitive.
+  double reach_m() const;
+
+  /// Whether no footprint comes nearer to a point than radius and margin. A point that is nearer already does not keep
+  /// the robot from going away from it, and none keeps it from turning on the spot.
+  bool is_free(const MotionPrimitive& primitive, std::span<const Point> obstacles) const;
+  /// The free primitive that brings the robot nearest to a target and turns it there.
+  /// @param before  velocity so far: changing one's mind costs a little.
+  /// @return nullopt if none is better than to stand still.
+  std::optional<Velocity> towards(const Point& target, std::span<const Point> obstacles, const Velocity& before = {}) const;
+  /// The fastest free primitive that goes straight back; nullopt if there is none.
+  std::optional<Velocity> backwards(std::span<const Point> obstacles) const;
+  /// How far the robot can go straight along a bearing, at most `most_m`.
+  double room_m(double bearing_rad, std::span<const Point> obstacles, double most_m) const;
+
+ private:
+  double cost(const MotionPrimitive& primitive, const Point& target, std::span<const Point> obstacles,
+              const Velocity& before) const;
+
+  MotionOptions options_;
+  std::vector<MotionPrimitive> primitives_;
+};
+
+}  // namespace opal::behaviours

@@ -1,0 +1,88 @@
+#include "behaviours/node_registry.hpp"
+
+#include <opal/error.hpp>
+#include <opal/strict_json.hpp>
+
+#include <set>
+
+namespace opal::behaviours {
+namespace {
+
+void expect_kind(ConfigObject& document) {
+  const auto is = [&](const char* key, const char* value) {
+    if (document.required_text(key) != value) document.refuse(key, nlohmann::json(value).dump());
+  };
+  is("@context", "urn:opal:v1");
+  is("@type", "opal:BehaviourTrees");
+}
+
+/// Makes every tree, so that a mistake in one that is not asked for is found, too.
+std::unique_ptr<Node> read(const NodeRegistry& registry, const nlohmann::json& json, const std::string& file,
+                           const std::string& wanted) {
+  ConfigObject document(json, file);
+  expect_kind(document);
+  document.text("comment", "");
+  const auto trees = document.list("trees");
+  if (!trees || trees->empty()) document.refuse("trees", "a list of at least one tree");
+  document.expect_no_more();
+  std::unique_ptr<Node> chosen;
+  std::set<std::string> names;
+  for (ConfigObject tree : *trees) {
+    const std::string name = tree.required_text("name");
+    tree.text("comment", "");
+    if (!names.insert(name).second) tree.refuse("name", "a name that no other tree has");
+    auto root = tree.object("root");
+    if (!root) tree.refuse("root", "a node");
+    tree.expect_no_more();
+    std::unique_ptr<Node> made = registry.make(*root);
+    if (!chosen && (wanted.empty() || wanted == name)) chosen = std::move(made);
+  }
+  if (chosen) return chosen;
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  throw ConfigError(file + ": /trees: no tree is called '" + wanted + "', expected one of: " + all);
+}
+
+}  // namespace
+
+std::string NodeRegistry::names() const {
+  std::string names;
+  for (const auto& [name, type] : types_) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+Children NodeRegistry::make_children(ConfigObject& description, Arity arity) const {
+  Children children;
+  if (arity == Arity::none) return children;
+  const auto list = description.list("children");
+  if (!list || list->empty()) description.refuse("children", "a list of at least one node");
+  if (arity == Arity::one && list->size() != 1) description.refuse("children", "a list of one node");
+  for (const ConfigObject& child : *list) children.push_back(make(child));
+  return children;
+}
+
+std::unique_ptr<Node> NodeRegistry::make(ConfigObject description) const {
+  const std::string type = description.required_text("@type");
+  const auto found = types_.find(type);
+  if (found == types_.end()) description.refuse("@type", "one of: " + names());
+  description.text("comment", "");
+  Children children = make_children(description, found->second.arity);
+  static const nlohmann::json none = nlohmann::json::object();
+  auto given = description.object("options");
+  ConfigObject options = given ? *given : ConfigObject(none, description.where("options"));
+  std::unique_ptr<Node> node = found->second.factory(options, std::move(children));
+  options.expect_no_more();
+  description.expect_no_more();
+  return node;
+}
+
+std::unique_ptr<Node> read_tree(const NodeRegistry& registry, const std::string& path, const std::string& name) {
+  return read(registry, read_json(path), path, name);
+}
+
+std::unique_ptr<Node> parse_tree(const NodeRegistry& registry, const std::string& text, const std::string& file,
+                                 const std::string& name) {
+  return read(registry, parse_json(text, file), file, name);
+}
+
+}  // namespace opal::behaviours

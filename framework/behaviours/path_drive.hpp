@@ -1,0 +1,27 @@
+#pragma once
+
+#include "behaviours/situation.hpp"
+
+namespace opal::behaviours {
+
+/// What is seen and not mapped makes the floor around it dear; frame `map`, by the best hypothesis.
+FloorGrid::Surcharge unmapped_surcharge(const Situation& situation);
+
+/// Follows a path, frame odom, by motion primitives towards a point some way ahead on it.
+class PathDrive {
+ public:
+  explicit PathDrive(std::vector<Point> path_odom) : path_(std::move(path_odom)) {}
+  /// @param T_odom_map  turns a path in the map frame into one in the odom frame.
+  PathDrive(const Pose2& T_odom_map, const std::vector<Point>& path_map);
+
+  bool arrived(const Situation& situation, double within_m) const;
+  /// Asks the situation for the next velocity.
+  void drive(Situation& situation);
+  const std::vector<Point>& path() const { return path_; }
+
+ private:
+  std::vector<Point> path_;
+  std::size_t next_ = 0;  ///< nearest point of the path, not before those passed
+};
+
+}  // namespace opal::behaviours

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "behaviours/localization_queries.hpp"
+#include "behaviours/motion_primitives.hpp"
+#include "behaviours/seen_obstacles.hpp"
+
+#include <opal/floor_grid.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace opal::behaviours {
+
+/// Where the map has room for a disc. Frame: `map`.
+/// @throws MapError if there is no such place.
+FloorGrid mapped_floor(const MapView& map, double radius_m);
+
+/// What the nodes of a tree know and decide: one moment of a robot with a goal.
+class Situation {
+ public:
+  /// What is given must outlive this.
+  Situation(const LocalizationQueries& queries, const MotionPrimitives& primitives, const FloorGrid& mapped_floor,
+            const Point& wanted)
+      : localization(queries), motion(primitives), floor(mapped_floor), goal(wanted) {}
+
+  const LocalizationQueries& localization;
+  const MotionPrimitives& motion;
+  const FloorGrid& floor;  ///< frame `map`
+  const Point goal;        ///< frame `map`
+
+  /// Takes what localization now answers; to be called once before every tick.
+  void look();
+  double now_s() const { return localization.newest_scan().stamp_s; }
+  const PoseEstimate& estimate() const { return estimate_; }
+  const Pose2& T_odom_base() const { return localization.T_odom_base(); }
+  /// From the best hypothesis; only if estimate().has_pose.
+  Pose2 T_map_odom() const { return estimate_.T_map_base * T_odom_base().inverse(); }
+  const SeenObstacles& obstacles() const { return obstacles_; }
+  const std::vector<Point>& trail() const { return trail_; }  ///< where the robot has been, every 0.3 m, frame odom
+
+  /// What the robot shall do until the next tick; stand still unless a node says otherwise.
+  const Velocity& velocity() const { return velocity_; }
+  void turn(double radps) { velocity_ = {Point::Zero(), radps}; }
+  /// Drives to a place by the best free primitive. @param target  frame odom. @return false if there is none.
+  bool drive_towards(const Point& target_odom);
+  /// Drives straight back. @return false if something is there.
+  bool drive_back();
+  /// How far one can go straight along a bearing (frame base_link), at most `most_m`.
+  double room_m(double bearing_rad, double most_m) const;
+
+  /// Whether the robot has wanted to get somewhere for some seconds, and has not moved.
+  bool is_stuck() const { return now_s() - moved_at_s_ > kPatience_s; }
+  void forget_being_stuck() { moved_at_s_ = now_s(); }
+
+ private:
+  static constexpr double kPatience_s = 6;
+
+  void notice_progress();
+
+  PoseEstimate estimate_;
+  SeenObstacles obstacles_;
+  std::vector<Point> near_;  ///< what the next motion must not touch
+  std::vector<Point> trail_;
+  Velocity velocity_, before_;
+  bool driving_ = false;     ///< some node wanted to get somewhere at the tick before
+  Point moved_from_ = Point::Zero();
+  double moved_at_s_ = 0;    ///< or was not driving
+};
+
+}  // namespace opal::behaviours

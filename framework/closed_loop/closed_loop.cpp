@@ -1,0 +1,77 @@
+#include "closed_loop/closed_loop.hpp"
+
+namespace opal {
+namespace {
+
+constexpr double kRight_m = 1;
+constexpr int kStepsPerTick = 2;
+
+/// One drive under way.
+class ClosedLoop {
+ public:
+  ClosedLoop(simulation::Simulation& simulation, Localizer& localizer, const ClosedLoopOptions& options)
+      : simulation_(simulation), laser_(simulation.options().laser), queries_(localizer, laser_), options_(options) {
+    localizer.reset();
+  }
+
+  DriveRecord run(const FloorGrid& floor, behaviours::Node& tree, const Point& goal) {
+    const behaviours::MotionPrimitives motion(options_.motion);
+    behaviours::Situation situation(queries_, motion, floor, goal);
+    const double start_s = simulation_.now_s();
+    tree.halt();
+    for (auto outcome = behaviours::Outcome::running; outcome == behaviours::Outcome::running;) {
+      sense();
+      situation.look();
+      outcome = tree.tick(situation);
+      record_.said_so = outcome == behaviours::Outcome::success;
+      record_.time_s = simulation_.now_s() - start_s;
+      if (record_.time_s >= options_.most_s || record_.said_so) break;
+      outcome = behaviours::Outcome::running;  // a robot that has failed tries again
+      move(situation.velocity());
+    }
+    record_.off_goal_m = (simulation_.T_map_base().position() - goal).norm();
+    record_.reached = record_.said_so && record_.off_goal_m < options_.reached_m;
+    return std::move(record_);
+  }
+
+ private:
+  void sense() {
+    const RawScan raw = simulation_.scan();
+    queries_.take(make_scan(raw, laser_), *raw.T_odom_base);
+    const PoseEstimate estimate = queries_.estimate();
+    const Pose2& truth = simulation_.T_map_base();
+    record_.moments.push_back({raw.stamp_s, truth, estimate.T_map_base, estimate.has_pose, estimate.status});
+    ++record_.scans;
+    if (estimate.status != Status::localized) return;
+    ++record_.localized_scans;
+    if (distance_m(truth, estimate.T_map_base) > kRight_m) {
+      ++record_.falsely_localized_scans;
+    } else if (!record_.localized_after_m) {
+      record_.localized_after_m = record_.driven_m;
+      record_.localized_after_s = simulation_.now_s();
+    }
+  }
+
+  void move(const Velocity& velocity) {
+    for (int k = 0; k < kStepsPerTick; ++k) {
+      const Pose2 before = simulation_.T_map_base();
+      if (!simulation_.drive(velocity, options_.tick_s / kStepsPerTick)) ++record_.collisions;
+      record_.driven_m += distance_m(before, simulation_.T_map_base());
+    }
+  }
+
+  simulation::Simulation& simulation_;
+  LaserModel laser_;
+  behaviours::LocalizerQueries queries_;
+  ClosedLoopOptions options_;
+  DriveRecord record_;
+};
+
+}  // namespace
+
+DriveRecord drive_to_goal(simulation::Simulation& simulation, Localizer& localizer, const FloorGrid& floor,
+                          behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options) {
+  return ClosedLoop(simulation, localizer, options).run(floor, tree, goal);
+}
+
+}  // namespace opal

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "behaviours/node.hpp"
+#include "simulation/simulation.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace opal {
+
+struct ClosedLoopOptions {
+  behaviours::MotionOptions motion;
+  double tick_s = 0.1;      ///< a scan, a look at the localization, a decision
+  double most_s = 900;      ///< then it is given up
+  double reached_m = 0.5;   ///< the robot must really be this near to the goal
+};
+
+/// What became of one drive.
+struct DriveRecord {
+  bool reached = false;              ///< it says so, and is there
+  bool said_so = false;              ///< the tree has succeeded
+  double time_s = 0, driven_m = 0;
+  double off_goal_m = 0;             ///< in truth, at the end
+  int collisions = 0;                ///< steps that would have touched something
+  std::optional<double> localized_after_m, localized_after_s;  ///< first time that the pose was vouched for, and right
+  int scans = 0, localized_scans = 0;
+  int falsely_localized_scans = 0;   ///< vouched for, and more than 1 m off
+  struct Moment {
+    double stamp_s;
+    Pose2 truth, estimate;           ///< T_map_base
+    bool has_pose;
+    Status status;
+  };
+  std::vector<Moment> moments;       ///< by scan
+};
+
+/// Lets a robot drive to a goal in a simulated building, by a behaviour tree that knows only what a localizer answers.
+/// The localizer is reset first.
+/// @param floor  where the map has room for the robot.
+/// @param goal   frame `map`.
+DriveRecord drive_to_goal(simulation::Simulation& simulation, Localizer& localizer, const FloorGrid& floor,
+                          behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options = {});
+
+}  // namespace opal

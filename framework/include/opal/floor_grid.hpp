@@ -1,0 +1,65 @@
+#pragma once
+
+#include <opal/geometry.hpp>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace opal {
+
+/// The cheapest ways from one place of a floor to all others.
+struct FloorWays {
+  int start = -1;             ///< cell
+  std::vector<float> cost;    ///< by cell [cells walked, dearer along walls]; infinite: no way
+  std::vector<int> before;    ///< by cell: where its way comes from; -1: the start, or no way
+};
+
+/// Where somebody can be: the largest connected part of a grid's free cells, and ways along it. Frame: that of `low`.
+class OPAL_EXPORT FloorGrid {
+ public:
+  /// @param low   lower left corner of the first cell [m].
+  /// @param free  row by row, the lowest one first; cells at the border count as not free.
+  FloorGrid(const Point& low, double cell_m, int columns, int rows, std::vector<char> free);
+
+  /// Cells of the largest part; none if nothing is free.
+  const std::vector<int>& cells() const { return free_; }
+  double area_m2() const { return cell_m_ * cell_m_ * static_cast<double>(free_.size()); }
+  double cell_m() const { return cell_m_; }
+  Point center_of(int cell) const;
+  /// -1: outside the grid.
+  int cell_at(const Point& p) const;
+  bool holds(const Point& p) const;
+  /// Whether the straight way between two places stays on the floor.
+  bool holds(const Point& from, const Point& to) const;
+  /// The place on it next to p, no farther than 0.5 m; p itself if it is on the floor.
+  std::optional<Point> nearest(const Point& p) const;
+
+  /// What walking over a cell costs besides its length, by cell, in lengths; empty: nothing.
+  using Surcharge = std::vector<float>;
+  /// Makes cells dear that are near to one of the points.
+  Surcharge surcharge(std::span<const Point> points, double radius_m, float price) const;
+
+  /// The way from one place to another, along cell centres, that keeps its distance from what is not free where it can
+  /// (A*, Hart, Nilsson and Raphael 1968); the ends are those given. Nullopt if one of them is not on the floor, or next
+  /// to it.
+  std::optional<std::vector<Point>> way(const Point& from, const Point& to, const Surcharge& surcharge = {}) const;
+  /// The same to everywhere (Dijkstra 1959). Nullopt if `from` is not on the floor, or next to it.
+  std::optional<FloorWays> ways(const Point& from, const Surcharge& surcharge = {}) const;
+  /// Centres of the cells along the way to a cell, which it ends with.
+  std::vector<Point> along(const FloorWays& ways, int cell) const;
+
+ private:
+  void keep_largest_part();
+  void measure_clearance();
+  FloorWays search(int start, int goal, const Surcharge& surcharge) const;
+
+  Point low_;
+  double cell_m_;
+  int columns_, rows_;
+  std::vector<float> clearance_m_;  ///< from the nearest cell that is not free; 0: not free
+  std::vector<int> free_;           ///< cells of the largest part
+};
+
+}  // namespace opal

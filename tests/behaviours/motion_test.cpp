@@ -1,0 +1,91 @@
+#include "made_up.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+using namespace opal;
+using namespace opal::behaviours;
+
+namespace {
+
+std::vector<Point> wall(const Point& from, const Point& to) {
+  std::vector<Point> points;
+  const int count = 1 + static_cast<int>((to - from).norm() / 0.02);
+  for (int k = 0; k <= count; ++k) points.push_back(from + (to - from) * (static_cast<double>(k) / count));
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("no free primitive leads through a wall, or nearer to it than the margin") {
+  const MotionPrimitives motion(MotionOptions{.omnidirectional = GENERATE(false, true)});
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> angle(-3.1, 3.1), range(0.4, 1.5);
+  for (int k = 0; k < 50; ++k) {
+    const double bearing = angle(random), distance = range(random);
+    const Point foot = distance * unit_vector(bearing), along = 3 * left_of(unit_vector(bearing));
+    const std::vector<Point> points = wall(foot - along, foot + along);
+    const double keep = std::min(distance, motion.options().radius_m + motion.options().margin_m);
+    for (const MotionPrimitive& primitive : motion.all()) {
+      if (!motion.is_free(primitive, points)) continue;
+      for (const Pose2& footprint : primitive.footprints)
+        CHECK(distance - unit_vector(bearing).dot(footprint.position()) > keep - 0.01);
+    }
+  }
+}
+
+TEST_CASE("where nothing is, the robot drives straight to what is ahead and turns to what is behind") {
+  const MotionPrimitives motion;
+  const auto ahead = motion.towards({3, 0}, {});
+  REQUIRE(ahead);
+  CHECK(ahead->linear_mps.x() == Approx(motion.options().speed_mps));
+  CHECK(ahead->turn_radps == 0);
+  const auto behind = motion.towards({-2, 0.3}, {});
+  REQUIRE(behind);
+  CHECK(behind->turn_radps > 0);
+}
+
+TEST_CASE("a robot that is too near to something may turn and go away, but not nearer") {
+  const MotionPrimitives motion;
+  const std::vector<Point> points = wall({0.33, -1}, {0.33, 1});
+  const auto on = motion.towards({2, 0}, points);
+  CHECK((!on || on->linear_mps.x() <= 0));
+  CHECK(motion.backwards(points));
+  CHECK(motion.towards({-2, 0.1}, points));
+}
+
+TEST_CASE("a gap wider than the robot is room, a narrower one is not") {
+  const MotionPrimitives motion;
+  const auto gap = [](double width) {
+    std::vector<Point> points = wall({1, width / 2}, {1, 3});
+    for (const Point& p : wall({1, -3}, {1, -width / 2})) points.push_back(p);
+    return points;
+  };
+  CHECK(motion.room_m(0, gap(0.8), 5) == 5);
+  CHECK(motion.room_m(0, gap(0.6), 5) < 1);
+}
+
+TEST_CASE("what was seen ahead is still known when it is beside or behind, and what is gone is forgotten") {
+  const LaserModel laser = wide_laser();
+  const auto map = std::make_shared<const MapView>(map_of(room_of({{0, 0}, {3, 0}, {3, 2}, {0, 2}})), "PlanarLidar2D");
+  SeenObstacles obstacles;
+  const Pose2 before(1.5, 1, 0), now(1.5, 1, std::numbers::pi);
+  obstacles.add(seen(*map, laser, before, 0), before, laser.T_base_laser);
+  obstacles.add(seen(*map, laser, now, 3), now, laser.T_base_laser);
+  const std::vector<Point> near = obstacles.near(2);
+  const auto behind = [](const Point& p) { return p.x() < -1 && std::abs(p.y()) < 0.2; };
+  CHECK(std::any_of(near.begin(), near.end(), behind));
+
+  SeenObstacles open;
+  Scan person = seen(*map, laser, before, 0);
+  for (ScanPoint& p : person.points)
+    if (std::abs(p.bearing_rad) < 0.1) p = {0.5 * unit_vector(p.bearing_rad), 0.5, p.bearing_rad, p.beam};
+  open.add(person, before, laser.T_base_laser);
+  const auto in_front = [&](const Point& p) { return (p - before * Point(0.7, 0)).norm() < 0.15; };
+  std::vector<Point> lately = open.lately(5);
+  CHECK(std::any_of(lately.begin(), lately.end(), in_front));
+  open.add(seen(*map, laser, before, 1), before, laser.T_base_laser);
+  lately = open.lately(5);
+  CHECK(std::none_of(lately.begin(), lately.end(), in_front));
+}
