@@ -114,13 +114,18 @@ std::vector<std::size_t> choose_poses(const std::deque<Keyframe>& keyframes) {
 /// however far the robot has come.
 class Graph {
  public:
-  Graph(const std::deque<Keyframe>& keyframes, const LocalMapOptions& options)
+  /// @param most_landmarks  that will be added.
+  Graph(const std::deque<Keyframe>& keyframes, std::size_t most_landmarks, const LocalMapOptions& options)
       : T_local_origin_(keyframes.front().T_local_base), options_(options) {
     const Pose2 T_origin_local = T_local_origin_.inverse();
-    for (const std::size_t index : choose_poses(keyframes))
-      poses_[keyframes[index].id] = to_variable(T_origin_local * keyframes[index].T_local_base);
-    problem_.AddParameterBlock(poses_.begin()->second.data(), 3);
-    problem_.SetParameterBlockConstant(poses_.begin()->second.data());
+    const std::vector<std::size_t> chosen = choose_poses(keyframes);
+    variables_.reserve(chosen.size() + most_landmarks);
+    for (const std::size_t index : chosen) {
+      variables_.push_back(to_variable(T_origin_local * keyframes[index].T_local_base));
+      poses_[keyframes[index].id] = variables_.back().data();
+    }
+    problem_.AddParameterBlock(poses_.begin()->second, 3);
+    problem_.SetParameterBlockConstant(poses_.begin()->second);
   }
 
   void add_motions(const std::vector<RelativePose>& motions) {
@@ -136,8 +141,7 @@ class Graph {
       }
       open = !poses_.contains(chain.to);
       if (!open && poses_.contains(chain.from))
-        problem_.AddResidualBlock(new MotionFactor(chain), nullptr, poses_[chain.from].data(),
-                                  poses_[chain.to].data());
+        problem_.AddResidualBlock(new MotionFactor(chain), nullptr, poses_[chain.from], poses_[chain.to]);
     }
   }
 
@@ -147,11 +151,10 @@ class Graph {
     for (const Measurement& m : local.measurements)
       if (poses_.contains(m.keyframe)) measurements.push_back(&m);
     if (measurements.size() < 2) return;
-    landmarks_.push_back(
-        std::make_unique<Variable>(landmark_of(local.feature, T_local_origin_.inverse())));
-    double* landmark = landmarks_.back()->data();
+    variables_.push_back(landmark_of(local.feature, T_local_origin_.inverse()));
+    landmarks_.push_back(variables_.back().data());
     for (const Measurement* m : measurements)
-      problem_.AddResidualBlock(factor_of(m->feature), &loss_, poses_[m->keyframe].data(), landmark);
+      problem_.AddResidualBlock(factor_of(m->feature), &loss_, poses_[m->keyframe], landmarks_.back());
   }
 
   bool solve() {
@@ -159,9 +162,9 @@ class Graph {
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_SCHUR;
     solver.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-    for (const auto& landmark : landmarks_) solver.linear_solver_ordering->AddElementToGroup(landmark->data(), 0);
-    for (auto& [id, pose] : poses_)
-      if (problem_.HasParameterBlock(pose.data())) solver.linear_solver_ordering->AddElementToGroup(pose.data(), 1);
+    for (double* landmark : landmarks_) solver.linear_solver_ordering->AddElementToGroup(landmark, 0);
+    for (const auto& [id, pose] : poses_)
+      if (problem_.HasParameterBlock(pose)) solver.linear_solver_ordering->AddElementToGroup(pose, 1);
     solver.max_num_iterations = kIterations;
     solver.function_tolerance = 1e-4;
     solver.num_threads = 1;
@@ -177,7 +180,7 @@ class Graph {
     Pose2 correction;
     for (const Keyframe& keyframe : keyframes) {
       if (const auto found = poses_.find(keyframe.id); found != poses_.end())
-        correction = T_local_origin_ * to_pose(found->second) * keyframe.T_local_base.inverse();
+        correction = T_local_origin_ * to_pose({found->second[0], found->second[1], found->second[2]}) * keyframe.T_local_base.inverse();
       solved.push_back(correction * keyframe.T_local_base);
     }
     return solved;
@@ -192,8 +195,11 @@ class Graph {
 
   Pose2 T_local_origin_;
   const LocalMapOptions& options_;
-  std::map<int, Variable> poses_;  ///< by keyframe; addresses stay
-  std::vector<std::unique_ptr<Variable>> landmarks_;
+  /// Poses, then landmarks, never reallocated. The solver orders variables by address: side by side, they are in the
+  /// same order in every run, and the last digits are, too.
+  std::vector<Variable> variables_;
+  std::map<int, double*> poses_;  ///< by keyframe
+  std::vector<double*> landmarks_;
   ceres::CauchyLoss loss_{options_.robust_scale};
   ceres::Problem problem_{borrow_loss()};
 };
@@ -203,7 +209,7 @@ class Graph {
 bool optimize_poses(std::deque<Keyframe>& keyframes, const std::vector<LocalFeature>& features,
                     const std::vector<RelativePose>& motions, const LocalMapOptions& options) {
   if (keyframes.size() < 2) return false;
-  Graph graph(keyframes, options);
+  Graph graph(keyframes, features.size(), options);
   graph.add_motions(motions);
   for (const LocalFeature& local : features) graph.add_landmark(local);
   if (!graph.solve()) return false;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 
 using namespace opal;
@@ -51,6 +52,24 @@ TEST_CASE("a rigidly moved map and odometry give the rigidly moved answer") {
   const auto a = replay(here, site.samples), b = replay(there, moved);
   // The lookup grid stays aligned with the axes of the map: differences of a fraction of its cells remain.
   CHECK(worst_disagreement_m(a, b, T_new_map) < 0.06);
+}
+
+TEST_CASE("the same samples give the same answer to the last bit, wherever memory lies") {
+  const RecordedSite site("malaga-demo");
+  Localizer one(site.parts()), other(site.parts());
+  std::vector<std::unique_ptr<std::vector<char>>> in_the_way;
+  const auto a = replay(one, site.samples);
+  for (std::size_t k = 1; k < 2000; ++k) {
+    in_the_way.push_back(std::make_unique<std::vector<char>>(k % 700 + 1));
+    if (k % 3 == 0) in_the_way.erase(in_the_way.begin() + static_cast<std::ptrdiff_t>(in_the_way.size() / 2));
+  }
+  const auto b = replay(other, site.samples);
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    CHECK(a[k].estimate.T_map_base.x() == b[k].estimate.T_map_base.x());
+    CHECK(a[k].estimate.T_map_base.heading_rad() == b[k].estimate.T_map_base.heading_rad());
+    CHECK(a[k].estimate.probability == b[k].estimate.probability);
+  }
 }
 
 TEST_CASE("the order of features in the map does not matter") {
