@@ -2,10 +2,10 @@
 
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
+#include <opal/text_file.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 
 namespace {
@@ -97,7 +97,5 @@ void DriveReport::write() const {
   nlohmann::ordered_json summary = totals();
   std::printf("%s\n", summary.dump().c_str());
   summary["runs"] = runs_;
-  const std::string path = (out_ / "summary.json").string();
-  std::ofstream file(path);
-  if (!(file << summary.dump(1) << '\n')) throw opal::Error(path + ": cannot be written");
+  opal::write_text((out_ / "summary.json").string(), summary.dump(1) + '\n');
 }

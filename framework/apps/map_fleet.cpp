@@ -4,10 +4,10 @@
 #include "stored_maps.hpp"
 
 #include <opal/error.hpp>
+#include <opal/text_file.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -53,8 +53,7 @@ int pull(const PullOptions& options) {
   const auto store = map_store(registry);
   const opal::StoredMap stored = store->pull(options.source.building, options.source.version);
   const auto map = opal::SemanticMap::parse(stored.document, opal::text_of(options.source));
-  std::ofstream file(options.out);
-  if (!(file << map->to_json_ld().dump(1) << '\n')) throw opal::Error(options.out + ": cannot be written");
+  opal::write_map(*map, options.out);
   std::cout << "pulled: " << described(stored.version) << "; " << stored.version.features << " features, from "
             << store->where() << "\nwritten: " << options.out << '\n';
   return 0;

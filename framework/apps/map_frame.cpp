@@ -5,9 +5,9 @@
 #include <opal/error.hpp>
 #include <opal/map_frame.hpp>
 #include <opal/strict_json.hpp>
+#include <opal/text_file.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -31,8 +31,7 @@ int frame(const FrameVerbOptions& options) {
   if (options.out.empty()) {
     std::cout << framed.dump(1) << '\n';
   } else {
-    std::ofstream file(options.out);
-    if (!(file << framed.dump(1) << '\n')) throw opal::Error(options.out + ": cannot be written");
+    opal::write_text(options.out, framed.dump(1) + '\n');
     std::cout << "written: " << options.out << ", " << matches << (matches == 1 ? " match\n" : " matches\n");
   }
   return matches == 0 ? 1 : 0;

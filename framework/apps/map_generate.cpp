@@ -2,8 +2,8 @@
 
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
+#include <opal/text_file.hpp>
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <simulation/buildings/building.hpp>
@@ -39,8 +39,7 @@ void refuse_choice(const CLI::App& verb, const std::string& name) {
 
 int generate(const GenerateOptions& options) {
   const opal::simulation::Building building = generate_building(options.building);
-  std::ofstream file(options.out);
-  if (!(file << building.map->to_json_ld().dump(1) << '\n')) throw opal::Error(options.out + ": cannot be written");
+  opal::write_map(*building.map, options.out);
   std::cout << "written: " << options.out << ", " << building.map->features().size() << " features of "
             << building.map->objects().size() << " objects\n";
   opal::DrawingScene scene;

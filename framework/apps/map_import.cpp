@@ -4,9 +4,9 @@
 
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
+#include <opal/text_file.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -17,11 +17,6 @@ struct ImportOptions {
   std::vector<std::string> words;
   double thicken_m = 0;
 };
-
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  if (!(file << text)) throw opal::Error(path + ": cannot be written");
-}
 
 /// All that was said about options: by the deployment first, then on the command line.
 nlohmann::json options_for(const opal::RegisteredType& importer, const opal::PluginRegistry& registry,
@@ -44,7 +39,7 @@ std::string text_of(const std::vector<std::string>& sentences) {
 
 void write_report(const opal::MapImport& imported, const std::string& path) {
   const bool is_json = std::filesystem::path(path).extension() == ".json";
-  write_text(path, is_json ? opal::import_report(imported).dump(1) + '\n' : text_of(imported.report));
+  opal::write_text(path, is_json ? opal::import_report(imported).dump(1) + '\n' : text_of(imported.report));
 }
 
 void draw(const opal::MapImport& imported, const ImportOptions& options) {
@@ -59,7 +54,7 @@ int import(const ImportOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   const opal::RegisteredType& importer = importer_of(registry, options.source);
   const opal::MapImport imported = import_map(registry, options.source, options_for(importer, registry, options));
-  write_text(options.out, imported.map->to_json_ld().dump(1) + '\n');
+  opal::write_map(*imported.map, options.out);
   std::cout << text_of(imported.report) << "written: " << options.out << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
   draw(imported, options);

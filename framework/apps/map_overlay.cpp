@@ -5,8 +5,8 @@
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/map_overlay.hpp>
+#include <opal/text_file.hpp>
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -32,8 +32,7 @@ int overlay(const OverlayVerbOptions& options) {
   const opal::OverlaidMap overlaid = opal::overlaid_map(*load_map(load_plugins(), options.map), overlays, options.overlay);
   for (const std::string& sentence : overlaid.changes) std::cout << sentence << '\n';
   for (const std::string& doubt : overlaid.doubts) std::cout << "does not fit: " << doubt << '\n';
-  std::ofstream file(options.out);
-  if (!(file << overlaid.map->to_json_ld().dump(1) << '\n')) throw opal::Error(options.out + ": cannot be written");
+  opal::write_map(*overlaid.map, options.out);
   std::cout << "written: " << options.out << '\n';
   draw(overlaid.map, options);
   return overlaid.doubts.empty() ? 0 : 1;

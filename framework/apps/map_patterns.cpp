@@ -6,9 +6,9 @@
 #include <opal/error.hpp>
 #include <opal/map_check.hpp>
 #include <opal/pattern_layer.hpp>
+#include <opal/text_file.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -84,9 +84,7 @@ int patterns(const PatternsOptions& options) {
   print(*map, layer, !options.summary);
   draw(map, layer, options);
   if (!options.out.empty()) {
-    std::ofstream file(options.out);
-    if (!(file << map->with_patterns(layer.patterns)->to_json_ld().dump(1) << '\n'))
-      throw opal::Error(options.out + ": cannot be written");
+    opal::write_map(*map->with_patterns(layer.patterns), options.out);
     std::cout << "written: " << options.out << '\n';
   }
   return layer.patterns.empty() ? 1 : 0;

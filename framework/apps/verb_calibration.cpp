@@ -3,11 +3,11 @@
 
 #include <opal/calibration.hpp>
 #include <opal/error.hpp>
+#include <opal/text_file.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -71,8 +71,7 @@ int calibrate(const CalibrationOptions& options) {
   if (options.out.empty()) return 0;
   const fs::path out(options.out);
   fs::create_directories(out);
-  std::ofstream file(out / "calibration.json");
-  if (!(file << json_of(runs).dump(2) << '\n')) throw opal::Error((out / "calibration.json").string() + ": cannot be written");
+  opal::write_text((out / "calibration.json").string(), json_of(runs).dump(2) + '\n');
   const opal::Calibration best = calibration_of(runs.best, Weighting::per_statement);
   const std::string title = "The best place is right: said and come true";
   write_reliability_svg(best, title, (out / "reliability.svg").string());

@@ -13,18 +13,13 @@
 #include <opal/error.hpp>
 #include <opal/map_check.hpp>
 #include <opal/map_raster.hpp>
+#include <opal/text_file.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
 namespace {
-
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  if (!(file << text)) throw opal::Error(path + ": cannot be written");
-}
 
 struct CheckOptions {
   std::string map, sensor = "PlanarLidar2D";
@@ -58,7 +53,7 @@ struct DamageVerbOptions {
 int damage(const DamageVerbOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   const auto worse = load_map(registry, options.map, options.damage.damage());
-  write_text(options.out, worse->to_json_ld().dump(1) + '\n');
+  opal::write_map(*worse, options.out);
   std::cout << "written: " << options.out << ", " << worse->features().size() << " features of "
             << load_map(registry, options.map)->features().size() << '\n';
   return 0;
@@ -90,7 +85,7 @@ int join(const JoinVerbOptions& options) {
   std::vector<opal::MapSourcePart> sources;
   for (const std::string& map : options.maps) sources.push_back({name_of(map), load_map(registry, map)});
   const auto joined = opal::joined_map(sources, options.join.join);
-  write_text(options.out, joined->to_json_ld().dump(1) + '\n');
+  opal::write_map(*joined, options.out);
   for (const opal::MapPlacement& placement : joined->origin().placements)
     std::printf("%s: moved by %.0f m, %.0f m; scale %.3f, %.3f\n", placement.id.c_str(), placement.T_map_source.x(),
                 placement.T_map_source.y(), placement.scale.x(), placement.scale.y());

@@ -1,12 +1,12 @@
 #include "simulation/recording.hpp"
 
 #include <opal/error.hpp>
+#include <opal/text_file.hpp>
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
-#include <fstream>
 
 namespace opal::simulation {
 namespace {
@@ -36,11 +36,6 @@ void write_log(const Recording& recording, const std::string& path) {
   }
   if (file != nullptr && gzclose(file) != Z_OK) good = false;
   if (!good) throw Error(path + ": cannot be written");
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  if (!(file << text)) throw Error(path + ": cannot be written");
 }
 
 std::string truth_of(const Recording& recording) {
