@@ -1,20 +1,14 @@
 #include "bench_site.hpp"
 
+#include "cpu_clock.hpp"
 #include "session.hpp"
 
 #include <opal/error.hpp>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 
 namespace {
-
-double process_cpu_s() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// The semantic map that stands beside a recording, or one made of its grid. Thickening is done to grids.
 std::shared_ptr<const opal::SemanticMap> map_of(const opal::PluginRegistry& registry, const std::string& prefix,

@@ -1,14 +1,8 @@
 #include "run_record.hpp"
 
-#include <ctime>
+#include "cpu_clock.hpp"
 
 namespace {
-
-double cpu_now_s() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 void add(opal::StageTimes& sum, const opal::StageTimes& one) {
   sum.detect_s += one.detect_s;
@@ -50,12 +44,12 @@ void RunRecord::append(const RunRecord& other) {
 RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser, const SampleSource& next,
                       const std::string& query, const RunObserver& observer) {
   RunRecord record;
-  double before_s = cpu_now_s();  // the replay cleans the scan: that is part of an update's cost
+  double before_s = thread_cpu_s();  // the replay cleans the scan: that is part of an update's cost
   while (const auto sample = next()) {
     if (observer.ready && !observer.ready(sample->scan.stamp_s)) break;
     const auto updated = localizer.update(sample->scan, sample->T_odom_base);
     if (updated) {
-      record.update_cpu_ms.push_back(1e3 * (cpu_now_s() - before_s));
+      record.update_cpu_ms.push_back(1e3 * (thread_cpu_s() - before_s));
       add(record.stages, localizer.last_times());
       record.hypotheses += updated->hypotheses;
       record.last_points.clear();
@@ -65,7 +59,7 @@ RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser,
     record.last = localizer.estimate_at(sample->scan.stamp_s, sample->T_odom_base);
     if (record.last.has_pose) add_rows(record, query, laser);
     if (updated && observer.updated) observer.updated(record);
-    before_s = cpu_now_s();
+    before_s = thread_cpu_s();
   }
   return record;
 }

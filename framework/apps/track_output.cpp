@@ -1,5 +1,7 @@
 #include "track_output.hpp"
 
+#include "quantile.hpp"
+
 #include "run_picture.hpp"
 
 #include <opal/drawing.hpp>
@@ -100,15 +102,12 @@ void TrackOutput::write() const {
   opal::write_results(results, rows_);
   std::vector<double> cpu = update_cpu_ms_;
   std::sort(cpu.begin(), cpu.end());
-  const auto quantile = [&](double share) {
-    return cpu.empty() ? 0 : cpu[std::min(cpu.size() - 1, static_cast<std::size_t>(share * static_cast<double>(cpu.size())))];
-  };
   const double mean = std::accumulate(cpu.begin(), cpu.end(), 0.0) / std::max<double>(1, static_cast<double>(cpu.size()));
   const nlohmann::ordered_json summary = {{"updates", cpu.size()},      {"cpu_ms_mean", mean},
-                                          {"cpu_ms_p99", quantile(0.99)}, {"cpu_ms_max", quantile(1)},
+                                          {"cpu_ms_p99", quantile(cpu, 0.99)}, {"cpu_ms_max", quantile(cpu, 1)},
                                           {"windows", windows_}};
   file("summary.json") << summary.dump(2) << '\n';
-  std::printf("CPU per update: mean %.2f ms, 99 %% %.2f ms over %zu updates\n", mean, quantile(0.99), cpu.size());
+  std::printf("CPU per update: mean %.2f ms, 99 %% %.2f ms over %zu updates\n", mean, quantile(cpu, 0.99), cpu.size());
   opal::DrawingScene scene;
   scene.title = worst_.id + (truth_ ? ", the window tracked worst" : "");
   scene.map = map_;

@@ -1,6 +1,7 @@
 #include "bench_splices.hpp"
 #include "join_options.hpp"
 #include "overlay_options.hpp"
+#include "quantile.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -36,11 +37,6 @@ double peak_rss_mb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-double quantile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return 0;
-  return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * static_cast<double>(sorted.size())))];
 }
 
 double allocated_mb() {

@@ -1,6 +1,7 @@
 #include "drive_report.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
+#include "world_options.hpp"
 
 #include <behaviours/node_registry.hpp>
 
@@ -15,13 +16,11 @@ namespace {
 namespace sim = opal::simulation;
 namespace behaviours = opal::behaviours;
 
-struct DriveVerbOptions {
+struct DriveVerbOptions : WorldOptions {
   std::string config, map, out = "out", behaviour, trees;
   std::vector<double> goal, start;
   std::uint64_t seed = 1;
   int runs = 1;
-  bool omnidirectional = false;
-  sim::SimulationOptions world;
   opal::ClosedLoopOptions loop;
 };
 
@@ -48,8 +47,7 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
 }
 
 int drive(DriveVerbOptions options) {
-  if (options.omnidirectional) options.world.drive = sim::Drive::omnidirectional;
-  options.loop.motion.omnidirectional = options.omnidirectional;
+  options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = opal::read_deployment(options.config);
@@ -77,20 +75,6 @@ int drive(DriveVerbOptions options) {
   return report.all_reached() ? 0 : 1;
 }
 
-void add_world(CLI::App& verb, DriveVerbOptions& o) {
-  const auto flag = [&](const char* name, auto& value, const char* help) {
-    verb.add_option(name, value, help)->capture_default_str();
-  };
-  flag("--clutter", o.world.clutter.level, "how much stands about that the map does not hold; 1: everyday, 0: nothing");
-  flag("--lookalikes", o.world.clutter.lookalikes, "round things like the building's columns, per 100 m2, times --clutter");
-  flag("--hidden", o.world.clutter.hidden_share, "share of columns and corners behind a board");
-  flag("--people", o.world.people, "who walk about");
-  flag("--doors-open", o.world.doors_open_share, "share of doors that are open");
-  flag("--robot-radius", o.world.robot_radius_m, "[m]");
-  flag("--speed", o.loop.motion.speed_mps, "the fastest [m/s]");
-  verb.add_flag("--omnidirectional", o.omnidirectional, "mecanum wheels instead of two wheels");
-}
-
 }  // namespace
 
 void opal::add_drive_verb(CLI::App& app, int& exit_code) {
@@ -108,6 +92,7 @@ void opal::add_drive_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--runs", options->runs, "drives, with this seed and those after it")->capture_default_str()->check(CLI::Range(1, 100000));
   verb->add_option("--most", options->loop.most_s, "of each drive, before it is given up [s]")->capture_default_str();
   verb->add_option("-o,--out", options->out, "folder for summary.json and pictures")->capture_default_str();
-  add_world(*verb, *options);
+  options->add_to(*verb);
+  verb->add_option("--speed", options->loop.motion.speed_mps, "the fastest [m/s]")->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = drive(*options); });
 }

@@ -1,6 +1,6 @@
 #include "live_view.hpp"
 #include "localize_run.hpp"
-#include "overlay_options.hpp"
+#include "log_run_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
@@ -10,40 +10,17 @@
 
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <optional>
 
 namespace {
 
 namespace fs = std::filesystem;
 
-struct LocalizeOptions {
-  std::string config, log, out = "out", map, info, queries, truth;
+struct LocalizeOptions : LogRunOptions {
   bool serve = false;
   int port = opal::LiveServer::kUsualPort;
   double speed = 0;
-  OverlayFiles overlays;
 };
-
-opal::Deployment read_deployment_for(const LocalizeOptions& options) {
-  opal::Deployment deployment = opal::read_deployment(options.config);
-  if (!options.map.empty()) deployment.map = options.map;
-  deployment.overlays.insert(deployment.overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
-  if (deployment.map.empty())
-    throw opal::ConfigError(options.config + ": /map: missing; name a map here or with --map");
-  if (!options.info.empty()) {
-    const std::string sensor = deployment.laser.id;
-    deployment.laser = opal::read_site_laser(options.info);
-    deployment.laser.id = sensor;
-  }
-  return deployment;
-}
-
-std::vector<opal::Query> windows_of(const LocalizeOptions& options) {
-  if (!options.queries.empty()) return opal::read_queries(options.queries);
-  const double forever = std::numeric_limits<double>::infinity();
-  return {{"run", -forever, forever}};
-}
 
 std::ofstream event_file(const fs::path& out) {
   fs::create_directories(out);
@@ -54,12 +31,12 @@ std::ofstream event_file(const fs::path& out) {
 
 int localize(const LocalizeOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
-  opal::Deployment deployment = read_deployment_for(options);
+  opal::Deployment deployment = options.deployment();
   const auto map = load_map(registry, deployment);
   const auto reader = open_log(registry, options.log);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
   deployment.laser = opal::with_log_geometry(deployment.laser, records);
-  const std::vector<opal::Query> windows = windows_of(options);
+  const std::vector<opal::Query> windows = options.windows();
   const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
 
   std::optional<LiveView> live;
@@ -106,14 +83,7 @@ void opal::add_localize_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<LocalizeOptions>();
   CLI::App* verb =
       app.add_subcommand("localize", "find the robot's pose along a recorded log, from an unknown start");
-  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld)")->required();
-  verb->add_option("LOG", options->log, "recorded log (CARMEN text, .gz too; ROS 2 bag .db3)")->required();
-  verb->add_option("-o,--out", options->out, "folder for trajectory, results, events and pictures")
-      ->capture_default_str();
-  verb->add_option("--map", options->map, "map document, or a source to import; overrides the deployment's");
-  options->overlays.add_to(*verb, ", beside those of the deployment");
-  verb->add_option("--info", options->info,
-                   "SITE.info.json that describes the laser; overrides the deployment's");
+  options->add_to(*verb, "trajectory, results, events and pictures");
   verb->add_option("--queries", options->queries, "SITE.queries.json: run each query from scratch");
   verb->add_option("--truth", options->truth, "SITE.gt.csv: report the error against recorded truth");
   add_live_options(*verb, options);

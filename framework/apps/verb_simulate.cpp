@@ -1,6 +1,8 @@
+#include "cpu_clock.hpp"
 #include "damage_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
+#include "world_options.hpp"
 
 #include <simulation/beam_statistics.hpp>
 #include <simulation/recording.hpp>
@@ -10,27 +12,23 @@
 #include <opal/ground_truth.hpp>
 #include <opal/map_raster.hpp>
 #include <opal/replay.hpp>
+#include <opal/text_file.hpp>
 
-#include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace {
 
 namespace sim = opal::simulation;
 
-struct SimulateOptions {
+struct SimulateOptions : WorldOptions {
   std::string map, out, along;
-  sim::SimulationOptions world;
   sim::DriveOptions drives;
   double fov_deg = 270, mount_x_m = 0.2;
-  bool omnidirectional = false;
   DamageOptions damage;
 };
 
 void set_laser(SimulateOptions& options) {
-  if (options.omnidirectional) options.world.drive = sim::Drive::omnidirectional;
   if (!options.along.empty()) {
     options.world.laser = opal::read_site_laser(options.along + ".info.json");
     return;
@@ -41,13 +39,6 @@ void set_laser(SimulateOptions& options) {
   laser.angle_increment_rad = options.fov_deg * kDegree / (laser.beams - 1);
   laser.T_base_laser = opal::Pose2(options.mount_x_m, 0, 0);
   laser.range_sigma_m = std::max(0.005, options.world.laser_errors.range_sigma_m);
-}
-
-void write_map(const opal::SemanticMap& map, const std::string& prefix) {
-  std::ofstream file(prefix + ".map.jsonld");
-  if (!(file << map.to_json_ld().dump(1) << '\n')) throw opal::Error(prefix + ".map.jsonld: cannot be written");
-  file.close();
-  opal::write_raster(opal::rasterized(map), prefix + ".map.yaml");
 }
 
 /// Drives as somebody did who recorded it, and says how alike the beams are.
@@ -68,12 +59,6 @@ sim::Recording record_along(const opal::PluginRegistry& registry, const Simulate
   return made;
 }
 
-double cpu_s() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 int simulate(SimulateOptions options) {
   set_laser(options);
   const opal::PluginRegistry registry = load_plugins();
@@ -82,15 +67,16 @@ int simulate(SimulateOptions options) {
   const std::string name = std::filesystem::path(options.out).filename().string();
   if (const auto folder = std::filesystem::path(options.out).parent_path(); !folder.empty())
     std::filesystem::create_directories(folder);
-  const double start_s = cpu_s();
+  const double start_s = process_cpu_s();
   sim::Simulation simulation(building, options.world, options.damage.seed);
-  const double ready_s = cpu_s();
+  const double ready_s = process_cpu_s();
   const sim::Recording recording = options.along.empty()
                                        ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
                                        : record_along(registry, options, *map, simulation);
-  const double recorded_s = cpu_s();
+  const double recorded_s = process_cpu_s();
   sim::write_recording(recording, options.out, name);
-  write_map(*map, options.out);
+  opal::write_map(*map, options.out + ".map.jsonld");
+  opal::write_raster(opal::rasterized(*map), options.out + ".map.yaml");
   double driven_m = 0;
   for (double distance_m : recording.distances_m) driven_m += distance_m;
   std::printf("%.0f m2 of floor, %zu things that a beam can meet, %d people\n", simulation.floor().area_m2(),
@@ -100,20 +86,6 @@ int simulate(SimulateOptions options) {
   std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
   std::cout << "written: " << options.out << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
   return 0;
-}
-
-void add_world(CLI::App& verb, SimulateOptions& o) {
-  const auto flag = [&](const char* name, auto& value, const char* help) {
-    verb.add_option(name, value, help)->capture_default_str();
-  };
-  flag("--clutter", o.world.clutter.level, "how much stands about that the map does not hold; 1: everyday, 0: nothing");
-  flag("--lookalikes", o.world.clutter.lookalikes, "round things like the building's columns, per 100 m2, times --clutter");
-  flag("--hidden", o.world.clutter.hidden_share, "share of columns and corners behind a board");
-  flag("--people", o.world.people, "who walk about");
-  flag("--doors-open", o.world.doors_open_share, "share of doors that are open");
-  flag("--robot-radius", o.world.robot_radius_m, "[m]");
-  o.damage.add_to(verb);  // of what stands: the map that is written is the undamaged one
-  verb.get_option("--seed")->description("of everything: the same seed gives the same files");
 }
 
 void add_sensing(CLI::App& verb, SimulateOptions& o) {
@@ -128,7 +100,6 @@ void add_sensing(CLI::App& verb, SimulateOptions& o) {
   flag("--missed", o.world.laser_errors.missed_share, "share of beams that are lost");
   flag("--mixed", o.world.laser_errors.mixed_share, "share of beams at an edge that report something in between");
   flag("--glass", o.world.laser_errors.glass_share, "share of beams that glass sends back");
-  verb.add_flag("--omnidirectional", o.omnidirectional, "mecanum wheels instead of two wheels");
   flag("--slips", o.world.odometry_errors.slips_per_m, "of a wheel, per metre");
   flag("--odometry-sigma", o.world.odometry_errors.sigma_m_per_sqrt_m, "along the way [m per square root of m]");
   flag("--heading-sigma", o.world.odometry_errors.sigma_rad_per_sqrt_m, "[rad per square root of m]");
@@ -147,7 +118,9 @@ void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
                    "PREFIX of a recording (.gt.csv, .info.json, .log.gz): the same laser on the same way, and its beams side by side");
   verb->add_option("--speed", options->drives.follower.speed_mps, "[m/s]")->capture_default_str();
   verb->add_option("--scan-every", options->drives.scan_every_s, "[s]")->capture_default_str();
-  add_world(*verb, *options);
+  options->add_to(*verb);
+  options->damage.add_to(*verb);  // of what stands: the map that is written is the undamaged one
+  verb->get_option("--seed")->description("of everything: the same seed gives the same files");
   add_sensing(*verb, *options);
   verb->callback([options, &exit_code] { exit_code = simulate(*options); });
 }

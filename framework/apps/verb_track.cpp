@@ -1,5 +1,5 @@
 #include "damage_options.hpp"
-#include "overlay_options.hpp"
+#include "log_run_options.hpp"
 #include "session.hpp"
 #include "start_poses.hpp"
 #include "track_output.hpp"
@@ -7,40 +7,21 @@
 
 #include <opal/deployment.hpp>
 #include <opal/error.hpp>
-#include <opal/site.hpp>
-
-#include <limits>
 
 namespace {
 
-struct TrackOptions {
-  std::string config, log, out = "out", map, info, queries, truth, pose, disturb;
+struct TrackOptions : LogRunOptions {
+  std::string pose, disturb;
   std::uint64_t disturb_seed = 1;
   bool keep_offsets = false, offline = false;
   DamageOptions damage;
-  OverlayFiles overlays;
 };
 
 opal::Deployment deployment_for(const TrackOptions& options) {
-  opal::Deployment deployment = opal::read_deployment(options.config);
-  if (!options.map.empty()) deployment.map = options.map;
-  deployment.overlays.insert(deployment.overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
-  if (deployment.map.empty())
-    throw opal::ConfigError(options.config + ": /map: missing; name a map here or with --map");
-  if (!options.info.empty()) {
-    const std::string sensor = deployment.laser.id;
-    deployment.laser = opal::read_site_laser(options.info);
-    deployment.laser.id = sensor;
-  }
+  opal::Deployment deployment = options.deployment();
   // Every scan that moved is a pose of its own when the whole log is smoothed.
   if (options.offline) deployment.keyframes = {0.02, 0.02};
   return deployment;
-}
-
-std::vector<opal::Query> windows_of(const TrackOptions& options) {
-  if (!options.queries.empty()) return opal::read_queries(options.queries);
-  const double forever = std::numeric_limits<double>::infinity();
-  return {{"run", -forever, forever}};
 }
 
 void expect_start(const TrackOptions& options) {
@@ -76,7 +57,7 @@ int track(const TrackOptions& options) {
   opal::PoseTracker tracker(opal::build_parts(deployment, registry, map));
   TrackOutput output(options.out, deployment.laser, map, truth);
   TrackedWindow window;
-  for (const opal::Query& query : windows_of(options)) {
+  for (const opal::Query& query : options.windows()) {
     if (!options.keep_offsets) tracker.forget_offsets();
     opal::ReplayOptions cut;
     cut.from_s = query.start_s;
@@ -104,13 +85,7 @@ void opal::add_track_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TrackOptions>();
   CLI::App* verb = app.add_subcommand(
       "track", "follow the robot along a recorded log from a known pose; where the building differs from its map");
-  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld)")->required();
-  verb->add_option("LOG", options->log, "recorded log (CARMEN text, .gz too; ROS 2 bag .db3)")->required();
-  verb->add_option("-o,--out", options->out, "folder for trajectory, results, summary, pictures and deviations")
-      ->capture_default_str();
-  verb->add_option("--map", options->map, "map document, or a source to import; overrides the deployment's");
-  options->overlays.add_to(*verb, ", beside those of the deployment");
-  verb->add_option("--info", options->info, "SITE.info.json that describes the laser; overrides the deployment's");
+  options->add_to(*verb, "trajectory, results, summary, pictures and deviations");
   verb->add_option("--pose", options->pose,
                    "X,Y,THETA of the robot at the first scan, map frame [m, m, rad], within about 0.5 m and 10 degrees");
   verb->add_option("--queries", options->queries, "SITE.queries.json: track each window on its own, from the truth");
