@@ -72,6 +72,19 @@ class MotionFactor : public ceres::SizedCostFunction<3, 3, 3> {
   Eigen::Matrix3d W_;
 };
 
+/// A position `apart` from a pose in the frame of both, seen from the pose: R^T apart - seen, and its derivatives by the pose
+/// and by the position.
+inline void evaluate_seen_point(double heading_rad, const Point& apart, const Point& seen, const Eigen::Matrix2d& W,
+                                double* residuals, double** jacobians) {
+  const Turn base(heading_rad);
+  store<2, 1>(residuals, W * (base.R.transpose() * apart - seen));
+  if (!jacobians) return;
+  Eigen::Matrix<double, 2, 3> by_pose;
+  by_pose << -base.R.transpose(), base.dR.transpose() * apart;
+  store<2, 3>(jacobians[0], W * by_pose);
+  store<2, 2>(jacobians[1], W * base.R.transpose());
+}
+
 /// Covariance of a * b, first order.
 inline Eigen::Matrix3d chained(const RelativePose& a, const RelativePose& b) {
   const Point lever = a.T_from_to.rotate(b.T_from_to.position());

@@ -62,14 +62,8 @@ class MappedPointFactor : public ceres::SizedCostFunction<2, 3, 2> {
       : seen_(anchor_of(measured.seen)), mapped_(mapped), W_(whitening<2>(measured.covariance, {1e-4, 1e-4})) {}
 
   bool Evaluate(double const* const* v, double* residuals, double** jacobians) const override {
-    const Turn base(v[0][2]);
     const Point apart = mapped_ + Point(v[1][0], v[1][1]) - Point(v[0][0], v[0][1]);
-    store<2, 1>(residuals, W_ * (base.R.transpose() * apart - seen_));
-    if (!jacobians) return true;
-    Eigen::Matrix<double, 2, 3> by_pose;
-    by_pose << -base.R.transpose(), base.dR.transpose() * apart;
-    store<2, 3>(jacobians[0], W_ * by_pose);
-    store<2, 2>(jacobians[1], W_ * base.R.transpose());
+    evaluate_seen_point(v[0][2], apart, seen_, W_, residuals, jacobians);
     return true;
   }
 
