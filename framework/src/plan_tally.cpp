@@ -1,22 +1,8 @@
 #include <opal/plan_assembly.hpp>
 
-#include <array>
-#include <cstdarg>
-#include <cstdio>
+#include <opal/sentence.hpp>
 
 namespace opal {
-namespace {
-
-[[gnu::format(printf, 1, 2)]] std::string sentence(const char* pattern, ...) {
-  std::array<char, 256> text{};
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(text.data(), text.size(), pattern, arguments);
-  va_end(arguments);
-  return text.data();
-}
-
-}  // namespace
 
 std::vector<std::string> PlanTally::sentences(const PlanOptions& options) const {
   std::vector<std::string> all;

@@ -2,10 +2,10 @@
 
 #include "map_assembly.hpp"
 
+#include <opal/sentence.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -17,15 +17,6 @@ namespace {
 constexpr double kExplained_m = 0.15;
 // Walls are thinner than this, at least their part that a LiDAR smears.
 constexpr double kMaxThickness_m = 1.0;
-
-[[gnu::format(printf, 1, 2)]] std::string sentence(const char* pattern, ...) {
-  std::array<char, 256> text{};
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(text.data(), text.size(), pattern, arguments);
-  va_end(arguments);
-  return text.data();
-}
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;

@@ -1,9 +1,9 @@
 #include "level_choice.hpp"
 
 #include "body_cut.hpp"
-#include "sentence.hpp"
 
 #include <opal/error.hpp>
+#include <opal/sentence.hpp>
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #include "report.hpp"
 
-#include "sentence.hpp"
+#include <opal/sentence.hpp>
 
 #include <algorithm>
 #include <map>

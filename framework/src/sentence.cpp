@@ -1,9 +1,9 @@
-#include "sentence.hpp"
+#include <opal/sentence.hpp>
 
 #include <cstdarg>
 #include <cstdio>
 
-namespace opal::ifc_importer {
+namespace opal {
 
 std::string sentence(const char* pattern, ...) {
   va_list arguments, again;
@@ -16,4 +16,4 @@ std::string sentence(const char* pattern, ...) {
   return text;
 }
 
-}  // namespace opal::ifc_importer
+}  // namespace opal
