@@ -1,20 +1,11 @@
 #include "behaviours/situation.hpp"
 
 #include <opal/error.hpp>
-#include <opal/map_raster.hpp>
 
 namespace opal::behaviours {
 
 FloorGrid mapped_floor(const MapView& map, double radius_m) {
-  RasterOptions options;
-  options.resolution_m = 0.1;
-  const MapRaster raster = rasterized(map.map(), options);
-  std::vector<char> free(raster.cells.size(), 0);
-  for (int cell = 0; cell < raster.columns * raster.rows; ++cell) {
-    const Point center = raster.origin + options.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
-    free[cell] = raster.cells[cell] == MapRaster::Cell::free && map.clearance_m(center) > radius_m;
-  }
-  FloorGrid floor(raster.origin, options.resolution_m, raster.columns, raster.rows, std::move(free));
+  FloorGrid floor = seen_floor(map.map(), [&](const Point& p) { return map.clearance_m(p) > radius_m; });
   if (floor.cells().empty())
     throw MapError(map.map().name() + ": has no floor for a robot of " + std::to_string(radius_m) + " m radius");
   return floor;

@@ -12,8 +12,6 @@ namespace opal::simulation {
 /// too near to something solid. Frame: `map`.
 class Floor : public FloorGrid {
  public:
-  static constexpr double kCell_m = 0.1;
-
   /// @param radius_m  of whoever wants to be there.
   /// @throws MapError if there is no such place.
   Floor(const SemanticMap& map, const RayCaster& solids, double radius_m);

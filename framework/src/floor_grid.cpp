@@ -1,5 +1,7 @@
 #include <opal/floor_grid.hpp>
 
+#include <opal/map_raster.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <queue>
@@ -186,6 +188,18 @@ std::vector<Point> FloorGrid::along(const FloorWays& ways, int cell) const {
   for (; cell >= 0; cell = ways.before[cell]) way.push_back(center_of(cell));
   std::reverse(way.begin(), way.end());
   return way;
+}
+
+FloorGrid seen_floor(const SemanticMap& map, const std::function<bool(const Point&)>& has_room) {
+  RasterOptions options;
+  options.resolution_m = 0.1;
+  const MapRaster raster = rasterized(map, options);
+  std::vector<char> free(raster.cells.size(), 0);
+  for (int cell = 0; cell < raster.columns * raster.rows; ++cell) {
+    const Point center = raster.origin + options.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
+    free[cell] = raster.cells[cell] == MapRaster::Cell::free && has_room(center);
+  }
+  return {raster.origin, options.resolution_m, raster.columns, raster.rows, std::move(free)};
 }
 
 }  // namespace opal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <behaviours/situation.hpp>
+#include <simulation/simulation.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -29,14 +30,7 @@ inline std::vector<Segment> room_of(const std::vector<Point>& counter_clockwise)
   return faces;
 }
 
-inline LaserModel wide_laser() {
-  LaserModel laser;
-  laser.angle_min_rad = -0.75 * std::numbers::pi;
-  laser.angle_increment_rad = std::numbers::pi / 360;
-  laser.beams = 541;
-  laser.T_base_laser = Pose2(0.2, 0, 0);
-  return laser;
-}
+inline LaserModel wide_laser() { return simulation::SimulationOptions::default_laser(); }
 
 /// What a perfect laser sees of a map.
 inline Scan seen(const MapView& map, const LaserModel& laser, const Pose2& T_map_base, double stamp_s = 0) {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <opal/geometry.hpp>
+#include <opal/semantic_map.hpp>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -61,5 +62,10 @@ class OPAL_EXPORT FloorGrid {
   std::vector<float> clearance_m_;  ///< from the nearest cell that is not free; 0: not free
   std::vector<int> free_;           ///< cells of the largest part
 };
+
+/// Where somebody can be in a building, in cells of 0.1 m: from where some mapped surface is seen on its visible side, and there
+/// is room. Frame: `map`.
+/// @param has_room  at the centre of a cell.
+OPAL_EXPORT FloorGrid seen_floor(const SemanticMap& map, const std::function<bool(const Point&)>& has_room);
 
 }  // namespace opal
