@@ -72,25 +72,24 @@ RayCaster::RayCaster(std::vector<Solid> solids) : solids_(std::move(solids)) {
   }
   columns_ = column_of(high_.x()) + 1;
   rows_ = row_of(high_.y()) + 1;
-  filling_.resize(static_cast<std::size_t>(columns_) * rows_);
-  for (std::size_t k = 0; k < solids_.size(); ++k) insert(static_cast<int>(k));
+  Cells cells(static_cast<std::size_t>(columns_) * rows_);
+  for (std::size_t k = 0; k < solids_.size(); ++k) insert(static_cast<int>(k), cells);
   first_.push_back(0);
-  for (const auto& cell : filling_) {
+  for (const auto& cell : cells) {
     entries_.insert(entries_.end(), cell.begin(), cell.end());
     first_.push_back(static_cast<std::int32_t>(entries_.size()));
   }
-  filling_ = {};
 }
 
 /// Into every cell of its bounding box that it comes near: a long diagonal wall must not fill the box.
-void RayCaster::insert(int number) {
+void RayCaster::insert(int number, Cells& cells) const {
   constexpr double kReach_m = 0.7072 * kCell_m + 1e-9;  // half a cell's diagonal
   const Box box = box_of(solids_[number].shape);
   for (int row = row_of(box.low.y()); row <= row_of(box.high.y()); ++row)
     for (int column = column_of(box.low.x()); column <= column_of(box.high.x()); ++column) {
       const Point center = low_ + kCell_m * Point(column + 0.5, row + 0.5);
       if (distance_from(solids_[number].shape, center) <= kReach_m)
-        filling_[static_cast<std::size_t>(row) * columns_ + column].push_back(number);
+        cells[static_cast<std::size_t>(row) * columns_ + column].push_back(number);
     }
 }
 

@@ -46,7 +46,8 @@ class RayCaster {
     double radius;  ///< negative: a segment
   };
 
-  void insert(int number);
+  using Cells = std::vector<std::vector<std::int32_t>>;
+  void insert(int number, Cells& cells) const;
   int column_of(double x) const { return static_cast<int>((x - low_.x()) / kCell_m); }
   int row_of(double y) const { return static_cast<int>((y - low_.y()) / kCell_m); }
   std::span<const std::int32_t> in_cell(int column, int row) const;
@@ -56,8 +57,7 @@ class RayCaster {
   std::vector<Prepared> prepared_;
   Point low_ = Point::Zero(), high_ = Point::Zero();
   int columns_ = 0, rows_ = 0;
-  std::vector<std::vector<std::int32_t>> filling_;  ///< while cells are filled
-  std::vector<std::int32_t> first_, entries_;       ///< entries of cell k: first_[k] to first_[k + 1]
+  std::vector<std::int32_t> first_, entries_;  ///< entries of cell k: first_[k] to first_[k + 1]
 };
 
 }  // namespace opal::simulation

@@ -14,8 +14,9 @@ void ChangeDetector::add(const Evidence& seen) {
     constexpr double kMemory = 0.9;
     usual_nat_ = kMemory * usual_nat_ + (1 - kMemory) * seen.scan_nat;
     last_good_ = {seen.keyframe, seen.gathered_nat};
-  } else
+  } else {
     last_good_.nat *= 1 - seen.novelty * (1 - options_.memory);
+  }
 }
 
 void ChangeDetector::reset() {
@@ -25,9 +26,11 @@ void ChangeDetector::reset() {
   discontinued_ = -2;
 }
 
-double ChangeDetector::wanted_nat() const {
-  return discontinued() ? std::max(options_.carried_scan_nat, options_.carried_drop * usual_nat_) : options_.carried_scan_nat;
+double ChangeDetector::share_of_usual_nat() const {
+  return std::max(options_.carried_scan_nat, options_.carried_drop * usual_nat_);
 }
+
+double ChangeDetector::wanted_nat() const { return discontinued() ? share_of_usual_nat() : options_.carried_scan_nat; }
 
 double ChangeDetector::probability() const {
   const double prior_nat = discontinued() ? options_.carried_nat : options_.carried_unseen_nat;
@@ -35,7 +38,7 @@ double ChangeDetector::probability() const {
 }
 
 bool ChangeDetector::alarming(double scan_nat) const {
-  return scan_nat < std::max(options_.carried_scan_nat, options_.carried_drop * usual_nat_) - options_.carried_alarm_nat;
+  return scan_nat < share_of_usual_nat() - options_.carried_alarm_nat;
 }
 
 std::optional<ChangeDetector::Break> ChangeDetector::suspected() const {

@@ -46,6 +46,7 @@ class ChangeDetector {
   /// What a scan has to say, or it is a reason for suspicion [nat]: where it does not continue those before, about what
   /// they said, which a place that looks alike by chance does not.
   double wanted_nat() const;
+  double share_of_usual_nat() const;
 
   AssociationOptions options_;
   double suspicion_nat_ = 0;
