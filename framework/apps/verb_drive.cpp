@@ -35,6 +35,7 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
     simulation.place(start);
   }
   DriveTask task{seed, simulation.T_map_base(), opal::Point::Zero()};
+  for (const sim::Solid& solid : simulation.clutter()) task.clutter.push_back(solid.shape);
   if (!options.goal.empty()) {
     task.goal = {options.goal[0], options.goal[1]};
     if (!simulation.floor().nearest(task.goal))

@@ -55,7 +55,8 @@ class ClosedLoop {
   void move(const Velocity& velocity) {
     for (int k = 0; k < kStepsPerTick; ++k) {
       const Pose2 before = simulation_.T_map_base();
-      if (!simulation_.drive(velocity, options_.tick_s / kStepsPerTick)) ++record_.collisions;
+      if (auto touched = simulation_.drive(velocity, options_.tick_s / kStepsPerTick))
+        record_.collisions.push_back({simulation_.now_s(), before, velocity, *touched});
       record_.driven_m += distance_m(before, simulation_.T_map_base());
     }
   }

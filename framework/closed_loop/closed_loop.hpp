@@ -21,7 +21,14 @@ struct DriveRecord {
   bool said_so = false;              ///< the tree has succeeded
   double time_s = 0, driven_m = 0;
   double off_goal_m = 0;             ///< in truth, at the end
-  int collisions = 0;                ///< steps that would have touched something
+  /// A step that would have touched something, and was not taken.
+  struct Collision {
+    double stamp_s;
+    Pose2 T_map_base;
+    Velocity velocity;
+    simulation::Contact touched;
+  };
+  std::vector<Collision> collisions;
   std::optional<double> localized_after_m, localized_after_s;  ///< first time that the pose was vouched for, and right
   int scans = 0, localized_scans = 0;
   int falsely_localized_scans = 0;   ///< vouched for, and more than 1 m off

@@ -40,7 +40,7 @@ class RecordedDrive {
     const Pose2 before = simulation_.T_map_base();
     if (follower_.arrived())
       if (auto way = simulation_.floor().way(before.position(), goal_())) follower_.follow(std::move(*way));
-    if (!simulation_.drive(follower_.steer(before), kStep_s)) give_way();
+    if (simulation_.drive(follower_.steer(before), kStep_s)) give_way();
     driven_m_ += distance_m(before, simulation_.T_map_base());
   }
 
