@@ -20,7 +20,7 @@ std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_s
 class Challenges {
  public:
   Challenges(const ExperimentOptions& options, const opal::PluginRegistry& registry)
-      : options_(options), registry_(registry), contenders_(contenders(options.configs)), map_(load_map(registry, options.map)) {
+      : options_(options), registry_(registry), contenders_(contenders(options.configs)), map_(building(registry, options.map, "atlas")) {
     if (!options.rival.empty()) rivals_.push_back({options.rival, fs::path(options.rival).filename().string()});
     if (!keeps_logs()) return;
     fs::create_directories(logs_);
