@@ -20,4 +20,11 @@ TEST_CASE("each route of the thesis' challenges has a start and a heading of its
   CHECK(distance_m(b1, b2) > 0.1);
   CHECK(angle_between_rad(b1, b2) > 1e-3);
   CHECK(angle_between_rad(b1, again) == 0);
+  double lowest = 1e9, highest = -1e9;
+  for (const Challenge& challenge : all) {
+    const Pose2 start = start_of(challenge, 1);
+    lowest = std::min(lowest, start.y());
+    highest = std::max(highest, start.y());
+  }
+  CHECK(highest - lowest > 30);  // of 41 m: all over the building
 }
