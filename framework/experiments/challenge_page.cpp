@@ -24,10 +24,16 @@ std::vector<Point> first_localized(const Run& run) {
   return {};
 }
 
+void add_region(const Run& run, WaysPicture& picture) {
+  if (run.region) picture.regions.push_back({run.region->center, run.region->radius_m});
+}
+
 std::string ways_of(const SemanticMap& map, const std::vector<const Run*>& runs) {
   WaysPicture picture;
-  for (const Run* run : runs)
+  for (const Run* run : runs) {
     picture.ways.push_back({run->challenge, {{thinned_truth(*run), true}}, first_localized(*run), {}, {}});
+    add_region(*run, picture);
+  }
   return svg_of(map, picture);
 }
 
@@ -36,7 +42,9 @@ std::string one_way(const SemanticMap& map, const Run& run) {
   WaysPicture::Way way{run.challenge, {{thinned_truth(run), true}}, first_localized(run), {}, {}};
   for (const Moment& moment : run.moments)
     if (moment.localized()) way.estimate.push_back(moment.estimate.position());
-  return svg_of(map, {{way}, {}});
+  WaysPicture picture{{way}, {}, {}};
+  add_region(run, picture);
+  return svg_of(map, picture);
 }
 
 std::string caption_of(const Run& run) {
@@ -61,7 +69,7 @@ std::string challenge_page(const SemanticMap& map, std::span<const Run> runs) {
     const auto shown = those(runs, [&](const Run& r) { return r.contender == contender && r.seed == first; });
     body += "<h2>" + escaped(contender) + ", seed " + std::to_string(first) + "</h2>\n" +
             figure(ways_of(map, shown),
-                   "The ways as they were driven; a ring is a start, a cross where " + contender +
+                   "The ways as they were driven; a ring is a start, a red circle a region that is known, a cross where " + contender +
                        " first said that it is localized.",
                    "whole") +
             status_legend();

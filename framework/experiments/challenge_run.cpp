@@ -48,6 +48,7 @@ ChallengeRun run_challenge(const Contender& contender, const PluginRegistry& reg
   Localizer localizer(build_parts(deployment, registry, std::move(map)));
   ChallengeRun run;
   run.contender = contender.name;
+  run.region = driven.region;
   double driven_m = 0;
   Pose2 before = recording.scans.front().T_map_base;
   for (const simulation::RecordedScan& recorded : recording.scans) {

@@ -16,6 +16,7 @@ namespace opal::experiments {
 struct ChallengeRun {
   std::string contender, challenge;
   std::uint64_t seed = 0;
+  std::optional<simulation::StartRegion> region;  ///< that the robot was told
   bool success = false;           ///< the best hypothesis comes within 1 m and stays there to the end
   double right_after_m = -1;      ///< until it was so
   double localized_after_m = -1;  ///< until the first `localized`

@@ -46,7 +46,7 @@ std::string one_way(const SemanticMap& map, const Run& run) {
     if (way.marks.empty()) way.marks.push_back(moment.truth.position());
     way.estimate.push_back(moment.estimate.position());
   }
-  return svg_of(map, {{way}, {run.goal}});
+  return svg_of(map, {{way}, {run.goal}, {}});
 }
 
 std::string caption_of(const Run& run) {

@@ -116,6 +116,7 @@ ChallengeRun run_rival(const Rival& rival, const simulation::ChallengeDrive& dri
   run_to_its_end(std::move(command));
   ChallengeRun run;
   run.contender = rival.name;
+  run.region = driven.region;
   run.moments = read_rival(answer, driven.recording);
   judge(run);
   return run;

@@ -78,6 +78,8 @@ std::string drawn(const WaysPicture::Way& way, const std::string& colour) {
 std::string svg_of(const SemanticMap& map, const WaysPicture& picture) {
   Extent extent;
   std::string content = building(map, extent);
+  for (const Circle& region : picture.regions)
+    content += disc(region.center, region.radius_m, "fill='none' stroke='#d01c1c' stroke-width='.08'");
   for (const Point& goal : picture.goals) content += disc(goal, 0.45, "fill='#1f5fd0'");
   for (std::size_t k = 0; k < picture.ways.size(); ++k)
     content += drawn(picture.ways[k], kColours[k % kColours.size()]);
