@@ -61,6 +61,7 @@ int drive(DriveVerbOptions options) {
   const std::string trees = options.trees.empty() ? shipped_config("behaviours.jsonld") : options.trees;
   const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
   behaviours::read_tree(nodes, trees, options.behaviour);  // before anything is written
+  if (options.behaviour.empty()) options.behaviour = behaviours::first_tree(trees);
 
   std::filesystem::create_directories(options.out);
   DriveReport report(map, options.behaviour, options.out);

@@ -35,7 +35,8 @@ ChallengeDrive drive(const Challenge& challenge, std::shared_ptr<const SemanticM
   const std::vector<Point> route = route_of(*building, options, challenge.route);
   Simulation simulation(std::move(building), options, seed);
   DriveOptions drives;
-  ChallengeDrive driven{record_route(simulation, route, duration_s, drives), std::nullopt};
+  const Random heading(static_cast<std::uint64_t>(3000 + challenge.route));
+  ChallengeDrive driven{record_route(simulation, route, duration_s, drives, heading), std::nullopt};
   if (challenge.region_m) {
     // The robot is told a region that it is in, not that it is in the middle of it.
     Random off(static_cast<std::uint64_t>(2000 + challenge.route));
