@@ -1,3 +1,4 @@
+#include "experiment_buildings.hpp"
 #include "experiment_report.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
@@ -15,7 +16,7 @@ namespace sim = opal::simulation;
 namespace fs = std::filesystem;
 
 struct ExperimentOptions {
-  std::string name, out, map;
+  std::string out, map;
   std::vector<std::string> configs{"thesis3", "default"};
   std::vector<std::string> only;
   int seeds = 20;
@@ -75,7 +76,7 @@ int experiment(const ExperimentOptions& options) {
   write_runs(csv, runs);
   text << table;
   if (!csv || !text) throw opal::Error(options.out + ": cannot be written");
-  write_experiment_page((fs::path(options.out) / "report.html").string(), "Experiment " + options.name, table, *map, runs);
+  write_experiment_page((fs::path(options.out) / "report.html").string(), "Experiment thesis3", table, *map, runs);
   std::cout << "written: runs.csv, table.txt, report.html in " << options.out << '\n';
   return 0;
 }
@@ -84,13 +85,15 @@ int experiment(const ExperimentOptions& options) {
 
 void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ExperimentOptions>();
-  CLI::App* verb = app.add_subcommand("experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
-  verb->add_option("NAME", options->name, "thesis3: the 14 challenges of section 3.5.2")->required()->check(CLI::IsMember({"thesis3"}));
+  CLI::App* experiment = app.add_subcommand("experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
+  experiment->require_subcommand(1);
+  add_experiment_buildings(*experiment, exit_code);
+  CLI::App* verb = experiment->add_subcommand("thesis3", "the 14 challenges of section 3.5.2 in one building");
   verb->add_option("-o,--out", options->out, "folder for runs.csv, table.txt and report.html")->required();
   verb->add_option("--map", options->map, "the building: maps/atlas.jsonld, or any other")->required();
   verb->add_option("--config", options->configs, "who takes part: names of shipped configurations, or files (.jsonld)")->capture_default_str();
   verb->add_option("--challenge", options->only, "only these: A1, B7, ...");
   verb->add_option("--seeds", options->seeds, "runs per challenge: clutter, people and noise differ")->check(CLI::PositiveNumber)->capture_default_str();
   verb->add_option("--duration", options->duration_s, "of each run [s]")->check(CLI::PositiveNumber)->capture_default_str();
-  verb->callback([options, &exit_code] { exit_code = experiment(*options); });
+  verb->callback([options, &exit_code] { exit_code = ::experiment(*options); });
 }
