@@ -1,13 +1,12 @@
 #include "experiment_buildings.hpp"
 
+#include "experiment_contenders.hpp"
 #include "progress_bar.hpp"
-#include "read_contenders.hpp"
 #include "session.hpp"
 
 #include <experiments/buildings_page.hpp>
 #include <experiments/in_parallel.hpp>
 
-#include <opal/error.hpp>
 #include <opal/text_file.hpp>
 
 #include <algorithm>
@@ -29,7 +28,7 @@ struct BuildingsVerbOptions {
   experiments::BuildingsOptions runs;
   std::vector<std::string> configs{"default"}, only;
   std::string out;
-  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool record = false;
 };
 
@@ -38,7 +37,7 @@ void say(std::ostream& command, const char* option, const std::vector<T>& values
   for (std::size_t k = 0; k < values.size(); ++k) command << (k == 0 ? std::string(" ") + option + " " : ",") << values[k];
 }
 
-/// What decides the results; folders and threads do not.
+/// What decides the results; folders and jobs do not.
 std::string command_of(const BuildingsVerbOptions& options, bool with_choice) {
   std::ostringstream command;
   command << "opal experiment buildings --seeds " << options.runs.seeds << " --duration " << options.runs.duration_s;
@@ -55,32 +54,16 @@ std::string command_of(const BuildingsVerbOptions& options, bool with_choice) {
   return command.str();
 }
 
-std::vector<SuiteBuilding> chosen(const BuildingsVerbOptions& options) {
-  std::vector<SuiteBuilding> suite = building_suite(options.suite);
-  const auto is_there = [&](const std::string& id) {
-    return std::any_of(suite.begin(), suite.end(), [&](const SuiteBuilding& building) { return building.id == id; });
-  };
-  for (const std::string& id : options.only)
-    if (!is_there(id))
-      throw opal::ConfigError("--building: '" + id + "' is none of the " + std::to_string(suite.size()) +
-                              " buildings, expected KIND-PERCENT-SEED as in '" + suite.front().id + "'");
-  if (!options.only.empty())
-    std::erase_if(suite, [&](const SuiteBuilding& building) {
-      return std::find(options.only.begin(), options.only.end(), building.id) == options.only.end();
-    });
-  return suite;
-}
-
 std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, const std::vector<SuiteBuilding>& suite) {
   const opal::PluginRegistry registry = load_plugins();
   experiments::BuildingsOptions runs = options.runs;
-  runs.contenders = read_contenders(options.configs);
+  runs.contenders = contenders(options.configs);
   if (options.record) fs::create_directories(runs.recordings = (fs::path(options.out) / "recordings").string());
   std::vector<experiments::BuildingRuns> done(suite.size());
   ProgressBar bar;
   std::mutex counting;
   double finished = 0;
-  experiments::in_parallel(suite.size(), options.threads, [&](std::size_t k) {
+  experiments::in_parallel(suite.size(), options.jobs, [&](std::size_t k) {
     done[k] = run_building(suite[k], registry, runs);
     const std::lock_guard lock(counting);
     bar.show(++finished / static_cast<double>(suite.size()));
@@ -98,7 +81,8 @@ void write(const experiments::BuildingsExperiment& experiment, const fs::path& o
 }
 
 int buildings(const BuildingsVerbOptions& options) {
-  const std::vector<SuiteBuilding> suite = chosen(options);
+  const std::vector<SuiteBuilding> suite = chosen(building_suite(options.suite), options.only);
+  chosen(opal::simulation::thesis3_challenges(), options.runs.challenges);  // all of them are there
   fs::create_directories(options.out);
   experiments::BuildingsExperiment experiment;
   experiment.command = command_of(options, true);
@@ -126,7 +110,7 @@ void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
   verb->add_option("--challenge", o->runs.challenges, "only these: A1, B7, ...")->delimiter(',');
   verb->add_option("--seeds", o->runs.seeds, "runs per challenge: clutter, people and noise differ")->check(CLI::PositiveNumber)->capture_default_str();
   verb->add_option("--duration", o->runs.duration_s, "of each run [s]")->check(CLI::PositiveNumber)->capture_default_str();
-  verb->add_option("-j,--threads", o->threads, "the results do not depend on it")->check(CLI::Range(1, 1024))->capture_default_str();
+  verb->add_option("--jobs", o->jobs, "buildings at the same time; results do not depend on it")->check(CLI::Range(1, 1024))->capture_default_str();
   verb->add_flag("--record", o->record, "keep a recording of every run in OUT/recordings, as opal bench takes it");
   verb->callback([o, &exit_code] { exit_code = buildings(*o); });
 }

@@ -38,7 +38,6 @@ struct BuildingsOptions {
   std::string recordings;  ///< folder for recordings of all runs, as opal bench takes them; empty: none
 };
 
-/// @throws ConfigError naming a challenge that there is not.
 BuildingRuns run_building(const simulation::SuiteBuilding& building, const PluginRegistry& registry, const BuildingsOptions& options);
 
 }  // namespace opal::experiments
