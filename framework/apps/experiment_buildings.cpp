@@ -33,24 +33,33 @@ struct BuildingsVerbOptions {
 };
 
 template <class T>
-void say(std::ostream& command, const char* option, const std::vector<T>& values) {
+void say(std::ostream& command, const char* option, const std::vector<T>& values, const std::vector<T>& usual) {
+  if (values == usual) return;
   for (std::size_t k = 0; k < values.size(); ++k) command << (k == 0 ? std::string(" ") + option + " " : ",") << values[k];
 }
 
-/// What decides the results; folders and jobs do not.
-std::string command_of(const BuildingsVerbOptions& options, bool with_choice) {
+template <class T>
+void say(std::ostream& command, const char* option, const T& value, const T& usual) {
+  if (value != usual) command << ' ' << option << ' ' << value;
+}
+
+/// What decides the results and is not as usual; folders and jobs do not.
+std::string command_of(const BuildingsVerbOptions& o, bool with_choice) {
+  const BuildingsVerbOptions usual;
   std::ostringstream command;
-  command << "opal experiment buildings --seeds " << options.runs.seeds << " --duration " << options.runs.duration_s;
-  say(command, "--config", options.configs);
-  if (options.suite.symmetry) command << " --symmetry " << *options.suite.symmetry;
-  if (options.suite.size_factor) command << " --size " << *options.suite.size_factor;
-  if (options.suite.clutter) command << " --clutter " << *options.suite.clutter;
-  command << " --buildings " << options.suite.buildings;
-  say(command, "--difficulty", options.suite.difficulties);
-  say(command, "--kind", options.suite.kinds);
+  command << "opal experiment buildings -o out";
+  say(command, "--config", o.configs, usual.configs);
+  say(command, "--seeds", o.runs.seeds, usual.runs.seeds);
+  say(command, "--duration", o.runs.duration_s, usual.runs.duration_s);
+  if (o.suite.symmetry) command << " --symmetry " << *o.suite.symmetry;
+  if (o.suite.size_factor) command << " --size " << *o.suite.size_factor;
+  if (o.suite.clutter) command << " --clutter " << *o.suite.clutter;
+  say(command, "--buildings", o.suite.buildings, usual.suite.buildings);
+  say(command, "--difficulty", o.suite.difficulties, usual.suite.difficulties);
+  say(command, "--kind", o.suite.kinds, usual.suite.kinds);
   if (!with_choice) return command.str();
-  say(command, "--building", options.only);
-  say(command, "--challenge", options.runs.challenges);
+  say(command, "--building", o.only, usual.only);
+  say(command, "--challenge", o.runs.challenges, usual.runs.challenges);
   return command.str();
 }
 

@@ -32,8 +32,8 @@ BuildingMedian median_over(std::span<const std::vector<double>> buildings) {
   constexpr std::size_t kSamples = 1000;
   std::vector<double> values, medians;
   for (const std::vector<double>& some : buildings) values.insert(values.end(), some.begin(), some.end());
-  BuildingMedian found{median(values), {kNever, kNever}};
-  if (values.empty()) return found;
+  BuildingMedian found{median(values), median_interval(values)};
+  if (values.empty() || buildings.size() < 2) return found;
   std::mt19937_64 random(1);
   while (medians.size() < kSamples) {
     values.clear();

@@ -14,9 +14,9 @@ constexpr std::array kOutcomes{Outcome::localized, Outcome::unsure, Outcome::unk
 
 /// Colours that can be told apart by everyone (Okabe and Ito 2008).
 constexpr const char* kStyle = R"(
-body{font:15px/1.5 sans-serif;margin:2rem;max-width:110rem}
+body{font:15px/1.5 sans-serif;margin:2rem;max-width:130rem}
 table{border-collapse:collapse;font-variant-numeric:tabular-nums}td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #ddd}
-td:first-child,th:first-child{text-align:left}
+td{white-space:nowrap}td:first-child,th:first-child{text-align:left}
 .many{display:grid;grid-template-columns:repeat(auto-fill,minmax(var(--w),1fr));gap:1rem}
 figure{margin:0}figcaption{font-size:12px;overflow-wrap:anywhere}svg{width:100%;max-height:22rem}
 path{fill:none;vector-effect:non-scaling-stroke;stroke-width:1}.wall{stroke:#444}.unseen{stroke:#bcd}

@@ -23,7 +23,7 @@ std::string with_interval(const BuildingMedian& found) {
 
 std::string row_of(const BuildingGroup& group) {
   char text[240];
-  std::snprintf(text, sizeof text, "%-27s%5zu%6zu  %-23s%-23s%-21s%-21s%-19s%-19s%6.2f\n", group.name().c_str(), group.buildings, group.runs,
+  std::snprintf(text, sizeof text, "%-27s%5zu%6zu  %-23s %-23s %-23s %-23s %-20s %-20s %6.2f\n", group.name().c_str(), group.buildings, group.runs,
                 in_percent(group.success).c_str(), in_percent(group.localized).c_str(), in_percent(group.wrong).c_str(),
                 in_percent(group.unknown).c_str(), with_interval(group.localized_after_m).c_str(),
                 with_interval(group.localized_after_s).c_str(), group.cpu_ms);
@@ -94,7 +94,7 @@ std::string buildings_table(const BuildingsExperiment& experiment) {
   for (const BuildingGroup& group : experiment.groups) {
     if (!contender || *contender != group.contender) {
       char head[240];
-      std::snprintf(head, sizeof head, "%s%s\n%-27s%5s%6s  %-23s%-23s%-21s%-21s%-19s%-19s%6s\n", contender ? "\n" : "", group.contender.c_str(), "",
+      std::snprintf(head, sizeof head, "%s%s\n%-27s%5s%6s  %-23s %-23s %-23s %-23s %-20s %-20s %6s\n", contender ? "\n" : "", group.contender.c_str(), "",
                     "bldgs", "runs", "success %", "localized, right %", "vouched wrongly %", "honestly unknown %", "m to localized",
                     "s to localized", "ms");
       table += head;

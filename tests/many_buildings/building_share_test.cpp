@@ -40,5 +40,8 @@ TEST_CASE("a median over buildings lies in its interval, whatever was never reac
   CHECK(found.median <= found.within.high);
   CHECK(median_over(std::vector<std::vector<double>>{{kNever, kNever, 1}}).median == kNever);
   CHECK(median_over({}).median == kNever);
+  const BuildingMedian alone = median_over(std::vector<std::vector<double>>{{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}});
+  CHECK(alone.within.low < alone.median);
+  CHECK(alone.median < alone.within.high);
   CHECK(median_over(buildings).within.high == found.within.high);
 }
