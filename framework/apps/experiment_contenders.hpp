@@ -4,6 +4,7 @@
 #include "session.hpp"
 
 #include <experiments/contender.hpp>
+#include <simulation/buildings/building.hpp>
 
 #include <opal/error.hpp>
 
@@ -19,6 +20,14 @@ inline std::vector<opal::experiments::Contender> contenders(const std::vector<st
                    opal::read_deployment(is_file ? config : shipped_config(config + ".jsonld")), ""});
   }
   return all;
+}
+
+/// The map that is asked for, or a building of our own.
+inline std::shared_ptr<const opal::SemanticMap> building(const opal::PluginRegistry& registry, const std::string& map, const std::string& kind) {
+  if (!map.empty()) return load_map(registry, map);
+  opal::simulation::BuildingRequest request;
+  request.kind = kind;
+  return opal::simulation::generate_building(request).map;
 }
 
 /// Those that are asked for. @throws opal::ConfigError naming what there is none of.

@@ -2,13 +2,27 @@
 
 #include <experiments/table.hpp>
 
+#include <opal/error.hpp>
 #include <opal/text_file.hpp>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
+#include <vector>
+
+/// All that was done. @throws opal::Error if nothing was.
+template <class Run>
+std::vector<Run> done(std::vector<std::vector<Run>> parts) {
+  std::vector<Run> runs;
+  const auto undone = std::count_if(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
+  if (undone > 0) std::cerr << "stopped: " << undone << " of " << parts.size() << " runs were not done, what follows is of the others\n";
+  for (std::vector<Run>& part : parts) std::move(part.begin(), part.end(), std::back_inserter(runs));
+  if (runs.empty()) throw opal::Error("experiment: stopped before the first run was done");
+  return runs;
+}
 
 /// Leaves runs.csv, table.txt, summary.json and report.html in a folder, and the table on stdout.
 template <class Runs>

@@ -1,5 +1,6 @@
 #include "experiment_contenders.hpp"
 #include "experiment_output.hpp"
+#include "stop_signals.hpp"
 
 #include <experiments/challenge_report.hpp>
 #include <experiments/in_parallel.hpp>
@@ -20,7 +21,7 @@ std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_s
 class Challenges {
  public:
   Challenges(const ExperimentOptions& options, const opal::PluginRegistry& registry)
-      : options_(options), registry_(registry), contenders_(contenders(options.configs)), map_(load_map(registry, options.map)) {
+      : options_(options), registry_(registry), contenders_(contenders(options.configs)), map_(building(registry, options.map, "atlas")) {
     if (!options.rival.empty()) rivals_.push_back({options.rival, fs::path(options.rival).filename().string()});
     if (!keeps_logs()) return;
     fs::create_directories(logs_);
@@ -61,14 +62,15 @@ int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegis
   const std::vector<sim::Challenge> challenges = chosen(sim::thesis3_challenges(), options.only);
   fs::create_directories(options.out);
   const Challenges experiment(options, registry);
-  const std::size_t seeds = static_cast<std::size_t>(options.seeds);
-  std::vector<std::vector<ChallengeRun>> parts(challenges.size() * seeds);
-  in_parallel(parts.size(), options.jobs, [&](std::size_t k) {
-    parts[k] = experiment.run(challenges[k / seeds], static_cast<int>(k % seeds) + 1);
-    std::cerr << challenges[k / seeds].id + " seed " + std::to_string(k % seeds + 1) + " done\n";
-  });
-  std::vector<ChallengeRun> runs;
-  for (std::vector<ChallengeRun>& part : parts) std::move(part.begin(), part.end(), std::back_inserter(runs));
+  const StopSignals signals;
+  const std::size_t each = challenges.size();
+  std::vector<std::vector<ChallengeRun>> parts(each * static_cast<std::size_t>(options.seeds));
+  const auto run = [&](std::size_t k) {
+    parts[k] = experiment.run(challenges[k % each], static_cast<int>(k / each) + 1);
+    std::cerr << challenges[k % each].id + " seed " + std::to_string(k / each + 1) + " done\n";
+  };
+  in_parallel(parts.size(), options.jobs, run, signals.token());
+  const std::vector<ChallengeRun> runs = done(std::move(parts));
   write_experiment(options.out, std::span<const ChallengeRun>(runs), challenge_table(runs), challenge_summary(runs), challenge_page(experiment.map(), runs));
   return 0;
 }

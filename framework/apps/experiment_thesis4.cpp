@@ -1,5 +1,6 @@
 #include "experiment_contenders.hpp"
 #include "experiment_output.hpp"
+#include "stop_signals.hpp"
 
 #include <experiments/goal_report.hpp>
 #include <experiments/in_parallel.hpp>
@@ -27,7 +28,7 @@ std::vector<Contender> drivers(const ExperimentOptions& options, const std::stri
 }
 
 GoalExperiment setting(const ExperimentOptions& options, const opal::PluginRegistry& registry) {
-  GoalExperiment experiment{load_map(registry, options.map), thesis_robot(), {}, options.trees};
+  GoalExperiment experiment{building(registry, options.map, "gemini"), thesis_robot(), {}, options.trees};
   if (experiment.trees.empty()) experiment.trees = shipped_config("behaviours.jsonld");
   experiment.loop.motion.radius_m = experiment.world.robot_radius_m;
   experiment.loop.most_s = options.most_s;
@@ -47,12 +48,15 @@ int experiment_thesis4(const ExperimentOptions& options, const opal::PluginRegis
   const std::vector<Contender> all = drivers(options, experiment.trees);
   const std::vector<GoalTask> tasks = chosen(thesis4_tasks(), options.only);
   std::filesystem::create_directories(options.out);
-  const std::size_t seeds = static_cast<std::size_t>(options.seeds), each = tasks.size() * seeds;
-  std::vector<GoalRun> runs(all.size() * each);
-  in_parallel(runs.size(), options.jobs, [&](std::size_t k) {
-    runs[k] = run_task(experiment, registry, all[k / each], tasks[k % each / seeds], k % seeds + 1);
-    std::cerr << line_of(runs[k]);
-  });
+  const StopSignals signals;
+  const std::size_t each = all.size() * tasks.size();
+  std::vector<std::vector<GoalRun>> parts(each * static_cast<std::size_t>(options.seeds));
+  const auto run = [&](std::size_t k) {
+    parts[k] = {run_task(experiment, registry, all[k % each / tasks.size()], tasks[k % tasks.size()], k / each + 1)};
+    std::cerr << line_of(parts[k].front());
+  };
+  in_parallel(parts.size(), options.jobs, run, signals.token());
+  const std::vector<GoalRun> runs = done(std::move(parts));
   write_experiment(options.out, std::span<const GoalRun>(runs), goal_table(runs), goal_summary(runs), goal_page(*experiment.map, runs));
   return 0;
 }

@@ -7,7 +7,7 @@
 
 /// What all experiments have in common.
 struct ExperimentOptions {
-  std::string name, out, map;
+  std::string name, out, map;  ///< no map: the building like the thesis'
   std::vector<std::string> configs;  ///< who takes part
   std::vector<std::string> only;     ///< ids of runs; empty: all
   int seeds = 20, jobs = 2;

@@ -7,10 +7,8 @@
 
 namespace {
 
-/// Where each was done, as far as there is a building like it.
 int experiment(ExperimentOptions options) {
   const bool third = options.name == "thesis3";
-  if (options.map.empty()) throw opal::ConfigError(third ? "--map: none given, expected maps/atlas.jsonld or another building" : "--map: none given, expected maps/gemini.jsonld");
   if (!third && (!options.rival.empty() || options.logs)) throw opal::ConfigError("--rival and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
   if (options.configs.empty()) options.configs = third ? std::vector<std::string>{"thesis3", "default"} : std::vector<std::string>{"thesis4", "default"};
   const opal::PluginRegistry registry = load_plugins();
@@ -22,7 +20,8 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
   options->name = name;
   CLI::App* verb = experiments.add_subcommand(name, description);
   verb->add_option("-o,--out", options->out, "folder for runs.csv, table.txt, summary.json and report.html")->required();
-  verb->add_option("--map", options->map, "the building: maps/atlas.jsonld for thesis3, or any other; maps/gemini.jsonld for thesis4");
+  verb->add_option("--map", options->map, "the building, if another than the one like the thesis': a map, or a source to import")
+      ->default_str("maps/atlas.jsonld for thesis3, maps/gemini.jsonld for thesis4");
   verb->add_option("--config", options->configs, "who takes part: names of shipped configurations, or files (.jsonld)")
       ->default_str("thesis3 default, or thesis4 default");
   verb->add_option("--only,--challenge", options->only, "only these: A1, B7, ...");

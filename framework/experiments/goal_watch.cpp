@@ -59,14 +59,17 @@ bool some_is_right(const PoseEstimate& estimate, const Pose2& truth) {
                      [&](const PoseEstimate::Rival& rival) { return is_right(rival.T_map_base, truth); });
 }
 
-/// B for two columns, C for three in line, L for others; "" if one of them is no column.
-std::string letter_of(const std::vector<Geometry>& pattern, int size) {
-  if (static_cast<int>(pattern.size()) < size) return "";
+/// The first columns of what a hypothesis rests on, at most so many.
+std::vector<Point> columns_of(const std::vector<Geometry>& features, int most) {
   std::vector<Point> columns;
-  for (int k = 0; k < size; ++k) {
-    if (!std::holds_alternative<Circle>(pattern[static_cast<std::size_t>(k)])) return "";
-    columns.push_back(anchor_of(pattern[static_cast<std::size_t>(k)]));
-  }
+  for (const Geometry& feature : features)
+    if (std::holds_alternative<Circle>(feature) && static_cast<int>(columns.size()) < most) columns.push_back(anchor_of(feature));
+  return columns;
+}
+
+/// B for two columns, C for three in line, L for others; "" if there are fewer.
+std::string letter_of(const std::vector<Point>& columns, int size) {
+  if (static_cast<int>(columns.size()) < size) return "";
   if (size == 2) return "B";
   // In line: the longest side is nearly as long as the other two.
   std::vector<double> sides{(columns[0] - columns[1]).norm(), (columns[1] - columns[2]).norm(), (columns[2] - columns[0]).norm()};
@@ -118,15 +121,15 @@ void GoalWatch::look_at_hypotheses(const Situation& situation) {
 void GoalWatch::note_start(const Situation& situation, bool right) {
   const Pose2& truth = simulation_.T_map_base();
   GoalRun::Start start{truth.position(), {}, right};
-  const std::vector<Geometry> pattern = situation.localization.pattern();
-  for (std::size_t k = 0; k < std::min(pattern.size(), static_cast<std::size_t>(pattern_size_)); ++k)
-    start.features.push_back(truth * anchor_of(pattern[k]));
+  const std::vector<Point> columns = columns_of(situation.localization.pattern(), pattern_size_);
+  for (const Point& column : columns) start.features.push_back(truth * column);
+  if (run_.right_after_s == kNever) run_.pattern = letter_of(columns, pattern_size_);
   run_.starts.push_back(std::move(start));
 }
 
 void GoalWatch::note_right(const Situation& situation) {
   run_.right_after_s = simulation_.now_s();
-  run_.pattern = letter_of(situation.localization.pattern(), pattern_size_);
+  if (run_.pattern.empty()) run_.pattern = letter_of(columns_of(situation.localization.pattern(), pattern_size_), pattern_size_);
   for (const LocalFeature& local : localizer_.local_map().features()) {
     if (!std::holds_alternative<Circle>(local.feature.geometry)) continue;
     ++run_.candidates;

@@ -8,12 +8,12 @@
 
 namespace opal::experiments {
 
-void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
+void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work, const std::stop_token& stop) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failing;
   const auto keep_working = [&] {
-    for (std::size_t k = next++; k < count; k = next++) try {
+    for (std::size_t k = next++; k < count && !stop.stop_requested(); k = next++) try {
         work(k);
       } catch (...) {
         next = count;

@@ -13,7 +13,7 @@ std::string page_of(const std::string& title, const std::string& body) {
          "tbody tr:first-child th{font-weight:700;border-top:2px solid #444;padding-top:.5rem}\n"
          "td.all{text-align:left;white-space:normal;color:#333;padding-bottom:1rem}\n"
          "figure{margin:.5rem;display:inline-block;vertical-align:top;width:32rem;max-width:100%}figure.whole{width:100%;display:block}\n"
-         "figure svg{width:100%;height:auto;border:1px solid #ddd}figcaption{font-size:13px;color:#333}\n"
+         "figure svg{width:100%;height:auto;max-height:24rem;border:1px solid #ddd}figure.whole svg{max-height:56rem}figcaption{font-size:13px;color:#333}\n"
          "i.box{display:inline-block;width:1em;height:.7em;margin:0 .3em 0 1em}\n"
          "</style>\n<h1>" +
          escaped(title) + "</h1>\n" + body + "</html>\n";

@@ -33,8 +33,8 @@ class Plot {
   }
   void add_status_bar();
   std::string svg() const {
-    return "<svg xmlns='http://www.w3.org/2000/svg' role=img viewBox='0 0 " + number(kLeft + kWidth + 12, 0) + ' ' + number(top_ + 18, 0) +
-           "' font-family=sans-serif font-size=10>\n" + svg_ + "</svg>\n";
+    return "<svg xmlns='http://www.w3.org/2000/svg' role='img' viewBox='0 0 " + number(kLeft + kWidth + 12, 0) + ' ' + number(top_ + 18, 0) +
+           "' font-family='sans-serif' font-size='10'>\n" + svg_ + "</svg>\n";
   }
 
  private:
@@ -47,7 +47,7 @@ class Plot {
     svg_ += "<line x1='" + number(x1, 1) + "' y1='" + number(y1, 1) + "' x2='" + number(x2, 1) + "' y2='" + number(y2, 1) + "' " + style + "/>\n";
   }
   void text(double px, double py, const std::string& words, const char* anchor) {
-    svg_ += "<text x='" + number(px, 1) + "' y='" + number(py, 1) + "' text-anchor=" + anchor + " fill='#444'>" + escaped(words) + "</text>\n";
+    svg_ += "<text x='" + number(px, 1) + "' y='" + number(py, 1) + "' text-anchor='" + anchor + "' fill='#444'>" + escaped(words) + "</text>\n";
   }
   void grid(const Curve& curve) {
     for (double value = curve.low; value <= curve.high * 1.001; value *= 10) {
@@ -59,7 +59,7 @@ class Plot {
   void draw(const Curve& curve) {
     std::string points;
     const auto end = [&] {
-      if (!points.empty()) svg_ += "<polyline fill=none stroke-width=1.3 stroke='" + std::string(curve.colour) + "' points='" + points + "'/>\n";
+      if (!points.empty()) svg_ += "<polyline fill='none' stroke-width='1.3' stroke='" + std::string(curve.colour) + "' points='" + points + "'/>\n";
       points.clear();
     };
     for (const Moment& moment : moments_) {
