@@ -88,7 +88,7 @@ std::string sentence_about(const ChallengeRun& run) {
     text += "; vouched wrongly for " + std::to_string(run.false_rows) + " of " + std::to_string(run.moments.size()) + " scans, first after " +
             number(wrong_after_s(run), 1) + " s";
   if (run.localized_after_m >= 0) text += "; localized after " + number(run.localized_after_m, 1) + " m";
-  return text + "; at the end " + (last.has_pose ? number(last.error_m(), 1) + " m off" : "no pose") + ", " + std::to_string(last.hypotheses) + " hypotheses";
+  return text + "; at the end " + (last.has_pose ? number(last.error_m(), 1) + " m off" : "no pose") + ", " + std::to_string(last.hypotheses) + " hypotheses; the truth has probability " + number(run.truth_probability, 2);
 }
 
 struct Failure {

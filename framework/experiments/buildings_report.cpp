@@ -69,6 +69,7 @@ ordered_json to_json(const ChallengeRun& run) {
           {"localized_after_s", number_or_null(localized_after_s(run))},
           {"wrong_after_s", number_or_null(wrong_after_s(run))},
           {"error_m", metres_or_null(run.error_m)},
+          {"truth_probability", run.truth_probability},
           {"scans", run.moments.size()},
           {"localized_scans", run.localized_rows},
           {"falsely_localized_scans", run.false_rows},

@@ -66,7 +66,7 @@ struct RemoteLocalization::Implementation {
 };
 
 json RemoteLocalization::Implementation::expect_json(const httplib::Result& result, std::size_t most_bytes) const {
-  if (!result) throw NoAnswer(address + ": " + httplib::to_string(result.error()) + ", expected the program that localizes (opal serve)");
+  if (!result) throw NoAnswer(address + ": no answer (" + httplib::to_string(result.error()) + "), expected the program that localizes (opal serve)");
   if (result->status >= 500) throw NoAnswer(address + ": " + first_line(result->body));
   if (result->status == 409) refuse_usurped(*result);
   if (result->status != 200) throw Error(address + ": " + std::to_string(result->status) + " " + first_line(result->body));
