@@ -1,8 +1,10 @@
 #include "experiment_buildings.hpp"
 
 #include "experiment_contenders.hpp"
+#include "experiment_output.hpp"
 #include "progress_bar.hpp"
 #include "session.hpp"
+#include "stop_signals.hpp"
 
 #include <experiments/buildings_page.hpp>
 #include <experiments/in_parallel.hpp>
@@ -68,16 +70,18 @@ std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, 
   experiments::BuildingsOptions runs = options.runs;
   runs.contenders = contenders(options.configs);
   if (options.record) fs::create_directories(runs.recordings = (fs::path(options.out) / "recordings").string());
-  std::vector<experiments::BuildingRuns> done(suite.size());
+  std::vector<std::vector<experiments::BuildingRuns>> parts(suite.size());
+  const StopSignals signals;  // before other threads
   ProgressBar bar;
   std::mutex counting;
   double finished = 0;
-  experiments::in_parallel(suite.size(), options.jobs, [&](std::size_t k) {
-    done[k] = run_building(suite[k], registry, runs);
+  const auto run = [&](std::size_t k) {
+    parts[k].push_back(run_building(suite[k], registry, runs));
     const std::lock_guard lock(counting);
     bar.show(++finished / static_cast<double>(suite.size()));
-  });
-  return done;
+  };
+  experiments::in_parallel(suite.size(), options.jobs, run, signals.token());
+  return done(std::move(parts));
 }
 
 void write(const experiments::BuildingsExperiment& experiment, const fs::path& out) {
