@@ -17,8 +17,11 @@
 template <class Run>
 std::vector<Run> done(std::vector<std::vector<Run>> parts) {
   std::vector<Run> runs;
-  const auto undone = std::count_if(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
-  if (undone > 0) std::cerr << "stopped: " << undone << " of " << parts.size() << " runs were not done, what follows is of the others\n";
+  const auto undone =
+      std::count_if(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
+  if (undone > 0)
+    std::cerr << "stopped: " << undone << " of " << parts.size()
+              << " runs were not done, what follows is of the others\n";
   for (std::vector<Run>& part : parts) std::move(part.begin(), part.end(), std::back_inserter(runs));
   if (runs.empty()) throw opal::Error("experiment: stopped before the first run was done");
   return runs;
@@ -26,8 +29,8 @@ std::vector<Run> done(std::vector<std::vector<Run>> parts) {
 
 /// Leaves runs.csv, table.txt, summary.json and report.html in a folder, and the table on stdout.
 template <class Runs>
-void write_experiment(const std::string& out, const Runs& runs, const opal::experiments::Table& table, const nlohmann::ordered_json& summary,
-                      const std::string& page) {
+void write_experiment(const std::string& out, const Runs& runs, const opal::experiments::Table& table,
+                      const nlohmann::ordered_json& summary, const std::string& page) {
   const std::filesystem::path folder(out);
   std::ostringstream csv;
   write_runs(csv, runs);

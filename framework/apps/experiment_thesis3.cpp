@@ -21,8 +21,12 @@ std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_s
 class Challenges {
  public:
   Challenges(const ExperimentOptions& options, const opal::PluginRegistry& registry)
-      : options_(options), registry_(registry), contenders_(contenders(options.configs)), map_(building(registry, options.map, "atlas")) {
-    if (!options.rival.empty()) rivals_.push_back({options.rival, fs::path(options.rival).filename().string()});
+      : options_(options),
+        registry_(registry),
+        contenders_(contenders(options.configs)),
+        map_(building(registry, options.map, "atlas")) {
+    if (!options.rival.empty())
+      rivals_.push_back({options.rival, fs::path(options.rival).filename().string()});
     if (!keeps_logs()) return;
     fs::create_directories(logs_);
     opal::write_raster(opal::rasterized(*map_), grid());
@@ -31,12 +35,16 @@ class Challenges {
   const opal::SemanticMap& map() const { return *map_; }
 
   std::vector<ChallengeRun> run(const sim::Challenge& challenge, int seed) const {
-    const sim::ChallengeDrive driven = drive(challenge, map_, thesis_robot(), options_.duration_s, static_cast<std::uint64_t>(seed));
+    const sim::ChallengeDrive driven =
+        drive(challenge, map_, thesis_robot(), options_.duration_s, static_cast<std::uint64_t>(seed));
     const std::string prefix = (logs_ / (challenge.id + '_' + two_digits(seed))).string();
     std::vector<ChallengeRun> runs;
-    for (const Contender& contender : contenders_) runs.push_back(run_challenge(contender, registry_, map_, driven));
-    for (const Rival& rival : rivals_) runs.push_back(run_rival(rival, driven, prefix, grid(), static_cast<std::uint64_t>(seed)));
-    if (options_.logs && rivals_.empty()) sim::write_recording(driven.recording, prefix, fs::path(prefix).filename().string());
+    for (const Contender& contender : contenders_)
+      runs.push_back(run_challenge(contender, registry_, map_, driven));
+    for (const Rival& rival : rivals_)
+      runs.push_back(run_rival(rival, driven, prefix, grid(), static_cast<std::uint64_t>(seed)));
+    if (options_.logs && rivals_.empty())
+      sim::write_recording(driven.recording, prefix, fs::path(prefix).filename().string());
     for (ChallengeRun& run : runs) {
       run.challenge = challenge.id;
       run.seed = static_cast<std::uint64_t>(seed);
@@ -71,6 +79,7 @@ int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegis
   };
   in_parallel(parts.size(), options.jobs, run, signals.token());
   const std::vector<ChallengeRun> runs = done(std::move(parts));
-  write_experiment(options.out, std::span<const ChallengeRun>(runs), challenge_table(runs), challenge_summary(runs), challenge_page(experiment.map(), runs));
+  write_experiment(options.out, std::span<const ChallengeRun>(runs), challenge_table(runs),
+                   challenge_summary(runs), challenge_page(experiment.map(), runs));
   return 0;
 }

@@ -7,12 +7,12 @@
 
 /// What all experiments have in common.
 struct ExperimentOptions {
-  std::string name, out, map;  ///< no map: the building like the thesis'
+  std::string name, out, map;        ///< no map: the building like the thesis'
   std::vector<std::string> configs;  ///< who takes part
   std::vector<std::string> only;     ///< ids of runs; empty: all
   int seeds = 20, jobs = 2;
   double duration_s = 60, most_s = 900;
-  std::string behaviour, trees;      ///< of the closed loop
+  std::string behaviour, trees;  ///< of the closed loop
   std::string rival;
   bool logs = false;
 };

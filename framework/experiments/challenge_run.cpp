@@ -10,7 +10,8 @@ namespace {
 void judge_success(ChallengeRun& run) {
   const std::vector<Moment>& moments = run.moments;
   std::size_t right_from = moments.size();
-  while (right_from > 0 && moments[right_from - 1].has_pose && moments[right_from - 1].error_m() < kRight_m) --right_from;
+  while (right_from > 0 && moments[right_from - 1].has_pose && moments[right_from - 1].error_m() < kRight_m)
+    --right_from;
   run.success = right_from < moments.size();
   if (!run.success) return;
   run.right_after_m = moments[right_from].driven_m;
@@ -49,11 +50,13 @@ ChallengeRun run_challenge(const Contender& contender, const PluginRegistry& reg
   const simulation::Recording& recording = driven.recording;
   Deployment deployment = with_laser(contender.deployment, recording.laser);
   if (driven.region)
-    deployment.association["region"] = {
-        {"x_m", driven.region->center.x()}, {"y_m", driven.region->center.y()}, {"radius_m", driven.region->radius_m}};
+    deployment.association["region"] = {{"x_m", driven.region->center.x()},
+                                        {"y_m", driven.region->center.y()},
+                                        {"radius_m", driven.region->radius_m}};
   Localizer localizer(build_parts(deployment, registry, std::move(map)));
   ChallengeRun run;
   run.contender = contender.name;
+  run.region = driven.region;
   double driven_m = 0;
   Pose2 before = recording.scans.front().T_map_base;
   PoseEstimate said;
@@ -63,8 +66,9 @@ ChallengeRun run_challenge(const Contender& contender, const PluginRegistry& reg
     const Scan scan = make_scan(recorded.scan, deployment.laser);
     const bool updated = localizer.update(scan, *recorded.scan.T_odom_base).has_value();
     said = localizer.estimate_at(scan.stamp_s, *recorded.scan.T_odom_base);
-    run.moments.push_back({scan.stamp_s - recording.scans.front().scan.stamp_s, driven_m, recorded.T_map_base, said.T_map_base,
-                           said.has_pose, said.status, said.hypotheses, updated ? 1e3 * localizer.last_times().total_s() : 0, false});
+    run.moments.push_back({scan.stamp_s - recording.scans.front().scan.stamp_s, driven_m, recorded.T_map_base,
+                           said.T_map_base, said.has_pose, said.status, said.hypotheses,
+                           updated ? 1e3 * localizer.last_times().total_s() : 0, false});
   }
   judge(run);
   run.truth_probability = probability_of(said, recording.scans.back().T_map_base);

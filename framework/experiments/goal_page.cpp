@@ -46,37 +46,54 @@ std::string one_way(const SemanticMap& map, const Run& run) {
     if (way.marks.empty()) way.marks.push_back(moment.truth.position());
     way.estimate.push_back(moment.estimate.position());
   }
-  return svg_of(map, {{way}, {run.goal}});
+  return svg_of(map, {{way}, {run.goal}, {}});
 }
 
 std::string caption_of(const Run& run) {
-  return run.task + ", seed " + std::to_string(run.seed) + ": " + (run.reached ? "reached" : run.said_so ? "WRONG PLACE" : "GIVEN UP") + " after " + minutes(run.time_s) + ", " + number(run.driven_m, 1) +
-         " m; " + (run.localized_after_m == kNever ? "never localized" : "localized after " + number(run.localized_after_m, 1) + " m") +
+  return run.task + ", seed " + std::to_string(run.seed) + ": " +
+         (run.reached   ? "reached"
+          : run.said_so ? "WRONG PLACE"
+                        : "GIVEN UP") +
+         " after " + minutes(run.time_s) + ", " + number(run.driven_m, 1) + " m; " +
+         (run.localized_after_m == kNever ? "never localized"
+                                          : "localized after " + number(run.localized_after_m, 1) + " m") +
          (run.collisions > 0 ? "; touched something in " + std::to_string(run.collisions) + " steps" : "");
 }
 
 }  // namespace
 
 std::string goal_page(const SemanticMap& map, std::span<const Run> runs) {
-  std::string body = "<p>The 12 runs of Hendrikx (2023), table 4.1, driven in simulation in the building " + escaped(map.name()) +
-                     ": from six places that the robot is not told to one goal; A with binary patterns of columns, B with triples (a configuration that "
-                     "names no patterns uses its own in both). Medians over the seeds, a drive that does not arrive takes for ever; means for starts and recoveries. "
-                     "The published times are of another robot in another building: a yardstick, no more.</p>\n<div class=wide>" +
+  std::string body = "<p>The 12 runs of Hendrikx (2023), table 4.1, driven in simulation in the building " +
+                     escaped(map.name()) +
+                     ": from six places that the robot is not told to one goal; A with binary patterns of "
+                     "columns, B with triples (a configuration that "
+                     "names no patterns uses its own in both). Medians over the seeds, a drive that does not "
+                     "arrive takes for ever; means for starts and recoveries. "
+                     "The published times are of another robot in another building: a yardstick, no "
+                     "more.</p>\n<div class=wide>" +
                      html_of(goal_table(runs)) + "</div>\n";
   const std::uint64_t first = runs.empty() ? 0 : runs.front().seed;
   for (const std::string& contender : names(runs, &Run::contender)) {
     const auto shown = those(runs, [&](const Run& r) { return r.contender == contender && r.seed == first; });
-    const auto failed = those(runs, [&](const Run& r) { return r.contender == contender && r.seed != first && (!r.reached || r.collisions > 0); });
+    const auto failed = those(runs, [&](const Run& r) {
+      return r.contender == contender && r.seed != first && (!r.reached || r.collisions > 0);
+    });
     body += "<h2>" + escaped(contender) + "</h2>\n";
     for (const char* set : {"A", "B"}) {
       std::vector<const Run*> of_set = shown;
       std::erase_if(of_set, [&](const Run* run) { return !run->task.starts_with(set); });
-      body += figure(ways_of(map, of_set), std::string("Set ") + set + ", seed " + std::to_string(first) + ". Dotted: searching and inspecting; solid: on the way to the goal (blue). A dot joined with what was seen: hypotheses came up out of nothing.", "whole");
+      body += figure(ways_of(map, of_set),
+                     std::string("Set ") + set + ", seed " + std::to_string(first) +
+                         ". Dotted: searching and inspecting; solid: on the way to the goal (blue). A dot "
+                         "joined with what was seen: hypotheses came up out of nothing.",
+                     "whole");
     }
     body += status_legend();
-    for (const Run* run : shown) body += figure(one_way(map, *run) + time_plot(run->moments), caption_of(*run));
+    for (const Run* run : shown)
+      body += figure(one_way(map, *run) + time_plot(run->moments), caption_of(*run));
     if (!failed.empty()) body += "<h3>Of the other seeds: not reached, or touched something</h3>\n";
-    for (const Run* run : failed) body += figure(one_way(map, *run) + time_plot(run->moments), caption_of(*run));
+    for (const Run* run : failed)
+      body += figure(one_way(map, *run) + time_plot(run->moments), caption_of(*run));
   }
   return page_of("Closed loop: the runs of table 4.1", body);
 }

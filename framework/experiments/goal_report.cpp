@@ -23,16 +23,18 @@ double reached_after_s(const Run& run) { return run.reached ? run.time_s : kNeve
 
 /// What has a median and an interval.
 const std::vector<Measure>& measures() {
-  static const std::vector<Measure> all{{"total_s", reached_after_s},
-                                        {"driven_m", [](const Run& r) { return r.driven_m; }},
-                                        {"first_correct_pattern_s", [](const Run& r) { return r.right_after_s; }},
-                                        {"localized_after_s", [](const Run& r) { return r.localized_after_s; }},
-                                        {"localized_after_m", [](const Run& r) { return r.localized_after_m; }},
-                                        {"wrong_pattern_starts", [](const Run& r) { return r.wrong_starts; }},
-                                        {"places_after_inspection", [](const Run& r) { return r.places_after_inspection < 0 ? kNever : r.places_after_inspection; }},
-                                        {"places_after_arrival", [](const Run& r) { return r.places_at_end; }},
-                                        {"recoveries", [](const Run& r) { return r.recoveries; }},
-                                        {"collisions", [](const Run& r) { return r.collisions; }}};
+  static const std::vector<Measure> all{
+      {"total_s", reached_after_s},
+      {"driven_m", [](const Run& r) { return r.driven_m; }},
+      {"first_correct_pattern_s", [](const Run& r) { return r.right_after_s; }},
+      {"localized_after_s", [](const Run& r) { return r.localized_after_s; }},
+      {"localized_after_m", [](const Run& r) { return r.localized_after_m; }},
+      {"wrong_pattern_starts", [](const Run& r) { return r.wrong_starts; }},
+      {"places_after_inspection",
+       [](const Run& r) { return r.places_after_inspection < 0 ? kNever : r.places_after_inspection; }},
+      {"places_after_arrival", [](const Run& r) { return r.places_at_end; }},
+      {"recoveries", [](const Run& r) { return r.recoveries; }},
+      {"collisions", [](const Run& r) { return r.collisions; }}};
   return all;
 }
 
@@ -41,7 +43,8 @@ bool touched(const Run& run) { return run.collisions > 0; }
 bool misled(const Run& run) { return run.false_scans > 0; }
 
 Runs of(std::span<const Run> runs, const std::string& contender, const std::string& task = "") {
-  return those(runs, [&](const Run& r) { return r.contender == contender && (task.empty() || r.task == task); });
+  return those(runs,
+               [&](const Run& r) { return r.contender == contender && (task.empty() || r.task == task); });
 }
 
 double mean(const std::vector<double>& all) {
@@ -56,7 +59,8 @@ std::string patterns_of(const Runs& runs) {
   for (const Run* run : runs)
     if (!run->pattern.empty()) ++counts[run->pattern];
   std::string text;
-  for (const auto& [letter, number_of] : counts) text += (text.empty() ? "" : ", ") + letter + " " + std::to_string(number_of);
+  for (const auto& [letter, number_of] : counts)
+    text += (text.empty() ? "" : ", ") + letter + " " + std::to_string(number_of);
   return text.empty() ? "-" : text;
 }
 
@@ -83,14 +87,18 @@ std::string about_all(std::span<const Run> runs, const std::string& contender) {
     faster += median(values(of(runs, contender, task), reached_after_s)) < published_total_s(task);
   }
   int steps = 0, scans = 0, wrong = 0;
-  for (const Run* run : all) steps += run->collisions, scans += run->localized_scans, wrong += run->false_scans;
-  return "reached " + share_text(count(all, reached), all.size()) + "; touched something in " + share_text(count(all, touched), all.size()) +
-         ", " + std::to_string(steps) + " steps; said localized and was wrong at some time in " + share_text(count(all, misled), all.size()) +
-         ", " + std::to_string(wrong) + " of " + std::to_string(scans) + " scans; median time below the published one in " +
-         std::to_string(faster) + " of " + std::to_string(compared);
+  for (const Run* run : all)
+    steps += run->collisions, scans += run->localized_scans, wrong += run->false_scans;
+  return "reached " + share_text(count(all, reached), all.size()) + "; touched something in " +
+         share_text(count(all, touched), all.size()) + ", " + std::to_string(steps) +
+         " steps; said localized and was wrong at some time in " +
+         share_text(count(all, misled), all.size()) + ", " + std::to_string(wrong) + " of " +
+         std::to_string(scans) + " scans; median time below the published one in " + std::to_string(faster) +
+         " of " + std::to_string(compared);
 }
 
-Table::Block block_of(std::span<const Run> runs, const std::string& contender, const std::vector<std::string>& tasks) {
+Table::Block block_of(std::span<const Run> runs, const std::string& contender,
+                      const std::vector<std::string>& tasks) {
   Table::Block block{contender, {}, about_all(runs, contender)};
   const auto row = [&](const char* name, const std::function<std::string(const Runs&)>& cell) {
     block.rows.push_back({name, {}});
@@ -104,14 +112,20 @@ Table::Block block_of(std::span<const Run> runs, const std::string& contender, c
     const Interval within = median_interval(values(r, reached_after_s));
     return minutes(within.low) + "-" + minutes(within.high);
   });
-  row("wrong pattern starts", [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.wrong_starts; })), 2); });
-  row("first correct pattern", [&](const Runs& r) { return minutes(middle([](const Run& x) { return x.right_after_s; })(r)); });
+  row("wrong pattern starts",
+      [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.wrong_starts; })), 2); });
+  row("first correct pattern",
+      [&](const Runs& r) { return minutes(middle([](const Run& x) { return x.right_after_s; })(r)); });
   row("circles in local map", circles_of);
   row("places after inspection", [&](const Runs& r) { return number(middle(measures()[6].of)(r), 0); });
-  row("places after arrival", [&](const Runs& r) { return number(middle([](const Run& x) { return x.places_at_end; })(r), 0); });
-  row("recoveries", [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.recoveries; })), 2); });
-  row("localized after", [&](const Runs& r) { return minutes(middle([](const Run& x) { return x.localized_after_s; })(r)); });
-  row("driven m", [&](const Runs& r) { return number(middle([](const Run& x) { return x.driven_m; })(r), 1); });
+  row("places after arrival",
+      [&](const Runs& r) { return number(middle([](const Run& x) { return x.places_at_end; })(r), 0); });
+  row("recoveries",
+      [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.recoveries; })), 2); });
+  row("localized after",
+      [&](const Runs& r) { return minutes(middle([](const Run& x) { return x.localized_after_s; })(r)); });
+  row("driven m",
+      [&](const Runs& r) { return number(middle([](const Run& x) { return x.driven_m; })(r), 1); });
   row("touched something", [](const Runs& r) { return share_of(count(r, touched), r.size()); });
   row("falsely localized", [](const Runs& r) { return share_of(count(r, misled), r.size()); });
   return block;
@@ -123,10 +137,12 @@ nlohmann::ordered_json number_or_null(double value) {
 }
 
 nlohmann::ordered_json summary_of(const Runs& runs, const std::string& task) {
-  nlohmann::ordered_json summary = {{"runs", runs.size()}, {"published_total_s", number_or_null(published_total_s(task))}};
+  nlohmann::ordered_json summary = {{"runs", runs.size()},
+                                    {"published_total_s", number_or_null(published_total_s(task))}};
   const auto share = [&](const char* name, bool (*holds)(const Run&)) {
     const int part = count(runs, holds);
-    const Interval within = wilson_interval(part / static_cast<double>(runs.size()), static_cast<double>(runs.size()));
+    const Interval within =
+        wilson_interval(part / static_cast<double>(runs.size()), static_cast<double>(runs.size()));
     summary[name] = {{"runs", part}, {"within", {within.low, within.high}}};
   };
   share("reached", reached);
@@ -145,7 +161,8 @@ nlohmann::ordered_json summary_of(const Runs& runs, const std::string& task) {
 Table goal_table(std::span<const Run> runs) {
   Table table{names(runs, &Run::task), {}};
   table.blocks.push_back(with_columns(table_4_1(), table_4_1_columns(), table.columns));
-  for (const std::string& contender : names(runs, &Run::contender)) table.blocks.push_back(block_of(runs, contender, table.columns));
+  for (const std::string& contender : names(runs, &Run::contender))
+    table.blocks.push_back(block_of(runs, contender, table.columns));
   return table;
 }
 
@@ -153,20 +170,24 @@ nlohmann::ordered_json goal_summary(std::span<const Run> runs) {
   nlohmann::ordered_json summary;
   for (const std::string& contender : names(runs, &Run::contender)) {
     summary[contender]["all"] = summary_of(of(runs, contender), "");
-    for (const std::string& task : names(runs, &Run::task)) summary[contender][task] = summary_of(of(runs, contender, task), task);
+    for (const std::string& task : names(runs, &Run::task))
+      summary[contender][task] = summary_of(of(runs, contender, task), task);
   }
   return summary;
 }
 
 void write_runs(std::ostream& out, std::span<const Run> runs) {
-  out << "contender,task,seed,reached,said_so,time_s,driven_m,off_goal_m,collisions,scans,localized_scans,false_scans,localized_after_m,"
-         "localized_after_s,pattern,right_after_s,circles,candidates,wrong_starts,places_after_inspection,places_at_end,recoveries\n";
+  out << "contender,task,seed,reached,said_so,time_s,driven_m,off_goal_m,collisions,scans,localized_scans,"
+         "false_scans,localized_after_m,"
+         "localized_after_s,pattern,right_after_s,circles,candidates,wrong_starts,places_after_inspection,"
+         "places_at_end,recoveries\n";
   for (const Run& r : runs)
-    out << r.contender << ',' << r.task << ',' << r.seed << ',' << r.reached << ',' << r.said_so << ',' << number(r.time_s, 1) << ','
-        << number(r.driven_m, 2) << ',' << number(r.off_goal_m, 2) << ',' << r.collisions << ',' << r.scans << ',' << r.localized_scans
-        << ',' << r.false_scans << ',' << number(r.localized_after_m, 2) << ',' << number(r.localized_after_s, 1) << ',' << r.pattern
-        << ',' << number(r.right_after_s, 1) << ',' << r.circles << ',' << r.candidates << ',' << r.wrong_starts << ','
-        << r.places_after_inspection << ',' << r.places_at_end << ',' << r.recoveries << '\n';
+    out << r.contender << ',' << r.task << ',' << r.seed << ',' << r.reached << ',' << r.said_so << ','
+        << number(r.time_s, 1) << ',' << number(r.driven_m, 2) << ',' << number(r.off_goal_m, 2) << ','
+        << r.collisions << ',' << r.scans << ',' << r.localized_scans << ',' << r.false_scans << ','
+        << number(r.localized_after_m, 2) << ',' << number(r.localized_after_s, 1) << ',' << r.pattern << ','
+        << number(r.right_after_s, 1) << ',' << r.circles << ',' << r.candidates << ',' << r.wrong_starts
+        << ',' << r.places_after_inspection << ',' << r.places_at_end << ',' << r.recoveries << '\n';
 }
 
 }  // namespace opal::experiments

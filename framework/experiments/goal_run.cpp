@@ -18,7 +18,8 @@ Deployment deployment_for(const Contender& contender, const GoalTask& task, cons
   Deployment deployment = with_laser(contender.deployment, laser);
   if (!deployment.patterns) return deployment;
   deployment.patterns->clear();
-  for (const std::string& type : task.patterns) deployment.patterns->push_back({type, nlohmann::json::object(), "patterns of task " + task.id});
+  for (const std::string& type : task.patterns)
+    deployment.patterns->push_back({type, nlohmann::json::object(), "patterns of task " + task.id});
   return deployment;
 }
 
@@ -42,7 +43,8 @@ GoalRun run_task(const GoalExperiment& experiment, const PluginRegistry& registr
                  const GoalTask& task, std::uint64_t seed) {
   simulation::Simulation simulation(experiment.map, experiment.world, world_seed(task, seed));
   simulation.place({free_place(simulation.floor(), task.start.position()), task.start.heading_rad()});
-  const LocalizerParts parts = build_parts(deployment_for(contender, task, experiment.world.laser), registry, experiment.map);
+  const LocalizerParts parts =
+      build_parts(deployment_for(contender, task, experiment.world.laser), registry, experiment.map);
   Localizer localizer(parts);
   const FloorGrid floor = behaviours::mapped_floor(*parts.map, 0.8 * experiment.world.robot_radius_m);
   GoalRun run;

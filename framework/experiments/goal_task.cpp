@@ -4,7 +4,8 @@ namespace opal::experiments {
 
 std::vector<GoalTask> thesis4_tasks() {
   const Point goal(13, 8.5);
-  const std::vector<Pose2> starts{{23.5, 12.8, 3.0}, {4.5, 2.2, 0.6}, {29.0, 2.6, 1.6}, {36.5, 13.2, -1.9}, {49.5, 5.6, 0.2}, {67.0, 6.8, 2.8}};
+  const std::vector<Pose2> starts{{23.5, 12.8, 3.0},  {4.5, 2.2, 0.6},  {29.0, 2.6, 1.6},
+                                  {36.5, 13.2, -1.9}, {49.5, 5.6, 0.2}, {67.0, 6.8, 2.8}};
   std::vector<GoalTask> tasks;
   for (const char set : {'A', 'B'})
     for (std::size_t route = 0; route < starts.size(); ++route) {

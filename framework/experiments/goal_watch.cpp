@@ -35,7 +35,8 @@ class Told : public Node {
 /// A tree, and somebody who looks on after each tick.
 class LookedOn : public Node {
  public:
-  LookedOn(std::unique_ptr<Node> tree, std::function<void(const Situation&)> look) : tree_(std::move(tree)), look_(std::move(look)) {}
+  LookedOn(std::unique_ptr<Node> tree, std::function<void(const Situation&)> look)
+      : tree_(std::move(tree)), look_(std::move(look)) {}
   Outcome tick(Situation& situation) override {
     const Outcome outcome = tree_->tick(situation);
     look_(situation);
@@ -63,7 +64,8 @@ bool some_is_right(const PoseEstimate& estimate, const Pose2& truth) {
 std::vector<Point> columns_of(const std::vector<Geometry>& features, int most) {
   std::vector<Point> columns;
   for (const Geometry& feature : features)
-    if (std::holds_alternative<Circle>(feature) && static_cast<int>(columns.size()) < most) columns.push_back(anchor_of(feature));
+    if (std::holds_alternative<Circle>(feature) && static_cast<int>(columns.size()) < most)
+      columns.push_back(anchor_of(feature));
   return columns;
 }
 
@@ -72,12 +74,15 @@ std::string letter_of(const std::vector<Point>& columns, int size) {
   if (static_cast<int>(columns.size()) < size) return "";
   if (size == 2) return "B";
   // In line: the longest side is nearly as long as the other two.
-  std::vector<double> sides{(columns[0] - columns[1]).norm(), (columns[1] - columns[2]).norm(), (columns[2] - columns[0]).norm()};
+  std::vector<double> sides{(columns[0] - columns[1]).norm(), (columns[1] - columns[2]).norm(),
+                            (columns[2] - columns[0]).norm()};
   std::sort(sides.begin(), sides.end());
   return sides[2] > 0.97 * (sides[0] + sides[1]) ? "C" : "L";
 }
 
-int places_of(const PoseEstimate& estimate) { return estimate.has_pose ? 1 + static_cast<int>(estimate.rivals.size()) : 0; }
+int places_of(const PoseEstimate& estimate) {
+  return estimate.has_pose ? 1 + static_cast<int>(estimate.rivals.size()) : 0;
+}
 
 }  // namespace
 
@@ -89,7 +94,8 @@ std::unique_ptr<Node> GoalWatch::watched_tree(const std::string& trees, const st
   nodes.wrap("opal:GoToGoal", [this](std::unique_ptr<Node> node) {
     return std::make_unique<Told>(std::move(node), [this](bool) { under_way_ = true; });
   });
-  return std::make_unique<LookedOn>(read_tree(nodes, trees, name), [this](const Situation& situation) { look(situation); });
+  return std::make_unique<LookedOn>(read_tree(nodes, trees, name),
+                                    [this](const Situation& situation) { look(situation); });
 }
 
 void GoalWatch::look(const Situation& situation) {
@@ -97,8 +103,11 @@ void GoalWatch::look(const Situation& situation) {
   if (under_way_ && run_.places_after_inspection < 0) run_.places_after_inspection = places_of(said);
   run_.places_at_end = places_of(said);
   look_at_hypotheses(situation);
-  Moment moment{simulation_.now_s(), 0, simulation_.T_map_base(), said.T_map_base, said.has_pose, said.status, said.hypotheses, 0, under_way_};
-  if (!run_.moments.empty()) moment.driven_m = run_.moments.back().driven_m + distance_m(run_.moments.back().truth, moment.truth);
+  Moment moment{simulation_.now_s(), 0,           simulation_.T_map_base(), said.T_map_base,
+                said.has_pose,       said.status, said.hypotheses,          0,
+                under_way_};
+  if (!run_.moments.empty())
+    moment.driven_m = run_.moments.back().driven_m + distance_m(run_.moments.back().truth, moment.truth);
   run_.moments.push_back(moment);
   under_way_ = false;
 }
@@ -129,7 +138,8 @@ void GoalWatch::note_start(const Situation& situation, bool right) {
 
 void GoalWatch::note_right(const Situation& situation) {
   run_.right_after_s = simulation_.now_s();
-  if (run_.pattern.empty()) run_.pattern = letter_of(columns_of(situation.localization.pattern(), pattern_size_), pattern_size_);
+  if (run_.pattern.empty())
+    run_.pattern = letter_of(columns_of(situation.localization.pattern(), pattern_size_), pattern_size_);
   for (const LocalFeature& local : localizer_.local_map().features()) {
     if (!std::holds_alternative<Circle>(local.feature.geometry)) continue;
     ++run_.candidates;

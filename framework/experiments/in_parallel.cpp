@@ -8,7 +8,8 @@
 
 namespace opal::experiments {
 
-void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work, const std::stop_token& stop) {
+void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work,
+                 const std::stop_token& stop) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failing;

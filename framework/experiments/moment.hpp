@@ -13,8 +13,8 @@ struct Moment {
   bool has_pose = false;
   Status status = Status::searching;
   int hypotheses = 0;
-  double cpu_ms = 0;                ///< of the update; 0: the scan was none
-  bool under_way = false;           ///< to the goal, where there is one
+  double cpu_ms = 0;       ///< of the update; 0: the scan was none
+  bool under_way = false;  ///< to the goal, where there is one
 
   double error_m() const { return distance_m(truth, estimate); }
   bool localized() const { return has_pose && status == Status::localized; }

@@ -33,7 +33,8 @@ std::string share_text(int part, std::size_t whole) {
   const double share = static_cast<double>(part) / static_cast<double>(whole);
   const Interval within = wilson_interval(share, static_cast<double>(whole));
   char text[80];
-  std::snprintf(text, sizeof text, "%d of %zu, %.1f %% (95 %%: %.1f to %.1f)", part, whole, 100 * share, 100 * within.low, 100 * within.high);
+  std::snprintf(text, sizeof text, "%d of %zu, %.1f %% (95 %%: %.1f to %.1f)", part, whole, 100 * share,
+                100 * within.low, 100 * within.high);
   return text;
 }
 

@@ -4,7 +4,8 @@
 
 namespace opal::experiments {
 
-/// Table 3.3 of Hendrikx (2023): one robot, 14 challenges; its own method once, AMCL five times each. Columns A1, A3, B1 to B10, C11, C12.
+/// Table 3.3 of Hendrikx (2023): one robot, 14 challenges; its own method once, AMCL five times each. Columns
+/// A1, A3, B1 to B10, C11, C12.
 const std::vector<std::string>& table_3_3_columns();
 std::vector<Table::Block> table_3_3();
 
@@ -15,7 +16,8 @@ Table::Block table_4_1();
 const std::vector<double>& table_4_1_total_s();
 
 /// A block without the columns that are not among those wanted; one that has none of the wanted gets "".
-Table::Block with_columns(const Table::Block& block, const std::vector<std::string>& has, const std::vector<std::string>& wanted);
+Table::Block with_columns(const Table::Block& block, const std::vector<std::string>& has,
+                          const std::vector<std::string>& wanted);
 
 /// "1:22"
 std::string minutes(double time_s);

@@ -22,7 +22,8 @@ void run_to_its_end(std::vector<std::string> command) {
   for (std::string& word : command) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t child = 0;
-  if (const int wrong = posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ); wrong != 0)
+  if (const int wrong = posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
+      wrong != 0)
     throw Error(command[0] + ": cannot be started: " + std::strerror(wrong));
   int status = 0;
   if (waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
@@ -48,16 +49,20 @@ Row row_of(const std::string& line, const std::string& where) {
     } catch (const std::exception&) {
       throw LogError(where + ": '" + cell + "', expected a number");
     }
-  if (numbers.size() != 7) throw LogError(where + ": " + std::to_string(numbers.size()) + " columns, expected " + kHeader);
-  return {numbers[0], Pose2(numbers[1], numbers[2], numbers[3]), numbers[4] != 0, static_cast<int>(numbers[5]), numbers[6]};
+  if (numbers.size() != 7)
+    throw LogError(where + ": " + std::to_string(numbers.size()) + " columns, expected " + kHeader);
+  return {numbers[0], Pose2(numbers[1], numbers[2], numbers[3]), numbers[4] != 0,
+          static_cast<int>(numbers[5]), numbers[6]};
 }
 
 std::vector<Row> rows_of(const std::string& path) {
   std::ifstream file(path);
   std::string line;
-  if (!std::getline(file, line) || line != kHeader) throw LogError(path + ": line 1: '" + line + "', expected " + kHeader);
+  if (!std::getline(file, line) || line != kHeader)
+    throw LogError(path + ": line 1: '" + line + "', expected " + kHeader);
   std::vector<Row> rows;
-  for (int number = 2; std::getline(file, line); ++number) rows.push_back(row_of(line, path + ": line " + std::to_string(number)));
+  for (int number = 2; std::getline(file, line); ++number)
+    rows.push_back(row_of(line, path + ": line " + std::to_string(number)));
   return rows;
 }
 
@@ -73,7 +78,8 @@ std::vector<Moment> read_rival(const std::string& path, const simulation::Record
     Moment moment;
     moment.time_s = recorded.scan.stamp_s - recording.scans.front().scan.stamp_s;
     moment.truth = recorded.T_map_base;
-    if (!moments.empty()) moment.driven_m = moments.back().driven_m + distance_m(moments.back().truth, moment.truth);
+    if (!moments.empty())
+      moment.driven_m = moments.back().driven_m + distance_m(moments.back().truth, moment.truth);
     while (next < rows.size() && rows[next].stamp_s < recorded.scan.stamp_s - kSame_s) ++next;
     if (next < rows.size() && rows[next].stamp_s < recorded.scan.stamp_s + kSame_s) {
       moment.estimate = rows[next].T_map_laser * T_laser_base;
@@ -87,11 +93,20 @@ std::vector<Moment> read_rival(const std::string& path, const simulation::Record
   return moments;
 }
 
-ChallengeRun run_rival(const Rival& rival, const simulation::ChallengeDrive& driven, const std::string& prefix,
-                       const std::string& grid_yaml, std::uint64_t seed) {
+ChallengeRun run_rival(const Rival& rival, const simulation::ChallengeDrive& driven,
+                       const std::string& prefix, const std::string& grid_yaml, std::uint64_t seed) {
   const std::string answer = prefix + '.' + rival.name + ".csv";
-  std::vector<std::string> command{rival.program, "--map", grid_yaml, "--log", prefix + ".log.gz", "--laser", prefix + ".info.json",
-                                   "--seed", std::to_string(seed), "--out", answer};
+  std::vector<std::string> command{rival.program,
+                                   "--map",
+                                   grid_yaml,
+                                   "--log",
+                                   prefix + ".log.gz",
+                                   "--laser",
+                                   prefix + ".info.json",
+                                   "--seed",
+                                   std::to_string(seed),
+                                   "--out",
+                                   answer};
   if (driven.region) {
     std::ostringstream region;
     region << driven.region->center.x() << ',' << driven.region->center.y() << ',' << driven.region->radius_m;
@@ -101,6 +116,7 @@ ChallengeRun run_rival(const Rival& rival, const simulation::ChallengeDrive& dri
   run_to_its_end(std::move(command));
   ChallengeRun run;
   run.contender = rival.name;
+  run.region = driven.region;
   run.moments = read_rival(answer, driven.recording);
   judge(run);
   return run;

@@ -23,7 +23,9 @@ std::size_t widest_name(const Table& table) {
   return width;
 }
 
-std::string padded(const std::string& text, std::size_t width) { return text + std::string(width - std::min(width, text.size()), ' '); }
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, text.size()), ' ');
+}
 
 }  // namespace
 
@@ -36,7 +38,8 @@ std::string number(double value, int decimals) {
 
 std::string escaped(const std::string& text) {
   std::string safe;
-  for (char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+  for (char c : text)
+    safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
   return safe;
 }
 
@@ -62,7 +65,8 @@ std::string html_of(const Table& table) {
   std::string html = "<table>\n";
   const auto cells = [&](const char* tag, const std::string& first, const std::vector<std::string>& all) {
     html += "<tr><th scope=row>" + escaped(first) + "</th>";
-    for (const std::string& cell : all) html += std::string("<") + tag + ">" + escaped(cell) + "</" + tag + ">";
+    for (const std::string& cell : all)
+      html += std::string("<") + tag + ">" + escaped(cell) + "</" + tag + ">";
     html += "</tr>\n";
   };
   for (const Table::Block& block : table.blocks) {
@@ -70,7 +74,8 @@ std::string html_of(const Table& table) {
     cells("th", block.name, table.columns);
     for (const Table::Row& row : block.rows) cells("td", row.name, row.cells);
     if (!block.all.empty())
-      html += "<tr><td colspan=" + std::to_string(table.columns.size() + 1) + " class=all>All: " + escaped(block.all) + "</td></tr>\n";
+      html += "<tr><td colspan=" + std::to_string(table.columns.size() + 1) +
+              " class=all>All: " + escaped(block.all) + "</td></tr>\n";
     html += "</tbody>\n";
   }
   return html + "</table>\n";

@@ -14,7 +14,7 @@ struct Table {
   struct Block {
     std::string name;
     std::vector<Row> rows;
-    std::string all;                 ///< a sentence about all columns
+    std::string all;  ///< a sentence about all columns
   };
   std::vector<std::string> columns;
   std::vector<Block> blocks;

@@ -16,16 +16,17 @@ struct WaysPicture {
   struct Way {
     std::string name;
     std::vector<Stretch> stretches;
-    std::vector<Point> marks;                ///< where it localized
+    std::vector<Point> marks;  ///< where it localized
     struct Star {
       Point from;
       std::vector<Point> to;
     };
-    std::vector<Star> stars;                 ///< places joined with what was seen from there
-    std::vector<Point> estimate;             ///< drawn thin, if there is any
+    std::vector<Star> stars;      ///< places joined with what was seen from there
+    std::vector<Point> estimate;  ///< drawn thin, if there is any
   };
-  std::vector<Way> ways;                     ///< a colour each
+  std::vector<Way> ways;  ///< a colour each
   std::vector<Point> goals;
+  std::vector<Circle> regions;               ///< known at first, drawn red
 };
 
 /// SVG to be put into a page; says its colours in a list beside the picture.

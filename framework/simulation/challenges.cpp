@@ -47,7 +47,8 @@ ChallengeDrive drive(const Challenge& challenge, std::shared_ptr<const SemanticM
     // The robot is told a region that it is in, not that it is in the middle of it.
     Random off(static_cast<std::uint64_t>(2000 + challenge.route));
     const Point start = driven.recording.scans.front().T_map_base.position();
-    driven.region = StartRegion{start + 0.5 * *challenge.region_m * unit_vector(off.uniform(-std::numbers::pi, std::numbers::pi)), *challenge.region_m};
+    const double bearing_rad = off.uniform(-std::numbers::pi, std::numbers::pi);
+    driven.region = StartRegion{start + 0.5 * *challenge.region_m * unit_vector(bearing_rad), *challenge.region_m};
   }
   return driven;
 }

@@ -18,7 +18,10 @@ using Catch::Contains;
 namespace {
 
 GoalExperiment in_the_room() {
-  GoalExperiment experiment{SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld"), {}, {}, OPAL_SOURCE_DIR "/configs/behaviours.jsonld"};
+  GoalExperiment experiment{SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld"),
+                            {},
+                            {},
+                            OPAL_SOURCE_DIR "/configs/behaviours.jsonld"};
   experiment.world.people = 1;
   experiment.world.robot_radius_m = 0.25;
   experiment.loop.motion.radius_m = 0.25;
@@ -30,10 +33,13 @@ std::vector<GoalRun> driven(int jobs) {
   PluginRegistry registry;
   registry.load_all(OPAL_PLUGIN_DIR);
   const GoalExperiment experiment = in_the_room();
-  const Contender contender{"default", read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld"), "disambiguate"};
-  const std::vector<GoalTask> tasks{{"A1", {"opal:Binary"}, 2, Pose2(2, 2, 1), {6, 4}}, {"A2", {"opal:Binary"}, 2, Pose2(6, 4, 0), {2, 2}}};
+  const Contender contender{"default", read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld"),
+                            "disambiguate"};
+  const std::vector<GoalTask> tasks{{"A1", {"opal:Binary"}, 2, Pose2(2, 2, 1), {6, 4}},
+                                    {"A2", {"opal:Binary"}, 2, Pose2(6, 4, 0), {2, 2}}};
   std::vector<GoalRun> runs(tasks.size());
-  in_parallel(runs.size(), jobs, [&](std::size_t k) { runs[k] = run_task(experiment, registry, contender, tasks[k], 1); });
+  in_parallel(runs.size(), jobs,
+              [&](std::size_t k) { runs[k] = run_task(experiment, registry, contender, tasks[k], 1); });
   return runs;
 }
 
@@ -45,7 +51,9 @@ std::string csv_of(const std::vector<GoalRun>& runs) {
 
 }  // namespace
 
-TEST_CASE("the tasks are those of table 4.1, each on floor that is free in the empty building, and no two worlds are one") {
+TEST_CASE(
+    "the tasks are those of table 4.1, each on floor that is free in the empty building, and no two worlds "
+    "are one") {
   simulation::BuildingRequest request;
   request.kind = "gemini";
   simulation::SimulationOptions empty;
@@ -89,7 +97,8 @@ TEST_CASE("a drive that does not arrive takes for ever") {
   arrives.reached = true;
   arrives.time_s = 30;
   gives_up.time_s = 900;
-  CHECK_THAT(text_of(goal_table(std::vector<GoalRun>{arrives, arrives, gives_up})), Contains("2/3") && Contains("0:30") && Contains("below the published one in 1 of 1"));
+  CHECK_THAT(text_of(goal_table(std::vector<GoalRun>{arrives, arrives, gives_up})),
+             Contains("2/3") && Contains("0:30") && Contains("below the published one in 1 of 1"));
   const auto mostly_not = goal_summary(std::vector<GoalRun>{arrives, gives_up, gives_up});
   CHECK(mostly_not["somebody"]["A1"]["total_s"]["median"].is_null());
   CHECK(mostly_not["somebody"]["A1"]["published_total_s"] == 37);

@@ -27,9 +27,10 @@ struct Region {
 /// MRPT's Monte Carlo localization with KLD-sampling (Fox 2003).
 class ParticleFilter {
  public:
-  /// Spreads the particles evenly over the free cells of a grid, or over those in the region. @throws opal::MapError if there is none.
-  ParticleFilter(const mrpt::maps::COccupancyGridMap2D::Ptr& grid, const LikelihoodField& field, const FilterOptions& options,
-                 const std::optional<Region>& region, std::uint32_t seed);
+  /// Spreads the particles evenly over the free cells of a grid, or over those in the region. @throws
+  /// opal::MapError if there is none.
+  ParticleFilter(const mrpt::maps::COccupancyGridMap2D::Ptr& grid, const LikelihoodField& field,
+                 const FilterOptions& options, const std::optional<Region>& region, std::uint32_t seed);
   ~ParticleFilter();
 
   /// @param step  of the laser since the update before.

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-LikelihoodField::LikelihoodField(const mrpt::maps::COccupancyGridMap2D& grid, const LikelihoodFieldOptions& options)
-    : options_(options), x_min_(grid.getXMin()), y_min_(grid.getYMin()), resolution_m_(grid.getResolution()),
-      columns_(static_cast<int>(grid.getSizeX())), rows_(static_cast<int>(grid.getSizeY())) {
-  std::vector<float> nearest_m(static_cast<std::size_t>(columns_) * rows_, static_cast<float>(options.farthest_m));
+LikelihoodField::LikelihoodField(const mrpt::maps::COccupancyGridMap2D& grid,
+                                 const LikelihoodFieldOptions& options)
+    : options_(options),
+      x_min_(grid.getXMin()),
+      y_min_(grid.getYMin()),
+      resolution_m_(grid.getResolution()),
+      columns_(static_cast<int>(grid.getSizeX())),
+      rows_(static_cast<int>(grid.getSizeY())) {
+  std::vector<float> nearest_m(static_cast<std::size_t>(columns_) * rows_,
+                               static_cast<float>(options.farthest_m));
   const int reach = static_cast<int>(options.farthest_m / resolution_m_);
   for (int row = 0; row < rows_; ++row)
     for (int column = 0; column < columns_; ++column) {
@@ -18,7 +24,8 @@ LikelihoodField::LikelihoodField(const mrpt::maps::COccupancyGridMap2D& grid, co
         }
     }
   const auto likelihood = [&](double off_m) {
-    return options.z_hit * std::exp(-off_m * off_m / (2 * options.sigma_hit_m * options.sigma_hit_m)) + options.z_rand / options.range_max_m;
+    return options.z_hit * std::exp(-off_m * off_m / (2 * options.sigma_hit_m * options.sigma_hit_m)) +
+           options.z_rand / options.range_max_m;
   };
   for (const float off_m : nearest_m) likelihood_.push_back(static_cast<float>(likelihood(off_m)));
   far_ = likelihood(options.farthest_m);
@@ -36,7 +43,8 @@ void LikelihoodField::take(const std::vector<double>& ranges_m, const opal::Lase
 }
 
 double LikelihoodField::likelihood_at(double x, double y) const {
-  const int column = static_cast<int>(std::floor((x - x_min_) / resolution_m_)), row = static_cast<int>(std::floor((y - y_min_) / resolution_m_));
+  const int column = static_cast<int>(std::floor((x - x_min_) / resolution_m_)),
+            row = static_cast<int>(std::floor((y - y_min_) / resolution_m_));
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return far_;
   return likelihood_[static_cast<std::size_t>(row) * columns_ + column];
 }

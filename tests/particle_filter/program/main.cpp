@@ -34,7 +34,8 @@ bool is_far(const opal::Pose2& from, const opal::Pose2& to, const FilterOptions&
 
 void run(const Options& options) {
   const auto grid = mrpt::maps::COccupancyGridMap2D::Create();
-  if (!grid->loadFromROSMapServerYAML(options.map)) throw opal::MapError(options.map + ": cannot be read as a map of ROS map_server");
+  if (!grid->loadFromROSMapServerYAML(options.map))
+    throw opal::MapError(options.map + ": cannot be read as a map of ROS map_server");
   const opal::LaserModel laser = opal::read_site_laser(options.laser);
   LikelihoodField field(*grid, options.field);
   std::optional<Region> region;
@@ -57,8 +58,8 @@ void run(const Options& options) {
       localized = filter.localized();
     }
     const opal::Pose2 now = T_map_laser * (T_odom_laser->inverse() * scan.T_odom_laser);
-    out << scan.stamp_s << ',' << now.x() << ',' << now.y() << ',' << now.heading_rad() << ',' << localized << ',' << filter.particles() << ','
-        << (updates ? cpu_ms() - before_ms : 0) << '\n';
+    out << scan.stamp_s << ',' << now.x() << ',' << now.y() << ',' << now.heading_rad() << ',' << localized
+        << ',' << filter.particles() << ',' << (updates ? cpu_ms() - before_ms : 0) << '\n';
   }
   if (!out.flush()) throw opal::Error(options.out + ": cannot be written");
 }
@@ -71,11 +72,18 @@ int main(int argc, char** argv) {
   app.add_option("--map", options.map, "grid map (yaml of ROS map_server)")->required();
   app.add_option("--log", options.log, "CARMEN log (.log, .log.gz)")->required();
   app.add_option("--laser", options.laser, "the laser (.info.json)")->required();
-  app.add_option("--out", options.out, "table to write: timestamp,x,y,theta,localized,hypotheses,cpu_ms")->required();
-  app.add_option("--region", options.region, "X,Y,R: the robot starts in this circle [m]")->delimiter(',')->expected(3);
+  app.add_option("--out", options.out, "table to write: timestamp,x,y,theta,localized,hypotheses,cpu_ms")
+      ->required();
+  app.add_option("--region", options.region, "X,Y,R: the robot starts in this circle [m]")
+      ->delimiter(',')
+      ->expected(3);
   app.add_option("--seed", options.seed, "of the particles")->capture_default_str();
-  app.add_option("--particles", options.filter.most_particles, "at most, and at first")->capture_default_str()->check(CLI::Range(100, 1000000));
-  app.add_option("--beams", options.field.beams, "of each scan that count")->capture_default_str()->check(CLI::Range(2, 10000));
+  app.add_option("--particles", options.filter.most_particles, "at most, and at first")
+      ->capture_default_str()
+      ->check(CLI::Range(100, 1000000));
+  app.add_option("--beams", options.field.beams, "of each scan that count")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 10000));
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

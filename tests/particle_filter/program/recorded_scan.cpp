@@ -2,8 +2,8 @@
 
 #include <opal/error.hpp>
 
-#include <sstream>
 #include <zlib.h>
+#include <sstream>
 
 namespace {
 
@@ -18,7 +18,9 @@ RecordedScan scan_of(const std::string& line, const std::string& where) {
   for (double& range_m : scan.ranges_m) text >> range_m;
   double x = 0, y = 0, theta = 0, robot = 0;
   text >> x >> y >> theta >> robot >> robot >> robot >> scan.stamp_s;
-  if (!text) throw opal::LogError(where + ": cut off, expected FLASER with " + std::to_string(count) + " ranges, two poses and a stamp");
+  if (!text)
+    throw opal::LogError(where + ": cut off, expected FLASER with " + std::to_string(count) +
+                         " ranges, two poses and a stamp");
   scan.T_odom_laser = opal::Pose2(x, y, theta);
   return scan;
 }
