@@ -35,9 +35,11 @@ struct BuildingsVerbOptions {
 };
 
 template <class T>
-void say(std::ostream& command, const char* option, const std::vector<T>& values, const std::vector<T>& usual) {
+void say(std::ostream& command, const char* option, const std::vector<T>& values,
+         const std::vector<T>& usual) {
   if (values == usual) return;
-  for (std::size_t k = 0; k < values.size(); ++k) command << (k == 0 ? std::string(" ") + option + " " : ",") << values[k];
+  for (std::size_t k = 0; k < values.size(); ++k)
+    command << (k == 0 ? std::string(" ") + option + " " : ",") << values[k];
 }
 
 template <class T>
@@ -65,11 +67,13 @@ std::string command_of(const BuildingsVerbOptions& o, bool with_choice) {
   return command.str();
 }
 
-std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, const std::vector<SuiteBuilding>& suite) {
+std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options,
+                                           const std::vector<SuiteBuilding>& suite) {
   const opal::PluginRegistry registry = load_plugins();
   experiments::BuildingsOptions runs = options.runs;
   runs.contenders = contenders(options.configs);
-  if (options.record) fs::create_directories(runs.recordings = (fs::path(options.out) / "recordings").string());
+  if (options.record)
+    fs::create_directories(runs.recordings = (fs::path(options.out) / "recordings").string());
   std::vector<std::vector<experiments::BuildingRuns>> parts(suite.size());
   const StopSignals signals;  // before other threads
   ProgressBar bar;
@@ -110,20 +114,41 @@ int buildings(const BuildingsVerbOptions& options) {
 
 void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
   auto o = std::make_shared<BuildingsVerbOptions>();
-  CLI::App* verb = experiment.add_subcommand("buildings", "the 14 challenges of section 3.5.2 in many made-up buildings, ever more difficult");
+  CLI::App* verb = experiment.add_subcommand(
+      "buildings", "the 14 challenges of section 3.5.2 in many made-up buildings, ever more difficult");
   verb->add_option("-o,--out", o->out, "folder for buildings.json, table.txt and report.html")->required();
-  verb->add_option("--buildings", o->suite.buildings, "how many: one of each kind at each difficulty, and again")->check(CLI::Range(1, 100000))->capture_default_str();
+  verb->add_option("--buildings", o->suite.buildings,
+                   "how many: one of each kind at each difficulty, and again")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
   verb->add_option("--kind", o->suite.kinds, "only these: office, hall, warehouse, corridor")->delimiter(',');
-  verb->add_option("--difficulty", o->suite.difficulties, "0 to 1 each; the more, the more alike, larger and fuller; 0.5: as is usual")->delimiter(',')->capture_default_str();
-  verb->add_option("--symmetry", o->suite.symmetry, "the same at every difficulty; 0: all parts of a building differ, 1: all are copies")->check(CLI::Range(0.0, 1.0));
-  verb->add_option("--size", o->suite.size_factor, "the same at every difficulty, times the usual size")->check(CLI::Range(0.1, 20.0));
-  verb->add_option("--clutter", o->suite.clutter, "the same at every difficulty; 1: everyday")->check(CLI::Range(0.0, 10.0));
-  verb->add_option("--config", o->configs, "who takes part: names of shipped configurations, or files (.jsonld)")->delimiter(',')->capture_default_str();
+  verb->add_option("--difficulty", o->suite.difficulties,
+                   "0 to 1 each; the more, the more alike, larger and fuller; 0.5: as is usual")
+      ->delimiter(',')
+      ->capture_default_str();
+  verb->add_option("--symmetry", o->suite.symmetry,
+                   "the same at every difficulty; 0: all parts of a building differ, 1: all are copies")
+      ->check(CLI::Range(0.0, 1.0));
+  verb->add_option("--size", o->suite.size_factor, "the same at every difficulty, times the usual size")
+      ->check(CLI::Range(0.1, 20.0));
+  verb->add_option("--clutter", o->suite.clutter, "the same at every difficulty; 1: everyday")
+      ->check(CLI::Range(0.0, 10.0));
+  verb->add_option("--config", o->configs,
+                   "who takes part: names of shipped configurations, or files (.jsonld)")
+      ->delimiter(',')
+      ->capture_default_str();
   verb->add_option("--building", o->only, "only these of the buildings: office-75-3, ...")->delimiter(',');
   verb->add_option("--challenge", o->runs.challenges, "only these: A1, B7, ...")->delimiter(',');
-  verb->add_option("--seeds", o->runs.seeds, "runs per challenge: clutter, people and noise differ")->check(CLI::PositiveNumber)->capture_default_str();
-  verb->add_option("--duration", o->runs.duration_s, "of each run [s]")->check(CLI::PositiveNumber)->capture_default_str();
-  verb->add_option("--jobs", o->jobs, "buildings at the same time; results do not depend on it")->check(CLI::Range(1, 1024))->capture_default_str();
-  verb->add_flag("--record", o->record, "keep a recording of every run in OUT/recordings, as opal bench takes it");
+  verb->add_option("--seeds", o->runs.seeds, "runs per challenge: clutter, people and noise differ")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--duration", o->runs.duration_s, "of each run [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--jobs", o->jobs, "buildings at the same time; results do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  verb->add_flag("--record", o->record,
+                 "keep a recording of every run in OUT/recordings, as opal bench takes it");
   verb->callback([o, &exit_code] { exit_code = buildings(*o); });
 }

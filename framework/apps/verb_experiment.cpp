@@ -19,7 +19,8 @@ int experiment(ExperimentOptions options) {
   return third ? experiment_thesis3(options, registry) : experiment_thesis4(options, registry);
 }
 
-void add_thesis(CLI::App& experiments, const std::string& name, const std::string& description, int& exit_code) {
+void add_thesis(CLI::App& experiments, const std::string& name, const std::string& description,
+                int& exit_code) {
   auto options = std::make_shared<ExperimentOptions>();
   options->name = name;
   CLI::App* verb = experiments.add_subcommand(name, description);
@@ -58,7 +59,8 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
 }  // namespace
 
 void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
-  CLI::App* experiments = app.add_subcommand("experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
+  CLI::App* experiments = app.add_subcommand(
+      "experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
   experiments->require_subcommand(1);
   add_thesis(*experiments, "thesis3", "the 14 challenges of section 3.5.2", exit_code);
   add_thesis(*experiments, "thesis4", "the 12 closed-loop runs of table 4.1", exit_code);

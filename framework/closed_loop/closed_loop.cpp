@@ -12,7 +12,8 @@ constexpr int kStepsPerTick = 2;
 /// One drive under way.
 class ClosedLoop {
  public:
-  ClosedLoop(simulation::Simulation& simulation, behaviours::Localization& localization, const ClosedLoopOptions& options)
+  ClosedLoop(simulation::Simulation& simulation, behaviours::Localization& localization,
+             const ClosedLoopOptions& options)
       : simulation_(simulation), localization_(localization), options_(options) {
     localization_.begin();
   }
@@ -86,8 +87,9 @@ class ClosedLoop {
 
 }  // namespace
 
-DriveRecord drive_to_goal(simulation::Simulation& simulation, behaviours::Localization& localization, const FloorGrid& floor,
-                          behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options) {
+DriveRecord drive_to_goal(simulation::Simulation& simulation, behaviours::Localization& localization,
+                          const FloorGrid& floor, behaviours::Node& tree, const Point& goal,
+                          const ClosedLoopOptions& options) {
   return ClosedLoop(simulation, localization, options).run(floor, tree, goal);
 }
 

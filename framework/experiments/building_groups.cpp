@@ -13,7 +13,8 @@ template <class T, class Of>
 std::vector<T> different(std::span<const BuildingRuns> buildings, const Of& of) {
   std::vector<T> values;
   for (const BuildingRuns& building : buildings)
-    if (const T value = of(building); std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+    if (const T value = of(building); std::find(values.begin(), values.end(), value) == values.end())
+      values.push_back(value);
   return values;
 }
 
@@ -77,14 +78,18 @@ std::string BuildingGroup::name() const {
 }
 
 std::vector<BuildingGroup> groups_of(std::span<const BuildingRuns> buildings) {
-  const auto kinds = different<std::string>(buildings, [](const BuildingRuns& b) { return b.building.request.kind; });
-  const auto difficulties = different<double>(buildings, [](const BuildingRuns& b) { return b.building.difficulty; });
+  const auto kinds =
+      different<std::string>(buildings, [](const BuildingRuns& b) { return b.building.request.kind; });
+  const auto difficulties =
+      different<double>(buildings, [](const BuildingRuns& b) { return b.building.difficulty; });
   std::vector<BuildingGroup> groups;
-  const auto add = [&](const std::string& contender, const std::string& kind, std::optional<double> difficulty) {
+  const auto add = [&](const std::string& contender, const std::string& kind,
+                       std::optional<double> difficulty) {
     BuildingGroup group{kind, difficulty, contender, 0, 0, {}, {}, {}, {}, {}, {}, 0};
     Gathering gathering;
     for (const BuildingRuns& building : buildings)
-      if ((kind.empty() || kind == building.building.request.kind) && (!difficulty || *difficulty == building.building.difficulty))
+      if ((kind.empty() || kind == building.building.request.kind) &&
+          (!difficulty || *difficulty == building.building.difficulty))
         gathering.add(building, contender);
     gathering.sum_up(group);
     if (group.buildings > 0) groups.push_back(std::move(group));

@@ -8,7 +8,9 @@ namespace opal::experiments {
 namespace {
 
 /// Numbers in a picture are centimetres, y downwards.
-std::string coordinates(const Point& p) { return std::to_string(std::lround(100 * p.x())) + " " + std::to_string(std::lround(-100 * p.y())); }
+std::string coordinates(const Point& p) {
+  return std::to_string(std::lround(100 * p.x())) + " " + std::to_string(std::lround(-100 * p.y()));
+}
 
 struct Extent {
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -27,16 +29,21 @@ std::string view_box_of(const SemanticMap& map) {
     extent.add(face ? face->begin : anchor_of(feature.geometry));
     if (face) extent.add(face->end);
   }
-  const Point low = extent.low - Point::Constant(kBorder_m), size = extent.high + Point::Constant(kBorder_m) - low;
-  return "viewBox=\"" + coordinates({low.x(), low.y() + size.y()}) + " " + coordinates({size.x(), -size.y()}) + "\"";
+  const Point low = extent.low - Point::Constant(kBorder_m),
+              size = extent.high + Point::Constant(kBorder_m) - low;
+  return "viewBox=\"" + coordinates({low.x(), low.y() + size.y()}) + " " +
+         coordinates({size.x(), -size.y()}) + "\"";
 }
 
 std::string path_of(const Geometry& geometry) {
-  if (const auto* face = std::get_if<Segment>(&geometry)) return "M" + coordinates(face->begin) + "L" + coordinates(face->end);
+  if (const auto* face = std::get_if<Segment>(&geometry))
+    return "M" + coordinates(face->begin) + "L" + coordinates(face->end);
   const auto* column = std::get_if<Circle>(&geometry);
   if (!column) return "";
-  const std::string r = std::to_string(std::lround(100 * column->radius_m)), across = std::to_string(2 * std::lround(100 * column->radius_m));
-  return "M" + coordinates(column->center - Point(column->radius_m, 0)) + "a" + r + " " + r + " 0 1 0 " + across + " 0a" + r + " " + r + " 0 1 0 -" + across + " 0";
+  const std::string r = std::to_string(std::lround(100 * column->radius_m)),
+                    across = std::to_string(2 * std::lround(100 * column->radius_m));
+  return "M" + coordinates(column->center - Point(column->radius_m, 0)) + "a" + r + " " + r + " 0 1 0 " +
+         across + " 0a" + r + " " + r + " 0 1 0 -" + across + " 0";
 }
 
 template <class Keep>
@@ -49,12 +56,14 @@ std::string polyline(const ChallengeRun& run, const std::string& style, const Ke
 }
 
 std::string way_of(const ChallengeRun& run) {
-  return polyline(run, std::string("way ") + name_of(outcome_of(run)), [](const Moment& moment) { return moment.truth.position(); });
+  return polyline(run, std::string("way ") + name_of(outcome_of(run)),
+                  [](const Moment& moment) { return moment.truth.position(); });
 }
 
 std::string dot(const Point& at, double radius_m, const std::string& style) {
   return "<circle class=\"" + style + "\" cx=\"" + std::to_string(std::lround(100 * at.x())) + "\" cy=\"" +
-         std::to_string(std::lround(-100 * at.y())) + "\" r=\"" + std::to_string(std::lround(100 * radius_m)) + "\"/>";
+         std::to_string(std::lround(-100 * at.y())) + "\" r=\"" +
+         std::to_string(std::lround(100 * radius_m)) + "\"/>";
 }
 
 /// Thinned: every half metre.
@@ -64,7 +73,8 @@ std::string wrong_claims(const ChallengeRun& run) {
   std::optional<Point> last;
   for (const Moment& moment : run.moments) {
     const Point at = moment.estimate.position();
-    if (!moment.localized() || moment.error_m() <= kRight_m || (last && (at - *last).norm() < kEvery_m)) continue;
+    if (!moment.localized() || moment.error_m() <= kRight_m || (last && (at - *last).norm() < kEvery_m))
+      continue;
     dots += dot(at, kDot_m, "claim");
     last = at;
   }
@@ -72,22 +82,27 @@ std::string wrong_claims(const ChallengeRun& run) {
 }
 
 std::string picture(const BuildingRuns& building, const std::string& content) {
-  return "<svg " + view_box_of(*building.map) + "><use href=\"#" + building.building.id + "\"/>" + content + "</svg>";
+  return "<svg " + view_box_of(*building.map) + "><use href=\"#" + building.building.id + "\"/>" + content +
+         "</svg>";
 }
 
 }  // namespace
 
 std::string outline_symbol(const BuildingRuns& building) {
   std::string walls, unseen;
-  for (const MapFeature& feature : building.map->features()) (feature.sensor.empty() ? unseen : walls) += path_of(feature.geometry);
-  return "<g id=\"" + building.building.id + "\"><path class=\"unseen\" d=\"" + unseen + "\"/><path class=\"wall\" d=\"" + walls + "\"/></g>\n";
+  for (const MapFeature& feature : building.map->features())
+    (feature.sensor.empty() ? unseen : walls) += path_of(feature.geometry);
+  return "<g id=\"" + building.building.id + "\"><path class=\"unseen\" d=\"" + unseen +
+         "\"/><path class=\"wall\" d=\"" + walls + "\"/></g>\n";
 }
 
 std::string ways_picture(const BuildingRuns& building, const std::string& contender) {
   std::vector<const ChallengeRun*> runs;
   for (const ChallengeRun& run : building.runs)
     if (run.contender == contender) runs.push_back(&run);
-  std::stable_sort(runs.begin(), runs.end(), [](const ChallengeRun* a, const ChallengeRun* b) { return outcome_of(*a) < outcome_of(*b); });
+  std::stable_sort(runs.begin(), runs.end(), [](const ChallengeRun* a, const ChallengeRun* b) {
+    return outcome_of(*a) < outcome_of(*b);
+  });
   std::string content;
   for (const ChallengeRun* run : runs) content += way_of(*run) + wrong_claims(*run);
   return picture(building, content);
@@ -96,8 +111,10 @@ std::string ways_picture(const BuildingRuns& building, const std::string& conten
 std::string run_picture(const BuildingRuns& building, const ChallengeRun& run) {
   constexpr double kDot_m = 0.4;
   if (run.moments.empty()) return picture(building, "");
-  std::string content = way_of(run) + wrong_claims(run) + dot(run.moments.front().truth.position(), kDot_m, "start");
-  if (const Moment& last = run.moments.back(); last.has_pose) content += dot(last.estimate.position(), kDot_m, "believed");
+  std::string content =
+      way_of(run) + wrong_claims(run) + dot(run.moments.front().truth.position(), kDot_m, "start");
+  if (const Moment& last = run.moments.back(); last.has_pose)
+    content += dot(last.estimate.position(), kDot_m, "believed");
   return picture(building, content);
 }
 

@@ -26,15 +26,18 @@ double first_time_s(const ChallengeRun& run, bool (*holds)(const Moment&)) {
   return moment == run.moments.end() ? kNever : moment->time_s;
 }
 
-std::vector<simulation::Challenge> chosen(const simulation::SuiteBuilding& building, const std::vector<std::string>& ids) {
+std::vector<simulation::Challenge> chosen(const simulation::SuiteBuilding& building,
+                                          const std::vector<std::string>& ids) {
   std::vector<simulation::Challenge> all = challenges_in(building);
   if (!ids.empty())
-    std::erase_if(all, [&](const auto& challenge) { return std::find(ids.begin(), ids.end(), challenge.id) == ids.end(); });
+    std::erase_if(all, [&](const auto& challenge) {
+      return std::find(ids.begin(), ids.end(), challenge.id) == ids.end();
+    });
   return all;
 }
 
-void keep(const BuildingRuns& in, const simulation::Challenge& challenge, int seed, const simulation::Recording& recording,
-          const std::string& folder) {
+void keep(const BuildingRuns& in, const simulation::Challenge& challenge, int seed,
+          const simulation::Recording& recording, const std::string& folder) {
   const std::string name = in.building.id + "_" + challenge.id + "_" + std::to_string(seed);
   const std::string prefix = (std::filesystem::path(folder) / name).string();
   simulation::write_recording(recording, prefix, name);
@@ -45,10 +48,14 @@ void keep(const BuildingRuns& in, const simulation::Challenge& challenge, int se
 
 const char* name_of(Outcome outcome) {
   switch (outcome) {
-    case Outcome::localized: return "localized";
-    case Outcome::unsure: return "unsure";
-    case Outcome::unknown: return "unknown";
-    case Outcome::wrong: break;
+    case Outcome::localized:
+      return "localized";
+    case Outcome::unsure:
+      return "unsure";
+    case Outcome::unknown:
+      return "unknown";
+    case Outcome::wrong:
+      break;
   }
   return "wrong";
 }
@@ -64,15 +71,18 @@ double localized_after_s(const ChallengeRun& run) {
 }
 
 double wrong_after_s(const ChallengeRun& run) {
-  return first_time_s(run, [](const Moment& moment) { return moment.localized() && moment.error_m() > kRight_m; });
+  return first_time_s(run,
+                      [](const Moment& moment) { return moment.localized() && moment.error_m() > kRight_m; });
 }
 
-BuildingRuns run_building(const simulation::SuiteBuilding& building, const PluginRegistry& registry, const BuildingsOptions& options) {
+BuildingRuns run_building(const simulation::SuiteBuilding& building, const PluginRegistry& registry,
+                          const BuildingsOptions& options) {
   const double start_s = thread_cpu_s();
   BuildingRuns done{building, generate_building(building.request).map, {}, 0};
   for (const simulation::Challenge& challenge : chosen(building, options.challenges))
     for (int seed = 1; seed <= options.seeds; ++seed) {
-      const auto driven = drive(challenge, done.map, thesis_robot(), options.duration_s, static_cast<std::uint64_t>(seed));
+      const auto driven =
+          drive(challenge, done.map, thesis_robot(), options.duration_s, static_cast<std::uint64_t>(seed));
       if (!options.recordings.empty()) keep(done, challenge, seed, driven.recording, options.recordings);
       for (const Contender& contender : options.contenders) {
         ChallengeRun run = run_challenge(contender, registry, done.map, driven);

@@ -13,12 +13,14 @@ namespace opal::experiments {
 enum class Outcome {
   localized,  ///< the best hypothesis is right up to the end, and was vouched for
   unsure,     ///< it is right up to the end, and never was
-  unknown,    ///< it is not right at the end, and no wrong one was vouched for: honest, as it must be where places are alike
+  unknown,    ///< it is not right at the end, and no wrong one was vouched for: honest, as it must be where
+              ///< places are alike
   wrong       ///< a pose more than 1 m off was vouched for at some time
 };
 const char* name_of(Outcome outcome);
 Outcome outcome_of(const ChallengeRun& run);
-/// Since the start until the first pose that was vouched for, and until the first that was so wrongly [s]; kNever.
+/// Since the start until the first pose that was vouched for, and until the first that was so wrongly [s];
+/// kNever.
 double localized_after_s(const ChallengeRun& run);
 double wrong_after_s(const ChallengeRun& run);
 
@@ -38,6 +40,7 @@ struct BuildingsOptions {
   std::string recordings;  ///< folder for recordings of all runs, as opal bench takes them; empty: none
 };
 
-BuildingRuns run_building(const simulation::SuiteBuilding& building, const PluginRegistry& registry, const BuildingsOptions& options);
+BuildingRuns run_building(const simulation::SuiteBuilding& building, const PluginRegistry& registry,
+                          const BuildingsOptions& options);
 
 }  // namespace opal::experiments

@@ -8,7 +8,8 @@
 namespace opal::experiments {
 namespace {
 
-/// Variance of the share as the spread between buildings tells it, over that of independent trials; at least 1.
+/// Variance of the share as the spread between buildings tells it, over that of independent trials; at
+/// least 1.
 double design_effect(std::span<const Tally> buildings, double share, double whole) {
   const double independent = share * (1 - share) / whole;
   if (buildings.size() < 2 || independent <= 0) return 1;

@@ -18,12 +18,12 @@ struct BuildingShare {
   Interval within{0, 1};
 };
 
-/// Wilson's interval (1927) for as many independent trials as tell as much as these do: their number over the design
-/// effect of buildings (Rao and Scott 1992). Without any trial: share 0, interval 0 to 1.
+/// Wilson's interval (1927) for as many independent trials as tell as much as these do: their number over the
+/// design effect of buildings (Rao and Scott 1992). Without any trial: share 0, interval 0 to 1.
 BuildingShare share_over(std::span<const Tally> buildings);
 
-/// A median with its 95 % interval, by drawing whole buildings again (cluster bootstrap, 1000 times, always the same); in a
-/// single building, between order statistics of its runs.
+/// A median with its 95 % interval, by drawing whole buildings again (cluster bootstrap, 1000 times, always
+/// the same); in a single building, between order statistics of its runs.
 struct BuildingMedian {
   double median = 0;  ///< kNever if there is no value, or most are never
   Interval within;

@@ -29,7 +29,8 @@ i.localized{background:#009e73}i.unsure{background:#0072b2}i.unknown{background:
 )";
 
 constexpr const char* kMeaning =
-    "<p><i class=localized></i>localized: the best hypothesis is right (within 1 m) up to the end, and was vouched for"
+    "<p><i class=localized></i>localized: the best hypothesis is right (within 1 m) up to the end, and was "
+    "vouched for"
     "<i class=unsure></i>unsure: right up to the end, never vouched for"
     "<i class=unknown></i>unknown: not right at the end, and nothing wrong was vouched for"
     "<i class=wrong></i>wrong: a pose more than 1 m off was vouched for at some time</p>\n";
@@ -41,7 +42,8 @@ Shares outcomes_in(const BuildingsExperiment& experiment, const BuildingGroup& g
   for (const BuildingRuns& building : experiment.buildings) {
     if (!group.kind.empty() && group.kind != building.building.request.kind) continue;
     if (group.difficulty && *group.difficulty != building.building.difficulty) continue;
-    for (const ChallengeRun& run : building.runs) counts[static_cast<std::size_t>(outcome_of(run))] += run.contender == group.contender;
+    for (const ChallengeRun& run : building.runs)
+      counts[static_cast<std::size_t>(outcome_of(run))] += run.contender == group.contender;
   }
   return counts;
 }
@@ -49,20 +51,24 @@ Shares outcomes_in(const BuildingsExperiment& experiment, const BuildingGroup& g
 std::string bar_of(const Shares& counts) {
   std::string bar = "<div class=bar>";
   for (Outcome outcome : kOutcomes) {
-    const std::string count = std::to_string(counts[static_cast<std::size_t>(outcome)]), name = name_of(outcome);
-    if (count != "0") bar += "<i class=" + name + " style=\"flex:" + count + "\" title=\"" + name + ": " + count + "\"></i>";
+    const std::string count = std::to_string(counts[static_cast<std::size_t>(outcome)]),
+                      name = name_of(outcome);
+    if (count != "0")
+      bar += "<i class=" + name + " style=\"flex:" + count + "\" title=\"" + name + ": " + count + "\"></i>";
   }
   return bar + "</div>";
 }
 
 std::string cell(const BuildingShare& share) {
   char text[96];
-  std::snprintf(text, sizeof text, "<td>%.1f <small>(%.1f to %.1f)</small></td>", 100 * share.share, 100 * share.within.low, 100 * share.within.high);
+  std::snprintf(text, sizeof text, "<td>%.1f <small>(%.1f to %.1f)</small></td>", 100 * share.share,
+                100 * share.within.low, 100 * share.within.high);
   return text;
 }
 
 std::string cell(const BuildingMedian& found) {
-  return "<td>" + number(found.median, 1) + " <small>(" + number(found.within.low, 1) + " to " + number(found.within.high, 1) + ")</small></td>";
+  return "<td>" + number(found.median, 1) + " <small>(" + number(found.within.low, 1) + " to " +
+         number(found.within.high, 1) + ")</small></td>";
 }
 
 std::string groups_of(const BuildingsExperiment& experiment) {
@@ -71,24 +77,31 @@ std::string groups_of(const BuildingsExperiment& experiment) {
   for (const BuildingGroup& group : experiment.groups) {
     if (!contender || *contender != group.contender)
       html += std::string(contender ? "</table>\n" : "") + "<h2>" + escaped(group.contender) +
-              "</h2>\n<table><tr><th>buildings<th>outcomes<th>buildings<th>runs<th>success %<th>localized, right %<th>vouched wrongly %"
+              "</h2>\n<table><tr><th>buildings<th>outcomes<th>buildings<th>runs<th>success %<th>localized, "
+              "right %<th>vouched wrongly %"
               "<th>honestly unknown %<th>m to localized<th>s to localized<th>CPU ms</tr>\n";
     contender = &group.contender;
-    html += "<tr><td>" + group.name() + "</td><td>" + bar_of(outcomes_in(experiment, group)) + "</td><td>" + std::to_string(group.buildings) +
-            "</td><td>" + std::to_string(group.runs) + "</td>" + cell(group.success) + cell(group.localized) + cell(group.wrong) +
-            cell(group.unknown) + cell(group.localized_after_m) + cell(group.localized_after_s) + "<td>" + number(group.cpu_ms, 2) + "</td></tr>\n";
+    html += "<tr><td>" + group.name() + "</td><td>" + bar_of(outcomes_in(experiment, group)) + "</td><td>" +
+            std::to_string(group.buildings) + "</td><td>" + std::to_string(group.runs) + "</td>" +
+            cell(group.success) + cell(group.localized) + cell(group.wrong) + cell(group.unknown) +
+            cell(group.localized_after_m) + cell(group.localized_after_s) + "<td>" + number(group.cpu_ms, 2) +
+            "</td></tr>\n";
   }
   return html + (contender ? "</table>\n" : "");
 }
 
 std::string sentence_about(const ChallengeRun& run) {
   const Moment& last = run.moments.back();
-  std::string text = run.challenge + " (seed " + std::to_string(run.seed) + ", " + run.contender + "): " + name_of(outcome_of(run));
+  std::string text = run.challenge + " (seed " + std::to_string(run.seed) + ", " + run.contender +
+                     "): " + name_of(outcome_of(run));
   if (run.false_rows > 0)
-    text += "; vouched wrongly for " + std::to_string(run.false_rows) + " of " + std::to_string(run.moments.size()) + " scans, first after " +
-            number(wrong_after_s(run), 1) + " s";
+    text += "; vouched wrongly for " + std::to_string(run.false_rows) + " of " +
+            std::to_string(run.moments.size()) + " scans, first after " + number(wrong_after_s(run), 1) +
+            " s";
   if (run.localized_after_m >= 0) text += "; localized after " + number(run.localized_after_m, 1) + " m";
-  return text + "; at the end " + (last.has_pose ? number(last.error_m(), 1) + " m off" : "no pose") + ", " + std::to_string(last.hypotheses) + " hypotheses; the truth has probability " + number(run.truth_probability, 2);
+  return text + "; at the end " + (last.has_pose ? number(last.error_m(), 1) + " m off" : "no pose") + ", " +
+         std::to_string(last.hypotheses) + " hypotheses; the truth has probability " +
+         number(run.truth_probability, 2);
 }
 
 struct Failure {
@@ -101,7 +114,9 @@ std::vector<Failure> failures_of(const BuildingsExperiment& experiment) {
   for (const BuildingRuns& building : experiment.buildings)
     for (const ChallengeRun& run : building.runs)
       if (outcome_of(run) != Outcome::localized) failures.push_back({&building, &run});
-  std::stable_sort(failures.begin(), failures.end(), [](const Failure& a, const Failure& b) { return outcome_of(*a.run) > outcome_of(*b.run); });
+  std::stable_sort(failures.begin(), failures.end(), [](const Failure& a, const Failure& b) {
+    return outcome_of(*a.run) > outcome_of(*b.run);
+  });
   return failures;
 }
 
@@ -112,14 +127,19 @@ std::string figure(const std::string& picture, const std::string& caption) {
 std::string failures_html(const BuildingsExperiment& experiment) {
   constexpr std::size_t kMost = 200;
   const std::vector<Failure> failures = failures_of(experiment);
-  std::string html = "<h2>Runs that were not localized, or were so wrongly: " + std::to_string(failures.size()) + "</h2>\n" +
-                     (failures.size() > kMost ? "<p>The first " + std::to_string(kMost) + " of them.</p>\n" : std::string()) +
-                     "<p>The way in truth from the green dot on; orange-red dots: wrong poses that were vouched for; black ring: what is "
-                     "believed at the end. <code>--record</code> keeps the recording for <code>opal bench</code>, <code>localize</code> and "
-                     "<code>view</code>.</p>\n<div class=many style=\"--w:24rem\">";
+  std::string html =
+      "<h2>Runs that were not localized, or were so wrongly: " + std::to_string(failures.size()) + "</h2>\n" +
+      (failures.size() > kMost ? "<p>The first " + std::to_string(kMost) + " of them.</p>\n"
+                               : std::string()) +
+      "<p>The way in truth from the green dot on; orange-red dots: wrong poses that were vouched for; black "
+      "ring: what is "
+      "believed at the end. <code>--record</code> keeps the recording for <code>opal bench</code>, "
+      "<code>localize</code> and "
+      "<code>view</code>.</p>\n<div class=many style=\"--w:24rem\">";
   for (std::size_t k = 0; k < std::min(kMost, failures.size()); ++k)
     html += figure(run_picture(*failures[k].building, *failures[k].run),
-                   failures[k].building->building.id + " " + escaped(sentence_about(*failures[k].run)) + "<br><code>" +
+                   failures[k].building->building.id + " " + escaped(sentence_about(*failures[k].run)) +
+                       "<br><code>" +
                        escaped(command_for(experiment, *failures[k].building, *failures[k].run)) + "</code>");
   return html + "</div>\n";
 }
@@ -129,8 +149,9 @@ std::string buildings_html(const BuildingsExperiment& experiment) {
   const std::string contender = experiment.groups.empty() ? "" : experiment.groups.front().contender;
   for (const BuildingRuns& building : experiment.buildings)
     html += figure(ways_picture(building, contender),
-                   building.building.id + ": " + number(building.building.request.size_m2, 0) + " m², symmetry " +
-                       number(building.building.request.symmetry, 2) + ", clutter " + number(building.building.clutter, 2));
+                   building.building.id + ": " + number(building.building.request.size_m2, 0) +
+                       " m², symmetry " + number(building.building.request.symmetry, 2) + ", clutter " +
+                       number(building.building.clutter, 2));
   return html + "</div>\n";
 }
 
@@ -139,9 +160,11 @@ std::string buildings_html(const BuildingsExperiment& experiment) {
 std::string buildings_page(const BuildingsExperiment& experiment) {
   std::string symbols;
   for (const BuildingRuns& building : experiment.buildings) symbols += outline_symbol(building);
-  return std::string("<!doctype html><html lang=en><meta charset=utf-8><title>Many buildings</title><style>") + kStyle +
-         "</style>\n<svg style=\"position:absolute;width:0;height:0\"><defs>" + symbols + "</defs></svg>\n<h1>Many buildings</h1>\n<p><code>" +
-         escaped(experiment.command) + "</code>; intervals are 95 %, over buildings</p>\n" + kMeaning + groups_of(experiment) +
+  return std::string(
+             "<!doctype html><html lang=en><meta charset=utf-8><title>Many buildings</title><style>") +
+         kStyle + "</style>\n<svg style=\"position:absolute;width:0;height:0\"><defs>" + symbols +
+         "</defs></svg>\n<h1>Many buildings</h1>\n<p><code>" + escaped(experiment.command) +
+         "</code>; intervals are 95 %, over buildings</p>\n" + kMeaning + groups_of(experiment) +
          failures_html(experiment) + buildings_html(experiment) + "</html>\n";
 }
 

@@ -13,25 +13,30 @@ using nlohmann::ordered_json;
 
 std::string in_percent(const BuildingShare& share) {
   char text[48];
-  std::snprintf(text, sizeof text, "%.1f (%.1f to %.1f)", 100 * share.share, 100 * share.within.low, 100 * share.within.high);
+  std::snprintf(text, sizeof text, "%.1f (%.1f to %.1f)", 100 * share.share, 100 * share.within.low,
+                100 * share.within.high);
   return text;
 }
 
 std::string with_interval(const BuildingMedian& found) {
-  return number(found.median, 1) + " (" + number(found.within.low, 1) + " to " + number(found.within.high, 1) + ")";
+  return number(found.median, 1) + " (" + number(found.within.low, 1) + " to " +
+         number(found.within.high, 1) + ")";
 }
 
 std::string row_of(const BuildingGroup& group) {
   char text[240];
-  std::snprintf(text, sizeof text, "%-27s%5zu%6zu  %-23s %-23s %-23s %-23s %-20s %-20s %6.2f\n", group.name().c_str(), group.buildings, group.runs,
-                in_percent(group.success).c_str(), in_percent(group.localized).c_str(), in_percent(group.wrong).c_str(),
+  std::snprintf(text, sizeof text, "%-27s%5zu%6zu  %-23s %-23s %-23s %-23s %-20s %-20s %6.2f\n",
+                group.name().c_str(), group.buildings, group.runs, in_percent(group.success).c_str(),
+                in_percent(group.localized).c_str(), in_percent(group.wrong).c_str(),
                 in_percent(group.unknown).c_str(), with_interval(group.localized_after_m).c_str(),
                 with_interval(group.localized_after_s).c_str(), group.cpu_ms);
   return text;
 }
 
 /// JSON knows no infinity: what never was is null.
-ordered_json number_or_null(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+ordered_json number_or_null(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
 ordered_json metres_or_null(double value) { return value < 0 ? ordered_json(nullptr) : ordered_json(value); }
 
 ordered_json to_json(const BuildingShare& share) {
@@ -39,7 +44,9 @@ ordered_json to_json(const BuildingShare& share) {
 }
 
 ordered_json to_json(const BuildingMedian& found) {
-  return {{"median", number_or_null(found.median)}, {"low", number_or_null(found.within.low)}, {"high", number_or_null(found.within.high)}};
+  return {{"median", number_or_null(found.median)},
+          {"low", number_or_null(found.within.low)},
+          {"high", number_or_null(found.within.high)}};
 }
 
 ordered_json to_json(const BuildingGroup& group) {
@@ -80,9 +87,15 @@ ordered_json to_json(const ChallengeRun& run) {
 
 ordered_json to_json(const BuildingRuns& done) {
   const auto& request = done.building.request;
-  ordered_json json = {{"id", done.building.id},         {"kind", request.kind},         {"seed", request.seed},
-                       {"size_m2", request.size_m2},     {"symmetry", request.symmetry}, {"clutter", done.building.clutter},
-                       {"difficulty", done.building.difficulty}, {"cpu_s", done.cpu_s},  {"runs", ordered_json::array()}};
+  ordered_json json = {{"id", done.building.id},
+                       {"kind", request.kind},
+                       {"seed", request.seed},
+                       {"size_m2", request.size_m2},
+                       {"symmetry", request.symmetry},
+                       {"clutter", done.building.clutter},
+                       {"difficulty", done.building.difficulty},
+                       {"cpu_s", done.cpu_s},
+                       {"runs", ordered_json::array()}};
   for (const ChallengeRun& run : done.runs) json["runs"].push_back(to_json(run));
   return json;
 }
@@ -95,8 +108,9 @@ std::string buildings_table(const BuildingsExperiment& experiment) {
   for (const BuildingGroup& group : experiment.groups) {
     if (!contender || *contender != group.contender) {
       char head[240];
-      std::snprintf(head, sizeof head, "%s%s\n%-27s%5s%6s  %-23s %-23s %-23s %-23s %-20s %-20s %6s\n", contender ? "\n" : "", group.contender.c_str(), "",
-                    "bldgs", "runs", "success %", "localized, right %", "vouched wrongly %", "honestly unknown %", "m to localized",
+      std::snprintf(head, sizeof head, "%s%s\n%-27s%5s%6s  %-23s %-23s %-23s %-23s %-20s %-20s %6s\n",
+                    contender ? "\n" : "", group.contender.c_str(), "", "bldgs", "runs", "success %",
+                    "localized, right %", "vouched wrongly %", "honestly unknown %", "m to localized",
                     "s to localized", "ms");
       table += head;
     }
@@ -107,13 +121,17 @@ std::string buildings_table(const BuildingsExperiment& experiment) {
 }
 
 nlohmann::ordered_json to_json(const BuildingsExperiment& experiment) {
-  ordered_json json = {{"experiment", "buildings"}, {"command", experiment.command}, {"groups", ordered_json::array()}, {"buildings", ordered_json::array()}};
+  ordered_json json = {{"experiment", "buildings"},
+                       {"command", experiment.command},
+                       {"groups", ordered_json::array()},
+                       {"buildings", ordered_json::array()}};
   for (const BuildingGroup& group : experiment.groups) json["groups"].push_back(to_json(group));
   for (const BuildingRuns& building : experiment.buildings) json["buildings"].push_back(to_json(building));
   return json;
 }
 
-std::string command_for(const BuildingsExperiment& experiment, const BuildingRuns& building, const ChallengeRun& run) {
+std::string command_for(const BuildingsExperiment& experiment, const BuildingRuns& building,
+                        const ChallengeRun& run) {
   return experiment.run_command + " --building " + building.building.id + " --challenge " + run.challenge;
 }
 

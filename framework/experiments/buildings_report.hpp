@@ -17,10 +17,12 @@ struct BuildingsExperiment {
 /// For a terminal: a row per group, shares in percent with their 95 % intervals.
 std::string buildings_table(const BuildingsExperiment& experiment);
 
-/// Groups, buildings and runs. Everything is the same whenever and wherever it is run, but for keys that begin with "cpu_".
+/// Groups, buildings and runs. Everything is the same whenever and wherever it is run, but for keys that
+/// begin with "cpu_".
 nlohmann::ordered_json to_json(const BuildingsExperiment& experiment);
 
 /// The command that runs one challenge in one building alone.
-std::string command_for(const BuildingsExperiment& experiment, const BuildingRuns& building, const ChallengeRun& run);
+std::string command_for(const BuildingsExperiment& experiment, const BuildingRuns& building,
+                        const ChallengeRun& run);
 
 }  // namespace opal::experiments

@@ -17,9 +17,11 @@ void reuse_address_only(socket_t socket) {
 
 int bind_to_loopback(httplib::Server& server, int port, const std::string& advice) {
   server.set_socket_options(reuse_address_only);
-  if (port == 0) port = server.bind_to_any_port(kLoopback);
+  if (port == 0)
+    port = server.bind_to_any_port(kLoopback);
   else if (!server.bind_to_port(kLoopback, port))
-    throw Error(std::string(kLoopback) + ":" + std::to_string(port) + ": cannot be listened on, most likely another program does; " + advice);
+    throw Error(std::string(kLoopback) + ":" + std::to_string(port) +
+                ": cannot be listened on, most likely another program does; " + advice);
   if (port < 0) throw Error(std::string(kLoopback) + ": no port is free");
   return port;
 }

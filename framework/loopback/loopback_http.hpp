@@ -14,8 +14,8 @@ constexpr const char* kLoopback = "127.0.0.1";
 /// @return the port. @throws Error if it cannot be had.
 int bind_to_loopback(httplib::Server& server, int port, const std::string& advice);
 
-/// Whether a request names this machine and does not come from a web page elsewhere, which may have its own name point
-/// here (DNS rebinding).
+/// Whether a request names this machine and does not come from a web page elsewhere, which may have its own
+/// name point here (DNS rebinding).
 bool is_from_here(const httplib::Request& request, int port);
 
 /// Tells the runs of a server apart.

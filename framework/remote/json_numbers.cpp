@@ -8,7 +8,8 @@ using nlohmann::json;
 
 std::vector<double> numbers_in(ConfigObject& object, const std::string& key, std::size_t count) {
   const json& list = object.any(key);
-  const bool numbers = list.is_array() && list.size() == count && std::all_of(list.begin(), list.end(), [](const json& one) { return one.is_number(); });
+  const bool numbers = list.is_array() && list.size() == count &&
+                       std::all_of(list.begin(), list.end(), [](const json& one) { return one.is_number(); });
   if (!numbers) object.refuse(key, std::to_string(count) + " numbers");
   return list.get<std::vector<double>>();
 }
@@ -32,7 +33,9 @@ struct Member {
   json operator()(const OrientedPoint& p) const {
     return {{"oriented_point", {p.position.x(), p.position.y(), p.heading_rad, p.opening_rad}}};
   }
-  json operator()(const Segment& s) const { return {{"segment", {s.begin.x(), s.begin.y(), s.end.x(), s.end.y()}}}; }
+  json operator()(const Segment& s) const {
+    return {{"segment", {s.begin.x(), s.begin.y(), s.end.x(), s.end.y()}}};
+  }
   json operator()(const Circle& c) const { return {{"circle", {c.center.x(), c.center.y(), c.radius_m}}}; }
 };
 

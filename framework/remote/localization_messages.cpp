@@ -30,10 +30,12 @@ float range_from(const json& value) {
 
 std::vector<float> ranges_in(ConfigObject& object) {
   const json& list = object.any("ranges_m");
-  if (!list.is_array() || list.size() > kMostBeams) object.refuse("ranges_m", "a list of at most " + std::to_string(kMostBeams) + " ranges");
+  if (!list.is_array() || list.size() > kMostBeams)
+    object.refuse("ranges_m", "a list of at most " + std::to_string(kMostBeams) + " ranges");
   std::vector<float> ranges;
   for (const json& range : list) {
-    if (!range.is_number() && !range.is_null()) object.refuse("ranges_m", "numbers, or null for a beam that read nothing");
+    if (!range.is_number() && !range.is_null())
+      object.refuse("ranges_m", "numbers, or null for a beam that read nothing");
     ranges.push_back(range_from(range));
   }
   return ranges;
@@ -60,7 +62,8 @@ PoseEstimate estimate_in(ConfigObject& object) {
   auto rivals = object.list("rivals");
   if (!rivals) object.refuse("rivals", "a list");
   for (ConfigObject& rival : *rivals) {
-    estimate.rivals.push_back({rival.integer("hypothesis", -1, {-1, 2e9}), pose_in(rival, "T_map_base"), number_in(rival, "probability", kShare)});
+    estimate.rivals.push_back({rival.integer("hypothesis", -1, {-1, 2e9}), pose_in(rival, "T_map_base"),
+                               number_in(rival, "probability", kShare)});
     rival.expect_no_more();
   }
   return estimate;
@@ -69,10 +72,14 @@ PoseEstimate estimate_in(ConfigObject& object) {
 }  // namespace
 
 json to_json(const LaserModel& laser) {
-  return {{"angle_min_rad", laser.angle_min_rad}, {"angle_increment_rad", laser.angle_increment_rad},
-          {"beams", laser.beams},                 {"range_min_m", laser.range_min_m},
-          {"range_max_m", laser.range_max_m},     {"no_return_m", laser.no_return_m},
-          {"range_sigma_m", laser.range_sigma_m}, {"T_base_laser", to_json(laser.T_base_laser)}};
+  return {{"angle_min_rad", laser.angle_min_rad},
+          {"angle_increment_rad", laser.angle_increment_rad},
+          {"beams", laser.beams},
+          {"range_min_m", laser.range_min_m},
+          {"range_max_m", laser.range_max_m},
+          {"no_return_m", laser.no_return_m},
+          {"range_sigma_m", laser.range_sigma_m},
+          {"T_base_laser", to_json(laser.T_base_laser)}};
 }
 
 LaserModel laser_from(const json& message) {
@@ -116,10 +123,14 @@ json to_json(const Answer& answer) {
   const PoseEstimate& said = answer.estimate;
   json rivals = json::array(), pattern = json::array();
   for (const PoseEstimate::Rival& rival : said.rivals)
-    rivals.push_back({{"hypothesis", rival.hypothesis}, {"T_map_base", to_json(rival.T_map_base)}, {"probability", rival.probability}});
+    rivals.push_back({{"hypothesis", rival.hypothesis},
+                      {"T_map_base", to_json(rival.T_map_base)},
+                      {"probability", rival.probability}});
   for (const Geometry& geometry : answer.pattern) pattern.push_back(to_json(geometry));
-  return {{"stamp_s", said.stamp_s},         {"status", name_of(said.status)}, {"has_pose", said.has_pose}, {"T_map_base", to_json(said.T_map_base)},
-          {"probability", said.probability}, {"none", said.none},              {"hypotheses", said.hypotheses}, {"best", said.best},
+  return {{"stamp_s", said.stamp_s},         {"status", name_of(said.status)},
+          {"has_pose", said.has_pose},       {"T_map_base", to_json(said.T_map_base)},
+          {"probability", said.probability}, {"none", said.none},
+          {"hypotheses", said.hypotheses},   {"best", said.best},
           {"rivals", std::move(rivals)},     {"pattern", std::move(pattern)}};
 }
 

@@ -9,9 +9,9 @@
 
 namespace opal::remote {
 
-/// What a robot and the program that localizes it say to each other: docs/drive.md. JSON; metres, radians, seconds; a pose is
-/// [x, y, heading]. Whoever reads takes nothing for granted: an unknown key, a value of another type, a number that is
-/// not finite, and too many of anything are errors.
+/// What a robot and the program that localizes it say to each other: docs/drive.md. JSON; metres, radians,
+/// seconds; a pose is [x, y, heading]. Whoever reads takes nothing for granted: an unknown key, a value of
+/// another type, a number that is not finite, and too many of anything are errors.
 constexpr int kProtocol = 1;
 constexpr std::size_t kMostBytes = 4u << 20;  ///< of a message, the map apart
 

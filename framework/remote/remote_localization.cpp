@@ -28,20 +28,29 @@ class StartedAnew : public NoAnswer {
 std::pair<std::string, int> host_and_port(const std::string& address) {
   const std::size_t colon = address.rfind(':');
   int port = 0;
-  if (colon != std::string::npos) std::from_chars(address.data() + colon + 1, address.data() + address.size(), port);
-  if (port < 1 || port > 65535) throw ConfigError("'" + address + "': expected HOST:PORT, e.g. 127.0.0.1:8714");
+  if (colon != std::string::npos)
+    std::from_chars(address.data() + colon + 1, address.data() + address.size(), port);
+  if (port < 1 || port > 65535)
+    throw ConfigError("'" + address + "': expected HOST:PORT, e.g. 127.0.0.1:8714");
   return {address.substr(0, colon), port};
 }
 
-std::chrono::microseconds in_microseconds(double seconds) { return std::chrono::microseconds(static_cast<std::int64_t>(1e6 * seconds)); }
+std::chrono::microseconds in_microseconds(double seconds) {
+  return std::chrono::microseconds(static_cast<std::int64_t>(1e6 * seconds));
+}
 
-std::string first_line(const std::string& text) { return text.substr(0, std::min<std::size_t>(text.find('\n'), 300)); }
+std::string first_line(const std::string& text) {
+  return text.substr(0, std::min<std::size_t>(text.find('\n'), 300));
+}
 
 }  // namespace
 
 struct RemoteLocalization::Implementation {
   Implementation(std::string where, const LaserModel& laser_model, const RemoteOptions& remote_options)
-      : address(std::move(where)), laser(laser_model), options(remote_options), client(host_and_port(address).first, host_and_port(address).second) {
+      : address(std::move(where)),
+        laser(laser_model),
+        options(remote_options),
+        client(host_and_port(address).first, host_and_port(address).second) {
     client.set_keep_alive(true);
     client.set_tcp_nodelay(true);
   }
@@ -65,11 +74,15 @@ struct RemoteLocalization::Implementation {
   Answer answer;
 };
 
-json RemoteLocalization::Implementation::expect_json(const httplib::Result& result, std::size_t most_bytes) const {
-  if (!result) throw NoAnswer(address + ": no answer (" + httplib::to_string(result.error()) + "), expected the program that localizes (opal serve)");
+json RemoteLocalization::Implementation::expect_json(const httplib::Result& result,
+                                                     std::size_t most_bytes) const {
+  if (!result)
+    throw NoAnswer(address + ": no answer (" + httplib::to_string(result.error()) +
+                   "), expected the program that localizes (opal serve)");
   if (result->status >= 500) throw NoAnswer(address + ": " + first_line(result->body));
   if (result->status == 409) refuse_usurped(*result);
-  if (result->status != 200) throw Error(address + ": " + std::to_string(result->status) + " " + first_line(result->body));
+  if (result->status != 200)
+    throw Error(address + ": " + std::to_string(result->status) + " " + first_line(result->body));
   JsonLimits limits;
   limits.bytes = most_bytes;
   return parse_json(result->body, address, limits);
@@ -122,7 +135,8 @@ void RemoteLocalization::Implementation::ask(const RawScan& raw) try {
   trouble = address + ": " + error.what();
 }
 
-RemoteLocalization::RemoteLocalization(const std::string& address, const LaserModel& laser, const RemoteOptions& options)
+RemoteLocalization::RemoteLocalization(const std::string& address, const LaserModel& laser,
+                                       const RemoteOptions& options)
     : implementation_(std::make_unique<Implementation>(address, laser, options)) {
   implementation_->get_map();
 }

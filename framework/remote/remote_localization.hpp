@@ -8,17 +8,19 @@
 namespace opal::remote {
 
 struct RemoteOptions {
-  double timeout_s = 2;    ///< for an answer to a scan; then localization counts as away, and is asked again at the next one
-  double begin_s = 60;     ///< for the map, and for the beginning of a drive: a large map takes time
+  double timeout_s =
+      2;  ///< for an answer to a scan; then localization counts as away, and is asked again at the next one
+  double begin_s = 60;  ///< for the map, and for the beginning of a drive: a large map takes time
 };
 
-/// Localization that is another program (localization_server.hpp). When it does not answer, or with something that cannot be
-/// understood, `answers()` is false and `trouble()` says why; when it comes back, the drive goes on, if need be as one that
-/// has just begun.
+/// Localization that is another program (localization_server.hpp). When it does not answer, or with something
+/// that cannot be understood, `answers()` is false and `trouble()` says why; when it comes back, the drive
+/// goes on, if need be as one that has just begun.
 class RemoteLocalization : public behaviours::Localization {
  public:
   /// Gets the map. @param address  HOST:PORT.
-  /// @throws Error naming the address if nobody answers, if it speaks another version, or the map cannot be used.
+  /// @throws Error naming the address if nobody answers, if it speaks another version, or the map cannot be
+  /// used.
   RemoteLocalization(const std::string& address, const LaserModel& laser, const RemoteOptions& options = {});
   ~RemoteLocalization() override;
 

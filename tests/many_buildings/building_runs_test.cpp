@@ -102,7 +102,8 @@ TEST_CASE("the page shows every building, and how to run again what failed") {
   BuildingsExperiment done = experiment(2, false);
   done.buildings[1].runs[0] = run_of({moment(0, 7, true), moment(1, 7, true)});
   const std::string page = buildings_page(done);
-  for (const BuildingRuns& building : done.buildings) CHECK_THAT(page, Catch::Contains("<g id=\"" + building.building.id + "\""));
+  for (const BuildingRuns& building : done.buildings)
+    CHECK_THAT(page, Catch::Contains("<g id=\"" + building.building.id + "\""));
   CHECK_THAT(page, Catch::Contains("--building " + done.buildings[1].building.id + " --challenge B1"));
   CHECK_THAT(page, Catch::Contains("class=\"claim\""));
 }

@@ -9,9 +9,9 @@
 #include <opal/error.hpp>
 
 #include <arpa/inet.h>
-#include <catch2/catch.hpp>
 #include <sys/socket.h>
 #include <unistd.h>
+#include <catch2/catch.hpp>
 
 #include <thread>
 
@@ -45,7 +45,9 @@ class RawConnection {
   ~RawConnection() { ::close(socket_); }
   RawConnection(const RawConnection&) = delete;
   RawConnection& operator=(const RawConnection&) = delete;
-  void say(const std::string& bytes) { static_cast<void>(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL)); }
+  void say(const std::string& bytes) {
+    static_cast<void>(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL));
+  }
 
  private:
   int socket_;
@@ -55,9 +57,14 @@ class RawConnection {
 class Impostor {
  public:
   explicit Impostor(std::function<void(httplib::Response&)> to_scans) {
-    const std::string map = json{{"protocol", remote::kProtocol}, {"sensor", LaserModel().id}, {"map", room()->to_json_ld()}}.dump();
-    server_.Get("/v1/map", [map](const httplib::Request&, httplib::Response& r) { r.set_content(map, kJson); });
-    server_.Post("/v1/begin", [](const httplib::Request&, httplib::Response& r) { r.set_content(R"({"session":"x.1"})", kJson); });
+    const std::string map =
+        json{{"protocol", remote::kProtocol}, {"sensor", LaserModel().id}, {"map", room()->to_json_ld()}}
+            .dump();
+    server_.Get("/v1/map",
+                [map](const httplib::Request&, httplib::Response& r) { r.set_content(map, kJson); });
+    server_.Post("/v1/begin", [](const httplib::Request&, httplib::Response& r) {
+      r.set_content(R"({"session":"x.1"})", kJson);
+    });
     server_.Post("/v1/scans", [to_scans](const httplib::Request&, httplib::Response& r) { to_scans(r); });
     port_ = bind_to_loopback(server_, 0, "");
     thread_ = std::thread([this] { server_.listen_after_bind(); });
@@ -76,7 +83,10 @@ class Impostor {
 };
 
 json scan_message(const std::string& session, double stamp_s) {
-  return {{"session", session}, {"stamp_s", stamp_s}, {"T_odom_base", {0, 0, 0}}, {"ranges_m", std::vector<double>(541, 2.0)}};
+  return {{"session", session},
+          {"stamp_s", stamp_s},
+          {"T_odom_base", {0, 0, 0}},
+          {"ranges_m", std::vector<double>(541, 2.0)}};
 }
 
 /// Takes the program away for some scans.
@@ -99,7 +109,8 @@ class Interrupted : public RemoteLocalization {
 }  // namespace
 
 TEST_CASE("without a program that localizes there is an error that names the address") {
-  CHECK_THROWS_WITH(RemoteLocalization("127.0.0.1:1", world().laser), Catch::Contains("127.0.0.1:1") && Catch::Contains("opal serve"));
+  CHECK_THROWS_WITH(RemoteLocalization("127.0.0.1:1", world().laser),
+                    Catch::Contains("127.0.0.1:1") && Catch::Contains("opal serve"));
   CHECK_THROWS_WITH(RemoteLocalization("nonsense", world().laser), Catch::Contains("HOST:PORT"));
   CHECK_THROWS_WITH(RemoteLocalization("127.0.0.1:99999", world().laser), Catch::Contains("HOST:PORT"));
 }
@@ -136,9 +147,11 @@ TEST_CASE("a robot stands still while localization is away, and gets to its goal
   options.motion.radius_m = world().robot_radius_m;
   options.most_s = 120;
   options.tick_s = 0.1;
-  const auto tree = behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
-  const DriveRecord record = drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree,
-                                           simulation.floor().anywhere(random), options);
+  const auto tree = behaviours::read_tree(behaviours::standard_nodes(),
+                                          OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
+  const DriveRecord record =
+      drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree,
+                    simulation.floor().anywhere(random), options);
   CHECK(record.unanswered_scans >= 5);
   CHECK(record.unanswered_scans < 12);
   CHECK(record.reached);
@@ -189,7 +202,8 @@ TEST_CASE("a message that is huge, garbage, unfinished or from elsewhere takes n
   RemoteLocalization robot(program->address(), world().laser, {20, 60});
   robot.begin();
   httplib::Client stranger(kLoopback, program->port());
-  if (const auto huge = stranger.Post("/v1/scans", std::string(remote::kMostBytes + 1, ' '), kJson)) CHECK(huge->status == 413);
+  if (const auto huge = stranger.Post("/v1/scans", std::string(remote::kMostBytes + 1, ' '), kJson))
+    CHECK(huge->status == 413);
   const auto foreign = stranger.Get("/v1/map", {{"Host", "evil.example"}});
   REQUIRE(foreign);
   CHECK(foreign->status == 403);
@@ -215,7 +229,8 @@ TEST_CASE("a scan that is not later than the one before is refused") {
 TEST_CASE("a robot is told when another one has begun") {
   const auto program = server();
   auto simulation = standing();
-  RemoteLocalization first(program->address(), world().laser, {20, 60}), second(program->address(), world().laser, {20, 60});
+  RemoteLocalization first(program->address(), world().laser, {20, 60}),
+      second(program->address(), world().laser, {20, 60});
   first.begin();
   first.take(next(simulation));
   second.begin();
@@ -234,8 +249,14 @@ TEST_CASE("a program that is silent, or answers nonsense, counts as away") {
     CHECK_FALSE(robot.answers());
     return robot.trouble();
   };
-  CHECK_THAT(trouble_with([](httplib::Response&) { std::this_thread::sleep_for(500ms); }), Catch::Contains("opal serve"));
-  CHECK_THAT(trouble_with([](httplib::Response& r) { r.set_content("hello", "text/plain"); }), Catch::Contains("127.0.0.1"));
-  CHECK_THAT(trouble_with([](httplib::Response& r) { r.set_content(R"({"stamp_s":1,"status":"fine"})", kJson); }), Catch::Contains("searching, ambiguous"));
-  CHECK_THAT(trouble_with([](httplib::Response& r) { r.status = 500, r.set_content("out of memory", "text/plain"); }), Catch::Contains("out of memory"));
+  CHECK_THAT(trouble_with([](httplib::Response&) { std::this_thread::sleep_for(500ms); }),
+             Catch::Contains("opal serve"));
+  CHECK_THAT(trouble_with([](httplib::Response& r) { r.set_content("hello", "text/plain"); }),
+             Catch::Contains("127.0.0.1"));
+  CHECK_THAT(
+      trouble_with([](httplib::Response& r) { r.set_content(R"({"stamp_s":1,"status":"fine"})", kJson); }),
+      Catch::Contains("searching, ambiguous"));
+  CHECK_THAT(trouble_with(
+                 [](httplib::Response& r) { r.status = 500, r.set_content("out of memory", "text/plain"); }),
+             Catch::Contains("out of memory"));
 }

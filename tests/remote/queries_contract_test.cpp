@@ -21,7 +21,10 @@ struct Both {
   remote::RemoteLocalization there{program->address(), world().laser, {60, 60}};
 };
 
-bool equal(const Pose2& a, const Pose2& b) { return a.x() == b.x() && a.y() == b.y() && a.heading_rad() == b.heading_rad() && a.rotate({1, 0}) == b.rotate({1, 0}); }
+bool equal(const Pose2& a, const Pose2& b) {
+  return a.x() == b.x() && a.y() == b.y() && a.heading_rad() == b.heading_rad() &&
+         a.rotate({1, 0}) == b.rotate({1, 0});
+}
 
 void check_equal(const PoseEstimate& a, const PoseEstimate& b) {
   CHECK(a.stamp_s == b.stamp_s);
@@ -70,8 +73,10 @@ DriveRecord driven(Localization& localization, std::uint64_t seed) {
   ClosedLoopOptions options;
   options.motion.radius_m = world().robot_radius_m;
   options.most_s = 120;
-  const auto tree = behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
-  return drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree, simulation.floor().anywhere(random), options);
+  const auto tree = behaviours::read_tree(behaviours::standard_nodes(),
+                                          OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
+  return drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree,
+                       simulation.floor().anywhere(random), options);
 }
 
 }  // namespace
@@ -107,5 +112,6 @@ TEST_CASE("a robot drives the same way whether localization is in its process or
   CHECK(here.time_s == there.time_s);
   CHECK(here.driven_m == there.driven_m);
   REQUIRE(here.moments.size() == there.moments.size());
-  for (std::size_t k = 0; k < here.moments.size(); ++k) CHECK(equal(here.moments[k].truth, there.moments[k].truth));
+  for (std::size_t k = 0; k < here.moments.size(); ++k)
+    CHECK(equal(here.moments[k].truth, there.moments[k].truth));
 }
