@@ -1,3 +1,4 @@
+#include "experiment_buildings.hpp"
 #include "experiments.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
@@ -18,17 +19,11 @@ int experiment(ExperimentOptions options) {
   return third ? experiment_thesis3(options, registry) : experiment_thesis4(options, registry);
 }
 
-}  // namespace
-
-void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
+void add_thesis(CLI::App& experiments, const std::string& name, const std::string& description,
+                int& exit_code) {
   auto options = std::make_shared<ExperimentOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
-  verb->add_option(
-          "NAME", options->name,
-          "thesis3: the 14 challenges of section 3.5.2; thesis4: the 12 closed-loop runs of table 4.1")
-      ->required()
-      ->check(CLI::IsMember({"thesis3", "thesis4"}));
+  options->name = name;
+  CLI::App* verb = experiments.add_subcommand(name, description);
   verb->add_option("-o,--out", options->out, "folder for runs.csv, table.txt, summary.json and report.html")
       ->required();
   verb->add_option("--map", options->map,
@@ -59,4 +54,15 @@ void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--trees", options->trees, "thesis4: document of behaviour trees")
       ->default_str("configs/behaviours.jsonld");
   verb->callback([options, &exit_code] { exit_code = experiment(*options); });
+}
+
+}  // namespace
+
+void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
+  CLI::App* experiments = app.add_subcommand(
+      "experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
+  experiments->require_subcommand(1);
+  add_thesis(*experiments, "thesis3", "the 14 challenges of section 3.5.2", exit_code);
+  add_thesis(*experiments, "thesis4", "the 12 closed-loop runs of table 4.1", exit_code);
+  add_experiment_buildings(*experiments, exit_code);
 }

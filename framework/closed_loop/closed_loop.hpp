@@ -32,6 +32,7 @@ struct DriveRecord {
   std::optional<double> localized_after_m, localized_after_s;  ///< first time that the pose was vouched for, and right
   int scans = 0, localized_scans = 0;
   int falsely_localized_scans = 0;   ///< vouched for, and more than 1 m off
+  int unanswered_scans = 0;          ///< localization was not there
   struct Moment {
     double stamp_s;
     Pose2 truth, estimate;           ///< T_map_base
@@ -41,10 +42,14 @@ struct DriveRecord {
   std::vector<Moment> moments;       ///< by scan
 };
 
-/// Lets a robot drive to a goal in a simulated building, by a behaviour tree that knows only what a localizer answers.
-/// The localizer is reset first.
+/// Lets a robot drive to a goal in a simulated building, by a behaviour tree that knows only what localization answers. While
+/// it does not answer, the robot stands still, and simulated time goes as fast as the clock.
+/// @param localization  begins anew.
 /// @param floor  where the map has room for the robot.
 /// @param goal   frame `map`.
+DriveRecord drive_to_goal(simulation::Simulation& simulation, behaviours::Localization& localization, const FloorGrid& floor,
+                          behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options = {});
+/// The same with a localizer in this process.
 DriveRecord drive_to_goal(simulation::Simulation& simulation, Localizer& localizer, const FloorGrid& floor,
                           behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options = {});
 

@@ -20,6 +20,14 @@ void judge_success(ChallengeRun& run) {
   run.error_m = sum / static_cast<double>(moments.size() - right_from);
 }
 
+/// Of the best hypothesis at a place.
+double probability_of(const PoseEstimate& said, const Pose2& place) {
+  if (said.has_pose && distance_m(said.T_map_base, place) < kRight_m) return said.probability;
+  for (const PoseEstimate::Rival& rival : said.rivals)
+    if (distance_m(rival.T_map_base, place) < kRight_m) return rival.probability;
+  return 0;
+}
+
 }  // namespace
 
 void judge(ChallengeRun& run) {
@@ -51,17 +59,19 @@ ChallengeRun run_challenge(const Contender& contender, const PluginRegistry& reg
   run.region = driven.region;
   double driven_m = 0;
   Pose2 before = recording.scans.front().T_map_base;
+  PoseEstimate said;
   for (const simulation::RecordedScan& recorded : recording.scans) {
     driven_m += distance_m(before, recorded.T_map_base);
     before = recorded.T_map_base;
     const Scan scan = make_scan(recorded.scan, deployment.laser);
     const bool updated = localizer.update(scan, *recorded.scan.T_odom_base).has_value();
-    const PoseEstimate said = localizer.estimate_at(scan.stamp_s, *recorded.scan.T_odom_base);
+    said = localizer.estimate_at(scan.stamp_s, *recorded.scan.T_odom_base);
     run.moments.push_back({scan.stamp_s - recording.scans.front().scan.stamp_s, driven_m, recorded.T_map_base,
                            said.T_map_base, said.has_pose, said.status, said.hypotheses,
                            updated ? 1e3 * localizer.last_times().total_s() : 0, false});
   }
   judge(run);
+  run.truth_probability = probability_of(said, recording.scans.back().T_map_base);
   return run;
 }
 

@@ -24,6 +24,7 @@ struct ChallengeRun {
   int hypotheses_before = 0, hypotheses_after = 0;      ///< most, before and after the first `localized`
   int updates = 0, localized_rows = 0, false_rows = 0;  ///< `localized` and more than 1 m off
   double cpu_ms = 0;                                    ///< per update
+  double truth_probability = 0;  ///< at the end, of the hypothesis that is right; 0: there is none
   std::vector<Moment> moments;                          ///< by scan
 };
 

@@ -25,13 +25,14 @@ std::unique_ptr<const RayCaster> furnished(const SemanticMap& map, const Simulat
   Random doors = random.branch(), furniture = random.branch();
   const std::vector<Solid> building = building_solids(map, options.doors_open_share, doors);
   auto solids = std::make_unique<const RayCaster>(building);
-  const Floor empty(map, *solids, wide_m);
+  const MapRaster seen = floor_raster(map);
+  const Floor empty(map, seen, *solids, wide_m);
   auto pieces = clutter_pieces(map, empty.area_m2(), options.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
   for (;; pieces.resize(pieces.size() / 2)) {
     clutter = joined(pieces);
     solids = std::make_unique<const RayCaster>(with(building, clutter));
     try {
-      floor = std::make_unique<const Floor>(map, *solids, wide_m);
+      floor = std::make_unique<const Floor>(map, seen, *solids, wide_m);
     } catch (const MapError&) {
       if (pieces.empty()) throw;
       continue;
