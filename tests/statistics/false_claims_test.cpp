@@ -52,8 +52,7 @@ Claims claims_in(const SimulatedExperiment& experiment, int experiments) {
 
 std::vector<std::size_t> sites(std::size_t count, std::size_t queries) { return std::vector<std::size_t>(count, queries); }
 
-void print(const char* name, const Claims& c) {
-  std::printf("%-44s", name);
+void print(const Claims& c) {
   for (const auto& counts : {c.by_metric, c.by_pairs, c.by_sign_flip, c.uncovered}) {
     for (const int n : counts) std::printf(" %5.1f", 100 * c.share(n));
     std::printf(" |");
@@ -79,19 +78,14 @@ TEST_CASE("the same arm twice is told apart in three to seven of a hundred exper
 
 TEST_CASE("rates of false claims in 5,000 experiments, for docs/experiments.md", "[.][rates]") {
   constexpr int kExperiments = 5000;
-  for (const double success : {0.6, 0.75, 0.9, 0.97})
-    for (const double correlated : {0.0, 0.2, 0.5}) {
-      const auto run = [&](const char* name, const std::vector<std::size_t>& cluster_sizes) {
-        char text[100];
-        std::snprintf(text, sizeof text, "%s, success %.2f, correlated %.1f", name, success, correlated);
+  for (const auto& [name, cluster_sizes] : std::vector<std::pair<std::string, std::vector<std::size_t>>>{
+           {"recorded", kRecordedSites}, {"7 x 14", sites(7, 14)}, {"40 x 14", sites(40, 14)}, {"3 x 33", sites(3, 33)}})
+    for (const double success : {0.6, 0.75, 0.9, 0.97})
+      for (const double correlated : {0.0, 0.2, 0.5}) {
         SimulatedExperiment experiment{cluster_sizes};
         experiment.success = success;
         experiment.correlated = correlated;
-        print(text, claims_in(experiment, kExperiments));
-      };
-      run("recorded", kRecordedSites);
-      run("7 x 14", sites(7, 14));
-      run("40 x 14", sites(40, 14));
-      run("3 x 30", sites(3, 30));
-    }
+        std::printf("%s, success %.2f, correlated %.1f: ", name.c_str(), success, correlated);
+        print(claims_in(experiment, kExperiments));
+      }
 }
