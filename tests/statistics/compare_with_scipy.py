@@ -123,18 +123,19 @@ def power():
     for shift, n, level in [(0.5, 2, 0.05), (0.5, 7, 0.05), (1.2, 7, 0.01), (0.3, 40, 0.05), (0.1, 500, 0.05), (0.02, 1500, 0.017)]:
         expect("power", ["power", shift, n, level], t_power(shift, n, level))
     for shift, level in [(1.5, 0.05), (0.5, 0.05), (0.2, 0.01), (0.08, 0.05)]:
-        n = 2
-        while t_power(shift, n, level) < 0.8:
-            n += 1
+        low, n = 1, 2000
+        while n - low > 1:
+            middle = (low + n) // 2
+            low, n = (middle, n) if t_power(shift, middle, level) < 0.8 else (low, middle)
         expect("units for power 0.8", ["units", shift, level, 0.8], n)
 
 
 def looks():
     """Two looks by integration of the bivariate normal distribution."""
-    z = stats.norm.ppf(0.975)
+    z = stats.norm.ppf(1 - 0.05 / 4)  # half of the level on either side
 
     def spent(t):
-        return 2 * stats.norm.sf(z / np.sqrt(t))
+        return 4 * stats.norm.sf(z / np.sqrt(t))
 
     first = stats.norm.isf(spent(0.5) / 2)
 
