@@ -63,7 +63,7 @@ std::string pairs_html(const PairedSample& sample, const MetricResult& result, c
   const std::string picture = proportion ? "" : scatter_plot(sample, result.metric, verdict.arm, verdict.baseline, links);
   const std::string counts = proportion ? counts_table(result, verdict.arm, verdict.baseline) : "";
   const std::string costs = result.metric.kind == Kind::cost ? cost_table(result, verdict.arm, verdict.baseline) : "";
-  return "<div class=\"plots\"><div>" + picture + counts + "</div><div>" + costs + "<details" + (proportion ? " open" : "") + "><summary>Queries that differ</summary>\n" +
+  return "<div class=\"plots\"><div>" + picture + counts + "</div><div>" + costs + "<details open><summary>Queries that differ</summary>\n" +
          differing_table(sample, result.metric, verdict.arm, verdict.baseline, links) + "</details></div></div>\n";
 }
 
