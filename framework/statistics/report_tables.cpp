@@ -94,6 +94,13 @@ std::vector<PairedValue> most_differing(const PairedSample& sample, Metric::Kind
   return pairs;
 }
 
+/// Longer tables are cut, and say so.
+constexpr std::size_t kShown = 200;
+
+std::string rest_text(std::size_t rows, const std::string& what) {
+  return rows > kShown ? "<p>" + number(rows - kShown) + " more " + what + ".</p>\n" : "";
+}
+
 std::string value_cell(const Metric& metric, double value) {
   if (metric.kind == Metric::Kind::proportion) return value > 0.5 ? "yes" : "no";
   return html_text(value_text(metric, value));
@@ -120,7 +127,6 @@ std::string counts_table(const MetricResult& result, const std::string& arm, con
 
 std::string differing_table(const PairedSample& sample, const Metric& metric, const std::string& arm, const std::string& baseline,
                             const LinkedRuns& links) {
-  constexpr std::size_t kShown = 200;
   const std::vector<PairedValue> pairs = most_differing(sample, metric.kind);
   if (pairs.empty()) return "<p>No pair differs.</p>\n";
   std::vector<Cells> rows;
@@ -131,8 +137,7 @@ std::string differing_table(const PairedSample& sample, const Metric& metric, co
     };
     rows.push_back({html_text(pair.cluster), html_text(pair.query), std::to_string(pair.seed), cell(baseline, pair.a), cell(arm, pair.b)});
   }
-  const std::string rest = pairs.size() > kShown ? "<p>" + number(pairs.size() - kShown) + " more differ less.</p>\n" : "";
-  return table_of({"site", "query", "seed", html_text(baseline), html_text(arm)}, rows) + rest;
+  return table_of({"site", "query", "seed", html_text(baseline), html_text(arm)}, rows) + rest_text(pairs.size(), "differ less");
 }
 
 std::string cost_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {
@@ -148,13 +153,14 @@ std::string cost_table(const MetricResult& result, const std::string& arm, const
 
 std::string failures_table(const ResultsTable& table, const LinkedRuns& links) {
   std::vector<Cells> rows;
+  std::size_t failures = 0;
   for (const ResultRow& result : table)
-    if (!result.failure.empty())
+    if (!result.failure.empty() && ++failures <= kShown)
       rows.push_back({html_text(result.arm), html_text(result.cluster),
                       linked(links.of(result.arm, result.cluster, result.query, result.seed), html_text(result.query)),
                       std::to_string(result.seed), html_text(result.failure)});
   if (rows.empty()) return "<p>Every run came to its end.</p>\n";
-  return table_of({"arm", "site", "query", "seed", "what happened"}, rows);
+  return table_of({"arm", "site", "query", "seed", "what happened"}, rows) + rest_text(failures, "failed");
 }
 
 std::string versions_table(const std::vector<ReportPage::Version>& versions) {

@@ -20,7 +20,7 @@ std::string differing_table(const PairedSample& sample, const Metric& metric, co
 /// What costs what: medians and ratio per cluster.
 std::string cost_table(const MetricResult& result, const std::string& arm, const std::string& baseline);
 
-/// Every run that did not end well, named.
+/// Runs that did not end well, named; at most so many, and says how many are not shown.
 std::string failures_table(const ResultsTable& table, const LinkedRuns& links);
 
 std::string versions_table(const std::vector<ReportPage::Version>& versions);

@@ -11,6 +11,7 @@ namespace opal::statistics {
 namespace {
 
 constexpr double kLeft_px = 64, kRight_px = 460, kTop_px = 14, kBottom_px = 410, kLane_px = 44, kRadius_px = 4;
+constexpr std::size_t kMostDots = 4000;  // a browser draws that at once
 
 /// Finite values go to the scales, the others to a lane beyond.
 struct Axes {
@@ -98,10 +99,12 @@ std::string scatter_plot(const PairedSample& sample, const Metric& metric, const
   const Axes axes = axes_of(sample, metric);
   std::string svg = "<svg class=\"scatter\" viewBox=\"0 0 474 456\">" + frame(axes) +
                     line(axes.across.place_px(-1e300), axes.upwards.place_px(-1e300), axes.across.place_px(1e300), axes.upwards.place_px(1e300), "none");
+  const std::size_t step = (sample.pairs.size() + kMostDots - 1) / kMostDots;
   Spiral spiral;
-  for (const PairedValue& pair : sample.pairs)
-    svg += dot(pair, metric, spiral.place(axes.x(pair.a), axes.y(pair.b)), arm, baseline, links);
-  return svg + axis_names(metric, arm, baseline) + "</svg>\n";
+  for (std::size_t i = 0; i < sample.pairs.size(); i += step)
+    svg += dot(sample.pairs[i], metric, spiral.place(axes.x(sample.pairs[i].a), axes.y(sample.pairs[i].b)), arm, baseline, links);
+  svg += axis_names(metric, arm, baseline) + "</svg>\n";
+  return step < 2 ? svg : svg + "<p class=\"quiet\">One in " + std::to_string(step) + " of " + std::to_string(sample.pairs.size()) + " pairs is drawn.</p>\n";
 }
 
 }  // namespace opal::statistics

@@ -137,9 +137,11 @@ std::string never_note(const Verdict& verdict, const MetricResult& result) {
          " queries; that ranks behind every distance.";
 }
 
-std::string left_out_note(const MetricResult& result) {
+std::string left_out_note(const Verdict& verdict, const MetricResult& result) {
   if (result.left_out == 0) return "";
-  return std::to_string(result.left_out) + " queries have no " + name_in_words(result.metric) + " of both arms and are left out of it.";
+  const std::string note = std::to_string(result.left_out) + " queries have no " + name_in_words(result.metric) + " of both arms and are left out of it.";
+  if (result.between_clusters || verdict.clusters < kFewestClusters) return note;
+  return note + " It is said of " + count_text(result.clusters.size(), "site") + " only, with their queries taken as independent.";
 }
 
 std::string disagreement_note(const MetricResult& result, double level) {
@@ -172,7 +174,7 @@ std::vector<std::string> notes_of(const Verdict& verdict) {
   for (const MetricResult& result : verdict.metrics) {
     notes.push_back(disagreement_note(result, verdict.level));
     notes.push_back(never_note(verdict, result));
-    notes.push_back(left_out_note(result));
+    notes.push_back(left_out_note(verdict, result));
   }
   if (verdict.clusters > 1)
     notes.push_back("What is said of a single site takes its queries as independent; where its windows overlap, its interval is too narrow.");
