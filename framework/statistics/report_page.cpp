@@ -84,7 +84,7 @@ std::string comparison_html(const ReportPage& page, const Verdict& verdict, cons
   std::string html = "<h2>" + html_text(verdict.arm) + " beside " + html_text(verdict.baseline) + "</h2>\n" + key_html();
   for (const MetricResult& result : verdict.metrics) html += metric_html(page, result, verdict, links);
   return html + "<section><h3>All numbers</h3>\n" + numbers_table(verdict) +
-         "<p class=\"quiet\">p decides. With six sites or more it is Student's t between sites (of differences, signed ranks of distances, logarithms of costs; "
+         "<p class=\"quiet\">p decides. With three sites or more it is Student's t between sites (of differences, signed ranks of distances, logarithms of costs; "
          "variance after Bell and McCaffrey); with fewer, pairs are taken as independent: McNemar (mid-p), Wilcoxon, t of logarithms. Sign flips and "
          "bootstrap are for comparison; with few sites the bootstrap is too narrow. Opal's docs/ab_statistics.md says why.</p></section>\n";
 }

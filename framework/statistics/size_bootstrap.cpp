@@ -74,7 +74,7 @@ Interval size_interval(const PairedSample& sample, Kind kind, double level, cons
   const PairedSample ordered{nameless_order(sample), 0};
   std::vector<std::size_t> sizes;
   for (const Pairs pairs : clusters_of(ordered)) sizes.push_back(pairs.size());
-  const bool clusters = sizes.size() >= kFewestClusters;
+  const bool clusters = sizes.size() >= kFewestDrawn;
   return percentile_interval(bootstrap(sizes, size_of(ordered.pairs, kind), {options.bootstrap_samples, options.seed, clusters}), level);
 }
 

@@ -49,8 +49,8 @@ struct MetricResult {
   std::vector<ClusterResult> clusters;  ///< by name
 };
 
-/// Below that, clusters cannot show anything at a level of 0.05 by their signs (2^-5 = 0.03, 2^-4 = 0.06).
-constexpr std::size_t kFewestClusters = 6;
+/// From so many on, the test between clusters keeps its level; two often sum up to the same by chance (docs/ab_statistics.md).
+constexpr std::size_t kFewestClusters = 3;
 
 /// What an experiment says of one arm beside the baseline.
 struct Verdict {
