@@ -8,19 +8,11 @@
 namespace opal::behaviours {
 namespace {
 
-void expect_kind(ConfigObject& document) {
-  const auto is = [&](const char* key, const char* value) {
-    if (document.required_text(key) != value) document.refuse(key, nlohmann::json(value).dump());
-  };
-  is("@context", "urn:opal:v1");
-  is("@type", "opal:BehaviourTrees");
-}
-
 /// Makes every tree, so that a mistake in one that is not asked for is found, too.
 std::unique_ptr<Node> read(const NodeRegistry& registry, const nlohmann::json& json, const std::string& file,
                            const std::string& wanted) {
   ConfigObject document(json, file);
-  expect_kind(document);
+  document.expect_type("opal:BehaviourTrees");
   document.text("comment", "");
   const auto trees = document.list("trees");
   if (!trees || trees->empty()) document.refuse("trees", "a list of at least one tree");
