@@ -58,6 +58,10 @@ OPAL_EXPORT Deployment parse_deployment(const std::string& text, const std::stri
 OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
                                             const std::string& importer);
 
+/// What `build_parts` checks before it makes anything: types that no plugin offers, types of another kind, and options that
+/// the plugin does not accept. @throws ConfigError naming file and JSON pointer.
+OPAL_EXPORT void check_parts(const Deployment& deployment, const PluginRegistry& registry);
+
 /// Makes the parts of a localizer. Detectors and pattern templates are those that the map calls for, narrowed
 /// and parametrised by the deployment.
 /// @throws ConfigError naming file and JSON pointer for types that no plugin offers, types of another kind,
