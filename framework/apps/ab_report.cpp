@@ -1,0 +1,103 @@
+#include "ab_report.hpp"
+
+#include <opal/error.hpp>
+#include <opal/text_file.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace {
+
+namespace ab = opal::ab;
+namespace st = opal::statistics;
+using nlohmann::ordered_json;
+
+const std::vector<st::Metric>& known_metrics() {
+  using Kind = st::Metric::Kind;
+  static const std::vector<st::Metric> all{
+      {"success", Kind::proportion, true, ""},
+      {"distance_to_success_m", Kind::distance_until, false, "m"},
+      {"localized", Kind::proportion, true, ""},
+      {"distance_to_localized_m", Kind::distance_until, false, "m"},
+      {"honest", Kind::proportion, true, ""},
+      {"cpu_ms", Kind::cost, false, "ms"},
+      {"strict", Kind::proportion, true, ""},
+      {"distance_to_strict_m", Kind::distance_until, false, "m"},
+      {"error_m", Kind::cost, false, "m"},
+      {"hypotheses", Kind::cost, false, ""},
+      {"cpu_ms_p99", Kind::cost, false, "ms"},
+      {"peak_mb", Kind::cost, false, "MB"},
+  };
+  return all;
+}
+constexpr std::size_t kUsual = 6;  // of these
+
+std::vector<st::ReportPage::Version> versions_of(const ordered_json& manifest) {
+  std::vector<st::ReportPage::Version> versions{
+      {"opal", manifest["opal"]["version"], manifest["opal"]["program_sha256"]},
+      {"libopal.so", manifest["opal"]["version"], manifest["opal"]["library_sha256"]}};
+  for (const ordered_json& arm : manifest["arms"])
+    for (const ordered_json& plugin : arm["plugins"]) {
+      const st::ReportPage::Version version{plugin["name"], plugin["version"], plugin["sha256"]};
+      const auto same = [&](const st::ReportPage::Version& v) { return v.name == version.name && v.file_hash == version.file_hash; };
+      if (std::none_of(versions.begin(), versions.end(), same)) versions.push_back(version);
+    }
+  return versions;
+}
+
+void print_failures(const st::ResultsTable& table) {
+  std::map<std::string, std::map<std::string, int>> by_arm;
+  for (const st::ResultRow& row : table)
+    if (!row.failure.empty()) ++by_arm[row.arm][row.failure];
+  for (const auto& [arm, failures] : by_arm)
+    for (const auto& [failure, count] : failures) std::cout << arm << ": " << count << " cells " << failure << '\n';
+}
+
+}  // namespace
+
+std::vector<st::Metric> metrics_of(const ab::Experiment& experiment) {
+  const auto& known = known_metrics();
+  if (experiment.metrics.empty()) return {known.begin(), known.begin() + kUsual};
+  std::vector<st::Metric> metrics;
+  std::string names;
+  for (const st::Metric& metric : known) names += (names.empty() ? "" : ", ") + metric.name;
+  for (const std::string& name : experiment.metrics) {
+    const auto found = std::find_if(known.begin(), known.end(), [&](const st::Metric& metric) { return metric.name == name; });
+    if (found == known.end()) throw opal::ConfigError(experiment.file + ": /metrics: \"" + name + "\", expected one of " + names);
+    metrics.push_back(*found);
+  }
+  return metrics;
+}
+
+st::ResultsTable table_of(const ab::MergedResults& results, const ab::CellPlan& plan) {
+  st::ResultsTable table;
+  results.for_each_complete_task([&](const ab::Cell& cell, const ab::CellResult& result) {
+    st::ResultRow row{plan.arm(cell), plan.scenario(cell.task), plan.query(cell.task), cell.task.seed, result.values, result.failure};
+    row.values.insert(result.costs.begin(), result.costs.end());
+    table.push_back(std::move(row));
+  });
+  return table;
+}
+
+void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab::ResultFolder& folder,
+            const ab::MergedResults& results, const ordered_json& manifest) {
+  st::ReportPage page;
+  page.title = experiment.name;
+  page.metrics = metrics_of(experiment);
+  page.table = table_of(results, plan);
+  st::ComparisonOptions options;
+  options.baseline = experiment.arms[experiment.baseline].name;
+  options.metrics = page.metrics;
+  page.verdicts = compare(page.table, options);
+  page.configuration = manifest.dump(1);
+  page.versions = versions_of(manifest);
+  page.command = "opal ab " + experiment.file;
+  print_failures(page.table);
+  auto verdicts = ordered_json::array();
+  for (const st::Verdict& verdict : page.verdicts) {
+    std::cout << verdict.sentence << '\n';
+    verdicts.push_back({{"arm", verdict.arm}, {"baseline", verdict.baseline}, {"sentence", verdict.sentence}});
+  }
+  opal::write_text(folder.file("verdict.json"), verdicts.dump(1) + '\n');
+  opal::write_text(folder.file("report.html"), to_html(page));
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <ab/merged_results.hpp>
+
+#include <statistics/comparison.hpp>
+#include <statistics/report_page.hpp>
+
+/// The metrics that an experiment is judged by, the one that decides first. @throws opal::ConfigError for an unknown name.
+std::vector<opal::statistics::Metric> metrics_of(const opal::ab::Experiment& experiment);
+
+/// Results as the statistics take them; queries that some arm has not finished are left out.
+opal::statistics::ResultsTable table_of(const opal::ab::MergedResults& results, const opal::ab::CellPlan& plan);
+
+/// Says who is better, in words on stdout, and writes verdict.json and report.html.
+void report(const opal::ab::Experiment& experiment, const opal::ab::CellPlan& plan, const opal::ab::ResultFolder& folder,
+            const opal::ab::MergedResults& results, const nlohmann::ordered_json& manifest);
