@@ -36,6 +36,11 @@ void say(int file, char kind, std::string text) {
   write_all(file, kind + text + '\n');
 }
 
+/// How the parent reports its own crashes is not for its child.
+void forget_signal_handlers() {
+  for (const int number : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGSEGV, SIGTERM}) signal(number, SIG_DFL);
+}
+
 [[noreturn]] void work_and_exit(const std::function<void(const ChildProcess::Say&)>& work, int pipe) {
   try {
     work([pipe](const std::string& line) { say(pipe, kLine, line); });
@@ -68,6 +73,7 @@ ChildProcess::ChildProcess(const std::function<void(const Say&)>& work) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
     close(ends[0]);
+    forget_signal_handlers();
     work_and_exit(work, ends[1]);
   }
   close(ends[1]);

@@ -25,7 +25,8 @@ struct Arm {
 
 /// Windows of a recorded place.
 struct RecordedPlace {
-  std::string prefix;  ///< of its files, as opal bench takes it
+  std::string prefix;                ///< of its files, as opal bench takes it
+  std::vector<std::string> queries;  ///< of its windows, only these; empty: all
 };
 
 /// Drives through a building that nobody has driven through.

@@ -42,7 +42,7 @@ void expect_name(const std::string& name, const ConfigObject& object, const std:
 Scenario read_site(ConfigObject object, const std::string& file, int seeds) {
   Scenario scenario;
   const std::string prefix = beside(file, object.required_text("prefix"));
-  scenario.source = RecordedPlace{prefix};
+  scenario.source = RecordedPlace{prefix, object.texts("queries")};
   scenario.name = object.text("name", fs::path(prefix).filename().string());
   expect_name(scenario.name, object, "name");
   object.text("comment", "");

@@ -15,18 +15,18 @@ using nlohmann::ordered_json;
 const std::vector<st::Metric>& known_metrics() {
   using Kind = st::Metric::Kind;
   static const std::vector<st::Metric> all{
-      {"success", Kind::proportion, true, ""},
-      {"distance_to_success_m", Kind::distance_until, false, "m"},
-      {"localized", Kind::proportion, true, ""},
-      {"distance_to_localized_m", Kind::distance_until, false, "m"},
-      {"honest", Kind::proportion, true, ""},
-      {"cpu_ms", Kind::cost, false, "ms"},
-      {"strict", Kind::proportion, true, ""},
-      {"distance_to_strict_m", Kind::distance_until, false, "m"},
-      {"error_m", Kind::cost, false, "m"},
-      {"hypotheses", Kind::cost, false, ""},
-      {"cpu_ms_p99", Kind::cost, false, "ms"},
-      {"peak_mb", Kind::cost, false, "MB"},
+      {"success", Kind::proportion, true, "", "is right in", 0},
+      {"distance_to_success_m", Kind::distance_until, false, "m", "is right", 0},
+      {"localized", Kind::proportion, true, "", "localizes in", 0},
+      {"distance_to_localized_m", Kind::distance_until, false, "m", "says so", 0},
+      {"honest", Kind::proportion, true, "", "never vouches for a wrong pose in", 0},
+      {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
+      {"strict", Kind::proportion, true, "", "is right within 0.5 m and 10 degrees in", 0},
+      {"distance_to_strict_m", Kind::distance_until, false, "m", "is so right", 0},
+      {"error_m", Kind::cost, false, "m", "error", 0},
+      {"hypotheses", Kind::cost, false, "", "hypotheses", 0},
+      {"cpu_ms_p99", Kind::cost, false, "ms", "CPU in the slowest of 100 updates", 0},
+      {"peak_mb", Kind::cost, false, "MB", "memory", 0},
   };
   return all;
 }
@@ -43,6 +43,32 @@ std::vector<st::ReportPage::Version> versions_of(const ordered_json& manifest) {
       if (std::none_of(versions.begin(), versions.end(), same)) versions.push_back(version);
     }
   return versions;
+}
+
+/// Infinite ends become null.
+ordered_json json_of(const st::Interval& interval) { return {interval.low, interval.high}; }
+
+ordered_json json_of(const st::MetricResult& result) {
+  return {{"metric", result.metric.name},
+          {"baseline", result.effect.a},
+          {"arm", result.effect.b},
+          {"difference", result.effect.size},
+          {"interval", json_of(result.effect.interval)},
+          {"pairs", result.pairs},
+          {"better", result.better},
+          {"worse", result.worse},
+          {"between_clusters", result.between_clusters},
+          {"p", result.p},
+          {"p_corrected", result.p_corrected},
+          {"more_queries", result.more_queries}};
+}
+
+ordered_json json_of(const st::Verdict& verdict) {
+  ordered_json json{{"arm", verdict.arm},           {"baseline", verdict.baseline}, {"sentence", verdict.sentence},
+                    {"notes", verdict.notes},       {"queries", verdict.queries},   {"clusters", verdict.clusters},
+                    {"failures", verdict.failures}, {"level", verdict.level},       {"metrics", ordered_json::array()}};
+  for (const st::MetricResult& result : verdict.metrics) json["metrics"].push_back(json_of(result));
+  return json;
 }
 
 void print_failures(const st::ResultsTable& table) {
@@ -96,7 +122,8 @@ void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab
   auto verdicts = ordered_json::array();
   for (const st::Verdict& verdict : page.verdicts) {
     std::cout << verdict.sentence << '\n';
-    verdicts.push_back({{"arm", verdict.arm}, {"baseline", verdict.baseline}, {"sentence", verdict.sentence}});
+    for (const std::string& note : verdict.notes) std::cout << "  " << note << '\n';
+    verdicts.push_back(json_of(verdict));
   }
   opal::write_text(folder.file("verdict.json"), verdicts.dump(1) + '\n');
   opal::write_text(folder.file("report.html"), to_html(page));

@@ -6,12 +6,28 @@
 
 #include <experiments/thesis_robot.hpp>
 
+#include <opal/error.hpp>
+
+#include <algorithm>
 #include <filesystem>
 
 namespace {
 
 namespace ab = opal::ab;
 namespace sim = opal::simulation;
+
+std::vector<opal::Query> queries_of(const ab::RecordedPlace& place) {
+  const std::string file = place.prefix + ".queries.json";
+  const std::vector<opal::Query> all = opal::read_queries(file);
+  if (place.queries.empty()) return all;
+  std::vector<opal::Query> chosen;
+  for (const std::string& id : place.queries) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const opal::Query& query) { return query.id == id; });
+    if (found == all.end()) throw opal::ConfigError(file + ": holds no query \"" + id + "\", which the experiment asks for");
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
 
 std::string digest_of(const opal::SemanticMap& map) { return ab::sha256_of(map.to_json_ld().dump()); }
 
@@ -75,7 +91,7 @@ opal::GroundTruth truth_of(const sim::Recording& recording) {
 std::vector<std::string> WorldSource::queries(const ab::Scenario& scenario) const {
   std::vector<std::string> names;
   if (const auto* place = std::get_if<ab::RecordedPlace>(&scenario.source)) {
-    for (const opal::Query& query : opal::read_queries(place->prefix + ".queries.json")) names.push_back(query.id);
+    for (const opal::Query& query : queries_of(*place)) names.push_back(query.id);
     return names;
   }
   const auto& drives = std::get<ab::SimulatedDrives>(scenario.source);
@@ -119,6 +135,7 @@ World WorldSource::recorded(const ab::Scenario& scenario, const ab::RecordedPlac
   const BenchSite site{place.prefix, scenario.name, map, opal::Pose2(), 0};
   World world{read_bench_place(registry_, site, experiment_.arms[experiment_.baseline].deployment),
               opal::GroundTruth::read(place.prefix + ".gt.csv"), std::nullopt, ""};
+  world.place.queries = queries_of(place);
   std::string& log = log_digests_[place.prefix];
   if (log.empty()) log = ab::sha256_of_file(place.prefix + ".log.gz");
   world.digest = Digest().add(digest_of(*map)).add(log).add(world.place.deployment.laser).finish();
