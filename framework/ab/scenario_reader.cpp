@@ -86,7 +86,7 @@ void read_challenge(ConfigObject& object, SimulatedDrives& drives) {
   drives.duration_s = object.number("duration_s", drives.duration_s, {1, 36'000});
 }
 
-Scenario read_simulated(ConfigObject object, const std::string& file, int seeds) {
+Scenario read_simulated(ConfigObject& object, const std::string& file, int seeds) {
   Scenario scenario;
   SimulatedDrives drives;
   scenario.name = read_name(object);
@@ -100,8 +100,23 @@ Scenario read_simulated(ConfigObject object, const std::string& file, int seeds)
   scenario.damage = read_damage(object);
   scenario.seeds = read_seeds(object, seeds);
   scenario.source = std::move(drives);
-  object.expect_no_more();
   return scenario;
+}
+
+/// `buildings`: the same in so many buildings of the kind, each a scenario of its own.
+std::vector<Scenario> read_all_simulated(ConfigObject object, const std::string& file, int seeds) {
+  const Scenario scenario = read_simulated(object, file, seeds);
+  const auto& building = std::get<SimulatedDrives>(scenario.source).building;
+  const int buildings = object.integer("buildings", 0, {1, 10'000});
+  object.expect_no_more();
+  if (buildings == 0) return {scenario};
+  if (!building) object.refuse("buildings", "no number of buildings for one map");
+  std::vector<Scenario> all(static_cast<std::size_t>(buildings), scenario);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    std::get<SimulatedDrives>(all[k].source).building->seed = building->seed + k;
+    all[k].name += "-" + std::to_string(building->seed + k);
+  }
+  return all;
 }
 
 }  // namespace
@@ -127,7 +142,8 @@ std::vector<Scenario> read_scenarios(ConfigObject& document, const std::string& 
   if (const auto sites = document.list("sites"))
     for (const ConfigObject& object : *sites) add(read_site(object, file, seeds), object);
   if (const auto simulated = document.list("simulated"))
-    for (const ConfigObject& object : *simulated) add(read_simulated(object, file, seeds), object);
+    for (const ConfigObject& object : *simulated)
+      for (Scenario& scenario : read_all_simulated(object, file, seeds)) add(std::move(scenario), object);
   if (scenarios.empty()) document.refuse("sites", "at least one recorded place, or one of \"simulated\"");
   return scenarios;
 }

@@ -68,6 +68,17 @@ TEST_CASE("paths of a document start where it stands") {
   CHECK(experiment.arms[1].plugin_folders == std::vector<std::string>{folder.path_of("plugins")});
 }
 
+TEST_CASE("several buildings of a kind are several scenarios") {
+  const TemporaryFolder folder;
+  json document = opal::ab_tests::experiment_with_drives();
+  document["simulated"][0]["buildings"] = 3;
+  const Experiment experiment = read_experiment(written(folder, document), shipped);
+  REQUIRE(experiment.scenarios.size() == 4);
+  CHECK(experiment.scenarios[1].name == "corridor-1");
+  CHECK(experiment.scenarios[3].name == "corridor-3");
+  CHECK(std::get<SimulatedDrives>(experiment.scenarios[3].source).building->seed == 3);
+}
+
 TEST_CASE("what an experiment must not be is refused with its place") {
   using P = json::json_pointer;
   CHECK_THAT(refusal_with(P("/arm"), 1), Catch::StartsWith("/arm: unknown key, expected one of: "));
