@@ -70,7 +70,7 @@ class ArmProcess {
   }
   void finish(std::size_t task, CellResult result, const std::function<void(const CellResult&)>& finished) const {
     result.number = task * plan_.arms() + arm_;
-    result.input = runner_.input(plan_.task(task));
+    result.input = runner_.input(plan_.task(task)) + result.input;
     finished(result);
   }
 

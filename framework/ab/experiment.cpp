@@ -78,6 +78,19 @@ std::size_t read_baseline(ConfigObject& document, const std::vector<Arm>& arms) 
   document.refuse("baseline", "the name of an arm: " + names);
 }
 
+/// Only scorers can judge the same hypotheses.
+void expect_same_but_scorers(const Experiment& experiment) {
+  const auto others = [](nlohmann::json configuration) {
+    for (const char* key : {"scorers", "name", "comment"}) configuration.erase(key);
+    return configuration;
+  };
+  const Arm& baseline = experiment.arms[experiment.baseline];
+  for (const Arm& arm : experiment.arms)
+    if (others(arm.configuration) != others(baseline.configuration))
+      throw ConfigError(experiment.file + ": /mode: \"observe\", but arm " + arm.name + " differs from " + baseline.name +
+                        " by more than its scorers, expected mode \"decide\"");
+}
+
 CellLimits read_limits(ConfigObject object) {
   CellLimits limits;
   limits.wall_s = object.number("cell_s", limits.wall_s, {0.1, 86400});
@@ -99,6 +112,10 @@ Experiment read_experiment(const std::string& path, const Shipped& shipped) {
   experiment.arms = read_arms(document, path, shipped);
   experiment.baseline = read_baseline(document, experiment.arms);
   experiment.scenarios = read_scenarios(document, path);
+  const std::string mode = document.text("mode", "decide");
+  if (mode != "decide" && mode != "observe") document.refuse("mode", "\"decide\" or \"observe\"");
+  experiment.observes = mode == "observe";
+  if (experiment.observes) expect_same_but_scorers(experiment);
   experiment.metrics = document.texts("metrics");
   experiment.looks = document.integer("looks", experiment.looks, {1, 100});
   if (auto limits = document.object("limits")) experiment.limits = read_limits(*limits);

@@ -60,6 +60,7 @@ struct Experiment {
   nlohmann::json document;  ///< as written
   std::vector<Arm> arms;
   std::size_t baseline = 0;           ///< of `arms`
+  bool observes = false;              ///< the baseline's scorers decide in every arm; an arm's own judge the same hypotheses
   std::vector<Scenario> scenarios;
   std::vector<std::string> metrics;   ///< to be judged, the one that decides first; empty: the usual ones
   int looks = 1;                      ///< how often one may look before all cells are done

@@ -11,7 +11,7 @@ namespace opal::ab {
 /// What became of one cell.
 struct CellResult {
   std::size_t number = 0;                ///< of the cell, see CellPlan
-  std::string input;                     ///< digest of what the robot was given: map, log, laser, window
+  std::string input;                     ///< digest of what the arm was given: map, log, laser, window, hypotheses to judge
   std::map<std::string, double> values;  ///< by name of the metric; what was never reached is absent
   std::map<std::string, double> costs;   ///< measured, and so never twice the same: times, memory
   std::string failure;                   ///< empty: it ran; else what happened, "crashed: signal 11 (SIGSEGV)"

@@ -32,6 +32,18 @@ const std::vector<st::Metric>& known_metrics() {
 }
 constexpr std::size_t kUsual = 6;  // of these
 
+/// Of arms that observe.
+const std::vector<st::Metric>& known_rankings() {
+  using Kind = st::Metric::Kind;
+  static const std::vector<st::Metric> all{
+      {"on_top", Kind::proportion, true, "", "mostly has the truth on top in", 0},
+      {"odds", Kind::cost, true, "", "odds for the truth", 0},
+      {"surprise", Kind::cost, false, "", "surprise by the truth", 0},
+      {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
+  };
+  return all;
+}
+
 std::vector<st::ReportPage::Version> versions_of(const ordered_json& manifest) {
   std::vector<st::ReportPage::Version> versions{
       {"opal", manifest["opal"]["version"], manifest["opal"]["program_sha256"]},
@@ -82,8 +94,8 @@ void print_failures(const st::ResultsTable& table) {
 }  // namespace
 
 std::vector<st::Metric> metrics_of(const ab::Experiment& experiment) {
-  const auto& known = known_metrics();
-  if (experiment.metrics.empty()) return {known.begin(), known.begin() + kUsual};
+  const auto& known = experiment.observes ? known_rankings() : known_metrics();
+  if (experiment.metrics.empty()) return {known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(kUsual, known.size()))};
   std::vector<st::Metric> metrics;
   std::string names;
   for (const st::Metric& metric : known) names += (names.empty() ? "" : ", ") + metric.name;

@@ -26,6 +26,15 @@ nlohmann::ordered_json files_of(const opal::PluginRegistry& registry) {
   return files;
 }
 
+/// An arm that observes runs beside what the baseline decides by.
+std::vector<std::string> folders_of(const ab::Arm& arm, const ab::Experiment& experiment) {
+  std::vector<std::string> folders = arm.plugin_folders;
+  if (!experiment.observes) return folders;
+  for (const std::string& folder : experiment.arms[experiment.baseline].plugin_folders)
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
+  return folders;
+}
+
 /// What was never reached is left out.
 void set_if_reached(std::map<std::string, double>& values, const std::string& name, double reached_after) {
   if (reached_after >= 0) values[name] = reached_after;
@@ -68,9 +77,10 @@ std::vector<ArmPlugins> load_arm_plugins(const ab::Experiment& experiment) {
   std::map<std::vector<std::string>, ArmPlugins> by_folders;
   std::vector<ArmPlugins> all;
   for (const ab::Arm& arm : experiment.arms) {
-    ArmPlugins& plugins = by_folders[arm.plugin_folders];
+    const std::vector<std::string> folders = folders_of(arm, experiment);
+    ArmPlugins& plugins = by_folders[folders];
     if (!plugins.registry) {
-      plugins.registry = std::make_shared<const opal::PluginRegistry>(load_plugins(arm.plugin_folders));
+      plugins.registry = std::make_shared<const opal::PluginRegistry>(load_plugins(folders));
       plugins.files = files_of(*plugins.registry);
     }
     opal::check_parts(arm.deployment, *plugins.registry);
@@ -93,7 +103,13 @@ std::string LocalizingRunner::input(const ab::Task& task) const {
 }
 
 void LocalizingRunner::set_up(std::size_t arm) {
-  opal::Deployment deployment = with_laser(experiment_.arms[arm].deployment, world_->place.deployment.laser);
+  const ab::Arm& chosen = experiment_.arms[arm];
+  opal::Deployment deployment = chosen.deployment;
+  if (experiment_.observes) {
+    deployment = experiment_.arms[experiment_.baseline].deployment;
+    observed_ = let_observe(deployment, chosen, arm == experiment_.baseline);
+  }
+  deployment = with_laser(std::move(deployment), world_->place.deployment.laser);
   if (world_->region)
     deployment.association["region"] = {{"x_m", world_->region->center.x()},
                                         {"y_m", world_->region->center.y()},
@@ -103,8 +119,15 @@ void LocalizingRunner::set_up(std::size_t arm) {
 
 void LocalizingRunner::run(const ab::Task& task, ab::CellResult& result) {
   const opal::Query& query = world_->query(task.query);
-  const RunRecord record = run_query(*localizer_, world_->place, query);
+  RankedRun ranked(*localizer_, world_->truth, world_->place.deployment.laser.T_base_laser, observed_);
+  RunObserver observer;
+  if (experiment_.observes) observer.updated = [&](const RunRecord& so_far) { ranked.look(so_far.last.stamp_s); };
+  const RunRecord record = run_query(*localizer_, world_->place, query, observer);
   result.values = values_of(judge_query(record.rows, query, world_->truth), record);
+  if (experiment_.observes) {
+    result.values.merge(ranked.values());
+    result.input = "/" + ranked.digest();
+  }
   result.costs = costs_of(record);
   result.failure = failure_of(localizer_->plugin_failures());
 }

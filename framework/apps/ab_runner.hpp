@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ab_observation.hpp"
 #include "ab_world.hpp"
 
 #include <ab/cell_runner.hpp>
@@ -32,4 +33,5 @@ class LocalizingRunner final : public opal::ab::CellRunner {
   opal::ab::Task entered_;
   std::optional<World> world_;
   std::unique_ptr<opal::Localizer> localizer_;
+  std::vector<ObservedScorer> observed_;
 };

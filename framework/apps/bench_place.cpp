@@ -16,10 +16,11 @@ opal::Deployment with_laser(opal::Deployment deployment, const opal::LaserModel&
   return deployment;
 }
 
-RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const opal::Query& window) {
+RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const opal::Query& window,
+                    const RunObserver& observer) {
   localizer.reset();
   opal::Replay replay = place.replay(window);
-  return run_log(localizer, place.deployment.laser, replay, window.id);
+  return run_log(localizer, place.deployment.laser, replay, window.id, observer);
 }
 
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment) {

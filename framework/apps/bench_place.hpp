@@ -24,7 +24,8 @@ struct BenchPlace {
 opal::Deployment with_laser(opal::Deployment deployment, const opal::LaserModel& laser);
 
 /// Localizes from scratch in one window.
-RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const opal::Query& window);
+RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const opal::Query& window,
+                    const RunObserver& observer = {});
 
 /// @throws Error naming the file that is wrong.
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment);

@@ -140,7 +140,7 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   parts.detectors = make_all<FeatureDetector>(detectors, registry);
   parts.patterns = make_all<PatternTemplate>(patterns, registry);
   for (const ScorerConfig& scorer : deployment.scorers)
-    parts.scorers.push_back({scorer.part.type,
+    parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
                              registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options),
                              scorer.decides, scorer.weight});
   parts.association = deployment.association;

@@ -104,6 +104,16 @@ TEST_CASE("an arm's overrides are read as strictly as a deployment, and named") 
              Catch::Contains("default.jsonld (with the overrides of arm evidence): /scorer: unknown key"));
 }
 
+TEST_CASE("arms that shall observe differ by their scorers only") {
+  json document = opal::ab_tests::small_experiment();
+  document["mode"] = "observe";
+  CHECK(refusal_of(document) == "accepted");
+  document["arms"][1]["overrides"]["association"] = {{"max_hypotheses", 50}};
+  CHECK_THAT(refusal_of(document), Catch::StartsWith("/mode: \"observe\", but arm lack_of_fit differs from evidence by more than its scorers"));
+  document["mode"] = "look";
+  CHECK(refusal_of(document) == "/mode: \"look\", expected \"decide\" or \"observe\"");
+}
+
 TEST_CASE("arms that are not given the same are refused") {
   using P = json::json_pointer;
   CHECK_THAT(refusal_with(P("/arms/1/overrides/map"), "b.jsonld"), Catch::Contains("arm lack_of_fit has another \"map\" than evidence, expected the same inputs"));

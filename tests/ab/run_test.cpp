@@ -115,6 +115,30 @@ TEST_CASE("an arm that crashes, hangs, throws, leaves or eats memory has failure
   CHECK(failures["unborn"] == std::set<std::string>{"in its set-up: crashed: signal 6 (SIGABRT)"});
 }
 
+TEST_CASE("arms that observe judge the same hypotheses, and change nothing") {
+  const TemporaryFolder folder;
+  json document = small_experiment();
+  document["mode"] = "observe";
+  document["arms"].push_back(faulty_arm("crash", 1));
+  document["arms"].push_back(document["arms"][0]);
+  document["arms"].back()["name"] = "evidence_again";
+  computed(written(folder, document), folder.path_of("out"));
+  std::map<std::string, std::map<std::string, json>> by_query;
+  for (const json& line : lines_of(folder.path_of("out/results.jsonl"))) by_query[line["query"]][line["arm"]] = line;
+  REQUIRE(by_query.size() == 5);
+  double contests = 0;
+  for (const auto& [query, arms] : by_query) {
+    CAPTURE(query);
+    CHECK(arms.at("crash")["failure"] == "crashed: signal 6 (SIGABRT)");
+    CHECK(arms.at("lack_of_fit")["input"] == arms.at("evidence")["input"]);
+    CHECK(arms.at("lack_of_fit")["values"]["success"] == arms.at("evidence")["values"]["success"]);
+    CHECK(arms.at("evidence_again")["values"] == arms.at("evidence")["values"]);
+    CHECK(arms.at("lack_of_fit")["values"] != arms.at("evidence")["values"]);
+    contests += arms.at("evidence")["values"].value("contests", 0.0);
+  }
+  CHECK(contests > 0);
+}
+
 TEST_CASE("results of other arms, plugins or maps are not mixed") {
   const TemporaryFolder folder;
   json document = small_experiment();

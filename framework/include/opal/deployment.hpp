@@ -25,6 +25,7 @@ struct ScorerConfig {
   PartConfig part;
   bool decides = true;  ///< "role": "decides" or "observes"
   double weight = 1;    ///< of its scores in the decision
+  std::string name = {};  ///< by which its scores are known; empty: its type
 };
 
 /// How Opal runs in one building with one robot: a document of configs/. Every field has a default except the
