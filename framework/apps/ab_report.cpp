@@ -1,9 +1,11 @@
 #include "ab_report.hpp"
 
 #include <opal/error.hpp>
+#include <opal/strict_json.hpp>
 #include <opal/text_file.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -117,8 +119,21 @@ st::ResultsTable table_of(const ab::MergedResults& results, const ab::CellPlan& 
   return table;
 }
 
+int look_at(const ab::Experiment& experiment, const ab::ResultFolder& folder, const ab::MergedResults& results, const ab::CellPlan& plan) {
+  const auto looks = static_cast<std::size_t>(experiment.looks);
+  const int look = static_cast<int>(looks * results.finished() / plan.cells());
+  if (results.complete() || look == 0) return look;
+  const std::string file = folder.file("looks.json");
+  ordered_json before = std::filesystem::exists(file) ? ordered_json(opal::read_json(file)) : ordered_json::object();
+  const std::string key = std::to_string(look);
+  if (before.contains(key) && before[key] != results.finished()) return 0;
+  before[key] = results.finished();
+  opal::write_text(file, before.dump() + '\n');
+  return look;
+}
+
 void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab::ResultFolder& folder,
-            const ab::MergedResults& results, const ordered_json& manifest) {
+            const ab::MergedResults& results, const ordered_json& manifest, int look) {
   st::ReportPage page;
   page.title = experiment.name;
   page.metrics = metrics_of(experiment);
@@ -126,6 +141,8 @@ void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab
   st::ComparisonOptions options;
   options.baseline = experiment.arms[experiment.baseline].name;
   options.metrics = page.metrics;
+  options.look = look;
+  options.looks = experiment.looks;
   page.verdicts = compare(page.table, options);
   page.configuration = manifest.dump(1);
   page.versions = versions_of(manifest);

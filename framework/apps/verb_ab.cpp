@@ -50,11 +50,12 @@ class AbSession {
   bool collect() const {
     const ab::MergedResults results(folder_, plan_);
     std::cout << results.finished() << " of " << plan_.cells() << " cells are finished\n";
-    if (!results.complete()) return false;
-    results.write(arm_digests(manifest_));
-    report(experiment_, plan_, folder_, results, manifest_);
-    std::cout << "written: results.jsonl, times.jsonl, verdict.json, report.html in " << folder_.path() << '\n';
-    return true;
+    const int look = look_at(experiment_, folder_, results, plan_);
+    if (look == 0 && experiment_.looks > 1) std::cout << "looks are at every " << plan_.cells() / static_cast<std::size_t>(experiment_.looks) << " cells, once\n";
+    if (results.complete()) results.write(arm_digests(manifest_));
+    if (look > 0) report(experiment_, plan_, folder_, results, manifest_, look);
+    if (results.complete()) std::cout << "written: results.jsonl, times.jsonl, verdict.json, report.html in " << folder_.path() << '\n';
+    return results.complete();
   }
 
   ab::SlurmJob submit(const AbOptions& options) const {

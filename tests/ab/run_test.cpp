@@ -139,6 +139,23 @@ TEST_CASE("arms that observe judge the same hypotheses, and change nothing") {
   CHECK(contests > 0);
 }
 
+TEST_CASE("an experiment may be looked at before its end as often as it says") {
+  const TemporaryFolder folder;
+  json document = experiment_with_drives();
+  document["looks"] = 2;
+  const std::string experiment = written(folder, document), out = folder.path_of("out");
+  const auto collected = [&] { return opal_run({"ab", "collect", experiment, "-o", out}).said; };
+  const auto work = [&](const std::string& shard) { REQUIRE(opal_run({"ab", "work", experiment, "-o", out, "--shard", shard}).exit_code == 0); };
+  work("1/3");  // 3 of 11 queries
+  CHECK_THAT(collected(), Catch::Contains("looks are at every 11 cells, once"));
+  work("2/3");  // 7
+  CHECK_THAT(collected(), Catch::Contains("lack_of_fit") && Catch::Contains("look"));
+  work("5/6");  // 9: the same look again
+  CHECK_THAT(collected(), Catch::Contains("looks are at every 11 cells, once"));
+  work("3/3");
+  CHECK_THAT(collected(), Catch::Contains("lack_of_fit") && Catch::Contains("written: results.jsonl"));
+}
+
 TEST_CASE("results of other arms, plugins or maps are not mixed") {
   const TemporaryFolder folder;
   json document = small_experiment();
