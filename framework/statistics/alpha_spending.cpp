@@ -13,14 +13,14 @@ namespace {
 const boost::math::normal kNormal;
 
 double spent(double level, double information) {
-  const double z = quantile(complement(kNormal, level / 2));
-  return 2 * cdf(complement(kNormal, z / std::sqrt(information)));
+  const double z = quantile(complement(kNormal, level / 4));
+  return 4 * cdf(complement(kNormal, z / std::sqrt(information)));
 }
 
 /// Score process, a Brownian motion, at one look: its density where the experiment was not ended before.
 struct Density {
-  static constexpr int kIntervals = 1000;  // even
-  double bound = 0;                        ///< lives on [-bound, bound]
+  static constexpr int kIntervals = 400;  // even
+  double bound = 0;                       ///< lives on [-bound, bound]
   std::vector<double> values;
 
   double place(int i) const { return bound * (2.0 * i / kIntervals - 1); }

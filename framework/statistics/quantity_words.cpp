@@ -26,11 +26,17 @@ std::string ends_text(double low, double high, int decimals) {
 
 bool is_less(const MetricResult& result) { return result.effect.size < (result.metric.kind == Kind::cost ? 1 : 0); }
 
+/// Of percent: small ones need more.
+int decimals_of(double percent) { return std::abs(percent) < 10 ? 1 : 0; }
+
+std::string percent_ends(double low, double high) {
+  return ends_text(100 * low, 100 * high, decimals_of(100 * std::max(std::abs(low), std::abs(high))));
+}
+
 std::string cost_ends(const MetricResult& result) {
   const Interval& ratio = result.effect.interval;
   if (result.effect.size >= kTimes) return ends_text(ratio.low, ratio.high, 1);
-  if (is_less(result)) return ends_text(100 * (1 - ratio.high), 100 * (1 - ratio.low), 0);
-  return ends_text(100 * (ratio.low - 1), 100 * (ratio.high - 1), 0);
+  return is_less(result) ? percent_ends(1 - ratio.high, 1 - ratio.low) : percent_ends(ratio.low - 1, ratio.high - 1);
 }
 
 std::string distance_ends(const MetricResult& result) {
@@ -52,6 +58,7 @@ double two_digits(double value) {
 
 std::string name_in_words(const Metric& metric) {
   std::string name = metric.name;
+  if (metric.kind == Kind::cost && !metric.phrase.empty()) return metric.phrase;
   if (!metric.unit.empty() && name.ends_with("_" + metric.unit)) name.resize(name.size() - metric.unit.size() - 1);
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
@@ -71,7 +78,7 @@ std::string value_text(const Metric& metric, double value) {
 std::string distance_text(const Metric& metric, double size) {
   if (metric.kind == Kind::proportion) return fixed_text(100 * std::abs(size), 1) + " points";
   if (metric.kind == Kind::distance_until) return with_unit(std::abs(size), 1, metric.unit);
-  return fixed_text(100 * std::abs(size), 0) + " %";
+  return fixed_text(100 * std::abs(size), decimals_of(100 * size)) + " %";
 }
 
 std::string interval_text(const MetricResult& result, double level) {

@@ -14,7 +14,6 @@ struct ReportPage {
   };
 
   std::string title;
-  std::vector<Metric> metrics;
   std::vector<Verdict> verdicts;
   ResultsTable table;
   std::string configuration;      ///< the whole of it, JSON text

@@ -1,10 +1,9 @@
 #include "statistics/sign_flip.hpp"
 
-#include "simulation/random.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 #include <vector>
 
 namespace opal::statistics {
@@ -46,15 +45,23 @@ double exact_p(std::span<const double> sizes, double bound) {
   return std::min(1.0, 2 * reaching * std::exp2(-static_cast<double>(sizes.size())));
 }
 
-double drawn_p(std::span<const double> sizes, double bound, std::uint64_t seed) {
-  constexpr int kDraws = 100'000;
-  simulation::Random random(seed);
-  int reaching = 0;
-  for (int draw = 0; draw < kDraws; ++draw) {
-    double sum = 0;
-    for (const double size : sizes) sum += random.chance(0.5) ? size : -size;
-    reaching += std::abs(sum) >= bound;
+/// Their sum with signs from fair bits.
+double flipped_sum(std::span<const double> sizes, std::mt19937_64& bits) {
+  constexpr std::size_t kBits = 64;
+  double sum = 0;
+  std::uint64_t word = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    word = i % kBits == 0 ? bits() : word >> 1;
+    sum += (word & 1) == 1 ? sizes[i] : -sizes[i];
   }
+  return sum;
+}
+
+double drawn_p(std::span<const double> sizes, double bound, std::uint64_t seed) {
+  constexpr int kDraws = 20'000;
+  std::mt19937_64 bits(seed);
+  int reaching = 0;
+  for (int draw = 0; draw < kDraws; ++draw) reaching += std::abs(flipped_sum(sizes, bits)) >= bound;
   return (1.0 + reaching) / (1.0 + kDraws);
 }
 

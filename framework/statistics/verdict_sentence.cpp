@@ -76,10 +76,13 @@ std::string told_sentence(const Verdict& verdict) {
   return text + (clusters.empty() ? "" : "; " + clusters) + ".";
 }
 
+/// What is in the interval, rounded up so that rounding does not deny it.
 double largest(const MetricResult& result) {
   const Interval& size = result.effect.interval;
-  if (result.metric.kind == Kind::cost) return std::max(size.high, 1 / size.low) - 1;
-  return std::max(std::abs(size.low), std::abs(size.high));
+  const bool cost = result.metric.kind == Kind::cost;
+  const double exact = cost ? std::max(size.high, 1 / size.low) - 1 : std::max(std::abs(size.low), std::abs(size.high));
+  const double steps = result.metric.kind == Kind::distance_until ? 10 : 1000;
+  return std::ceil(exact * steps - 1e-9) / steps;
 }
 
 std::string equal_sentence(const MetricResult& result, double level) {

@@ -1,5 +1,6 @@
 #include "viewer/page.hpp"
 
+#include "viewer/html_text.hpp"
 #include "viewer/page_assets.hpp"
 
 #include <array>
@@ -9,24 +10,6 @@
 
 namespace opal {
 namespace {
-
-/// Text as the value of an attribute in double quotes (HTML, 13.1.2.3).
-std::string attribute(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '"')
-      escaped += "&quot;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else
-      escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return escaped;
-}
 
 /// FNV-1a (Fowler, Noll, Vo) with an offset of one's choice.
 std::uint64_t hash(std::string_view text, std::uint64_t offset) {
@@ -83,13 +66,13 @@ std::size_t room_for_data(std::size_t runs) {
 std::string page_of(const std::vector<PackedRun>& runs) {
   std::string data;
   for (const PackedRun& run : runs)
-    data += "<script type=\"text/plain\" class=\"opal-run\" data-name=\"" + attribute(run.name) + "\">" +
+    data += "<script type=\"text/plain\" class=\"opal-run\" data-name=\"" + html_text(run.name) + "\">" +
             run.data + "</script>\n";
   return page_with(data);
 }
 
 std::string live_page(const std::string& events_path) {
-  return page_with("<meta name=\"opal-live\" content=\"" + attribute(events_path) + "\">\n");
+  return page_with("<meta name=\"opal-live\" content=\"" + html_text(events_path) + "\">\n");
 }
 
 }  // namespace opal

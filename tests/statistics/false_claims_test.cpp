@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstdio>
+#include <numeric>
 
 using namespace opal::statistics;
 
@@ -52,8 +53,7 @@ Claims claims_in(const SimulatedExperiment& experiment, int experiments) {
 
 std::vector<std::size_t> sites(std::size_t count, std::size_t queries) { return std::vector<std::size_t>(count, queries); }
 
-void print(const char* name, const Claims& c) {
-  std::printf("%-44s", name);
+void print(const Claims& c) {
   for (const auto& counts : {c.by_metric, c.by_pairs, c.by_sign_flip, c.uncovered}) {
     for (const int n : counts) std::printf(" %5.1f", 100 * c.share(n));
     std::printf(" |");
@@ -64,34 +64,30 @@ void print(const char* name, const Claims& c) {
 
 }  // namespace
 
-TEST_CASE("the same arm twice is told apart in three to seven of a hundred experiments") {
+TEST_CASE("the same arm twice is told apart in three to seven of a hundred comparisons") {
   constexpr int kExperiments = 200;
   for (const auto& cluster_sizes : {kRecordedSites, sites(7, 14), sites(40, 14)}) {
     const Claims claims = claims_in({cluster_sizes}, kExperiments);
-    for (std::size_t metric = 0; metric < 3; ++metric) {
-      CAPTURE(cluster_sizes.size(), metric, claims.by_metric[metric]);
-      CHECK(claims.share(claims.by_metric[metric]) >= 0.03);
-      CHECK(claims.share(claims.by_metric[metric]) <= 0.07);
-    }
-    CHECK(claims.share(claims.any) <= 0.07);
+    const double rate = claims.share(std::accumulate(claims.by_metric.begin(), claims.by_metric.end(), 0)) / 3;
+    CAPTURE(cluster_sizes.size(), claims.by_metric[0], claims.by_metric[1], claims.by_metric[2]);
+    CHECK(rate >= 0.03);
+    CHECK(rate <= 0.07);
+    // Of one metric, so few experiments show the rate to 1.5 % (one sigma); [rates] shows it better.
+    for (const int count : claims.by_metric) CHECK(claims.share(count) <= 0.09);
+    CHECK(claims.share(claims.any) <= 0.07);  // corrected for three metrics
   }
 }
 
 TEST_CASE("rates of false claims in 5,000 experiments, for docs/experiments.md", "[.][rates]") {
   constexpr int kExperiments = 5000;
-  for (const double success : {0.6, 0.75, 0.9, 0.97})
-    for (const double correlated : {0.0, 0.2, 0.5}) {
-      const auto run = [&](const char* name, const std::vector<std::size_t>& cluster_sizes) {
-        char text[100];
-        std::snprintf(text, sizeof text, "%s, success %.2f, correlated %.1f", name, success, correlated);
+  for (const auto& [name, cluster_sizes] : std::vector<std::pair<std::string, std::vector<std::size_t>>>{
+           {"recorded", kRecordedSites}, {"40 x 14", sites(40, 14)}, {"3 x 33", sites(3, 33)}})
+    for (const double success : {0.6, 0.8, 0.95})
+      for (const double correlated : {0.0, 0.2}) {
         SimulatedExperiment experiment{cluster_sizes};
         experiment.success = success;
         experiment.correlated = correlated;
-        print(text, claims_in(experiment, kExperiments));
-      };
-      run("recorded", kRecordedSites);
-      run("7 x 14", sites(7, 14));
-      run("40 x 14", sites(40, 14));
-      run("3 x 30", sites(3, 30));
-    }
+        std::printf("%s, success %.2f, correlated %.1f: ", name.c_str(), success, correlated);
+        print(claims_in(experiment, kExperiments));
+      }
 }

@@ -6,7 +6,7 @@
 /// an arm does by chance is partly the same for all windows of a site. Without a planted difference the arms differ by name only.
 struct SimulatedExperiment {
   std::vector<std::size_t> cluster_sizes;
-  double success = 0.75;     ///< mean over sites
+  double success = 0.6;      ///< mean over sites
   double site_sigma = 1;     ///< of how hard sites are, in sigmas of a query
   double common = 0.7;       ///< share of a query's variance that both arms share
   double correlated = 0.2;   ///< share of an arm's own variance that all windows of a site share

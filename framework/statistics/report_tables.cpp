@@ -1,0 +1,150 @@
+#include "statistics/report_tables.hpp"
+
+#include "statistics/pair_scores.hpp"
+#include "statistics/quantity_words.hpp"
+#include "viewer/html_text.hpp"
+#include "viewer/quantity_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace opal::statistics {
+namespace {
+
+using Cells = std::vector<std::string>;  // HTML
+
+std::string row(const Cells& cells, const std::string& tag = "td") {
+  std::string html = "<tr>";
+  for (const std::string& cell : cells) html += "<" + tag + ">" + cell + "</" + tag + ">";
+  return html + "</tr>\n";
+}
+
+std::string table_of(const Cells& head, const std::vector<Cells>& rows) {
+  std::string html = "<div class=\"wide\"><table><thead>" + row(head, "th") + "</thead><tbody>\n";
+  for (const Cells& cells : rows) html += row(cells);
+  return html + "</tbody></table></div>\n";
+}
+
+std::string number(std::size_t count) { return std::to_string(count); }
+
+std::string word_of(Outcome outcome) {
+  constexpr const char* kWords[] = {"better", "worse", "no difference of interest", "open"};
+  return kWords[static_cast<int>(outcome)];
+}
+
+std::string size_cell(const MetricResult& result, double size) {
+  if (std::isnan(size)) return "-";
+  if (std::isinf(size)) return size < 0 ? "-∞" : "∞";
+  if (result.metric.kind == Metric::Kind::proportion) return fixed_text(100 * size, 1);
+  return fixed_text(size, result.metric.kind == Metric::Kind::cost ? 3 : 2);
+}
+
+std::string interval_cell(const MetricResult& result, const Interval& interval) {
+  return size_cell(result, interval.low) + " to " + size_cell(result, interval.high);
+}
+
+std::string odds_cell(const MetricResult& result) {
+  if (result.metric.kind != Metric::Kind::proportion) return "";
+  const auto odds = [](double value) { return std::isnan(value) ? "-" : std::isinf(value) ? "∞" : fixed_text(value, 2); };
+  return odds(result.odds_ratio) + " (" + odds(result.odds_ratio_interval.low) + " to " + odds(result.odds_ratio_interval.high) + ")";
+}
+
+std::string size_head(const MetricResult& result) {
+  if (result.metric.kind == Metric::Kind::proportion) return "points";
+  return result.metric.kind == Metric::Kind::cost ? "ratio" : "median, " + result.metric.unit;
+}
+
+std::string more_cell(const MetricResult& result) {
+  const bool told = result.outcome == Outcome::better || result.outcome == Outcome::worse;
+  if (told || result.outcome == Outcome::equal) return "";
+  return std::isfinite(result.more_queries) ? fixed_text(std::ceil(result.more_queries), 0) : "∞";
+}
+
+Cells numbers_row(const MetricResult& result) {
+  return {html_text(name_in_words(result.metric)), html_text(size_head(result)), number(result.pairs), number(result.better),
+          number(result.worse), value_text(result.metric, result.effect.a), value_text(result.metric, result.effect.b),
+          size_cell(result, result.effect.size), interval_cell(result, result.effect.interval), interval_cell(result, result.bootstrap),
+          odds_cell(result), p_text(result.p), p_text(result.p_corrected), p_text(result.p_pairs), p_text(result.p_sign_flip),
+          fixed_text(result.design_effect, 2), more_cell(result), word_of(result.outcome)};
+}
+
+/// How far apart, for sorting: infinite differences first.
+double apart(const PairedValue& pair, Metric::Kind kind) {
+  return kind == Metric::Kind::cost ? std::abs(std::log(pair.b / pair.a)) : std::abs(difference(pair));
+}
+
+std::vector<PairedValue> most_differing(const PairedSample& sample, Metric::Kind kind) {
+  std::vector<PairedValue> pairs = sample.pairs;
+  std::erase_if(pairs, [](const PairedValue& pair) { return pair.a == pair.b; });
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const PairedValue& x, const PairedValue& y) { return apart(x, kind) > apart(y, kind); });
+  return pairs;
+}
+
+std::string value_cell(const Metric& metric, double value) {
+  if (metric.kind == Metric::Kind::proportion) return value > 0.5 ? "yes" : "no";
+  return html_text(value_text(metric, value));
+}
+
+}  // namespace
+
+std::string numbers_table(const Verdict& verdict) {
+  std::vector<Cells> rows;
+  for (const MetricResult& result : verdict.metrics) rows.push_back(numbers_row(result));
+  return table_of({"metric", "size", "pairs", "better", "worse", html_text(verdict.baseline), html_text(verdict.arm), "size", "interval",
+                   "bootstrap", "odds ratio", "p", "p, Holm", "p, pairs", "p, sign flips", "design effect", "more queries", "outcome"},
+                  rows);
+}
+
+std::string counts_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {
+  const std::string a = html_text(baseline), b = html_text(arm);
+  return table_of({"", a + " yes", a + " no"}, {{b + " yes", number(result.counts.both), number(result.counts.only_b)},
+                                                {b + " no", number(result.counts.only_a), number(result.counts.neither)}});
+}
+
+std::string differing_table(const PairedSample& sample, const Metric& metric, const std::string& arm, const std::string& baseline,
+                            const LinkedRuns& links) {
+  constexpr std::size_t kShown = 200;
+  const std::vector<PairedValue> pairs = most_differing(sample, metric.kind);
+  if (pairs.empty()) return "<p>No pair differs.</p>\n";
+  std::vector<Cells> rows;
+  for (const PairedValue& pair : pairs) {
+    if (rows.size() == kShown) break;
+    const auto cell = [&](const std::string& name, double value) {
+      return linked(links.of(name, pair.cluster, pair.query, pair.seed), value_cell(metric, value));
+    };
+    rows.push_back({html_text(pair.cluster), html_text(pair.query), std::to_string(pair.seed), cell(baseline, pair.a), cell(arm, pair.b)});
+  }
+  const std::string rest = pairs.size() > kShown ? "<p>" + number(pairs.size() - kShown) + " more differ less.</p>\n" : "";
+  return table_of({"site", "query", "seed", html_text(baseline), html_text(arm)}, rows) + rest;
+}
+
+std::string cost_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {
+  std::vector<Cells> rows;
+  const auto add = [&](const std::string& name, std::size_t pairs, const Effect& effect) {
+    rows.push_back({html_text(name), number(pairs), html_text(value_text(result.metric, effect.a)), html_text(value_text(result.metric, effect.b)),
+                    size_cell(result, effect.size), interval_cell(result, effect.interval)});
+  };
+  for (const ClusterResult& cluster : result.clusters) add(cluster.cluster, cluster.pairs, cluster.effect);
+  add("all", result.pairs, result.effect);
+  return table_of({"site", "queries", html_text(baseline) + ", median", html_text(arm) + ", median", "ratio", "interval"}, rows);
+}
+
+std::string failures_table(const ResultsTable& table, const LinkedRuns& links) {
+  std::vector<Cells> rows;
+  for (const ResultRow& result : table)
+    if (!result.failure.empty())
+      rows.push_back({html_text(result.arm), html_text(result.cluster),
+                      linked(links.of(result.arm, result.cluster, result.query, result.seed), html_text(result.query)),
+                      std::to_string(result.seed), html_text(result.failure)});
+  if (rows.empty()) return "<p>Every run came to its end.</p>\n";
+  return table_of({"arm", "site", "query", "seed", "what happened"}, rows);
+}
+
+std::string versions_table(const std::vector<ReportPage::Version>& versions) {
+  std::vector<Cells> rows;
+  for (const ReportPage::Version& version : versions)
+    rows.push_back({html_text(version.name), html_text(version.version), "<code>" + html_text(version.file_hash) + "</code>"});
+  return table_of({"part", "version", "hash of its file"}, rows);
+}
+
+}  // namespace opal::statistics
