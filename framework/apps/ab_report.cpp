@@ -136,11 +136,10 @@ void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab
             const ab::MergedResults& results, const ordered_json& manifest, int look) {
   st::ReportPage page;
   page.title = experiment.name;
-  page.metrics = metrics_of(experiment);
   page.table = table_of(results, plan);
   st::ComparisonOptions options;
   options.baseline = experiment.arms[experiment.baseline].name;
-  options.metrics = page.metrics;
+  options.metrics = metrics_of(experiment);
   options.look = look;
   options.looks = experiment.looks;
   page.verdicts = compare(page.table, options);
