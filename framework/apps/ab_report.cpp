@@ -20,7 +20,7 @@ const std::vector<st::Metric>& known_metrics() {
       {"success", Kind::proportion, true, "", "is right in", 0},
       {"distance_to_success_m", Kind::distance_until, false, "m", "is right", 0},
       {"localized", Kind::proportion, true, "", "localizes in", 0},
-      {"distance_to_localized_m", Kind::distance_until, false, "m", "says so", 0},
+      {"distance_to_localized_m", Kind::distance_until, false, "m", "calls itself localized", 0},
       {"honest", Kind::proportion, true, "", "never vouches for a wrong pose in", 0},
       {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
       {"strict", Kind::proportion, true, "", "is right within 0.5 m and 10 degrees in", 0},

@@ -3,6 +3,8 @@
 #include <ab/experiment.hpp>
 
 #include <opal/error.hpp>
+#include <opal/json_ld.hpp>
+#include <opal/strict_json.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -54,6 +56,17 @@ TEST_CASE("an experiment is read with the deployments that it names") {
   CHECK(experiment.scenarios[1].seeds.size() == 3);
   CHECK(std::get<SimulatedDrives>(experiment.scenarios[1].source).drives.drives == 2);
   CHECK(experiment.limits.wall_s == 100);
+}
+
+TEST_CASE("the experiment of the documentation is JSON-LD of Opal's vocabulary") {
+  opal::json_ld::Options options;
+  options.contexts["urn:opal:v1"] = opal::read_json(OPAL_SOURCE_DIR "/maps/context/opal.jsonld");
+  options.reject_unknown_terms = true;
+  const std::string path = OPAL_SOURCE_DIR "/tests/sdk/likelihood_field/three_scorers.jsonld";
+  const json expanded = opal::json_ld::expand(opal::read_json(path), options);
+  REQUIRE(expanded.size() == 1);
+  CHECK(expanded[0]["@type"][0] == "urn:opal:v1#Experiment");
+  CHECK(expanded[0]["urn:opal:v1#arms"][0]["@value"].size() == 3);
 }
 
 TEST_CASE("paths of a document start where it stands") {
