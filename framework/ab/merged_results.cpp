@@ -60,9 +60,13 @@ void MergedResults::add(std::uint32_t journal, const CellResult& result, const J
 }
 
 CellResult MergedResults::read(const Place& place) const {
-  std::ifstream file(journals_[place.journal], std::ios::binary);
+  if (open_journal_ != place.journal) {
+    open_file_ = std::ifstream(journals_[place.journal], std::ios::binary);
+    open_journal_ = place.journal;
+  }
   std::string line(place.length, '\0');
-  file.seekg(static_cast<std::streamoff>(place.offset)).read(line.data(), place.length);
+  open_file_.clear();
+  open_file_.seekg(static_cast<std::streamoff>(place.offset)).read(line.data(), place.length);
   return parse_journal_line(line, journals_[place.journal]);
 }
 

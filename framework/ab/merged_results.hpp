@@ -2,7 +2,9 @@
 
 #include "ab/result_folder.hpp"
 
+#include <fstream>
 #include <functional>
+#include <optional>
 
 namespace opal::ab {
 
@@ -40,6 +42,8 @@ class MergedResults {
   std::vector<std::string> journals_;
   std::vector<Place> places_;  ///< by number
   std::size_t finished_ = 0;
+  mutable std::ifstream open_file_;  ///< neighbours often stand in the same journal
+  mutable std::optional<std::uint32_t> open_journal_;
 };
 
 }  // namespace opal::ab

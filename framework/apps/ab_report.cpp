@@ -24,6 +24,7 @@ const std::vector<st::Metric>& known_metrics() {
       {"honest", Kind::proportion, true, "", "never vouches for a wrong pose in", 0},
       {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
       {"strict", Kind::proportion, true, "", "is right within 0.5 m and 10 degrees in", 0},
+      {"time_to_success_s", Kind::distance_until, false, "s", "is right", 0},
       {"distance_to_strict_m", Kind::distance_until, false, "m", "is so right", 0},
       {"error_m", Kind::cost, false, "m", "error", 0},
       {"hypotheses", Kind::cost, false, "", "hypotheses", 0},
@@ -133,7 +134,7 @@ int look_at(const ab::Experiment& experiment, const ab::ResultFolder& folder, co
 }
 
 void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab::ResultFolder& folder,
-            const ab::MergedResults& results, const ordered_json& manifest, int look) {
+            const ab::MergedResults& results, const ordered_json& manifest, int look, const ViewLinks& links) {
   st::ReportPage page;
   page.title = experiment.name;
   page.table = table_of(results, plan);
@@ -145,6 +146,7 @@ void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab
   page.verdicts = compare(page.table, options);
   page.configuration = manifest.dump(1);
   page.versions = versions_of(manifest);
+  page.link = links;
   page.command = "opal ab " + experiment.file;
   print_failures(page.table);
   auto verdicts = ordered_json::array();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ab/merged_results.hpp>
+#include "ab_views.hpp"
 
 #include <statistics/comparison.hpp>
 #include <statistics/report_page.hpp>
@@ -18,4 +18,5 @@ int look_at(const opal::ab::Experiment& experiment, const opal::ab::ResultFolder
 
 /// Says who is better, in words on stdout, and writes verdict.json and report.html.
 void report(const opal::ab::Experiment& experiment, const opal::ab::CellPlan& plan, const opal::ab::ResultFolder& folder,
-            const opal::ab::MergedResults& results, const nlohmann::ordered_json& manifest, int look);
+            const opal::ab::MergedResults& results, const nlohmann::ordered_json& manifest, int look,
+            const ViewLinks& links);

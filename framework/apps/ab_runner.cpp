@@ -1,14 +1,19 @@
 #include "ab_runner.hpp"
 
+#include "localize_run.hpp"
 #include "quantile.hpp"
 #include "session.hpp"
 
 #include <ab/sha256.hpp>
 
+#include <opal/error.hpp>
 #include <opal/query_verdict.hpp>
+#include <opal/run_events.hpp>
 #include <opal/sentence.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <numeric>
 #include <set>
 
@@ -49,6 +54,7 @@ std::map<std::string, double> values_of(const opal::QueryVerdict& verdict, const
                                        {"localized_rows", verdict.localized_rows},
                                        {"false_rows", verdict.false_rows}};
   set_if_reached(values, "distance_to_success_m", verdict.right_after_m);
+  set_if_reached(values, "time_to_success_s", verdict.right_after_s);
   set_if_reached(values, "distance_to_strict_m", verdict.strict_after_m);
   set_if_reached(values, "distance_to_localized_m", verdict.localized_after_m);
   set_if_reached(values, "error_m", verdict.error_m);
@@ -109,12 +115,32 @@ void LocalizingRunner::set_up(std::size_t arm) {
     deployment = experiment_.arms[experiment_.baseline].deployment;
     observed_ = let_observe(deployment, chosen, arm == experiment_.baseline);
   }
+  localizer_ = std::make_unique<opal::Localizer>(parts_of(std::move(deployment), arm));
+}
+
+/// In the world that is entered, with the plugins of an arm.
+opal::LocalizerParts LocalizingRunner::parts_of(opal::Deployment deployment, std::size_t arm) const {
   deployment = with_laser(std::move(deployment), world_->place.deployment.laser);
   if (world_->region)
     deployment.association["region"] = {{"x_m", world_->region->center.x()},
                                         {"y_m", world_->region->center.y()},
                                         {"radius_m", world_->region->radius_m}};
-  localizer_ = std::make_unique<opal::Localizer>(build_parts(deployment, *plugins_[arm].registry, world_->place.site.map));
+  return build_parts(deployment, *plugins_[arm].registry, world_->place.site.map);
+}
+
+void LocalizingRunner::record(const ab::Task& task, std::size_t arm, const std::string& folder) const {
+  std::filesystem::create_directories(folder);
+  std::ofstream file(folder + "/events.jsonl");
+  opal::JsonLinesSink events(file);
+  const opal::LocalizerParts parts = parts_of(experiment_.arms[arm].deployment, arm);
+  const opal::Query& query = world_->query(task.query);
+  events.write(opal::run_event({world_->place.site.name, experiment_.arms[arm].name, parts.map->map().name()}, parts.laser));
+  events.write(opal::map_event(*parts.map));
+  events.write(opal::start_event(query.id));
+  events.write(truth_event_of(world_->truth, query, parts.laser));
+  opal::Localizer localizer(parts, &events);
+  run_query(localizer, world_->place, query);
+  if (!file.flush()) throw opal::Error(folder + "/events.jsonl: cannot be written");
 }
 
 void LocalizingRunner::run(const ab::Task& task, ab::CellResult& result) {

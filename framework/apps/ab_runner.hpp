@@ -26,7 +26,12 @@ class LocalizingRunner final : public opal::ab::CellRunner {
   void set_up(std::size_t arm) override;
   void run(const opal::ab::Task& task, opal::ab::CellResult& result) override;
 
+  /// Runs a cell of the world that is entered once more, for its event stream. May throw, crash or hang.
+  void record(const opal::ab::Task& task, std::size_t arm, const std::string& folder) const;
+
  private:
+  opal::LocalizerParts parts_of(opal::Deployment deployment, std::size_t arm) const;
+
   const opal::ab::Experiment& experiment_;
   const std::vector<ArmPlugins>& plugins_;
   WorldSource& worlds_;

@@ -47,13 +47,17 @@ class AbSession {
   }
 
   /// @return whether all cells are finished.
-  bool collect() const {
+  bool collect() {
     const ab::MergedResults results(folder_, plan_);
     std::cout << results.finished() << " of " << plan_.cells() << " cells are finished\n";
     const int look = look_at(experiment_, folder_, results, plan_);
     if (look == 0 && experiment_.looks > 1) std::cout << "looks are at every " << plan_.cells() / static_cast<std::size_t>(experiment_.looks) << " cells, once\n";
     if (results.complete()) results.write(arm_digests(manifest_));
-    if (look > 0) report(experiment_, plan_, folder_, results, manifest_, look);
+    if (look > 0) {
+      LocalizingRunner runner(experiment_, plugins_, worlds_);
+      const ViewLinks links = experiment_.observes ? ViewLinks() : write_views(experiment_, plan_, folder_, results, runner);
+      report(experiment_, plan_, folder_, results, manifest_, look, links);
+    }
     if (results.complete()) std::cout << "written: results.jsonl, times.jsonl, verdict.json, report.html in " << folder_.path() << '\n';
     return results.complete();
   }

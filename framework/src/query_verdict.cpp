@@ -62,6 +62,7 @@ QueryVerdict judge_query(std::span<const ResultRow> all, const Query& window, co
   if (const auto part = kept(rows, end, options, right); !part.empty()) {
     verdict.success = true;
     verdict.right_after_m = std::max(0.0, part.front().driven_m);
+    verdict.right_after_s = std::max(0.0, part.front().stamp_s - window.start_s);
     verdict.error_m = mean_error_m(part);
   }
   if (const auto part = kept(rows, end, options, strictly); !part.empty()) {

@@ -24,6 +24,7 @@ struct QueryJudgeOptions {
 struct QueryVerdict {
   bool success = false;           ///< right from some row on, and up to the end
   double right_after_m = -1;      ///< until it was so
+  double right_after_s = -1;      ///< the same in time
   double error_m = -1;            ///< of the position, mean over the rows from there on
   bool strict = false;            ///< the same, strictly
   double strict_after_m = -1;
