@@ -11,49 +11,47 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Sums over clusters: of scores and pairs, and of squares and products about their means, scaled so that those are
-/// variances and covariance of the totals.
-struct Totals {
-  double clusters = 0, score = 0, pairs = 0;
-  double score_score = 0, score_pairs = 0, pairs_pairs = 0;
+struct MeanScore {
+  double value = 0, standard_error = 0, degrees_of_freedom = 0;
 };
 
-Totals totals(std::span<const ClusterSum> clusters) {
-  Totals t;
-  t.clusters = static_cast<double>(clusters.size());
-  for (const ClusterSum& c : clusters) t.score += c.sum, t.pairs += c.pairs;
-  const double scale = t.clusters / (t.clusters - 1);
+/// Degrees of freedom for which the variance has the mean and spread of a chi-square if scores were independent (Bell & McCaffrey 2002,
+/// of a mean).
+double degrees_of_freedom(std::span<const ClusterSum> clusters, double pairs) {
+  double squares = 0, leverages = 0, squared_leverages = 0;
   for (const ClusterSum& c : clusters) {
-    const double score = c.sum - t.score / t.clusters, pairs = c.pairs - t.pairs / t.clusters;
-    t.score_score += scale * score * score;
-    t.score_pairs += scale * score * pairs;
-    t.pairs_pairs += scale * pairs * pairs;
+    const double leverage = c.pairs * c.pairs / (pairs - c.pairs);
+    squares += c.pairs * c.pairs;
+    leverages += leverage;
+    squared_leverages += leverage * leverage;
   }
-  return t;
+  return pairs * pairs / (squares + leverages * leverages - squared_leverages);
+}
+
+/// Residuals of a cluster are blown up by what the mean has taken from them: the larger its share of all pairs, the more.
+MeanScore mean_score(std::span<const ClusterSum> clusters) {
+  double score = 0, pairs = 0, variance = 0;
+  for (const ClusterSum& c : clusters) score += c.sum, pairs += c.pairs;
+  const double mean = score / pairs;
+  for (const ClusterSum& c : clusters) variance += (c.sum - mean * c.pairs) * (c.sum - mean * c.pairs) / (1 - c.pairs / pairs);
+  return {mean, std::sqrt(variance) / pairs, degrees_of_freedom(clusters, pairs)};
 }
 
 }  // namespace
 
 double cluster_t_test(std::span<const ClusterSum> clusters) {
   if (clusters.size() < 2) return 1;
-  const Totals t = totals(clusters);
-  if (t.score == 0) return 1;
-  if (t.score_score <= 1e-20 * t.score * t.score) return 0;
-  return 2 * cdf(complement(boost::math::students_t(t.clusters - 1), std::abs(t.score) / std::sqrt(t.score_score)));
+  const MeanScore mean = mean_score(clusters);
+  if (mean.value == 0) return 1;
+  if (mean.standard_error <= 1e-10 * std::abs(mean.value)) return 0;
+  return 2 * cdf(complement(boost::math::students_t(mean.degrees_of_freedom), std::abs(mean.value) / mean.standard_error));
 }
 
 Interval cluster_t_interval(std::span<const ClusterSum> clusters, double level) {
   if (clusters.size() < 2) return {-kInfinite, kInfinite};
-  const Totals t = totals(clusters);
-  const double quantile_t = quantile(complement(boost::math::students_t(t.clusters - 1), level / 2));
-  const double q2 = quantile_t * quantile_t;
-  // (score - m pairs)^2 <= q^2 var(score - m pairs), a quadratic in the mean score m.
-  const double a = t.pairs * t.pairs - q2 * t.pairs_pairs;
-  const double b = t.score * t.pairs - q2 * t.score_pairs;
-  const double c = t.score * t.score - q2 * t.score_score;
-  if (a <= 0) return {-kInfinite, kInfinite};
-  const double root = std::sqrt(std::max(0.0, b * b - a * c));
-  return {(b - root) / a, (b + root) / a};
+  const MeanScore mean = mean_score(clusters);
+  const double half = quantile(complement(boost::math::students_t(mean.degrees_of_freedom), level / 2)) * mean.standard_error;
+  return {mean.value - half, mean.value + half};
 }
 
 double variance_of_sum(std::span<const ClusterSum> clusters, double mean) {

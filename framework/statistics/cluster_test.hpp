@@ -13,13 +13,12 @@ struct ClusterSum {
   double pairs = 0;  ///< how many scores
 };
 
-/// Two-sided p-value of a mean score of zero: Student's t of the sums, with one degree of freedom less than clusters. Valid though
-/// clusters differ in size and spread, as it then only gets conservative (Bakirov & Szekely 2006, Ibragimov & Mueller 2010). It is
-/// the cluster-robust test of Cameron, Gelbach & Miller (2008) for a mean. 1 with fewer than two clusters.
+/// Two-sided p-value of a mean score of zero: Student's t with the cluster-robust variance of Bell & McCaffrey (2002) and their degrees of
+/// freedom, which allow for few clusters of unequal size (Cameron, Gelbach & Miller 2008; Imbens & Kolesar 2016). With clusters of equal
+/// size it is the t-test of their means. 1 with fewer than two clusters.
 double cluster_t_test(std::span<const ClusterSum> clusters);
 
-/// The mean scores that this test does not reject (Fieller 1954): scores less a constant, tested again. Infinite where there are too
-/// few clusters, or one holds nearly all pairs.
+/// The mean scores that this test does not reject. Infinite with fewer than two clusters.
 Interval cluster_t_interval(std::span<const ClusterSum> clusters, double level);
 
 /// Variance of the sum of all scores, clusters independent, about a mean score.

@@ -21,7 +21,7 @@ std::size_t nonzero(std::span<const double> scores) {
   return static_cast<std::size_t>(std::count_if(scores.begin(), scores.end(), [](double score) { return score != 0; }));
 }
 
-/// Student's t of the sums, but nothing that so few scores cannot carry.
+/// The cluster-robust t-test, but nothing that so few scores cannot carry.
 double t_test(Pairs pairs, std::span<const double> scores, Independent independent) {
   return std::max(cluster_t_test(sums_of(pairs, scores, independent)), smallest_p(nonzero(scores)));
 }

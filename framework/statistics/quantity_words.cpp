@@ -96,7 +96,8 @@ std::string size_text(const MetricResult& result) {
   if (result.metric.kind == Kind::cost)
     return size >= kTimes ? fixed_text(size, 1) + " times the" : distance_text(result.metric, size - 1) + (size < 1 ? " less" : " more");
   if (std::isinf(size)) return size < 0 ? "mostly where the other never arrives" : "mostly never where the other arrives";
-  return "median " + distance_text(result.metric, size) + (fixed_text(size, 1) == fixed_text(0, 1) ? " apart" : size < 0 ? " sooner" : " later");
+  if (fixed_text(size, 1) == fixed_text(0, 1)) return "median difference " + distance_text(result.metric, 0);
+  return "median " + distance_text(result.metric, size) + (size < 0 ? " sooner" : " later");
 }
 
 std::string more_queries_text(const MetricResult& result) {

@@ -19,7 +19,7 @@ section, .verdict { background: #fff; border: 1px solid var(--line); border-radi
 .verdict p:first-of-type { font-size: 18px; line-height: 1.45; margin: 2px 0 8px; }
 .verdict { border-left: 6px solid var(--faint); } .verdict.told { border-left-color: var(--a); }
 .arms, .quiet { color: var(--faint); } .notes { margin: 0; padding-left: 20px; color: var(--faint); }
-.wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
+.wide { overflow-x: auto; } h3:first-child { margin-top: 0; } table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 3px 12px 3px 0; border-bottom: 1px solid var(--line); white-space: nowrap; } th { color: var(--faint); font-weight: 600; }
 pre { overflow-x: auto; font: 12px/1.45 ui-monospace, Menlo, Consolas, "DejaVu Sans Mono", monospace; background: #f7f6f3; padding: 10px; border-radius: 4px; }
 a { color: var(--a); } summary { cursor: pointer; color: var(--a); }
@@ -29,7 +29,7 @@ svg line { stroke: var(--line); } svg line.none { stroke: var(--faint); stroke-d
 svg line.whisker { stroke: var(--text); stroke-width: 1.5; } svg .arrow { fill: var(--text); } svg .frame { fill: none; stroke: var(--line); }
 svg .total text { font-weight: 650; } svg .better { fill: var(--good); } svg .worse { fill: var(--bad); } svg .equal { fill: #71809a; } svg .open { fill: var(--text); }
 svg .of-a { fill: var(--a); } svg .of-b { fill: var(--b); } svg .of-a, svg .of-b { fill-opacity: .75; } svg a:hover path { fill-opacity: 1; stroke: #000; }
-.plots { display: flex; flex-wrap: wrap; gap: 24px; align-items: flex-start; } .plots > * { flex: 1 1 420px; }
+.plots { display: flex; flex-wrap: wrap; gap: 24px; align-items: flex-start; } .plots > * { flex: 1 1 420px; min-width: 0; } details .wide { max-height: 420px; overflow: auto; }
 .key b { font-weight: 650; } .key .better { color: var(--good); } .key .worse { color: var(--bad); } .key .a { color: var(--a); } .key .b { color: var(--b); }
 )";
 
@@ -62,7 +62,8 @@ std::string pairs_html(const PairedSample& sample, const MetricResult& result, c
   const bool proportion = result.metric.kind == Kind::proportion;
   const std::string picture = proportion ? "" : scatter_plot(sample, result.metric, verdict.arm, verdict.baseline, links);
   const std::string counts = proportion ? counts_table(result, verdict.arm, verdict.baseline) : "";
-  return "<div class=\"plots\">" + picture + "<div>" + counts + "<details" + (proportion ? " open" : "") + "><summary>Queries that differ</summary>\n" +
+  const std::string costs = result.metric.kind == Kind::cost ? cost_table(result, verdict.arm, verdict.baseline) : "";
+  return "<div class=\"plots\"><div>" + picture + counts + "</div><div>" + costs + "<details open><summary>Queries that differ</summary>\n" +
          differing_table(sample, result.metric, verdict.arm, verdict.baseline, links) + "</details></div></div>\n";
 }
 
@@ -70,8 +71,7 @@ std::string metric_html(const ReportPage& page, const MetricResult& result, cons
   const std::string title = "<section><h3>" + html_text(name_in_words(result.metric)) + "</h3>\n";
   if (result.pairs == 0) return title + "<p>No query has a value of both.</p></section>\n";
   const PairedSample sample = pair_rows(page.table, result.metric, verdict.baseline, verdict.arm);
-  const std::string costs = result.metric.kind == Kind::cost ? cost_table(result, verdict.arm, verdict.baseline) : "";
-  return title + forest_plot(result, verdict.arm, verdict.baseline) + costs + pairs_html(sample, result, verdict, links) + "</section>\n";
+  return title + forest_plot(result, verdict.arm, verdict.baseline) + pairs_html(sample, result, verdict, links) + "</section>\n";
 }
 
 std::string key_html() {
@@ -84,9 +84,9 @@ std::string comparison_html(const ReportPage& page, const Verdict& verdict, cons
   std::string html = "<h2>" + html_text(verdict.arm) + " beside " + html_text(verdict.baseline) + "</h2>\n" + key_html();
   for (const MetricResult& result : verdict.metrics) html += metric_html(page, result, verdict, links);
   return html + "<section><h3>All numbers</h3>\n" + numbers_table(verdict) +
-         "<p class=\"quiet\">p decides: Student's t of what sites sum up to (signed ranks of distances, logarithms of costs), with six sites or more; else "
-         "the next but one. p, pairs: McNemar (mid-p), Wilcoxon, or t of logarithms, pairs taken as independent. Sign flips and bootstrap, by "
-         "sites, are for comparison; with few sites the bootstrap is too narrow. Sources: docs/ab_statistics.md of Opal.</p></section>\n";
+         "<p class=\"quiet\">p decides. With six sites or more it is Student's t between sites (of differences, signed ranks of distances, logarithms of costs; "
+         "variance after Bell and McCaffrey); with fewer, pairs are taken as independent: McNemar (mid-p), Wilcoxon, t of logarithms. Sign flips and "
+         "bootstrap are for comparison; with few sites the bootstrap is too narrow. Opal's docs/ab_statistics.md says why.</p></section>\n";
 }
 
 std::string rerun_html(const ReportPage& page) {

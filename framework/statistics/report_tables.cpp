@@ -50,8 +50,8 @@ std::string odds_cell(const MetricResult& result) {
 }
 
 std::string size_head(const MetricResult& result) {
-  if (result.metric.kind == Metric::Kind::proportion) return "points";
-  return result.metric.kind == Metric::Kind::cost ? "ratio" : "median, " + result.metric.unit;
+  if (result.metric.kind == Metric::Kind::proportion) return "difference, points";
+  return result.metric.kind == Metric::Kind::cost ? "ratio" : "median difference, " + result.metric.unit;
 }
 
 std::string more_cell(const MetricResult& result) {
@@ -60,13 +60,27 @@ std::string more_cell(const MetricResult& result) {
   return std::isfinite(result.more_queries) ? fixed_text(std::ceil(result.more_queries), 0) : "∞";
 }
 
-Cells numbers_row(const MetricResult& result) {
-  return {html_text(name_in_words(result.metric)), html_text(size_head(result)), number(result.pairs), number(result.better),
-          number(result.worse), value_text(result.metric, result.effect.a), value_text(result.metric, result.effect.b),
-          size_cell(result, result.effect.size), interval_cell(result, result.effect.interval), interval_cell(result, result.bootstrap),
-          odds_cell(result), p_text(result.p), p_text(result.p_corrected), p_text(result.p_pairs), p_text(result.p_sign_flip),
-          fixed_text(result.design_effect, 2), more_cell(result), word_of(result.outcome)};
-}
+/// What each row of the table of numbers shows.
+struct Number {
+  const char* name;
+  std::string (*cell)(const MetricResult&);
+};
+
+constexpr Number kNumbers[] = {
+    {"size is a", [](const MetricResult& r) { return html_text(size_head(r)); }},
+    {"size", [](const MetricResult& r) { return size_cell(r, r.effect.size); }},
+    {"interval", [](const MetricResult& r) { return interval_cell(r, r.effect.interval); }},
+    {"p", [](const MetricResult& r) { return p_text(r.p); }},
+    {"p, corrected after Holm", [](const MetricResult& r) { return p_text(r.p_corrected); }},
+    {"outcome", [](const MetricResult& r) { return word_of(r.outcome); }},
+    {"more queries needed", [](const MetricResult& r) { return more_cell(r); }},
+    {"pairs", [](const MetricResult& r) { return number(r.pairs); }},
+    {"pairs better, worse", [](const MetricResult& r) { return number(r.better) + ", " + number(r.worse); }},
+    {"matched odds ratio", [](const MetricResult& r) { return odds_cell(r); }},
+    {"design effect", [](const MetricResult& r) { return fixed_text(r.design_effect, 2); }},
+    {"p, pairs independent", [](const MetricResult& r) { return p_text(r.p_pairs); }},
+    {"p, sign flips of sites", [](const MetricResult& r) { return p_text(r.p_sign_flip); }},
+    {"bootstrap interval", [](const MetricResult& r) { return interval_cell(r, r.bootstrap); }}};
 
 /// How far apart, for sorting: infinite differences first.
 double apart(const PairedValue& pair, Metric::Kind kind) {
@@ -88,11 +102,14 @@ std::string value_cell(const Metric& metric, double value) {
 }  // namespace
 
 std::string numbers_table(const Verdict& verdict) {
+  Cells head{""};
+  for (const MetricResult& result : verdict.metrics) head.push_back(html_text(name_in_words(result.metric)));
   std::vector<Cells> rows;
-  for (const MetricResult& result : verdict.metrics) rows.push_back(numbers_row(result));
-  return table_of({"metric", "size", "pairs", "better", "worse", html_text(verdict.baseline), html_text(verdict.arm), "size", "interval",
-                   "bootstrap", "odds ratio", "p", "p, Holm", "p, pairs", "p, sign flips", "design effect", "more queries", "outcome"},
-                  rows);
+  for (const Number& shown : kNumbers) {
+    rows.push_back({shown.name});
+    for (const MetricResult& result : verdict.metrics) rows.back().push_back(shown.cell(result));
+  }
+  return table_of(head, rows);
 }
 
 std::string counts_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {

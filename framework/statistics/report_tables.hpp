@@ -7,7 +7,7 @@ namespace opal::statistics {
 
 /// HTML tables of a report page.
 
-/// Every number behind a verdict, one row per metric.
+/// Every number behind a verdict, one column per metric.
 std::string numbers_table(const Verdict& verdict);
 
 /// Counts of a proportion's pairs: both, only one, neither.

@@ -10,7 +10,7 @@
 namespace opal::statistics {
 namespace {
 
-constexpr double kLeft_px = 64, kRight_px = 460, kTop_px = 14, kBottom_px = 410, kLane_px = 34, kRadius_px = 5;
+constexpr double kLeft_px = 64, kRight_px = 460, kTop_px = 14, kBottom_px = 410, kLane_px = 44, kRadius_px = 4;
 
 /// Finite values go to the scales, the others to a lane beyond.
 struct Axes {
@@ -33,7 +33,7 @@ Axes axes_of(const PairedSample& sample, const Metric& metric) {
   if (finite.empty()) finite.push_back(1);
   const auto [low, high] = std::minmax_element(finite.begin(), finite.end());
   const double from = cost ? *low / 1.1 : std::min(0.0, *low), to = cost ? *high * 1.1 : *high * 1.04;
-  const double lane = never ? kLane_px : 0, margin = cost ? 0 : 12;  // zeros lie not on the frame
+  const double lane = never ? kLane_px : 0, margin = cost ? 0 : 26;  // zeros lie not on the frame
   return {PlotScale(from, to, kLeft_px + margin, kRight_px - lane, cost), PlotScale(from, to, kBottom_px - margin, kTop_px + lane, cost), never};
 }
 
@@ -65,7 +65,7 @@ struct Spiral {
   std::pair<double, double> place(double x, double y) {
     constexpr double kGoldenAngle = 2.399963;
     const int index = taken[{static_cast<int>(std::lround(x / 3)), static_cast<int>(std::lround(y / 3))}]++;
-    const double radius = 2.6 * std::sqrt(index);
+    const double radius = 3.4 * std::sqrt(index);
     return {x + radius * std::cos(kGoldenAngle * index), y + radius * std::sin(kGoldenAngle * index)};
   }
 };

@@ -48,6 +48,12 @@ std::string told_clause(const MetricResult& result, double level) {
   return result.metric.kind == Kind::cost ? cost_clause(result, level) : distance_clause(result, level);
 }
 
+/// What makes a sentence of a clause that has no verb.
+std::string verb_before(const MetricResult& result) {
+  if (result.metric.kind == Kind::cost) return "takes ";
+  return result.metric.kind == Kind::distance_until && result.metric.phrase.empty() ? "is " : "";
+}
+
 std::vector<std::string> clusters_with(const MetricResult& result, Outcome outcome) {
   std::vector<std::string> names;
   for (const ClusterResult& cluster : result.clusters)
@@ -69,7 +75,7 @@ std::string clusters_clause(const MetricResult& result) {
 std::string told_sentence(const Verdict& verdict) {
   std::string text;
   for (const MetricResult& result : verdict.metrics)
-    if (told(result)) text += (text.empty() ? verdict.arm + " " : ", ") + told_clause(result, verdict.level);
+    if (told(result)) text += (text.empty() ? verdict.arm + " " + verb_before(result) : ", ") + told_clause(result, verdict.level);
   if (text.empty()) return "";
   const MetricResult& first = verdict.metrics.front();
   const std::string clusters = told(first) ? clusters_clause(first) : "";
