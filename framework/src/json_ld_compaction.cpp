@@ -22,6 +22,11 @@ Json bare_context(const Json& context) {
 
 }  // namespace
 
+std::optional<std::string> text_of(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? std::optional(found->get<std::string>()) : std::nullopt;
+}
+
 bool is_graph_object(const Json& value) {
   if (!is_graph(value)) return false;
   for (const auto& [key, entry] : value.items())

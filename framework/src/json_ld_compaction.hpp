@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -92,6 +93,8 @@ class Compactor {
   std::map<const ActiveContext*, Inverse> inverses_;
 };
 
+/// The string under a key; nullopt: none, or something else. (An @id that looks like a keyword has become null.)
+std::optional<std::string> text_of(const Json& object, const char* key);
 /// A graph with nothing but a name and an index beside it.
 bool is_graph_object(const Json& value);
 /// Adds to the entry, which becomes an array when it gets a second value.

@@ -104,12 +104,12 @@ void Compactor::add_wrapped(Json& result, const ContextPtr& active, Item item) {
 
 void Compactor::add_graph(Json& result, const ContextPtr& active, Item item) {  // 12.8.8
   const Json& expanded = item.expanded;
-  const bool simple = !expanded.contains("@id");
+  const auto id = text_of(expanded, "@id");
+  const bool simple = !id;
   if (item.in(kGraph.c_str()) && (item.in("@id") || (item.in("@index") && simple))) {
-    const char* keyword = item.in("@id") ? "@id" : "@index";
-    std::string key = expanded.value(keyword, "");
-    if (expanded.contains("@id")) key = compact_iri(active, key, false);
-    if (!expanded.contains(keyword)) key = alias(active, "@none");
+    const auto index = text_of(expanded, "@index");
+    const std::string none = alias(active, "@none");
+    const std::string key = item.in("@id") ? (id ? compact_iri(active, *id, false) : none) : index.value_or(none);
     add_compacted(map_at(result, item.key), key, std::move(item.compacted), item.as_array);
   } else if (item.in(kGraph.c_str()) && simple) {
     const bool several = item.compacted.is_array() && item.compacted.size() > 1;
@@ -117,7 +117,7 @@ void Compactor::add_graph(Json& result, const ContextPtr& active, Item item) {  
     add_compacted(result, item.key, std::move(item.compacted), item.as_array);
   } else {
     Json graph{{alias(active, kGraph), options_.compact_arrays ? unwrapped(std::move(item.compacted)) : std::move(item.compacted)}};
-    if (!simple) graph[alias(active, "@id")] = compact_iri(active, expanded["@id"], false);
+    if (id) graph[alias(active, "@id")] = compact_iri(active, *id, false);
     item.compacted = std::move(graph);
     add_wrapped(result, active, std::move(item));
   }

@@ -13,7 +13,10 @@ const Json& values_of(const Json& object, const std::string& key) {
   return found == object.end() ? none : *found;
 }
 
-bool is_wildcard(const Json& array) { return array.size() == 1 && array[0].is_object() && array[0].empty(); }
+/// A pattern is an array, or the one name that a term's type or a map's key gave.
+bool is_wildcard(const Json& pattern) {
+  return pattern.is_array() && pattern.size() == 1 && pattern[0].is_object() && pattern[0].empty();
+}
 
 bool contains(const Json& array, const Json& value) {
   return std::find(array.begin(), array.end(), value) != array.end();

@@ -14,11 +14,6 @@ constexpr std::size_t kMaxNames = 4096;
 
 using Texts = std::vector<std::string_view>;
 
-std::optional<std::string> text_of(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? std::optional(found->get<std::string>()) : std::nullopt;
-}
-
 /// What a term must say of its values to be used for one.
 struct Wanted {
   std::string kind = "@language", value = "@null";

@@ -258,6 +258,30 @@ TEST_CASE("lists keep their order and their repetitions") {
   CHECK(list[0]["@list"][0]["@value"] == 3);
 }
 
+TEST_CASE("a graph whose name looks like a keyword is compacted as one without a name") {
+  const auto document = [](const char* id) {
+    return json{{"@context", {{"g", {{"@id", "urn:g"}, {"@container", {"@graph", "@id"}}}}}},
+                {"g", {{"@none", {{"@id", id}, {"@graph", {{{"@id", "urn:x"}, {"urn:p", 1}}}}}}}}};
+  };
+  const auto compacted = [&](const char* id) {
+    return opal::json_ld::compact(document(id), document(id)["@context"]).at("g");
+  };
+  CHECK(compacted("urn:n").contains("urn:n"));
+  CHECK(compacted("@like").contains("@none"));
+}
+
+TEST_CASE("an id that a term's container or type gives a frame matches as one that is written out") {
+  const json document = {{"@graph", {{{"@id", "urn:a"}, {"urn:p", {{"@id", "urn:b"}}}}, {{"@id", "urn:b"}, {"urn:q", 1}}}}};
+  const auto framed = [&](const json& term, const json& value) {
+    json definition = term;
+    definition["@id"] = "urn:p";
+    return opal::json_ld::frame(document, {{"@context", {{"p", definition}}}, {"p", value}}, {}, {}).dump();
+  };
+  CHECK(framed({{"@type", "@id"}}, "urn:b").find("urn:q") != std::string::npos);
+  CHECK(framed({{"@type", "@id"}}, "urn:c").find("urn:q") == std::string::npos);
+  CHECK(framed({{"@container", "@id"}}, {{"urn:b", json::object()}}).find("urn:q") != std::string::npos);
+}
+
 TEST_CASE("documents that are no objects expand to nothing") {
   for (const char* text : {"null", "1", "\"a\"", "[]", "[[], null, true]", "{}"}) {
     INFO(text);
