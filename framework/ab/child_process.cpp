@@ -36,9 +36,11 @@ void say(int file, char kind, std::string text) {
   write_all(file, kind + text + '\n');
 }
 
-/// How the parent reports its own crashes is not for its child.
-void forget_signal_handlers() {
-  for (const int number : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGSEGV, SIGTERM}) signal(number, SIG_DFL);
+/// How the parent reports its own crashes is not for its child. Ctrl-C and Slurm's scancel reach both at once: the parent ends,
+/// and its child with it, and is not taken for one that died by itself.
+void set_signals() {
+  for (const int number : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) signal(number, SIG_DFL);
+  for (const int number : {SIGHUP, SIGINT, SIGTERM}) signal(number, SIG_IGN);
 }
 
 [[noreturn]] void work_and_exit(const std::function<void(const ChildProcess::Say&)>& work, int pipe) {
@@ -73,7 +75,7 @@ ChildProcess::ChildProcess(const std::function<void(const Say&)>& work) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
     close(ends[0]);
-    forget_signal_handlers();
+    set_signals();
     work_and_exit(work, ends[1]);
   }
   close(ends[1]);

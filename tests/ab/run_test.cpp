@@ -92,6 +92,17 @@ TEST_CASE("results do not depend on how many processes or shards compute them, n
   }
 }
 
+TEST_CASE("cells that Ctrl-C or scancel interrupts are no failures of their arms") {
+  const TemporaryFolder folder;
+  const std::string experiment = written(folder, experiment_with_drives()), out = folder.path_of("out");
+  for (int k = 0; k < 3; ++k) {
+    const std::string command = "timeout --signal=" + std::string(k % 2 ? "TERM" : "INT") + " 0." + std::to_string(3 + 2 * k) +
+                                " \"$OPAL_PROGRAM\" ab " + experiment + " -o " + out + " > " + folder.path_of("said") + " 2>&1";
+    CHECK(std::system(command.c_str()) != 0);  // timeout signals the whole group of processes
+  }
+  CHECK(computed(experiment, out) == reference());
+}
+
 TEST_CASE("an arm that crashes, hangs, throws, leaves or eats memory has failures, and the others their results") {
   const TemporaryFolder folder;
   json experiment = small_experiment();
