@@ -21,6 +21,20 @@ nlohmann::ordered_json number_or_null(double value) {
   return nullptr;
 }
 
+nlohmann::ordered_json collisions_of(const opal::DriveRecord& record) {
+  auto collisions = nlohmann::ordered_json::array();
+  for (const opal::DriveRecord::Collision& collision : record.collisions) {
+    const opal::Pose2& pose = collision.T_map_base;
+    const opal::Point touched = opal::anchor_of(collision.touched.what);
+    collisions.push_back({{"time_s", collision.stamp_s},
+                          {"pose", {pose.x(), pose.y(), pose.heading_rad()}},
+                          {"velocity", {collision.velocity.linear_mps.x(), collision.velocity.linear_mps.y(), collision.velocity.turn_radps}},
+                          {"touched", {touched.x(), touched.y()}},
+                          {"person", collision.touched.person}});
+  }
+  return collisions;
+}
+
 nlohmann::ordered_json summary_of(const DriveTask& task, const opal::DriveRecord& record) {
   nlohmann::ordered_json run = {{"seed", task.seed},
                                 {"start", {task.start.x(), task.start.y(), task.start.heading_rad()}},
@@ -30,7 +44,7 @@ nlohmann::ordered_json summary_of(const DriveTask& task, const opal::DriveRecord
                                 {"time_s", record.time_s},
                                 {"driven_m", record.driven_m},
                                 {"off_goal_m", record.off_goal_m},
-                                {"collisions", record.collisions},
+                                {"collisions", collisions_of(record)},
                                 {"localized_after_m", nullptr},
                                 {"localized_after_s", nullptr},
                                 {"scans", record.scans},
@@ -47,7 +61,7 @@ void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
   constexpr std::size_t kPictures = 3;
   runs_.push_back(summary_of(task, record));
   reached_ += record.reached;
-  collisions_ += record.collisions;
+  collisions_ += record.collisions.size();
   falsely_localized_ += record.falsely_localized_scans > 0;
   localized_ += record.localized_after_m.has_value();
   localized_after_m_.push_back(record.localized_after_m.value_or(std::numeric_limits<double>::infinity()));
@@ -56,7 +70,7 @@ void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
               record.reached ? "reached" : record.said_so ? "WRONG PLACE" : "GIVEN UP", record.time_s, record.driven_m, record.off_goal_m);
   if (record.localized_after_m) std::printf("localized after %.1f m", *record.localized_after_m);
   else std::printf("never localized");
-  std::printf("; %d collisions, %d of %d scans falsely localized\n", record.collisions, record.falsely_localized_scans, record.scans);
+  std::printf("; %zu collisions, %d of %d scans falsely localized\n", record.collisions.size(), record.falsely_localized_scans, record.scans);
   std::fflush(stdout);
   if (runs_.size() <= kPictures || !record.reached) draw(task, record);
 }
@@ -65,6 +79,7 @@ void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) c
   opal::DrawingScene scene;
   scene.map = map_;
   scene.title = map_->name() + ": seed " + std::to_string(task.seed) + (record.reached ? ", reached" : ", not reached");
+  scene.unmapped = task.clutter;
   for (const opal::DriveRecord::Moment& moment : record.moments) {
     scene.truth.push_back(moment.truth.position());
     if (moment.has_pose && moment.status == opal::Status::localized) scene.trajectory.push_back(moment.estimate.position());

@@ -14,6 +14,7 @@ struct DriveTask {
   std::uint64_t seed = 0;
   opal::Pose2 start;  ///< T_map_base, which it is not told
   opal::Point goal;
+  std::vector<opal::Geometry> clutter = {};  ///< for the picture
 };
 
 /// Drives with what became of them: one line each on stdout, summary.json, and pictures of the first few and of those
@@ -35,6 +36,7 @@ class DriveReport {
   std::string behaviour_;
   std::filesystem::path out_;
   nlohmann::ordered_json runs_ = nlohmann::ordered_json::array();
-  int reached_ = 0, localized_ = 0, collisions_ = 0, falsely_localized_ = 0;
+  int reached_ = 0, localized_ = 0, falsely_localized_ = 0;
+  std::size_t collisions_ = 0;
   std::vector<double> localized_after_m_, times_s_;
 };

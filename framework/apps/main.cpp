@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   opal::add_explain_verb(app, exit_code);
   opal::add_simulate_verb(app, exit_code);
   opal::add_drive_verb(app, exit_code);
+  opal::add_serve_verb(app, exit_code);
   opal::add_experiment_verb(app, exit_code);
   opal::add_ab_verb(app, exit_code);
   opal::add_bench_verb(app, exit_code);

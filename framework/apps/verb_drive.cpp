@@ -4,6 +4,7 @@
 #include "world_options.hpp"
 
 #include <behaviours/node_registry.hpp>
+#include <remote/remote_localization.hpp>
 
 #include <opal/deployment.hpp>
 #include <opal/error.hpp>
@@ -17,7 +18,7 @@ namespace sim = opal::simulation;
 namespace behaviours = opal::behaviours;
 
 struct DriveVerbOptions : WorldOptions {
-  std::string config, map, out = "out", behaviour, trees;
+  std::string config, map, out = "out", behaviour, trees, localizer;
   std::vector<double> goal, start;
   std::uint64_t seed = 1;
   int runs = 1;
@@ -35,6 +36,7 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
     simulation.place(start);
   }
   DriveTask task{seed, simulation.T_map_base(), opal::Point::Zero()};
+  for (const sim::Solid& solid : simulation.clutter()) task.clutter.push_back(solid.shape);
   if (!options.goal.empty()) {
     task.goal = {options.goal[0], options.goal[1]};
     if (!simulation.floor().nearest(task.goal))
@@ -46,6 +48,25 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
   return task;
 }
 
+/// Another program that localizes, in the building that is driven in.
+std::unique_ptr<behaviours::Localization> connected(const std::string& address, const opal::LaserModel& laser, const opal::SemanticMap& map) {
+  auto localization = std::make_unique<opal::remote::RemoteLocalization>(address, laser);
+  const opal::SemanticMap& theirs = localization->map().map();
+  if (theirs.to_json_ld() != map.to_json_ld())
+    throw opal::ConfigError("--localizer: " + address + " localizes in another map, '" + theirs.name() + "', expected the one that is driven in, '" + map.name() + "'");
+  return localization;
+}
+
+/// Localization in this process.
+class OwnLocalization : public behaviours::LocalizerQueries {
+ public:
+  OwnLocalization(std::unique_ptr<opal::Localizer> localizer, const opal::LaserModel& laser)
+      : LocalizerQueries(*localizer, laser), localizer_(std::move(localizer)) {}
+
+ private:
+  std::unique_ptr<opal::Localizer> localizer_;
+};
+
 int drive(DriveVerbOptions options) {
   options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
@@ -55,12 +76,16 @@ int drive(DriveVerbOptions options) {
   deployment.laser = options.world.laser;
   deployment.map = options.map;
   const auto map = load_map(registry, deployment);
-  const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
-  opal::Localizer localizer(parts);
-  const opal::FloorGrid floor = behaviours::mapped_floor(*parts.map, 0.8 * options.world.robot_radius_m);
+  std::unique_ptr<behaviours::Localization> localization;
+  if (options.localizer.empty())
+    localization = std::make_unique<OwnLocalization>(std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.laser);
+  else
+    localization = connected(options.localizer, deployment.laser, *map);
+  const opal::FloorGrid floor = behaviours::mapped_floor(localization->map(), 0.8 * options.world.robot_radius_m);
   const std::string trees = options.trees.empty() ? shipped_config("behaviours.jsonld") : options.trees;
   const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
   behaviours::read_tree(nodes, trees, options.behaviour);  // before anything is written
+  if (options.behaviour.empty()) options.behaviour = behaviours::first_tree(trees);
 
   std::filesystem::create_directories(options.out);
   DriveReport report(map, options.behaviour, options.out);
@@ -69,7 +94,9 @@ int drive(DriveVerbOptions options) {
     sim::Simulation simulation(map, options.world, seed);
     const DriveTask task = task_of(options, simulation, seed);
     const auto tree = behaviours::read_tree(nodes, trees, options.behaviour);
-    report.add(task, opal::drive_to_goal(simulation, localizer, floor, *tree, task.goal, options.loop));
+    const opal::DriveRecord record = opal::drive_to_goal(simulation, *localization, floor, *tree, task.goal, options.loop);
+    report.add(task, record);
+    if (record.unanswered_scans > 0) std::cerr << "localization did not answer for " << record.unanswered_scans << " scans; the robot stood still\n";
   }
   report.write();
   return report.all_reached() ? 0 : 1;
@@ -88,6 +115,7 @@ void opal::add_drive_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--behaviour", options->behaviour, "a tree of the document: disambiguate, rotate_and_go, inspect, search")
       ->default_str("the first one");
   verb->add_option("--trees", options->trees, "document of behaviour trees")->default_str("configs/behaviours.jsonld");
+  verb->add_option("--localizer", options->localizer, "HOST:PORT of a program that localizes (opal serve), instead of this one");
   verb->add_option("--seed", options->seed, "of everything: the same seed gives the same drive")->capture_default_str();
   verb->add_option("--runs", options->runs, "drives, with this seed and those after it")->capture_default_str()->check(CLI::Range(1, 100000));
   verb->add_option("--most", options->loop.most_s, "of each drive, before it is given up [s]")->capture_default_str();

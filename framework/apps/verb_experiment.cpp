@@ -1,96 +1,68 @@
-#include "experiment_report.hpp"
+#include "experiment_buildings.hpp"
+#include "experiments.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 
 #include <opal/error.hpp>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-
 namespace {
 
-namespace sim = opal::simulation;
-namespace fs = std::filesystem;
-
-struct ExperimentOptions {
-  std::string name, out, map;
-  std::vector<std::string> configs{"thesis3", "default"};
-  std::vector<std::string> only;
-  int seeds = 20;
-  double duration_s = 60;
-};
-
-/// 180 degrees, 720 beams, mecanum wheels (Hendrikx 2023, 3.5).
-sim::SimulationOptions thesis_robot() {
-  sim::SimulationOptions options;
-  options.laser.angle_min_rad = -std::numbers::pi / 2;
-  options.laser.beams = 720;
-  options.laser.angle_increment_rad = std::numbers::pi / (options.laser.beams - 1);
-  options.drive = sim::Drive::omnidirectional;
-  return options;
-}
-
-std::vector<Contender> contenders(const ExperimentOptions& options) {
-  std::vector<Contender> all;
-  for (const std::string& config : options.configs) {
-    const bool is_file = config.ends_with(".jsonld");
-    all.push_back({is_file ? fs::path(config).stem().string() : config,
-                   opal::read_deployment(is_file ? config : shipped_config(config + ".jsonld"))});
-  }
-  return all;
-}
-
-std::vector<sim::Challenge> chosen(const ExperimentOptions& options) {
-  std::vector<sim::Challenge> all = sim::thesis3_challenges();
-  if (options.only.empty()) return all;
-  std::erase_if(all, [&](const sim::Challenge& challenge) {
-    return std::find(options.only.begin(), options.only.end(), challenge.id) == options.only.end();
-  });
-  if (all.empty()) throw opal::ConfigError("experiment: none of the challenges is called '" + options.only.front() + "', expected A1, A3, B1 to B10, C11 or C12");
-  return all;
-}
-
-int experiment(const ExperimentOptions& options) {
+int experiment(ExperimentOptions options) {
+  const bool third = options.name == "thesis3";
+  if (!third && (!options.rival.empty() || options.logs))
+    throw opal::ConfigError(
+        "--rival and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
+  if (options.configs.empty())
+    options.configs = third ? std::vector<std::string>{"thesis3", "default"}
+                            : std::vector<std::string>{"thesis4", "default"};
   const opal::PluginRegistry registry = load_plugins();
-  const std::vector<Contender> all = contenders(options);
-  const auto map = load_map(registry, options.map);
-  fs::create_directories(options.out);
-  std::vector<ExperimentRun> runs;
-  for (const sim::Challenge& challenge : chosen(options)) {
-    for (int seed = 1; seed <= options.seeds; ++seed) {
-      const sim::ChallengeDrive driven = drive(challenge, map, thesis_robot(), options.duration_s, static_cast<std::uint64_t>(seed));
-      for (const Contender& contender : all) {
-        runs.push_back(run_challenge(contender, registry, map, driven));
-        runs.back().challenge = challenge.id;
-        runs.back().seed = static_cast<std::uint64_t>(seed);
-      }
-    }
-    std::cerr << challenge.id << " done\n";
-  }
-  const std::string table = experiment_table(runs);
-  std::cout << table;
-  std::ofstream csv(fs::path(options.out) / "runs.csv"), text(fs::path(options.out) / "table.txt");
-  write_runs(csv, runs);
-  text << table;
-  if (!csv || !text) throw opal::Error(options.out + ": cannot be written");
-  write_experiment_page((fs::path(options.out) / "report.html").string(), "Experiment " + options.name, table, *map, runs);
-  std::cout << "written: runs.csv, table.txt, report.html in " << options.out << '\n';
-  return 0;
+  return third ? experiment_thesis3(options, registry) : experiment_thesis4(options, registry);
+}
+
+void add_thesis(CLI::App& experiments, const std::string& name, const std::string& description,
+                int& exit_code) {
+  auto options = std::make_shared<ExperimentOptions>();
+  options->name = name;
+  CLI::App* verb = experiments.add_subcommand(name, description);
+  verb->add_option("-o,--out", options->out, "folder for runs.csv, table.txt, summary.json and report.html")
+      ->required();
+  verb->add_option("--map", options->map,
+                   "the building, if another than the one like the thesis': a map, or a source to import")
+      ->default_str("maps/atlas.jsonld for thesis3, maps/gemini.jsonld for thesis4");
+  verb->add_option("--config", options->configs,
+                   "who takes part: names of shipped configurations, or files (.jsonld)")
+      ->default_str("thesis3 default, or thesis4 default");
+  verb->add_option("--only,--challenge", options->only, "only these: A1, B7, ...");
+  verb->add_option("--seeds", options->seeds, "runs of each: clutter, people and noise differ")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--jobs", options->jobs, "at the same time; results do not depend on it")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb->add_option("--duration", options->duration_s, "thesis3: of each run [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--rival", options->rival,
+                   "thesis3: program that localizes on the same logs, one more column");
+  verb->add_flag("--logs", options->logs,
+                 "thesis3: keep what was recorded, and the map as a grid, in OUT/logs");
+  verb->add_option("--most", options->most_s, "thesis4: of each drive, before it is given up [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--behaviour", options->behaviour, "thesis4: by which all drive")
+      ->default_str("inspect for the thesis' configurations, the first tree for others");
+  verb->add_option("--trees", options->trees, "thesis4: document of behaviour trees")
+      ->default_str("configs/behaviours.jsonld");
+  verb->callback([options, &exit_code] { exit_code = experiment(*options); });
 }
 
 }  // namespace
 
 void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<ExperimentOptions>();
-  CLI::App* verb = app.add_subcommand("experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
-  verb->add_option("NAME", options->name, "thesis3: the 14 challenges of section 3.5.2")->required()->check(CLI::IsMember({"thesis3"}));
-  verb->add_option("-o,--out", options->out, "folder for runs.csv, table.txt and report.html")->required();
-  verb->add_option("--map", options->map, "the building: maps/atlas.jsonld, or any other")->required();
-  verb->add_option("--config", options->configs, "who takes part: names of shipped configurations, or files (.jsonld)")->capture_default_str();
-  verb->add_option("--challenge", options->only, "only these: A1, B7, ...");
-  verb->add_option("--seeds", options->seeds, "runs per challenge: clutter, people and noise differ")->check(CLI::PositiveNumber)->capture_default_str();
-  verb->add_option("--duration", options->duration_s, "of each run [s]")->check(CLI::PositiveNumber)->capture_default_str();
-  verb->callback([options, &exit_code] { exit_code = experiment(*options); });
+  CLI::App* experiments = app.add_subcommand(
+      "experiment", "the experiments of Hendrikx (2023), in simulation, with several configurations");
+  experiments->require_subcommand(1);
+  add_thesis(*experiments, "thesis3", "the 14 challenges of section 3.5.2", exit_code);
+  add_thesis(*experiments, "thesis4", "the 12 closed-loop runs of table 4.1", exit_code);
+  add_experiment_buildings(*experiments, exit_code);
 }

@@ -35,8 +35,9 @@ void set_laser(SimulateOptions& options) {
   }
   opal::LaserModel& laser = options.world.laser;
   constexpr double kDegree = std::numbers::pi / 180;
-  laser.angle_min_rad = -options.fov_deg / 2 * kDegree;
-  laser.angle_increment_rad = options.fov_deg * kDegree / (laser.beams - 1);
+  const double fov_deg = laser.beams > 1 ? options.fov_deg : 0;  // one beam looks straight ahead
+  laser.angle_min_rad = -fov_deg / 2 * kDegree;
+  laser.angle_increment_rad = laser.beams > 1 ? fov_deg * kDegree / (laser.beams - 1) : kDegree;
   laser.T_base_laser = opal::Pose2(options.mount_x_m, 0, 0);
   laser.range_sigma_m = std::max(0.005, options.world.laser_errors.range_sigma_m);
 }
@@ -94,6 +95,8 @@ void add_sensing(CLI::App& verb, SimulateOptions& o) {
   };
   flag("--fov", o.fov_deg, "of the laser [deg]");
   flag("--beams", o.world.laser.beams, "of the laser");
+  verb.get_option("--fov")->check(CLI::Range(1.0, 360.0));
+  verb.get_option("--beams")->check(CLI::Range(1, 100000));
   flag("--range", o.world.laser.range_max_m, "of the laser [m]");
   flag("--mount-x", o.mount_x_m, "laser before the robot's centre [m]");
   flag("--range-sigma", o.world.laser_errors.range_sigma_m, "of a reading [m]");

@@ -38,6 +38,9 @@ void add_simulate_verb(CLI::App& app, int& exit_code);
 /// does not get there.
 void add_drive_verb(CLI::App& app, int& exit_code);
 
+/// `opal serve CONFIG`: localizes a robot whose behaviours are another program on this machine.
+void add_serve_verb(CLI::App& app, int& exit_code);
+
 /// `opal experiment thesis3 --map MAP -o OUT`: the thesis' challenges in simulation, in its table.
 void add_experiment_verb(CLI::App& app, int& exit_code);
 

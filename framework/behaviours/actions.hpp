@@ -26,11 +26,12 @@ class BackOff : public Node {
  public:
   explicit BackOff(double distance_m) : distance_m_(distance_m) {}
   Outcome tick(Situation& situation) override;
-  void halt() override { from_.reset(); }
+  void halt() override { target_odom_.reset(); }
 
  private:
   double distance_m_;
-  std::optional<Pose2> from_;
+  std::optional<Point> target_odom_;
+  double began_s_ = 0;
 };
 
 /// Drives to where there is room, straight on where it can, and rather to where it has not been yet.

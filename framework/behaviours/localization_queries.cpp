@@ -4,11 +4,19 @@
 
 namespace opal::behaviours {
 
-void LocalizerQueries::take(const Scan& scan, const Pose2& T_odom_base) {
-  localizer_.update(scan, T_odom_base);
-  scan_ = scan;
-  T_odom_base_ = T_odom_base;
-  estimate_ = localizer_.estimate_at(scan.stamp_s, T_odom_base);
+void LocalizerQueries::begin() {
+  localizer_.reset();
+  scan_ = {};
+  estimate_ = {};
+}
+
+void LocalizerQueries::take(const RawScan& scan) {
+  T_odom_base_ = of_three_numbers(*scan.T_odom_base);
+  scan_ = make_scan(scan, laser_);
+  localizer_.update(scan_, T_odom_base_);
+  estimate_ = localizer_.estimate_at(scan_.stamp_s, T_odom_base_);
+  estimate_.T_map_base = of_three_numbers(estimate_.T_map_base);
+  for (PoseEstimate::Rival& rival : estimate_.rivals) rival.T_map_base = of_three_numbers(rival.T_map_base);
 }
 
 std::vector<Geometry> LocalizerQueries::pattern() const {

@@ -10,6 +10,8 @@ class LocalizationQueries {
  public:
   virtual ~LocalizationQueries() = default;
 
+  /// false: localization is not there at the moment, and what follows is old. A robot then stands still.
+  virtual bool answers() const { return true; }
   /// Where the robot is, with status, rivals and their probabilities.
   virtual PoseEstimate estimate() const = 0;
   /// The newest scan, laser frame, with the odometry of its stamp.
@@ -22,14 +24,23 @@ class LocalizationQueries {
   virtual const MapView& map() const = 0;
 };
 
+/// Localization as a robot that has it sees it: takes scans, answers queries.
+class Localization : public LocalizationQueries {
+ public:
+  /// Begins a drive, without any idea of the pose.
+  virtual void begin() = 0;
+  /// @param scan  as the laser gave it, with its odometry.
+  virtual void take(const RawScan& scan) = 0;
+};
+
 /// Localization in the same process.
-class LocalizerQueries : public LocalizationQueries {
+class LocalizerQueries : public Localization {
  public:
   /// The localizer must outlive this.
   LocalizerQueries(Localizer& localizer, const LaserModel& laser) : localizer_(localizer), laser_(laser) {}
 
-  /// Gives the localizer a scan.
-  void take(const Scan& scan, const Pose2& T_odom_base);
+  void begin() override;
+  void take(const RawScan& scan) override;
 
   PoseEstimate estimate() const override { return estimate_; }
   const Scan& newest_scan() const override { return scan_; }
@@ -45,5 +56,9 @@ class LocalizerQueries : public LocalizationQueries {
   Pose2 T_odom_base_;
   PoseEstimate estimate_;
 };
+
+/// The pose of three numbers. One that was computed has a sine and cosine of its own, which may differ in the last digit: all
+/// that behaviours see is rounded like this, so that they do the same wherever localization runs.
+inline Pose2 of_three_numbers(const Pose2& pose) { return {pose.x(), pose.y(), pose.heading_rad()}; }
 
 }  // namespace opal::behaviours

@@ -1,5 +1,6 @@
 #include "behaviours/actions.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace opal::behaviours {
@@ -18,10 +19,14 @@ Outcome Rotate::tick(Situation& situation) {
 }
 
 Outcome BackOff::tick(Situation& situation) {
-  if (!from_) from_ = situation.T_odom_base();
-  const bool there = opal::distance_m(*from_, situation.T_odom_base()) >= distance_m_;
-  if (!there && situation.drive_back()) return Outcome::running;
-  from_.reset();
+  constexpr double kArrived_m = 0.15, kLongest_s = 8;
+  if (!target_odom_) {
+    target_odom_ = situation.T_odom_base() * Point(-distance_m_, 0);
+    began_s_ = situation.now_s();
+  }
+  const bool there = (*target_odom_ - situation.T_odom_base().position()).norm() < kArrived_m;
+  if (!there && situation.now_s() - began_s_ < kLongest_s && situation.drive_towards(*target_odom_)) return Outcome::running;
+  halt();
   situation.forget_being_stuck();
   return Outcome::success;
 }
@@ -33,17 +38,20 @@ void DriveFreely::halt() {
 
 Point DriveFreely::choose(const Situation& situation) const {
   constexpr int kDirections = 36;
-  constexpr double kMost_m = 6, kVisited_m = 1.2;
+  constexpr double kMost_m = 6, kVisited_m = 1.2, kSomething_m = 4;
   const Pose2& T_odom_base = situation.T_odom_base();
+  const std::vector<Point> around = situation.around(kMost_m + 1);
   Point best = T_odom_base.position();
   double most = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < kDirections; ++k) {
     const double bearing = wrap_angle(2 * std::numbers::pi * k / kDirections);
-    const double room = situation.room_m(bearing, kMost_m);
+    const double room = situation.motion.room_m(bearing, around, kMost_m);
     const Point target = T_odom_base * Point(0.8 * room * unit_vector(bearing));
     double score = room * (1 + 0.5 * std::cos(bearing));
     for (const Point& been : situation.trail())
       if ((been - target).norm() < kVisited_m) score -= 0.3;
+    const auto near = [&](const Point& p) { return (T_odom_base * p - target).norm() < kSomething_m; };
+    if (std::none_of(around.begin(), around.end(), near)) score -= kMost_m;  // where nothing is, nothing is learnt
     if (score <= most) continue;
     most = score;
     best = target;

@@ -15,7 +15,7 @@ MotionPrimitive predicted(const Velocity& velocity, const MotionOptions& options
 
 std::vector<Point> linear_velocities(const MotionOptions& options) {
   std::vector<Point> linear;
-  for (const double share : {-0.3, 0.0, 0.15, 0.3, 0.6, 1.0}) linear.emplace_back(share * options.speed_mps, 0);
+  for (const double share : {0.0, 0.15, 0.3, 0.6, 1.0}) linear.emplace_back(share * options.speed_mps, 0);
   if (!options.omnidirectional) return linear;
   for (const double share : {0.3, 0.6, 1.0})
     for (const double bearing : {0.25, 0.5, 0.75})
@@ -24,9 +24,12 @@ std::vector<Point> linear_velocities(const MotionOptions& options) {
   return linear;
 }
 
-double distance_to(const Point& p, std::span<const Point> points, double most_m) {
+constexpr double kBerth_m = 0.4;  ///< the widest
+constexpr double kBerth_s = 0.5;  ///< what moves is elsewhere later
+
+double distance_to(const Point& p, std::span<const Obstacle> obstacles, double most_m) {
   double least = most_m * most_m;
-  for (const Point& point : points) least = std::min(least, (point - p).squaredNorm());
+  for (const Obstacle& obstacle : obstacles) least = std::min(least, (obstacle.position - p).squaredNorm());
   return std::sqrt(least);
 }
 
@@ -35,25 +38,26 @@ double distance_to(const Point& p, std::span<const Point> points, double most_m)
 MotionPrimitives::MotionPrimitives(const MotionOptions& options) : options_(options) {
   for (const Point& linear : linear_velocities(options))
     for (const double share : {0.0, -0.2, 0.2, -0.4, 0.4, -0.7, 0.7, -1.0, 1.0})
-      if (linear.x() >= 0 || share == 0) primitives_.push_back(predicted({linear, share * options.turn_radps}, options));
+      primitives_.push_back(predicted({linear, share * options.turn_radps}, options));
 }
 
 double MotionPrimitives::reach_m() const {
-  return options_.speed_mps * options_.horizon_s + options_.radius_m + options_.margin_m + 0.3;
+  return options_.speed_mps * options_.horizon_s + options_.radius_m + options_.margin_m + kBerth_m;
 }
 
-bool MotionPrimitives::is_free(const MotionPrimitive& primitive, std::span<const Point> obstacles) const {
-  const double keep = options_.radius_m + options_.margin_m;
-  for (const Point& point : obstacles) {
-    const double now = point.norm();
-    const double least = std::min(keep, now - 1e-6);
-    for (const Pose2& footprint : primitive.footprints)
-      if ((point - footprint.position()).squaredNorm() < least * least) return false;
+bool MotionPrimitives::is_free(const MotionPrimitive& primitive, std::span<const Obstacle> obstacles) const {
+  for (const Obstacle& obstacle : obstacles) {
+    const double keep = options_.radius_m + options_.margin_m, now = obstacle.position.norm() - 1e-6;
+    const double soon = std::min(keep + obstacle.berth_m, now), later = std::min(keep, now);
+    for (std::size_t k = 0; k < primitive.footprints.size(); ++k) {
+      const double least = static_cast<double>(k) * options_.step_s < kBerth_s ? soon : later;
+      if ((obstacle.position - primitive.footprints[k].position()).squaredNorm() < least * least) return false;
+    }
   }
   return true;
 }
 
-double MotionPrimitives::cost(const MotionPrimitive& primitive, const Point& target, std::span<const Point> obstacles,
+double MotionPrimitives::cost(const MotionPrimitive& primitive, const Point& target, std::span<const Obstacle> obstacles,
                               const Velocity& before) const {
   constexpr double kHeading_m_per_rad = 0.3, kClearance_m = 0.25, kWanted_m = 0.35, kChange_s = 0.03;
   const Pose2& end = primitive.footprints.back();
@@ -65,7 +69,7 @@ double MotionPrimitives::cost(const MotionPrimitive& primitive, const Point& tar
          kClearance_m * (1 - clearance / kWanted_m) + kChange_s * std::abs(primitive.velocity.turn_radps - before.turn_radps);
 }
 
-std::optional<Velocity> MotionPrimitives::towards(const Point& target, std::span<const Point> obstacles,
+std::optional<Velocity> MotionPrimitives::towards(const Point& target, std::span<const Obstacle> obstacles,
                                                   const Velocity& before) const {
   const MotionPrimitive* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -77,13 +81,6 @@ std::optional<Velocity> MotionPrimitives::towards(const Point& target, std::span
   }
   if (!best || (best->velocity.linear_mps.isZero() && best->velocity.turn_radps == 0)) return std::nullopt;
   return best->velocity;
-}
-
-std::optional<Velocity> MotionPrimitives::backwards(std::span<const Point> obstacles) const {
-  for (const MotionPrimitive& primitive : primitives_)
-    if (primitive.velocity.linear_mps.x() < 0 && primitive.velocity.linear_mps.y() == 0 && is_free(primitive, obstacles))
-      return primitive.velocity;
-  return std::nullopt;
 }
 
 double MotionPrimitives::room_m(double bearing_rad, std::span<const Point> obstacles, double most_m) const {

@@ -25,8 +25,15 @@ struct MotionPrimitive {
   std::vector<Pose2> footprints;  ///< centres of the robot to come, frame: base_link now
 };
 
+/// A point that the laser sees, frame base_link.
+struct Obstacle {
+  Point position = Point::Zero();
+  double berth_m = 0;  ///< kept besides the margin for the next half second: for what moves; at most 0.4
+};
+
 /// A small set of velocities whose footprints are predicted and checked against what the laser sees (Hendrikx 2023,
-/// 4.3.8; Fox, Burgard and Thrun 1997). All points: frame base_link [m].
+/// 4.3.8; Fox, Burgard and Thrun 1997). None goes back, where few lasers look: a round robot turns on the spot instead.
+/// All points: frame base_link [m].
 class MotionPrimitives {
  public:
   explicit MotionPrimitives(const MotionOptions& options = {});
@@ -36,20 +43,18 @@ class MotionPrimitives {
   /// Points farther away than this concern no primitive.
   double reach_m() const;
 
-  /// Whether no footprint comes nearer to a point than radius and margin. A point that is nearer already does not keep
+  /// Whether no footprint comes nearer to an obstacle than radius, margin and its berth. One that is nearer already does not keep
   /// the robot from going away from it, and none keeps it from turning on the spot.
-  bool is_free(const MotionPrimitive& primitive, std::span<const Point> obstacles) const;
+  bool is_free(const MotionPrimitive& primitive, std::span<const Obstacle> obstacles) const;
   /// The free primitive that brings the robot nearest to a target and turns it there.
   /// @param before  velocity so far: changing one's mind costs a little.
   /// @return nullopt if none is better than to stand still.
-  std::optional<Velocity> towards(const Point& target, std::span<const Point> obstacles, const Velocity& before = {}) const;
-  /// The fastest free primitive that goes straight back; nullopt if there is none.
-  std::optional<Velocity> backwards(std::span<const Point> obstacles) const;
+  std::optional<Velocity> towards(const Point& target, std::span<const Obstacle> obstacles, const Velocity& before = {}) const;
   /// How far the robot can go straight along a bearing, at most `most_m`.
   double room_m(double bearing_rad, std::span<const Point> obstacles, double most_m) const;
 
  private:
-  double cost(const MotionPrimitive& primitive, const Point& target, std::span<const Point> obstacles,
+  double cost(const MotionPrimitive& primitive, const Point& target, std::span<const Obstacle> obstacles,
               const Velocity& before) const;
 
   MotionOptions options_;

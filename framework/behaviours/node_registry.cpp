@@ -8,18 +8,22 @@
 namespace opal::behaviours {
 namespace {
 
-/// Makes every tree, so that a mistake in one that is not asked for is found, too.
-std::unique_ptr<Node> read(const NodeRegistry& registry, const nlohmann::json& json, const std::string& file,
-                           const std::string& wanted) {
-  ConfigObject document(json, file);
+std::vector<ConfigObject> trees_of(ConfigObject& document) {
   document.expect_type("opal:BehaviourTrees");
   document.text("comment", "");
   const auto trees = document.list("trees");
   if (!trees || trees->empty()) document.refuse("trees", "a list of at least one tree");
   document.expect_no_more();
+  return *trees;
+}
+
+/// Makes every tree, so that a mistake in one that is not asked for is found, too.
+std::unique_ptr<Node> read(const NodeRegistry& registry, const nlohmann::json& json, const std::string& file,
+                           const std::string& wanted) {
+  ConfigObject document(json, file);
   std::unique_ptr<Node> chosen;
   std::set<std::string> names;
-  for (ConfigObject tree : *trees) {
+  for (ConfigObject tree : trees_of(document)) {
     const std::string name = tree.required_text("name");
     tree.text("comment", "");
     if (!names.insert(name).second) tree.refuse("name", "a name that no other tree has");
@@ -41,6 +45,14 @@ std::string NodeRegistry::names() const {
   std::string names;
   for (const auto& [name, type] : types_) names += (names.empty() ? "" : ", ") + name;
   return names;
+}
+
+void NodeRegistry::wrap(const std::string& type, Around around) {
+  const auto found = types_.find(type);
+  if (found == types_.end()) throw ConfigError("no node is called '" + type + "', expected one of: " + names());
+  found->second.factory = [made = found->second.factory, around = std::move(around)](ConfigObject& options, Children children) {
+    return around(made(options, std::move(children)));
+  };
 }
 
 Children NodeRegistry::make_children(ConfigObject& description, Arity arity) const {
@@ -70,6 +82,12 @@ std::unique_ptr<Node> NodeRegistry::make(ConfigObject description) const {
 
 std::unique_ptr<Node> read_tree(const NodeRegistry& registry, const std::string& path, const std::string& name) {
   return read(registry, read_json(path), path, name);
+}
+
+std::string first_tree(const std::string& path) {
+  const nlohmann::json json = read_json(path);
+  ConfigObject document(json, path);
+  return trees_of(document).front().required_text("name");
 }
 
 std::unique_ptr<Node> parse_tree(const NodeRegistry& registry, const std::string& text, const std::string& file,

@@ -20,6 +20,11 @@ class NodeRegistry {
   /// A name that is there already is replaced.
   void add(const std::string& type, Arity arity, Factory factory) { types_[type] = {arity, std::move(factory)}; }
 
+  using Around = std::function<std::unique_ptr<Node>(std::unique_ptr<Node>)>;
+  /// Puts something around each node of a type that is made from here on, e.g. to see when it runs.
+  /// @throws ConfigError if there is no such type.
+  void wrap(const std::string& type, Around around);
+
   /// Makes the node that an object describes, and what is below it.
   /// @throws ConfigError naming file and place for unknown types, keys, options, and numbers of children.
   std::unique_ptr<Node> make(ConfigObject description) const;
@@ -42,6 +47,8 @@ NodeRegistry standard_nodes();
 /// @param name  of the tree; empty: the first one.
 /// @throws ConfigError naming file and place, also if there is no such tree; JsonError for text that is no JSON.
 std::unique_ptr<Node> read_tree(const NodeRegistry& registry, const std::string& path, const std::string& name = "");
+/// What the first tree of a document is called. @throws as read_tree.
+std::string first_tree(const std::string& path);
 /// @param file  what messages call the document.
 std::unique_ptr<Node> parse_tree(const NodeRegistry& registry, const std::string& text, const std::string& file,
                                  const std::string& name = "");

@@ -1,18 +1,25 @@
 #include "behaviours/path_drive.hpp"
 
+#include <algorithm>
+
 namespace opal::behaviours {
 
 FloorGrid::Surcharge unmapped_surcharge(const Situation& situation) {
-  constexpr double kReach_m = 10, kMapped_m = 0.25;
-  constexpr float kPrice = 25;
+  constexpr double kReach_m = 10, kMapped_m = 0.25, kBeside_m = 0.04;
+  constexpr float kBeside = 25, kBlocked = 300;  // per metre: a detour of 100 m is better than to try what is blocked
   const Pose2 T_map_odom = situation.T_map_odom();
-  std::vector<Point> unmapped;
+  std::vector<Point> all, unmapped;
   for (const Point& p : situation.obstacles().lately(kReach_m)) {
-    const Point in_map = T_map_odom * p;
-    if (situation.localization.map().clearance_m(in_map) > kMapped_m) unmapped.push_back(in_map);
+    all.push_back(T_map_odom * p);
+    if (situation.localization.map().clearance_m(all.back()) > kMapped_m) unmapped.push_back(all.back());
   }
+  for (const Point& p : situation.impasses()) unmapped.push_back(T_map_odom * p);
   const MotionOptions& motion = situation.motion.options();
-  return situation.floor.surcharge(unmapped, motion.radius_m + motion.margin_m + 0.04, kPrice);
+  const double keep_m = motion.radius_m + motion.margin_m;
+  FloorGrid::Surcharge prices = situation.floor.surcharge(unmapped, keep_m + kBeside_m, kBeside);
+  for (const auto& blocked : {situation.floor.surcharge(unmapped, keep_m, kBlocked), situation.floor.surcharge(all, motion.radius_m, kBlocked)})
+    std::transform(prices.begin(), prices.end(), blocked.begin(), prices.begin(), [](float a, float b) { return std::max(a, b); });
+  return prices;
 }
 
 PathDrive::PathDrive(const Pose2& T_odom_map, const std::vector<Point>& path_map) {

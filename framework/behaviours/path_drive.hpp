@@ -4,7 +4,8 @@
 
 namespace opal::behaviours {
 
-/// What is seen and not mapped makes the floor around it dear; frame `map`, by the best hypothesis.
+/// What has been seen makes the floor dear where the robot has no room for it, and near what is not mapped, and where it got stuck; frame `map`,
+/// by the best hypothesis.
 FloorGrid::Surcharge unmapped_surcharge(const Situation& situation);
 
 /// Follows a path, frame odom, by motion primitives towards a point some way ahead on it.

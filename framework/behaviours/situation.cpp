@@ -2,6 +2,8 @@
 
 #include <opal/error.hpp>
 
+#include <algorithm>
+
 namespace opal::behaviours {
 
 FloorGrid mapped_floor(const MapView& map, double radius_m) {
@@ -24,31 +26,47 @@ void Situation::notice_progress() {
   constexpr double kSpacing_m = 0.3, kProgress_m = 0.2;
   const Point& here = T_odom_base().position();
   if (trail_.empty() || (trail_.back() - here).norm() > kSpacing_m) trail_.push_back(here);
-  if (!driving_ || (here - moved_from_).norm() > kProgress_m) {
+  if (!wanted_odom_ || (here - moved_from_).norm() > kProgress_m) {
     moved_from_ = here;
     moved_at_s_ = now_s();
   }
-  driving_ = false;
+  notice_impasse();
+  wanted_odom_.reset();
+}
+
+void Situation::notice_impasse() {
+  constexpr double kOnce_s = 60, kAgain_s = 600, kApart_m = 0.3;
+  if (!is_stuck() || !wanted_odom_) return;
+  const Point here = T_odom_base().position(), way = *wanted_odom_ - here;
+  if (way.isZero()) return;
+  const double ahead_m = motion.options().radius_m + motion.options().margin_m;
+  const Point p = here + std::min(ahead_m, way.norm()) * way.normalized();
+  for (Impasse& impasse : impasses_) {
+    if ((impasse.p_odom - p).norm() > kApart_m) continue;
+    if (now_s() > impasse.until_s) impasse.until_s = now_s() + kAgain_s;
+    return;
+  }
+  impasses_.push_back({p, now_s() + kOnce_s});
+}
+
+std::vector<Point> Situation::impasses() const {
+  std::vector<Point> points;
+  for (const Impasse& impasse : impasses_)
+    if (now_s() < impasse.until_s) points.push_back(impasse.p_odom);
+  return points;
 }
 
 bool Situation::drive_towards(const Point& target_odom) {
-  driving_ = true;
+  wanted_odom_ = target_odom;
   const auto velocity = motion.towards(T_odom_base().inverse() * target_odom, near_, before_);
   velocity_ = velocity.value_or(Velocity{});
   return velocity.has_value();
 }
 
-bool Situation::drive_back() {
-  const auto velocity = motion.backwards(near_);
-  velocity_ = velocity.value_or(Velocity{});
-  return velocity.has_value();
-}
-
-double Situation::room_m(double bearing_rad, double most_m) const {
-  std::vector<Point> around;
-  const Pose2 T_base_odom = T_odom_base().inverse();
-  for (const Point& p : obstacles_.lately(most_m + 1)) around.push_back(T_base_odom * p);
-  return motion.room_m(bearing_rad, around, most_m);
+std::vector<Point> Situation::around(double reach_m) const {
+  std::vector<Point> points;
+  for (const Obstacle& obstacle : obstacles_.near(reach_m)) points.push_back(obstacle.position);
+  return points;
 }
 
 }  // namespace opal::behaviours

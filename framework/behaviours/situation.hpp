@@ -7,6 +7,7 @@
 #include <opal/floor_grid.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace opal::behaviours {
@@ -43,28 +44,34 @@ class Situation {
   void turn(double radps) { velocity_ = {Point::Zero(), radps}; }
   /// Drives to a place by the best free primitive. @param target  frame odom. @return false if there is none.
   bool drive_towards(const Point& target_odom);
-  /// Drives straight back. @return false if something is there.
-  bool drive_back();
-  /// How far one can go straight along a bearing (frame base_link), at most `most_m`.
-  double room_m(double bearing_rad, double most_m) const;
+  /// What stands around, frame base_link.
+  std::vector<Point> around(double reach_m) const;
 
   /// Whether the robot has wanted to get somewhere for some seconds, and has not moved.
   bool is_stuck() const { return now_s() - moved_at_s_ > kPatience_s; }
+  /// Where it got stuck not long ago, a little way ahead, frame odom: whatever the plan says, there is no way through.
+  std::vector<Point> impasses() const;
   void forget_being_stuck() { moved_at_s_ = now_s(); }
 
  private:
   static constexpr double kPatience_s = 6;
 
+  struct Impasse {
+    Point p_odom;
+    double until_s;  ///< it may have been somebody who has gone on since
+  };
   void notice_progress();
+  void notice_impasse();
 
   PoseEstimate estimate_;
   SeenObstacles obstacles_;
-  std::vector<Point> near_;  ///< what the next motion must not touch
+  std::vector<Obstacle> near_;  ///< what the next motion must not touch
   std::vector<Point> trail_;
   Velocity velocity_, before_;
-  bool driving_ = false;     ///< some node wanted to get somewhere at the tick before
+  std::vector<Impasse> impasses_;
+  std::optional<Point> wanted_odom_;  ///< where some node wanted to get at the tick before
   Point moved_from_ = Point::Zero();
-  double moved_at_s_ = 0;    ///< or was not driving
+  double moved_at_s_ = 0;    ///< or did not want to get anywhere
 };
 
 }  // namespace opal::behaviours

@@ -1,5 +1,8 @@
 #include "closed_loop/closed_loop.hpp"
 
+#include <chrono>
+#include <thread>
+
 namespace opal {
 namespace {
 
@@ -9,25 +12,25 @@ constexpr int kStepsPerTick = 2;
 /// One drive under way.
 class ClosedLoop {
  public:
-  ClosedLoop(simulation::Simulation& simulation, Localizer& localizer, const ClosedLoopOptions& options)
-      : simulation_(simulation), laser_(simulation.options().laser), queries_(localizer, laser_), options_(options) {
-    localizer.reset();
+  ClosedLoop(simulation::Simulation& simulation, behaviours::Localization& localization,
+             const ClosedLoopOptions& options)
+      : simulation_(simulation), localization_(localization), options_(options) {
+    localization_.begin();
   }
 
   DriveRecord run(const FloorGrid& floor, behaviours::Node& tree, const Point& goal) {
     const behaviours::MotionPrimitives motion(options_.motion);
-    behaviours::Situation situation(queries_, motion, floor, goal);
+    behaviours::Situation situation(localization_, motion, floor, goal);
     const double start_s = simulation_.now_s();
     tree.halt();
     for (auto outcome = behaviours::Outcome::running; outcome == behaviours::Outcome::running;) {
       sense();
-      situation.look();
-      outcome = tree.tick(situation);
+      outcome = localization_.answers() ? decide(situation, tree) : wait(situation);
       record_.said_so = outcome == behaviours::Outcome::success;
       record_.time_s = simulation_.now_s() - start_s;
       if (record_.time_s >= options_.most_s || record_.said_so) break;
       outcome = behaviours::Outcome::running;  // a robot that has failed tries again
-      move(situation.velocity());
+      move(localization_.answers() ? situation.velocity() : Velocity{});
     }
     record_.off_goal_m = (simulation_.T_map_base().position() - goal).norm();
     record_.reached = record_.said_so && record_.off_goal_m < options_.reached_m;
@@ -35,10 +38,26 @@ class ClosedLoop {
   }
 
  private:
+  static behaviours::Outcome decide(behaviours::Situation& situation, behaviours::Node& tree) {
+    situation.look();
+    return tree.tick(situation);
+  }
+
+  /// Whoever waits has not been stuck.
+  behaviours::Outcome wait(behaviours::Situation& situation) const {
+    std::this_thread::sleep_for(std::chrono::duration<double>(options_.tick_s));
+    situation.forget_being_stuck();
+    return behaviours::Outcome::running;
+  }
+
   void sense() {
     const RawScan raw = simulation_.scan();
-    queries_.take(make_scan(raw, laser_), *raw.T_odom_base);
-    const PoseEstimate estimate = queries_.estimate();
+    localization_.take(raw);
+    if (!localization_.answers()) {
+      ++record_.unanswered_scans;
+      return;
+    }
+    const PoseEstimate estimate = localization_.estimate();
     const Pose2& truth = simulation_.T_map_base();
     record_.moments.push_back({raw.stamp_s, truth, estimate.T_map_base, estimate.has_pose, estimate.status});
     ++record_.scans;
@@ -55,23 +74,30 @@ class ClosedLoop {
   void move(const Velocity& velocity) {
     for (int k = 0; k < kStepsPerTick; ++k) {
       const Pose2 before = simulation_.T_map_base();
-      if (!simulation_.drive(velocity, options_.tick_s / kStepsPerTick)) ++record_.collisions;
+      if (auto touched = simulation_.drive(velocity, options_.tick_s / kStepsPerTick))
+        record_.collisions.push_back({simulation_.now_s(), before, velocity, *touched});
       record_.driven_m += distance_m(before, simulation_.T_map_base());
     }
   }
 
   simulation::Simulation& simulation_;
-  LaserModel laser_;
-  behaviours::LocalizerQueries queries_;
+  behaviours::Localization& localization_;
   ClosedLoopOptions options_;
   DriveRecord record_;
 };
 
 }  // namespace
 
+DriveRecord drive_to_goal(simulation::Simulation& simulation, behaviours::Localization& localization,
+                          const FloorGrid& floor, behaviours::Node& tree, const Point& goal,
+                          const ClosedLoopOptions& options) {
+  return ClosedLoop(simulation, localization, options).run(floor, tree, goal);
+}
+
 DriveRecord drive_to_goal(simulation::Simulation& simulation, Localizer& localizer, const FloorGrid& floor,
                           behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options) {
-  return ClosedLoop(simulation, localizer, options).run(floor, tree, goal);
+  behaviours::LocalizerQueries localization(localizer, simulation.options().laser);
+  return drive_to_goal(simulation, localization, floor, tree, goal, options);
 }
 
 }  // namespace opal

@@ -21,10 +21,18 @@ struct DriveRecord {
   bool said_so = false;              ///< the tree has succeeded
   double time_s = 0, driven_m = 0;
   double off_goal_m = 0;             ///< in truth, at the end
-  int collisions = 0;                ///< steps that would have touched something
+  /// A step that would have touched something, and was not taken.
+  struct Collision {
+    double stamp_s;
+    Pose2 T_map_base;
+    Velocity velocity;
+    simulation::Contact touched;
+  };
+  std::vector<Collision> collisions;
   std::optional<double> localized_after_m, localized_after_s;  ///< first time that the pose was vouched for, and right
   int scans = 0, localized_scans = 0;
   int falsely_localized_scans = 0;   ///< vouched for, and more than 1 m off
+  int unanswered_scans = 0;          ///< localization was not there
   struct Moment {
     double stamp_s;
     Pose2 truth, estimate;           ///< T_map_base
@@ -34,10 +42,14 @@ struct DriveRecord {
   std::vector<Moment> moments;       ///< by scan
 };
 
-/// Lets a robot drive to a goal in a simulated building, by a behaviour tree that knows only what a localizer answers.
-/// The localizer is reset first.
+/// Lets a robot drive to a goal in a simulated building, by a behaviour tree that knows only what localization answers. While
+/// it does not answer, the robot stands still, and simulated time goes as fast as the clock.
+/// @param localization  begins anew.
 /// @param floor  where the map has room for the robot.
 /// @param goal   frame `map`.
+DriveRecord drive_to_goal(simulation::Simulation& simulation, behaviours::Localization& localization, const FloorGrid& floor,
+                          behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options = {});
+/// The same with a localizer in this process.
 DriveRecord drive_to_goal(simulation::Simulation& simulation, Localizer& localizer, const FloorGrid& floor,
                           behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options = {});
 

@@ -14,7 +14,9 @@ class Floor : public FloorGrid {
  public:
   /// @param radius_m  of whoever wants to be there.
   /// @throws MapError if there is no such place.
-  Floor(const SemanticMap& map, const RayCaster& solids, double radius_m);
+  Floor(const SemanticMap& map, const RayCaster& solids, double radius_m) : Floor(map, floor_raster(map), solids, radius_m) {}
+  /// @param seen  floor_raster() of the map.
+  Floor(const SemanticMap& map, const MapRaster& seen, const RayCaster& solids, double radius_m);
 
   /// Some place on it.
   Point anywhere(Random& random) const { return center_of(cells()[random.below(cells().size())]); }

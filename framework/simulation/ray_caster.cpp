@@ -149,16 +149,16 @@ RayHit RayCaster::cast_beyond(const Point& origin, const Point& direction, doubl
   return best.solid < 0 ? RayHit{} : best;
 }
 
-bool RayCaster::touches(const Point& center, double radius_m) const {
-  if (solids_.empty()) return false;
+int RayCaster::touched(const Point& center, double radius_m) const {
+  if (solids_.empty()) return -1;
   const int low_column = std::max(0, column_of(center.x() - radius_m)), low_row = std::max(0, row_of(center.y() - radius_m));
   const int high_column = std::min(columns_ - 1, column_of(center.x() + radius_m));
   const int high_row = std::min(rows_ - 1, row_of(center.y() + radius_m));
   for (int row = low_row; row <= high_row; ++row)
     for (int column = low_column; column <= high_column; ++column)
       for (const std::int32_t number : in_cell(column, row))
-        if (distance_from(solids_[number].shape, center) <= radius_m) return true;
-  return false;
+        if (distance_from(solids_[number].shape, center) <= radius_m) return number;
+  return -1;
 }
 
 }  // namespace opal::simulation

@@ -33,8 +33,9 @@ class RayCaster {
   RayHit cast(const Point& origin, const Point& direction, double reach_m) const;
   /// Whatever stands on this side of `from`, e.g. glass that the beam went through, is not met.
   RayHit cast_beyond(const Point& origin, const Point& direction, double from_m, double reach_m) const;
-  /// Whether a disc touches any solid.
-  bool touches(const Point& center, double radius_m) const;
+  /// Position in solids() of one that a disc touches; -1: none.
+  int touched(const Point& center, double radius_m) const;
+  bool touches(const Point& center, double radius_m) const { return touched(center, radius_m) >= 0; }
   /// Smallest rectangle around all solids; zero if there is none.
   std::array<Point, 2> bounds() const { return {low_, high_}; }
 

@@ -40,7 +40,7 @@ class RecordedDrive {
     const Pose2 before = simulation_.T_map_base();
     if (follower_.arrived())
       if (auto way = simulation_.floor().way(before.position(), goal_())) follower_.follow(std::move(*way));
-    if (!simulation_.drive(follower_.steer(before), kStep_s)) give_way();
+    if (simulation_.drive(follower_.steer(before), kStep_s)) give_way();
     driven_m_ += distance_m(before, simulation_.T_map_base());
   }
 
@@ -87,16 +87,16 @@ Recording record(Simulation& simulation, const DriveOptions& options, Random ran
   return recording;
 }
 
-Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s, const DriveOptions& options) {
+Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s, const DriveOptions& options,
+                       Random random) {
   Recording recording;
   recording.laser = simulation.options().laser;
-  Random elsewhere(places.size());
   std::size_t next = 0;
   const auto goal = [&] {
-    return simulation.floor().nearest(places[next++ % places.size()]).value_or(simulation.floor().anywhere(elsewhere));
+    return simulation.floor().nearest(places[next++ % places.size()]).value_or(simulation.floor().anywhere(random));
   };
   const Point start = goal();
-  simulation.place({start, elsewhere.uniform(-std::numbers::pi, std::numbers::pi)});
+  simulation.place({start, random.uniform(-std::numbers::pi, std::numbers::pi)});
   RecordedDrive(simulation, options, goal, recording).run(query_name(1), kForever, duration_s);
   return recording;
 }

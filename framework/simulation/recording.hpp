@@ -43,7 +43,9 @@ Recording record(Simulation& simulation, const DriveOptions& options, Random ran
 
 /// One drive of a given time from one place to others, one after the other and round again; where something stands, the
 /// robot goes to a free place nearby, and to any if there is none.
-Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s, const DriveOptions& options);
+/// @param random  says how the robot is turned at first, and where else it goes.
+Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s, const DriveOptions& options,
+                       Random random);
 
 /// The same poses at the same times as another recording: one drive.
 /// @param T_map_laser  poses of the laser by increasing stamp.

@@ -5,26 +5,34 @@
 namespace opal::simulation {
 namespace {
 
-std::vector<Solid> with(std::vector<Solid> solids, const std::vector<std::vector<Solid>>& pieces) {
+std::vector<Solid> joined(const std::vector<std::vector<Solid>>& pieces) {
+  std::vector<Solid> solids;
   for (const auto& piece : pieces) solids.insert(solids.end(), piece.begin(), piece.end());
+  return solids;
+}
+
+std::vector<Solid> with(std::vector<Solid> solids, const std::vector<Solid>& more) {
+  solids.insert(solids.end(), more.begin(), more.end());
   return solids;
 }
 
 /// The building with clutter that leaves most of its floor to drive on: if it does not, half of the pieces go, and so on.
 std::unique_ptr<const RayCaster> furnished(const SemanticMap& map, const SimulationOptions& options, Random& random,
-                                           std::unique_ptr<const Floor>& floor) {
+                                           std::unique_ptr<const Floor>& floor, std::vector<Solid>& clutter) {
   constexpr double kLeast = 0.6;
   constexpr double kMargin_m = 0.1;  // so that a way along the centres of cells is a way
   const double wide_m = options.robot_radius_m + kMargin_m;
   Random doors = random.branch(), furniture = random.branch();
   const std::vector<Solid> building = building_solids(map, options.doors_open_share, doors);
   auto solids = std::make_unique<const RayCaster>(building);
-  const Floor empty(map, *solids, wide_m);
+  const MapRaster seen = floor_raster(map);
+  const Floor empty(map, seen, *solids, wide_m);
   auto pieces = clutter_pieces(map, empty.area_m2(), options.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
   for (;; pieces.resize(pieces.size() / 2)) {
-    solids = std::make_unique<const RayCaster>(with(building, pieces));
+    clutter = joined(pieces);
+    solids = std::make_unique<const RayCaster>(with(building, clutter));
     try {
-      floor = std::make_unique<const Floor>(map, *solids, wide_m);
+      floor = std::make_unique<const Floor>(map, seen, *solids, wide_m);
     } catch (const MapError&) {
       if (pieces.empty()) throw;
       continue;
@@ -48,36 +56,42 @@ Simulation::Simulation(std::shared_ptr<const SemanticMap> building, const Simula
     : building_(std::move(building)),
       options_(options),
       random_(seed),
-      solids_(furnished(*building_, options_, random_, floor_)),
+      solids_(furnished(*building_, options_, random_, floor_, clutter_)),
       odometry_(options.drive, options.odometry_errors, random_.branch()) {
   for (int k = 0; k < options_.people; ++k) people_.emplace_back(*floor_, random_.branch());
   T_map_base_ = {floor_->anywhere(random_), random_.uniform(-std::numbers::pi, std::numbers::pi)};
 }
 
-bool Simulation::blocked(const Pose2& T_map_base) const {
-  if (solids_->touches(T_map_base.position(), options_.robot_radius_m)) return true;
+std::optional<Contact> Simulation::contact(const Pose2& T_map_base) const {
+  const int solid = solids_->touched(T_map_base.position(), options_.robot_radius_m);
+  if (solid >= 0) return Contact{solids_->solids()[static_cast<std::size_t>(solid)].shape, false};
   for (const Walker& walker : people_)
     for (const Circle& leg : walker.legs())
-      if ((leg.center - T_map_base.position()).norm() < leg.radius_m + options_.robot_radius_m) return true;
-  return false;
+      if ((leg.center - T_map_base.position()).norm() < leg.radius_m + options_.robot_radius_m) return Contact{leg, true};
+  return std::nullopt;
 }
 
-bool Simulation::drive(const Velocity& velocity, double duration_s) {
+/// One can go away from what one touches already.
+bool Simulation::nears(const Geometry& touched, const Point& next) const {
+  return distance_m(touched, next) < distance_m(touched, T_map_base_.position());
+}
+
+std::optional<Contact> Simulation::drive(const Velocity& velocity, double duration_s) {
   now_s_ += duration_s;
-  for (Walker& walker : people_) walker.walk(duration_s, *floor_, T_map_base_.position());
+  for (Walker& walker : people_) walker.walk(duration_s, *floor_, {T_map_base_.position(), options_.robot_radius_m});
   Velocity possible = velocity;
   if (options_.drive == Drive::differential) possible.linear_mps.y() = 0;
   const Pose2 step = moved(possible, duration_s), next = T_map_base_ * step;
-  const bool moves = distance_m(next, T_map_base_) > 0;
-  if (moves && blocked(next)) return false;
+  if (distance_m(next, T_map_base_) > 0)
+    if (auto touched = contact(next); touched && nears(touched->what, next.position())) return touched;
   T_map_base_ = next;
   odometry_.move(step);
-  return true;
+  return std::nullopt;
 }
 
 void Simulation::follow(const Pose2& T_map_base, double stamp_s) {
   const double duration_s = std::max(0.0, stamp_s - now_s_);
-  for (Walker& walker : people_) walker.walk(duration_s, *floor_, T_map_base_.position());
+  for (Walker& walker : people_) walker.walk(duration_s, *floor_, {T_map_base_.position(), options_.robot_radius_m});
   odometry_.move(T_map_base_.inverse() * T_map_base);
   T_map_base_ = T_map_base;
   now_s_ = stamp_s;

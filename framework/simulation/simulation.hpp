@@ -7,6 +7,7 @@
 #include "simulation/walker.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace opal::simulation {
 
@@ -24,6 +25,12 @@ struct SimulationOptions {
   static LaserModel default_laser();
 };
 
+/// What a robot that goes on would touch.
+struct Contact {
+  Geometry what = Segment{};  ///< frame `map`
+  bool person = false;
+};
+
 /// One robot in one building with what stands and walks there. The same building, options and seed give the same world
 /// and, driven alike, the same readings. Frames as in REP 105; time begins at 0.
 class Simulation {
@@ -36,6 +43,8 @@ class Simulation {
   /// Where the robot can be.
   const Floor& floor() const { return *floor_; }
   const RayCaster& solids() const { return *solids_; }
+  /// Those that the map does not hold.
+  const std::vector<Solid>& clutter() const { return clutter_; }
   const std::vector<Walker>& people() const { return people_; }
 
   double now_s() const { return now_s_; }
@@ -46,20 +55,22 @@ class Simulation {
   /// Carries the robot away; odometry does not notice.
   void place(const Pose2& T_map_base) { T_map_base_ = T_map_base; }
   /// Time goes on, and people walk; the robot moves unless it would touch something.
-  /// @return false if it would have.
-  bool drive(const Velocity& velocity, double duration_s);
+  /// @return what it would have touched.
+  std::optional<Contact> drive(const Velocity& velocity, double duration_s);
   /// The robot is led to a pose by a time, whatever stands in the way; odometry counts it, people walk.
   void follow(const Pose2& T_map_base, double stamp_s);
   /// What the laser reads now.
   RawScan scan();
 
  private:
-  bool blocked(const Pose2& T_map_base) const;
+  std::optional<Contact> contact(const Pose2& T_map_base) const;
+  bool nears(const Geometry& touched, const Point& next) const;
 
   std::shared_ptr<const SemanticMap> building_;
   SimulationOptions options_;
   Random random_;
   std::unique_ptr<const Floor> floor_;  // found while solids_ are put up
+  std::vector<Solid> clutter_;          // likewise
   std::unique_ptr<const RayCaster> solids_;
   std::vector<Walker> people_;
   WheelOdometry odometry_;

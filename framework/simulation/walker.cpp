@@ -1,9 +1,11 @@
 #include "simulation/walker.hpp"
 
+#include <algorithm>
+
 namespace opal::simulation {
 namespace {
 
-constexpr double kLegRadius_m = 0.06, kHalfHip_m = 0.11, kStride_m = 0.28, kPersonalSpace_m = 0.8;
+constexpr double kLegRadius_m = 0.06, kHalfHip_m = 0.11, kStride_m = 0.28, kPersonalSpace_m = 0.4;
 
 }  // namespace
 
@@ -16,26 +18,37 @@ void Walker::choose_way(const Floor& floor) {
   if (auto way = floor.way(position_, floor.anywhere(random_))) way_.assign(way->rbegin(), way->rend());
 }
 
-void Walker::walk(double duration_s, const Floor& floor, const Point& robot) {
+/// Along the way, and round its corners.
+void Walker::step(double length_m) {
+  stride_rad_ += length_m / kStride_m * std::numbers::pi / 2;
+  while (length_m > 0 && !way_.empty()) {
+    const Point to = way_.back() - position_;
+    const double distance = to.norm(), part = std::min(distance, length_m);
+    if (distance > 0) direction_ = to / distance;
+    position_ += part * direction_;
+    length_m -= part;
+    if (distance <= part) way_.pop_back();
+  }
+}
+
+double Walker::nearest_foot_m(const Point& p) const {
+  const auto feet = legs();
+  return std::min((feet[0].center - p).norm(), (feet[1].center - p).norm());
+}
+
+void Walker::walk(double duration_s, const Floor& floor, const Circle& robot) {
   if (pause_s_ > 0) {
     pause_s_ -= duration_s;
     return;
   }
   if (way_.empty()) return choose_way(floor);
-  double left_m = speed_mps_ * duration_s;
-  stride_rad_ += left_m / kStride_m * std::numbers::pi / 2;
-  while (left_m > 0 && !way_.empty()) {
-    const Point to = way_.back() - position_;
-    const double distance = to.norm(), step = std::min(distance, left_m);
-    const Point next = distance > 0 ? Point(position_ + step / distance * to) : position_;
-    const bool nearer = (next - robot).norm() < (position_ - robot).norm();
-    if (nearer && (next - robot).norm() < kPersonalSpace_m) return way_.clear();
-    if (distance > 0) direction_ = to / distance;
-    position_ = next;
-    left_m -= step;
-    if (distance <= step) way_.pop_back();
-    if (step == 0 && distance > 0) break;
-  }
+  Walker next = *this;
+  next.step(speed_mps_ * duration_s);
+  const double space_m = next.nearest_foot_m(robot.center) - robot.radius_m;
+  const double before_m = nearest_foot_m(robot.center) - robot.radius_m;
+  const bool trapped = before_m < kLegRadius_m;  // by a robot that has been put there: out, whichever way
+  if (space_m < kPersonalSpace_m && space_m < before_m && !trapped) return way_.clear();
+  *this = std::move(next);
 }
 
 std::array<Circle, 2> Walker::legs() const {

@@ -10,13 +10,15 @@ namespace opal::simulation {
 class Walker {
  public:
   Walker(const Floor& floor, Random random);
-  /// Goes on for a while; turns round before touching the robot.
-  void walk(double duration_s, const Floor& floor, const Point& robot);
+  /// Goes on for a while; stops and goes elsewhere before a foot touches the robot.
+  void walk(double duration_s, const Floor& floor, const Circle& robot);
   const Point& position() const { return position_; }
   std::array<Circle, 2> legs() const;
 
  private:
   void choose_way(const Floor& floor);
+  void step(double length_m);
+  double nearest_foot_m(const Point& p) const;
 
   Random random_;
   double speed_mps_;

@@ -92,6 +92,10 @@ void draw_local_features(DrawingCanvas& canvas, const DrawingScene& scene) {
   }
 }
 
+void draw_unmapped(DrawingCanvas& canvas, const DrawingScene& scene) {
+  for (const Geometry& geometry : scene.unmapped) canvas.geometry(geometry, ink::kUnmapped, kUnmapped_px);
+}
+
 void draw_patterns(DrawingCanvas& canvas, const DrawingScene& scene) {
   for (const std::vector<Point>& members : scene.patterns) {
     canvas.line(members, ink::kPattern.with_opacity(0.7), kPattern_px, kDash_px);
@@ -169,6 +173,7 @@ void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {
   if (!scene.free_space.empty()) canvas.polygon(scene.free_space, ink::kFreeSpace);
   draw_associations(canvas, scene);
   if (scene.map) draw_map(canvas, *scene.map);
+  draw_unmapped(canvas, scene);
   canvas.line(scene.truth, ink::kTruth, kTruth_px, kDash_px);
   canvas.line(scene.trajectory, ink::kTrajectory, kTrajectory_px);
   draw_local_features(canvas, scene);

@@ -18,6 +18,7 @@ inline constexpr Color kFaintText{0.42, 0.45, 0.50};
 inline constexpr Color kGrid{0.90, 0.91, 0.92};
 inline constexpr Color kFreeSpace{0.36, 0.66, 0.93, 0.13};
 inline constexpr Color kScan{0.88, 0.26, 0.16, 0.85};
+inline constexpr Color kUnmapped{0.72, 0.55, 0.38};
 inline constexpr Color kLocalFeature{0.10, 0.42, 0.82};
 inline constexpr Color kAssociation{0.05, 0.62, 0.38};
 inline constexpr Color kBest{0.02, 0.50, 0.30};
@@ -29,7 +30,7 @@ inline constexpr Color kTrajectory{0.48, 0.23, 0.68};
 inline constexpr Color kTruth{0.16, 0.18, 0.22, 0.75};
 }  // namespace ink
 
-inline constexpr double kScanDot_px = 1.3, kLocalFeature_px = 2.2, kAssociation_px = 1.2, kMatched_px = 7;
+inline constexpr double kScanDot_px = 1.3, kLocalFeature_px = 2.2, kUnmapped_px = 1.4, kAssociation_px = 1.2, kMatched_px = 7;
 inline constexpr double kTrajectory_px = 1.6, kTruth_px = 1.1, kDash_px = 4, kBestHead_px = 17;
 inline constexpr double kEndedHead_px = 10, kContradiction_px = 1.3, kPattern_px = 1.1;
 

@@ -87,6 +87,7 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
   const auto add = [&](bool present, std::string label, auto symbol) {
     if (present) rows.push_back({std::move(label), std::move(symbol)});
   };
+  add(!scene.unmapped.empty(), "stands there, not in the map", stroke_symbol(ink::kUnmapped, kUnmapped_px));
   add(!scene.free_space.empty(), "seen to be free", area_symbol);
   add(!scene.scan_points.empty(), "scan", dots_symbol);
   using Perception = DrawingScene::Perception;

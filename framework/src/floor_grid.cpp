@@ -190,16 +190,23 @@ std::vector<Point> FloorGrid::along(const FloorWays& ways, int cell) const {
   return way;
 }
 
-FloorGrid seen_floor(const SemanticMap& map, const std::function<bool(const Point&)>& has_room) {
+MapRaster floor_raster(const SemanticMap& map) {
   RasterOptions options;
   options.resolution_m = 0.1;
-  const MapRaster raster = rasterized(map, options);
+  return rasterized(map, options);
+}
+
+FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room) {
   std::vector<char> free(raster.cells.size(), 0);
   for (int cell = 0; cell < raster.columns * raster.rows; ++cell) {
-    const Point center = raster.origin + options.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
+    const Point center = raster.origin + raster.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
     free[cell] = raster.cells[cell] == MapRaster::Cell::free && has_room(center);
   }
-  return {raster.origin, options.resolution_m, raster.columns, raster.rows, std::move(free)};
+  return {raster.origin, raster.resolution_m, raster.columns, raster.rows, std::move(free)};
+}
+
+FloorGrid seen_floor(const SemanticMap& map, const std::function<bool(const Point&)>& has_room) {
+  return seen_floor(floor_raster(map), has_room);
 }
 
 }  // namespace opal

@@ -115,9 +115,9 @@ class Rasterization {
 
   std::optional<std::size_t> index_at(const Point& p) const {
     const Point cell = (p - raster_.origin) / raster_.resolution_m;
-    const int column = static_cast<int>(std::floor(cell.x())), row = static_cast<int>(std::floor(cell.y()));
-    if (column < 0 || row < 0 || column >= raster_.columns || row >= raster_.rows) return std::nullopt;
-    return static_cast<std::size_t>(row) * raster_.columns + column;
+    const bool inside = cell.x() >= 0 && cell.y() >= 0 && cell.x() < raster_.columns && cell.y() < raster_.rows;
+    if (!inside) return std::nullopt;
+    return static_cast<std::size_t>(static_cast<int>(cell.y())) * raster_.columns + static_cast<int>(cell.x());
   }
 
   const SemanticMap& map_;

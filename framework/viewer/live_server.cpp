@@ -1,12 +1,9 @@
 #include "viewer/live_server.hpp"
 
-#include <opal/error.hpp>
-
-#include <httplib.h>
+#include "loopback/loopback_http.hpp"
 
 #include <atomic>
 #include <charconv>
-#include <random>
 #include <thread>
 
 namespace opal {
@@ -16,30 +13,12 @@ using namespace std::chrono_literals;
 using httplib::Request;
 using httplib::Response;
 
-constexpr const char* kLoopback = "127.0.0.1";
 constexpr auto kHeartbeat = 10s;  ///< shows a connection that is gone while nothing happens
 
 /// The page may run what stands in it and talk to this server, nothing else; nobody may frame it.
 constexpr const char* kContentPolicy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
-/// The library's own choice, SO_REUSEPORT, would let two runs share one port.
-void reuse_address_only(socket_t socket) {
-  const int yes = 1;
-  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-}
-
-/// Tells runs apart, so that a browser that comes back to another run is not given its middle.
-std::string run_token() {
-  std::random_device device;
-  return std::to_string(device()) + "-" + std::to_string(device());
-}
-
-void answer(Response& response, int status, const std::string& text) {
-  response.status = status;
-  response.set_content(text + "\n", "text/plain; charset=utf-8");
-}
 
 }  // namespace
 
@@ -49,7 +28,6 @@ struct LiveServer::Implementation {
   void configure();
   void listen(int wanted_port);
   void stop();
-  bool is_for_us(const Request& request) const;
   httplib::Server::HandlerResponse refuse_strangers(const Request& request, Response& response) const;
   void open_stream(const Request& request, Response& response);
   std::size_t resume_position(const std::string& last_event_id) const;
@@ -57,7 +35,7 @@ struct LiveServer::Implementation {
 
   const std::string page;
   const RecordLog& records;
-  const std::string token = run_token();
+  const std::string token = run_token();  ///< so that a browser that comes back to another run is not given its middle
   int port = 0;
   std::atomic<int> streams = 0;
   std::stop_source stopping;
@@ -68,7 +46,6 @@ struct LiveServer::Implementation {
 void LiveServer::Implementation::configure() {
   constexpr int kThreadsForPages = 4;
   server.new_task_queue = [] { return new httplib::ThreadPool(kMostStreams + kThreadsForPages); };
-  server.set_socket_options(reuse_address_only);
   server.set_keep_alive_max_count(1);  // an idle browser holds no thread
   server.set_payload_max_length(1024);
   server.set_default_headers({{"Content-Security-Policy", kContentPolicy},
@@ -85,11 +62,7 @@ void LiveServer::Implementation::configure() {
 }
 
 void LiveServer::Implementation::listen(int wanted_port) {
-  const bool any = wanted_port == 0;
-  port = any ? server.bind_to_any_port(kLoopback) : server.bind_to_port(kLoopback, wanted_port) ? wanted_port : -1;
-  if (port < 0)
-    throw Error(std::string(kLoopback) + ":" + std::to_string(wanted_port) +
-                ": cannot be listened on, most likely another program does; choose another port with --serve=PORT");
+  port = bind_to_loopback(server, wanted_port, "choose another port with --serve=PORT");
   thread = std::thread([this] { server.listen_after_bind(); });
   while (!server.is_running()) std::this_thread::sleep_for(1ms);  // until then it would not hear `stop`
 }
@@ -100,20 +73,10 @@ void LiveServer::Implementation::stop() {
   thread.join();
 }
 
-bool LiveServer::Implementation::is_for_us(const Request& request) const {
-  if (request.get_header_value_count("Host") != 1) return false;
-  const std::string host = request.get_header_value("Host"), suffix = ":" + std::to_string(port);
-  for (const char* name : {"127.0.0.1", "localhost", "[::1]"}) {
-    if (host != name + suffix) continue;
-    return !request.has_header("Origin") || request.get_header_value("Origin") == "http://" + host;
-  }
-  return false;
-}
-
 httplib::Server::HandlerResponse LiveServer::Implementation::refuse_strangers(const Request& request,
                                                                               Response& response) const {
   using Verdict = httplib::Server::HandlerResponse;
-  if (!is_for_us(request)) {
+  if (!is_from_here(request, port)) {
     answer(response, 403, "This server answers to " + std::string(kLoopback) + ":" + std::to_string(port) + " only.");
     return Verdict::Handled;
   }

@@ -10,6 +10,8 @@ using namespace opal;
 
 namespace {
 
+const Point kGoal(1, 4);  // in the room: what is behind its door is not mapped
+
 DriveRecord driven(const char* behaviour, std::uint64_t seed) {
   PluginRegistry registry;
   registry.load_all(OPAL_PLUGIN_DIR);
@@ -22,12 +24,11 @@ DriveRecord driven(const char* behaviour, std::uint64_t seed) {
   const LocalizerParts parts = build_parts(deployment, registry, map);
   Localizer localizer(parts);
   simulation::Simulation simulation(map, world, seed);
-  simulation::Random random(seed);
   ClosedLoopOptions options;
   options.motion.radius_m = world.robot_radius_m;
   options.most_s = 300;
   const auto tree = behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
-  return drive_to_goal(simulation, localizer, behaviours::mapped_floor(*parts.map, 0.2), *tree, simulation.floor().anywhere(random), options);
+  return drive_to_goal(simulation, localizer, behaviours::mapped_floor(*parts.map, 0.2), *tree, kGoal, options);
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ TEST_CASE("a robot that does not know where it is gets to its goal in a small ro
   CAPTURE(behaviour, seed);
   const DriveRecord record = driven(behaviour, seed);
   CHECK(record.reached);
-  CHECK(record.collisions == 0);
+  CHECK(record.collisions.empty());
   CHECK(record.falsely_localized_scans == 0);
 }
 

@@ -9,10 +9,10 @@ using namespace opal::behaviours;
 
 namespace {
 
-std::vector<Point> wall(const Point& from, const Point& to) {
-  std::vector<Point> points;
+std::vector<Obstacle> wall(const Point& from, const Point& to) {
+  std::vector<Obstacle> points;
   const int count = 1 + static_cast<int>((to - from).norm() / 0.02);
-  for (int k = 0; k <= count; ++k) points.push_back(from + (to - from) * (static_cast<double>(k) / count));
+  for (int k = 0; k <= count; ++k) points.push_back({from + (to - from) * (static_cast<double>(k) / count)});
   return points;
 }
 
@@ -25,7 +25,7 @@ TEST_CASE("no free primitive leads through a wall, or nearer to it than the marg
   for (int k = 0; k < 50; ++k) {
     const double bearing = angle(random), distance = range(random);
     const Point foot = distance * unit_vector(bearing), along = 3 * left_of(unit_vector(bearing));
-    const std::vector<Point> points = wall(foot - along, foot + along);
+    const std::vector<Obstacle> points = wall(foot - along, foot + along);
     const double keep = std::min(distance, motion.options().radius_m + motion.options().margin_m);
     for (const MotionPrimitive& primitive : motion.all()) {
       if (!motion.is_free(primitive, points)) continue;
@@ -48,18 +48,18 @@ TEST_CASE("where nothing is, the robot drives straight to what is ahead and turn
 
 TEST_CASE("a robot that is too near to something may turn and go away, but not nearer") {
   const MotionPrimitives motion;
-  const std::vector<Point> points = wall({0.33, -1}, {0.33, 1});
+  const std::vector<Obstacle> points = wall({0.33, -1}, {0.33, 1});
   const auto on = motion.towards({2, 0}, points);
   CHECK((!on || on->linear_mps.x() <= 0));
-  CHECK(motion.backwards(points));
   CHECK(motion.towards({-2, 0.1}, points));
 }
 
 TEST_CASE("a gap wider than the robot is room, a narrower one is not") {
   const MotionPrimitives motion;
   const auto gap = [](double width) {
-    std::vector<Point> points = wall({1, width / 2}, {1, 3});
-    for (const Point& p : wall({1, -3}, {1, -width / 2})) points.push_back(p);
+    std::vector<Point> points;
+    for (const Obstacle& p : wall({1, width / 2}, {1, 3})) points.push_back(p.position);
+    for (const Obstacle& p : wall({1, -3}, {1, -width / 2})) points.push_back(p.position);
     return points;
   };
   CHECK(motion.room_m(0, gap(0.8), 5) == 5);
@@ -73,8 +73,8 @@ TEST_CASE("what was seen ahead is still known when it is beside or behind, and w
   const Pose2 before(1.5, 1, 0), now(1.5, 1, std::numbers::pi);
   obstacles.add(seen(*map, laser, before, 0), before, laser.T_base_laser);
   obstacles.add(seen(*map, laser, now, 3), now, laser.T_base_laser);
-  const std::vector<Point> near = obstacles.near(2);
-  const auto behind = [](const Point& p) { return p.x() < -1 && std::abs(p.y()) < 0.2; };
+  const std::vector<Obstacle> near = obstacles.near(2);
+  const auto behind = [](const Obstacle& p) { return p.position.x() < -1 && std::abs(p.position.y()) < 0.2; };
   CHECK(std::any_of(near.begin(), near.end(), behind));
 
   SeenObstacles open;

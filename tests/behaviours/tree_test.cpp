@@ -145,3 +145,17 @@ TEST_CASE("every shipped tree can be made, and the document is JSON-LD of Opal's
   const nlohmann::json& root = expanded[0]["urn:opal:v1#trees"][0]["@list"][0]["urn:opal:v1#root"][0];
   CHECK(root["urn:opal:v1#children"][0].contains("@list"));
 }
+
+TEST_CASE("something can be put around the nodes of a type, and the first tree has a name") {
+  NodeRegistry nodes = standard_nodes();
+  int made = 0;
+  nodes.wrap("opal:Rotate", [&](std::unique_ptr<Node> node) {
+    ++made;
+    return node;
+  });
+  parse_tree(nodes, R"({"@context": "urn:opal:v1", "@type": "opal:BehaviourTrees", "trees": [{"name": "a", "root":
+    {"@type": "opal:Sequence", "children": [{"@type": "opal:Rotate"}, {"@type": "opal:Rotate"}, {"@type": "opal:BackOff"}]}}]})", "t.jsonld");
+  CHECK(made == 2);
+  CHECK_THROWS_WITH(nodes.wrap("opal:Fly", nullptr), Catch::Contains("opal:Fly") && Catch::Contains("opal:Rotate"));
+  CHECK(first_tree(OPAL_SOURCE_DIR "/configs/behaviours.jsonld") == "disambiguate");
+}

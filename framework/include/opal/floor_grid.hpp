@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/map_raster.hpp>
 #include <opal/semantic_map.hpp>
 
 #include <array>
@@ -67,5 +68,9 @@ class OPAL_EXPORT FloorGrid {
 /// is room. Frame: `map`.
 /// @param has_room  at the centre of a cell.
 OPAL_EXPORT FloorGrid seen_floor(const SemanticMap& map, const std::function<bool(const Point&)>& has_room);
+/// The same from a raster of the map in cells of any size, which takes longer to make than all that follows from it.
+OPAL_EXPORT FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room);
+/// The raster of which `seen_floor` makes the floor of a map: cells of 0.1 m.
+OPAL_EXPORT MapRaster floor_raster(const SemanticMap& map);
 
 }  // namespace opal

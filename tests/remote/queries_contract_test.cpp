@@ -1,0 +1,117 @@
+#include "room.hpp"
+
+#include <behaviours/node_registry.hpp>
+#include <closed_loop/closed_loop.hpp>
+#include <remote/remote_localization.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <functional>
+
+using namespace opal;
+using behaviours::Localization;
+
+namespace {
+
+/// Localization in this process, and as a program beside it.
+struct Both {
+  std::unique_ptr<Localizer> localizer = localizer_of(world().laser);
+  behaviours::LocalizerQueries here{*localizer, world().laser};
+  std::unique_ptr<remote::LocalizationServer> program = server();
+  remote::RemoteLocalization there{program->address(), world().laser, {60, 60}};
+};
+
+bool equal(const Pose2& a, const Pose2& b) {
+  return a.x() == b.x() && a.y() == b.y() && a.heading_rad() == b.heading_rad() &&
+         a.rotate({1, 0}) == b.rotate({1, 0});
+}
+
+void check_equal(const PoseEstimate& a, const PoseEstimate& b) {
+  CHECK(a.stamp_s == b.stamp_s);
+  CHECK(a.status == b.status);
+  CHECK(a.has_pose == b.has_pose);
+  CHECK(equal(a.T_map_base, b.T_map_base));
+  CHECK(a.probability == b.probability);
+  CHECK(a.none == b.none);
+  CHECK(a.hypotheses == b.hypotheses);
+  CHECK(a.best == b.best);
+  REQUIRE(a.rivals.size() == b.rivals.size());
+  for (std::size_t k = 0; k < a.rivals.size(); ++k) {
+    CHECK(a.rivals[k].hypothesis == b.rivals[k].hypothesis);
+    CHECK(equal(a.rivals[k].T_map_base, b.rivals[k].T_map_base));
+    CHECK(a.rivals[k].probability == b.rivals[k].probability);
+  }
+}
+
+/// What every localization promises to behaviours (localization_queries.hpp).
+void check_contract(Localization& localization) {
+  simulation::Simulation simulation(room(), world(), 3);
+  localization.begin();
+  CHECK(localization.answers());
+  CHECK_FALSE(localization.estimate().has_pose);
+  CHECK(localization.laser().beams == world().laser.beams);
+  CHECK(localization.map().map().features().size() == room()->features().size());
+  for (int k = 0; k < 30; ++k) {
+    const RawScan raw = simulation.scan();
+    localization.take(raw);
+    REQUIRE(localization.answers());
+    CHECK(localization.estimate().stamp_s == raw.stamp_s);
+    CHECK(localization.newest_scan().stamp_s == raw.stamp_s);
+    CHECK(localization.newest_scan().points.size() == make_scan(raw, world().laser).points.size());
+    CHECK(distance_m(localization.T_odom_base(), *raw.T_odom_base) < 1e-12);
+    simulation.drive({{0.2, 0}, 0.5}, 0.2);
+  }
+  CHECK(localization.estimate().has_pose);
+  CHECK(distance_m(localization.estimate().T_map_base, simulation.T_map_base()) < 0.5);
+  localization.begin();
+  CHECK_FALSE(localization.estimate().has_pose);
+}
+
+DriveRecord driven(Localization& localization, std::uint64_t seed) {
+  simulation::Simulation simulation(room(), world(), seed);
+  simulation::Random random(seed);
+  ClosedLoopOptions options;
+  options.motion.radius_m = world().robot_radius_m;
+  options.most_s = 120;
+  const auto tree = behaviours::read_tree(behaviours::standard_nodes(),
+                                          OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
+  return drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree,
+                       simulation.floor().anywhere(random), options);
+}
+
+}  // namespace
+
+TEST_CASE("localization keeps its promises, wherever it runs") {
+  Both both;
+  SECTION("in this process") { check_contract(both.here); }
+  SECTION("as another program") { check_contract(both.there); }
+}
+
+TEST_CASE("another program answers the same to the last digit") {
+  Both both;
+  simulation::Simulation simulation(room(), world(), 5);
+  both.here.begin();
+  both.there.begin();
+  for (int k = 0; k < 60; ++k) {
+    const RawScan raw = simulation.scan();
+    both.here.take(raw);
+    both.there.take(raw);
+    check_equal(both.here.estimate(), both.there.estimate());
+    CHECK(both.here.pattern().size() == both.there.pattern().size());
+    CHECK(equal(both.here.T_odom_base(), both.there.T_odom_base()));
+    simulation.drive({{0.4, 0}, 0.8}, 0.2);
+  }
+}
+
+TEST_CASE("a robot drives the same way whether localization is in its process or another program") {
+  Both both;
+  const std::uint64_t seed = GENERATE(1u, 2u);
+  const DriveRecord here = driven(both.here, seed), there = driven(both.there, seed);
+  CHECK(here.reached);
+  CHECK(here.reached == there.reached);
+  CHECK(here.time_s == there.time_s);
+  CHECK(here.driven_m == there.driven_m);
+  REQUIRE(here.moments.size() == there.moments.size());
+  for (std::size_t k = 0; k < here.moments.size(); ++k)
+    CHECK(equal(here.moments[k].truth, there.moments[k].truth));
+}
