@@ -29,7 +29,7 @@ void take_over(const DriveRecord& record, GoalRun& run) {
   run.time_s = record.time_s;
   run.driven_m = record.driven_m;
   run.off_goal_m = record.off_goal_m;
-  run.collisions = record.collisions;
+  run.collisions = static_cast<int>(record.collisions.size());
   run.scans = record.scans;
   run.localized_scans = record.localized_scans;
   run.false_scans = record.falsely_localized_scans;
