@@ -9,11 +9,21 @@ opal::Replay BenchPlace::replay(const opal::Query& window) const {
   return {records, deployment.laser, options};
 }
 
+opal::Deployment with_laser(opal::Deployment deployment, const opal::LaserModel& laser) {
+  const std::string sensor = deployment.laser.id;
+  deployment.laser = laser;
+  deployment.laser.id = sensor;
+  return deployment;
+}
+
+RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const opal::Query& window,
+                    const RunObserver& observer) {
+  localizer.reset();
+  opal::Replay replay = place.replay(window);
+  return run_log(localizer, place.deployment.laser, replay, window.id, observer);
+}
+
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment) {
-  BenchPlace place{site, std::move(deployment), opal::read_queries(site.prefix + ".queries.json"), {}};
-  const std::string sensor = place.deployment.laser.id;
-  place.deployment.laser = opal::read_site_laser(site.prefix + ".info.json");
-  place.deployment.laser.id = sensor;
-  place.records = opal::read_all(*open_log(registry, site.prefix + ".log.gz"));
-  return place;
+  return {site, with_laser(std::move(deployment), opal::read_site_laser(site.prefix + ".info.json")),
+          opal::read_queries(site.prefix + ".queries.json"), opal::read_all(*open_log(registry, site.prefix + ".log.gz"))};
 }

@@ -8,17 +8,12 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace {
-
-/// The semantic map that stands beside a recording, or one made of its grid. Thickening is done to grids.
-std::shared_ptr<const opal::SemanticMap> map_of(const opal::PluginRegistry& registry, const std::string& prefix,
-                                                const opal::MapDamage& damage) {
+std::shared_ptr<const opal::SemanticMap> site_map(const opal::PluginRegistry& registry, const std::string& prefix,
+                                                  const opal::MapDamage& damage) {
   const std::string document = prefix + ".map.jsonld";
   if (damage.thick_m == 0 && std::filesystem::exists(document)) return opal::SemanticMap::read(document);
   return import_map(registry, prefix + ".map.yaml", import_options(damage)).map;
 }
-
-}  // namespace
 
 std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const std::vector<std::string>& prefixes,
                                   const DamageOptions& damage) {
@@ -28,7 +23,7 @@ std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const st
     if (std::any_of(sites.begin(), sites.end(), [&](const BenchSite& site) { return site.name == name; }))
       throw opal::ConfigError("bench: two places are called '" + name + "', expected a name for each");
     const double start_s = process_cpu_s();
-    auto map = map_of(registry, prefix, damage.damage());
+    auto map = site_map(registry, prefix, damage.damage());
     const double import_s = process_cpu_s() - start_s;
     if (damage.any()) map = opal::damaged_map(*map, damage.damage());
     sites.push_back({prefix, name, std::move(map), opal::Pose2(), import_s});

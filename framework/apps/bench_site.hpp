@@ -19,6 +19,10 @@ struct BenchSite {
   double import_s = 0;
 };
 
+/// The semantic map that stands beside a recording, or one made of its grid: as it is, but for what is done to grids.
+std::shared_ptr<const opal::SemanticMap> site_map(const opal::PluginRegistry& registry, const std::string& prefix,
+                                                  const opal::MapDamage& damage);
+
 /// Imports the map of every place and makes it worse as asked. @throws opal::ConfigError if two have the same name.
 std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const std::vector<std::string>& prefixes,
                                   const DamageOptions& damage);

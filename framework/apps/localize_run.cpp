@@ -35,7 +35,8 @@ void print_errors(const RunRecord& record, const opal::GroundTruth& truth) {
               last, errors[errors.size() / 2], errors.back(), errors.size());
 }
 
-/// The truth of a window, as poses of the robot.
+}  // namespace
+
 nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal::Query& window,
                                       const opal::LaserModel& laser) {
   std::vector<opal::StampedPose> poses;
@@ -44,8 +45,6 @@ nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal
       poses.push_back({pose.stamp_s, pose.pose * laser.T_base_laser.inverse()});
   return opal::truth_event(poses);
 }
-
-}  // namespace
 
 void LocalizeRun::play(const std::vector<opal::LogRecord>& records, const std::vector<opal::Query>& windows,
                        const Playing& playing, const fs::path& out) {

@@ -3,6 +3,7 @@
 #include "run_record.hpp"
 
 #include <opal/drawing.hpp>
+#include <opal/event_stream.hpp>
 #include <opal/ground_truth.hpp>
 #include <opal/site.hpp>
 
@@ -11,6 +12,9 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+
+/// The truth of a window for the event stream, as poses of the robot.
+nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal::Query& window, const opal::LaserModel& laser);
 
 /// How a log is played.
 struct Playing {

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   opal::add_drive_verb(app, exit_code);
   opal::add_serve_verb(app, exit_code);
   opal::add_experiment_verb(app, exit_code);
+  opal::add_ab_verb(app, exit_code);
   opal::add_bench_verb(app, exit_code);
   opal::add_calibration_verb(app, exit_code);
   opal::add_plugins_verb(app, exit_code);

@@ -35,6 +35,13 @@ opal::PluginRegistry load_plugins() {
   return registry;
 }
 
+opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folders) {
+  opal::PluginRegistry registry = load_plugins();
+  for (const std::string& folder : further_folders)
+    for (const std::string& refusal : registry.load_all(folder)) throw opal::ConfigError(refusal);
+  return registry;
+}
+
 const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source) {
   if (!fs::exists(source)) throw opal::MapError(source + ": does not exist");
   const std::string name = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source);

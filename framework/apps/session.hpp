@@ -14,6 +14,9 @@
 /// All plugins of the program's folders; refused ones are reported on stderr and left out.
 opal::PluginRegistry load_plugins();
 
+/// The same with those of further folders, of which none may be refused. @throws opal::ConfigError if one is.
+opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folders);
+
 /// The importer that recognizes a source, as its plugin describes it. @throws opal::MapError if none does.
 const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source);
 

@@ -82,11 +82,7 @@ std::ofstream writable(const fs::path& path) {
 
 RunRecord run_queries(opal::Localizer& localizer, const BenchPlace& place) {
   RunRecord all;
-  for (const opal::Query& query : place.queries) {
-    localizer.reset();
-    opal::Replay replay = place.replay(query);
-    all.append(run_log(localizer, place.deployment.laser, replay, query.id));
-  }
+  for (const opal::Query& query : place.queries) all.append(run_query(localizer, place, query));
   return all;
 }
 

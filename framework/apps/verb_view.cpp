@@ -1,16 +1,15 @@
 #include "verbs.hpp"
+#include "view_page.hpp"
 
 #include <viewer/explanation.hpp>
 #include <viewer/frame_scene.hpp>
 #include <viewer/moment.hpp>
-#include <viewer/page.hpp>
 
 #include <opal/error.hpp>
 
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 namespace {
@@ -21,16 +20,6 @@ struct ViewOptions {
   std::vector<std::string> outs;
   std::string file, svg, png, at = "end", query;
 };
-
-/// Says what `opal explain` says, at every frame.
-opal::Narrator explaining() {
-  const auto explainer = std::make_shared<std::optional<opal::Explainer>>();
-  return [explainer](const opal::RunHeader& header, const opal::RunFrame& frame) {
-    if (!*explainer) explainer->emplace(header);
-    (*explainer)->take(frame);
-    return opal::words_of((*explainer)->explanation());
-  };
-}
 
 /// What the page calls a run: its folder, or more of the path if two folders have the same name.
 std::string name_of_run(const ViewOptions& options, std::size_t which) {
@@ -48,19 +37,11 @@ fs::path page_file(const ViewOptions& options) {
 }
 
 int write_page(const ViewOptions& options) {
-  std::vector<opal::PackedRun> runs;
-  for (std::size_t k = 0; k < options.outs.size(); ++k) {
-    const std::string& out = options.outs[k];
-    runs.push_back(
-        opal::pack_run(out, name_of_run(options, k), opal::room_for_data(options.outs.size()), explaining));
-    for (const std::string& note : runs.back().notes) std::cerr << "opal: " << out << ": " << note << '\n';
-    for (const std::string& sentence : runs.back().reduced) std::cout << out << ": " << sentence << '\n';
-  }
-  const std::string page = opal::page_of(runs);
-  const fs::path file = page_file(options);
-  std::ofstream stream(file, std::ios::binary);
-  if (!(stream << page << std::flush)) throw opal::Error(file.string() + ": cannot be written");
-  std::cout << "written: " << file.string() << '\n';
+  std::vector<ViewedRun> runs;
+  for (std::size_t k = 0; k < options.outs.size(); ++k) runs.push_back({options.outs[k], name_of_run(options, k)});
+  const std::string file = page_file(options).string();
+  for (const std::string& note : write_view_page(runs, file)) std::cerr << "opal: " << note << '\n';
+  std::cout << "written: " << file << '\n';
   return 0;
 }
 

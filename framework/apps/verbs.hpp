@@ -44,6 +44,9 @@ void add_serve_verb(CLI::App& app, int& exit_code);
 /// `opal experiment thesis3 --map MAP -o OUT`: the thesis' challenges in simulation, in its table.
 void add_experiment_verb(CLI::App& app, int& exit_code);
 
+/// `opal ab EXPERIMENT`: several arms on the same logs, with a verdict. Exit code 1 if cells are missing when they are collected.
+void add_ab_verb(CLI::App& app, int& exit_code);
+
 /// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
 void add_calibration_verb(CLI::App& app, int& exit_code);
 

@@ -8,16 +8,8 @@
 namespace opal::behaviours {
 namespace {
 
-void expect_kind(ConfigObject& document) {
-  const auto is = [&](const char* key, const char* value) {
-    if (document.required_text(key) != value) document.refuse(key, nlohmann::json(value).dump());
-  };
-  is("@context", "urn:opal:v1");
-  is("@type", "opal:BehaviourTrees");
-}
-
 std::vector<ConfigObject> trees_of(ConfigObject& document) {
-  expect_kind(document);
+  document.expect_type("opal:BehaviourTrees");
   document.text("comment", "");
   const auto trees = document.list("trees");
   if (!trees || trees->empty()) document.refuse("trees", "a list of at least one tree");

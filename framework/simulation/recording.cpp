@@ -67,17 +67,21 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+std::string query_name(int number) {
+  char name[16];
+  std::snprintf(name, sizeof name, "q%02d", number);
+  return name;
+}
+
 Recording record(Simulation& simulation, const DriveOptions& options, Random random) {
   Recording recording;
   recording.laser = simulation.options().laser;
   const auto anywhere = [&] { return simulation.floor().anywhere(random); };
   const double longest_s = 30 + 8 * options.distance_m / options.follower.speed_mps;
   for (int k = 1; k <= options.drives; ++k) {
-    char id[16];
-    std::snprintf(id, sizeof id, "q%02d", k);
     const Point start = anywhere();
     simulation.place({start, random.uniform(-std::numbers::pi, std::numbers::pi)});
-    RecordedDrive(simulation, options, anywhere, recording).run(id, options.distance_m, longest_s);
+    RecordedDrive(simulation, options, anywhere, recording).run(query_name(k), options.distance_m, longest_s);
     simulation.drive({}, options.pause_s);
   }
   return recording;
@@ -93,7 +97,7 @@ Recording record_route(Simulation& simulation, const std::vector<Point>& places,
   };
   const Point start = goal();
   simulation.place({start, random.uniform(-std::numbers::pi, std::numbers::pi)});
-  RecordedDrive(simulation, options, goal, recording).run("q01", kForever, duration_s);
+  RecordedDrive(simulation, options, goal, recording).run(query_name(1), kForever, duration_s);
   return recording;
 }
 
@@ -112,7 +116,7 @@ Recording record_along(Simulation& simulation, std::span<const StampedPose> T_ma
     recording.scans.push_back({simulation.scan(), next});
   }
   if (recording.scans.empty()) return recording;
-  recording.queries.push_back({"q01", recording.scans.front().scan.stamp_s, recording.scans.back().scan.stamp_s});
+  recording.queries.push_back({query_name(1), recording.scans.front().scan.stamp_s, recording.scans.back().scan.stamp_s});
   recording.distances_m.push_back(driven_m);
   return recording;
 }

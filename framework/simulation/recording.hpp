@@ -36,6 +36,9 @@ struct Recording {
   int stops = 0;               ///< how often the robot waited for somebody
 };
 
+/// Id of a recording's query, from 1 on: "q01".
+std::string query_name(int number);
+
 Recording record(Simulation& simulation, const DriveOptions& options, Random random);
 
 /// One drive of a given time from one place to others, one after the other and round again; where something stands, the

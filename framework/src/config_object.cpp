@@ -115,6 +115,14 @@ std::optional<std::vector<ConfigObject>> ConfigObject::list(const std::string& k
   return items;
 }
 
+void ConfigObject::expect_type(const std::string& type) {
+  const auto is = [&](const char* key, const std::string& value) {
+    if (required_text(key) != value) refuse(key, json(value).dump());
+  };
+  is("@context", "urn:opal:v1");
+  is("@type", type);
+}
+
 void ConfigObject::expect_no_more() const {
   for (const auto& [key, ignored] : value_->items()) {
     if (asked_.count(key)) continue;

@@ -133,14 +133,6 @@ std::vector<ScorerConfig> read_scorers(ConfigObject& document) {
   return scorers;
 }
 
-void expect_kind(ConfigObject& document) {
-  const auto is = [&](const char* key, const char* value) {
-    if (document.required_text(key) != value) document.refuse(key, nlohmann::json(value).dump());
-  };
-  is("@context", "urn:opal:v1");
-  is("@type", "opal:Deployment");
-}
-
 std::string resolve(const std::string& path, const std::string& document) {
   if (path.empty() || read_store_source(path)) return path;
   return (std::filesystem::path(document).parent_path() / path).lexically_normal().string();
@@ -148,7 +140,7 @@ std::string resolve(const std::string& path, const std::string& document) {
 
 Deployment read(const nlohmann::json& json, const std::string& file) {
   ConfigObject document(json, file);
-  expect_kind(document);
+  document.expect_type("opal:Deployment");
   Deployment deployment;
   deployment.file = file;
   document.text("name", "");

@@ -48,20 +48,6 @@ void expect_usable(const PartConfig& part, PluginKind kind, const PluginRegistry
 
 using MaybeParts = std::optional<std::vector<PartConfig>>;
 
-/// Everything is checked before anything is made.
-void expect_usable(const Deployment& deployment, const PluginRegistry& registry) {
-  const auto expect_all = [&](const MaybeParts& parts, PluginKind kind) {
-    if (!parts) return;
-    for (const PartConfig& part : *parts) expect_usable(part, kind, registry);
-  };
-  expect_all(deployment.detectors, PluginKind::feature_detector);
-  expect_all(deployment.patterns, PluginKind::pattern_template);
-  expect_all(deployment.importers, PluginKind::map_importer);
-  if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, registry);
-  for (const ScorerConfig& scorer : deployment.scorers)
-    expect_usable(scorer.part, PluginKind::hypothesis_scorer, registry);
-}
-
 bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -122,9 +108,22 @@ nlohmann::json importer_options(const Deployment& deployment, const PluginRegist
   return nlohmann::json::object();
 }
 
+void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
+  const auto expect_all = [&](const MaybeParts& parts, PluginKind kind) {
+    if (!parts) return;
+    for (const PartConfig& part : *parts) expect_usable(part, kind, registry);
+  };
+  expect_all(deployment.detectors, PluginKind::feature_detector);
+  expect_all(deployment.patterns, PluginKind::pattern_template);
+  expect_all(deployment.importers, PluginKind::map_importer);
+  if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, registry);
+  for (const ScorerConfig& scorer : deployment.scorers)
+    expect_usable(scorer.part, PluginKind::hypothesis_scorer, registry);
+}
+
 LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
                            std::shared_ptr<const SemanticMap> map) {
-  expect_usable(deployment, registry);
+  check_parts(deployment, registry);
   const PipelinePlan plan = plan_pipeline(*map, deployment.laser.id, registry.types());
   const auto detectors = narrowed(plan.detectors, deployment.detectors);
   const auto patterns = observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, registry);
@@ -141,7 +140,7 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   parts.detectors = make_all<FeatureDetector>(detectors, registry);
   parts.patterns = make_all<PatternTemplate>(patterns, registry);
   for (const ScorerConfig& scorer : deployment.scorers)
-    parts.scorers.push_back({scorer.part.type,
+    parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
                              registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options),
                              scorer.decides, scorer.weight});
   parts.association = deployment.association;

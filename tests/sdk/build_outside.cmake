@@ -7,7 +7,7 @@ function(run what)
 endfunction()
 
 set(prefix ${work_folder}/prefix)
-set(outside_build ${work_folder}/posts)
+set(outside_build ${work_folder}/build)
 file(REMOVE_RECURSE ${prefix} ${outside_build})
 set(flags "")
 if(sanitize)
@@ -21,4 +21,22 @@ run("configuring the outside project" ${CMAKE_COMMAND} -S ${outside_source} -B $
 run("building the outside project" ${CMAKE_COMMAND} --build ${outside_build})
 run("testing the outside project" ${CMAKE_CTEST_COMMAND} --test-dir ${outside_build} --output-on-failure)
 run("installing the outside project" ${CMAKE_COMMAND} --install ${outside_build} --prefix ${prefix})
-run("testing the installed plugin" ${outside_build}/check_posts ${prefix}/lib/opal/plugins/posts.so)
+if(EXISTS ${outside_build}/check_${name})
+  run("testing the installed plugin" ${outside_build}/check_${name} ${prefix}/lib/opal/plugins/${name}.so)
+endif()
+
+# docs/compare_scorers.md in small: the plugin is found in the folder that it was built into.
+if(maps)
+  file(REMOVE ${prefix}/lib/opal/plugins/${name}.so ${prefix}/lib/opal/plugins/${name}.jsonld)
+  file(WRITE ${work_folder}/two_scorers.jsonld "{ \"@context\": \"urn:opal:v1\", \"@type\": \"opal:Experiment\",
+    \"arms\": [ { \"name\": \"beams\" },
+      { \"name\": \"mine\", \"overrides\": { \"scorers\": [ { \"@type\": \"acme:LikelihoodField\" } ] }, \"plugins\": \"build/plugins\" } ],
+    \"sites\": [ { \"prefix\": \"${maps}/malaga/malaga-demo\" } ] }")
+  file(REMOVE_RECURSE ${work_folder}/results)
+  run("comparing scorers" ${prefix}/bin/opal ab ${work_folder}/two_scorers.jsonld -o ${work_folder}/results)
+  file(STRINGS ${work_folder}/results/results.jsonl right REGEX "\"arm\":\"mine\".*\"success\":1.0.*\"failure\":\"\"")
+  list(LENGTH right count)
+  if(NOT count EQUAL 5)
+    message(FATAL_ERROR "the outside scorer is right in ${count} of 5 queries of malaga-demo, expected 5")
+  endif()
+endif()

@@ -25,6 +25,7 @@ struct ScorerConfig {
   PartConfig part;
   bool decides = true;  ///< "role": "decides" or "observes"
   double weight = 1;    ///< of its scores in the decision
+  std::string name = {};  ///< by which its scores are known; empty: its type
 };
 
 /// How Opal runs in one building with one robot: a document of configs/. Every field has a default except the
@@ -57,6 +58,10 @@ OPAL_EXPORT Deployment parse_deployment(const std::string& text, const std::stri
 /// @throws ConfigError as `build_parts` does, for any of its importers.
 OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
                                             const std::string& importer);
+
+/// What `build_parts` checks before it makes anything: types that no plugin offers, types of another kind, and options that
+/// the plugin does not accept. @throws ConfigError naming file and JSON pointer.
+OPAL_EXPORT void check_parts(const Deployment& deployment, const PluginRegistry& registry);
 
 /// Makes the parts of a localizer. Detectors and pattern templates are those that the map calls for, narrowed
 /// and parametrised by the deployment.

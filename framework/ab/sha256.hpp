@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace opal::ab {
+
+/// SHA-256 (FIPS 180-4) of what is added, as 64 hexadecimal digits.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+
+  void add(std::string_view bytes);
+  /// Of everything so far; nothing may be added afterwards.
+  std::string finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+std::string sha256_of(std::string_view bytes);
+/// @throws Error naming the file if it cannot be read.
+std::string sha256_of_file(const std::string& path);
+
+}  // namespace opal::ab
