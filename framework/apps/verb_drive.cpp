@@ -76,6 +76,7 @@ int drive(DriveVerbOptions options) {
   deployment.laser = options.world.laser;
   deployment.map = options.map;
   const auto map = load_map(registry, deployment);
+  options.furnish(registry, *map);
   std::unique_ptr<behaviours::Localization> localization;
   if (options.localizer.empty())
     localization = std::make_unique<OwnLocalization>(std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.laser);

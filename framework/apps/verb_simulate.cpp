@@ -64,6 +64,7 @@ int simulate(SimulateOptions options) {
   set_laser(options);
   const opal::PluginRegistry registry = load_plugins();
   const auto map = load_map(registry, options.map);
+  options.furnish(registry, *map);
   const auto building = options.damage.any() ? opal::damaged_map(*map, options.damage.damage()) : map;
   const std::string name = std::filesystem::path(options.out).filename().string();
   if (const auto folder = std::filesystem::path(options.out).parent_path(); !folder.empty())

@@ -2,6 +2,23 @@
 
 namespace opal::behaviours {
 
+namespace {
+
+/// Where the robot has been lately, every 1.5 m, as it drove; frame base_link.
+std::vector<Pose2> been(const Situation& situation) {
+  constexpr std::size_t kEvery = 5, kMost = 100;
+  const std::vector<Point>& trail = situation.trail();
+  const Pose2 T_base_odom = situation.T_odom_base().inverse();
+  std::vector<Pose2> poses;
+  for (std::size_t k = trail.size() > kMost ? trail.size() - kMost : 0; k + 1 < trail.size(); k += kEvery) {
+    const Point way = trail[k + 1] - trail[k];
+    poses.push_back(T_base_odom * Pose2(trail[k], std::atan2(way.y(), way.x())));
+  }
+  return poses;
+}
+
+}  // namespace
+
 void Disambiguate::halt() { drive_.reset(); }
 
 bool Disambiguate::choose(Situation& situation) {
@@ -12,7 +29,7 @@ bool Disambiguate::choose(Situation& situation) {
   std::vector<Point> avoided;
   for (const Point& p : visited_odom_) avoided.push_back(situation.T_map_odom() * p);
   const auto viewpoint = best_viewpoint(situation.localization.map(), situation.localization.laser(), situation.floor,
-                                        unmapped_surcharge(situation), places, avoided, options_);
+                                        unmapped_surcharge(situation), places, avoided, been(situation), options_);
   rivals_ = estimate.rivals.size();
   if (!viewpoint) {
     failed_at_s_ = situation.now_s();

@@ -1,7 +1,9 @@
 #include "simulation/clutter.hpp"
 
 #include <algorithm>
+#include <set>
 #include <span>
+#include <string>
 
 namespace opal::simulation {
 namespace {
@@ -119,6 +121,16 @@ std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_sha
       solids.push_back({feature.geometry, feature.sensor.empty() && is_glass(object.type)});
     }
   }
+  return solids;
+}
+
+std::vector<Solid> furniture_solids(const SemanticMap& furnished, const SemanticMap& building) {
+  std::set<std::string> mapped;
+  for (const MapObject& object : building.objects()) mapped.insert(object.id);
+  std::vector<Solid> solids;
+  for (const MapObject& object : furnished.objects())
+    if (!mapped.contains(object.id))
+      for (int number : object.features) solids.push_back({furnished.features()[number].geometry, is_glass(object.type)});
   return solids;
 }
 

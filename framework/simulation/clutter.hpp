@@ -27,6 +27,9 @@ struct ClutterOptions {
 /// open (turned about one end) or closed.
 std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random);
 
+/// The features of objects that only the furnished one of two maps of a building has, known by their ids.
+std::vector<Solid> furniture_solids(const SemanticMap& furnished, const SemanticMap& building);
+
 /// Pieces on a floor of the given size. Those that stand freely stand at `somewhere`'s answers.
 std::vector<std::vector<Solid>> clutter_pieces(const SemanticMap& map, double floor_m2, const ClutterOptions& options,
                                                const std::function<Point(Random&)>& somewhere, Random& random);

@@ -29,7 +29,7 @@ std::unique_ptr<const RayCaster> furnished(const SemanticMap& map, const Simulat
   const Floor empty(map, seen, *solids, wide_m);
   auto pieces = clutter_pieces(map, empty.area_m2(), options.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
   for (;; pieces.resize(pieces.size() / 2)) {
-    clutter = joined(pieces);
+    clutter = with(options.furniture, joined(pieces));
     solids = std::make_unique<const RayCaster>(with(building, clutter));
     try {
       floor = std::make_unique<const Floor>(map, seen, *solids, wide_m);

@@ -17,6 +17,7 @@ struct SimulationOptions {
   Drive drive = Drive::differential;
   OdometryErrors odometry_errors;
   ClutterOptions clutter;
+  std::vector<Solid> furniture;  ///< what else stands there, frame `map`
   int people = 4;
   double doors_open_share = 0.7;
   double robot_radius_m = 0.3;
