@@ -5,6 +5,7 @@
 #include "behaviours/viewpoints.hpp"
 
 #include <optional>
+#include <set>
 
 namespace opal::behaviours {
 
@@ -72,12 +73,14 @@ class Disambiguate : public Node {
   void halt() override;
 
  private:
+  bool has_new_rivals(const PoseEstimate& estimate) const;
   bool choose(Situation& situation);
 
   DisambiguateOptions options_;
   std::vector<Point> visited_odom_;  ///< places that were expected to help
   std::optional<PathDrive> drive_;
-  std::size_t rivals_ = 0;           ///< when the place was chosen
+  std::set<int> compared_;           ///< hypotheses that were there when the place was chosen
+  int best_ = -1;                    ///< of them
   double failed_at_s_ = -1e9;
 };
 

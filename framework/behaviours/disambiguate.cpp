@@ -1,23 +1,8 @@
 #include "behaviours/actions.hpp"
 
+#include <algorithm>
+
 namespace opal::behaviours {
-
-namespace {
-
-/// Where the robot has been lately, every 1.5 m, as it drove; frame base_link.
-std::vector<Pose2> been(const Situation& situation) {
-  constexpr std::size_t kEvery = 5, kMost = 100;
-  const std::vector<Point>& trail = situation.trail();
-  const Pose2 T_base_odom = situation.T_odom_base().inverse();
-  std::vector<Pose2> poses;
-  for (std::size_t k = trail.size() > kMost ? trail.size() - kMost : 0; k + 1 < trail.size(); k += kEvery) {
-    const Point way = trail[k + 1] - trail[k];
-    poses.push_back(T_base_odom * Pose2(trail[k], std::atan2(way.y(), way.x())));
-  }
-  return poses;
-}
-
-}  // namespace
 
 void Disambiguate::halt() { drive_.reset(); }
 
@@ -29,8 +14,11 @@ bool Disambiguate::choose(Situation& situation) {
   std::vector<Point> avoided;
   for (const Point& p : visited_odom_) avoided.push_back(situation.T_map_odom() * p);
   const auto viewpoint = best_viewpoint(situation.localization.map(), situation.localization.laser(), situation.floor,
-                                        unmapped_surcharge(situation), places, avoided, been(situation), options_);
-  rivals_ = estimate.rivals.size();
+                                        unmapped_surcharge(situation), places, avoided, options_);
+  compared_.clear();
+  for (const PoseEstimate::Rival& rival : estimate.rivals) compared_.insert(rival.hypothesis);
+  compared_.insert(estimate.best);
+  best_ = estimate.best;
   if (!viewpoint) {
     failed_at_s_ = situation.now_s();
     return false;
@@ -39,7 +27,13 @@ bool Disambiguate::choose(Situation& situation) {
   return true;
 }
 
-/// A place is chosen again when the robot is there, when hypotheses come or go, and when no way leads there.
+bool Disambiguate::has_new_rivals(const PoseEstimate& estimate) const {
+  return std::any_of(estimate.rivals.begin(), estimate.rivals.end(),
+                     [&](const PoseEstimate::Rival& rival) { return !compared_.contains(rival.hypothesis); });
+}
+
+/// A place is chosen again when the robot is there, when another hypothesis is best, when new ones come, and when no way leads
+/// there.
 Outcome Disambiguate::tick(Situation& situation) {
   constexpr double kArrived_m = 0.3, kAskAgain_s = 3;
   const PoseEstimate& estimate = situation.estimate();
@@ -54,7 +48,7 @@ Outcome Disambiguate::tick(Situation& situation) {
     situation.forget_being_stuck();
     return Outcome::success;
   }
-  if ((!drive_ || estimate.rivals.size() != rivals_) && !choose(situation)) {
+  if ((!drive_ || estimate.best != best_ || has_new_rivals(estimate)) && !choose(situation)) {
     halt();
     return Outcome::failure;
   }

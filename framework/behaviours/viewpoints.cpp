@@ -11,13 +11,9 @@ using ExpectedScans = std::vector<std::vector<double>>;
 class Comparison {
  public:
   Comparison(const MapView& map, const LaserModel& laser, const FloorGrid& floor, std::span<const PossiblePlace> places,
-             std::span<const Pose2> been, const DisambiguateOptions& options)
-      : map_(map), laser_(laser), floor_(floor), places_(places), options_(options), known_(separations(Pose2())) {
-    for (const Pose2& T_base_then : been) {
-      const std::vector<double> then = separations(T_base_then);
-      std::transform(known_.begin(), known_.end(), then.begin(), known_.begin(), [](double a, double b) { return std::max(a, b); });
-    }
-  }
+             const DisambiguateOptions& options)
+      : map_(map), laser_(laser), floor_(floor), places_(places), options_(options),
+        here_(separations(Pose2())) {}
 
   /// Expected to be gained at a pose, frame base_link, weighted by what the pairs' probabilities are.
   double gain(const Pose2& T_base_there) const {
@@ -26,7 +22,7 @@ class Comparison {
     for (std::size_t i = 0, pair = 0; i < places_.size(); ++i)
       for (std::size_t j = i + 1; j < places_.size(); ++j, ++pair) {
         const double weight = places_[i].probability * places_[j].probability;
-        sum += weight * std::max(0.0, there[pair] - known_[pair]);
+        sum += weight * std::max(0.0, there[pair] - here_[pair]);
         all += weight;
       }
     return all > 0 ? sum / all : 0;
@@ -51,7 +47,7 @@ class Comparison {
   const FloorGrid& floor_;
   std::span<const PossiblePlace> places_;
   const DisambiguateOptions& options_;
-  std::vector<double> known_;
+  std::vector<double> here_;
 };
 
 /// Reachable cells some way apart, at most about 150 of them.
@@ -103,13 +99,12 @@ double separation(std::span<const double> a, std::span<const double> b) {
 
 std::optional<Viewpoint> best_viewpoint(const MapView& map, const LaserModel& laser, const FloorGrid& floor,
                                         const FloorGrid::Surcharge& surcharge, std::span<const PossiblePlace> places,
-                                        std::span<const Point> avoided, std::span<const Pose2> been,
-                                        const DisambiguateOptions& options) {
+                                        std::span<const Point> avoided, const DisambiguateOptions& options) {
   constexpr double kAvoided_m = 1.5, kDetour_m = 1.5;
   if (places.size() < 2) return std::nullopt;
   const auto ways = floor.ways(places[0].T_map_base.position(), surcharge);
   if (!ways) return std::nullopt;
-  const Comparison comparison(map, laser, floor, places, been, options);
+  const Comparison comparison(map, laser, floor, places, options);
   const Pose2 T_base_map = places[0].T_map_base.inverse();
   int best = -1;
   double most = 0, separation = 0;

@@ -37,11 +37,9 @@ struct Viewpoint {
 /// if it was right is computed from the map, and compared.
 /// @param places   most probable first; the first is the one by which the way is planned.
 /// @param avoided  where it has been tried, frame `map` by the first place.
-/// @param been     where the robot has looked, frame base_link: what could be told there has been.
 /// @return nullopt if no place is expected to help.
 std::optional<Viewpoint> best_viewpoint(const MapView& map, const LaserModel& laser, const FloorGrid& floor,
                                         const FloorGrid::Surcharge& surcharge, std::span<const PossiblePlace> places,
-                                        std::span<const Point> avoided, std::span<const Pose2> been,
-                                        const DisambiguateOptions& options = {});
+                                        std::span<const Point> avoided, const DisambiguateOptions& options = {});
 
 }  // namespace opal::behaviours

@@ -34,7 +34,7 @@ TEST_CASE("the way leads to where two hypotheses would see different things") {
   const MapView map(two_rooms(), "PlanarLidar2D");
   const FloorGrid floor = mapped_floor(map, 0.25);
   const std::vector<PossiblePlace> places{{Pose2(2, 0, 0), 0.5}, {Pose2(-2, 0, std::numbers::pi), 0.5}};
-  const auto viewpoint = best_viewpoint(map, wide_laser(), floor, {}, places, {}, {});
+  const auto viewpoint = best_viewpoint(map, wide_laser(), floor, {}, places, {});
   REQUIRE(viewpoint);
   CHECK(viewpoint->separation > 0.05);
   CHECK(viewpoint->path.back().x() > 3);  // the room ahead, and not the whole corridor back
@@ -47,7 +47,7 @@ TEST_CASE("no way leads anywhere in a map that a half turn makes the same") {
   const std::vector<PossiblePlace> places{{Pose2(2, 2, 0), 0.5}, {Pose2(6, 3, std::numbers::pi), 0.5}};
   DisambiguateOptions options;
   options.least_separation = 0.4;  // a beam into a corner may miss both walls in one place and not in the other
-  CHECK_FALSE(best_viewpoint(map, wide_laser(), floor, {}, places, {}, {}, options));
+  CHECK_FALSE(best_viewpoint(map, wide_laser(), floor, {}, places, {}, options));
 }
 
 TEST_CASE("the behaviour drives towards the asymmetry, whichever hypothesis is the right one") {
