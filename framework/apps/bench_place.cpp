@@ -9,13 +9,6 @@ opal::Replay BenchPlace::replay(const opal::Query& window) const {
   return {records, deployment.laser, options};
 }
 
-opal::Deployment with_laser(opal::Deployment deployment, const opal::LaserModel& laser) {
-  const std::string sensor = deployment.laser.id;
-  deployment.laser = laser;
-  deployment.laser.id = sensor;
-  return deployment;
-}
-
 RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const opal::Query& window,
                     const RunObserver& observer) {
   localizer.reset();

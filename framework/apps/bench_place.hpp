@@ -20,9 +20,6 @@ struct BenchPlace {
   opal::Replay replay(const opal::Query& window) const;
 };
 
-/// The same deployment with the laser that was recorded, under the name that the deployment gives it.
-opal::Deployment with_laser(opal::Deployment deployment, const opal::LaserModel& laser);
-
 /// Localizes from scratch in one window.
 RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const opal::Query& window,
                     const RunObserver& observer = {});

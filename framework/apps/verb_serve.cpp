@@ -24,10 +24,7 @@ int serve(const ServeOptions& options) {
   const auto map = load_map(registry, deployment);
   opal::build_parts(deployment, registry, map);  // what cannot run is said now, not to the first robot
   const auto localizer_for = [&](const opal::LaserModel& laser) {
-    opal::Deployment with_laser = deployment;
-    with_laser.laser = laser;
-    with_laser.laser.id = deployment.laser.id;
-    return std::make_unique<opal::Localizer>(opal::build_parts(with_laser, registry, map));
+    return std::make_unique<opal::Localizer>(opal::build_parts(with_laser(deployment, laser), registry, map));
   };
   const StopSignals signals;  // before the server's threads
   const LocalizationServer server(map, deployment.laser.id, localizer_for, options.port);

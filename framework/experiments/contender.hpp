@@ -13,7 +13,4 @@ struct Contender {
   std::string behaviour;  ///< the tree by which it drives; only where it does
 };
 
-/// The deployment with the laser of a simulated robot in place of its own.
-Deployment with_laser(Deployment deployment, const LaserModel& laser);
-
 }  // namespace opal::experiments

@@ -169,4 +169,11 @@ Deployment parse_deployment(const std::string& text, const std::string& file) {
   return read(parse_json(text, file), file);
 }
 
+Deployment with_laser(Deployment deployment, const LaserModel& laser) {
+  const std::string sensor = deployment.laser.id;
+  deployment.laser = laser;
+  deployment.laser.id = sensor;
+  return deployment;
+}
+
 }  // namespace opal

@@ -54,6 +54,9 @@ OPAL_EXPORT Deployment read_deployment(const std::string& path);
 /// @param file  what messages call the document, and what a relative map path starts from.
 OPAL_EXPORT Deployment parse_deployment(const std::string& text, const std::string& file);
 
+/// The same with the laser that was recorded or simulated, under the name that the deployment gives its own.
+OPAL_EXPORT Deployment with_laser(Deployment deployment, const LaserModel& laser);
+
 /// The options that a deployment gives to an importer; an empty object if it gives none.
 /// @throws ConfigError as `build_parts` does, for any of its importers.
 OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
