@@ -24,25 +24,6 @@ Pose2 pose_in(ConfigObject& object, const std::string& key) {
   return {n[0], n[1], n[2]};
 }
 
-json to_json(const Pose2& pose) { return json::array({pose.x(), pose.y(), pose.heading_rad()}); }
-
-namespace {
-
-struct Member {
-  json operator()(const Point& p) const { return {{"point", {p.x(), p.y()}}}; }
-  json operator()(const OrientedPoint& p) const {
-    return {{"oriented_point", {p.position.x(), p.position.y(), p.heading_rad, p.opening_rad}}};
-  }
-  json operator()(const Segment& s) const {
-    return {{"segment", {s.begin.x(), s.begin.y(), s.end.x(), s.end.y()}}};
-  }
-  json operator()(const Circle& c) const { return {{"circle", {c.center.x(), c.center.y(), c.radius_m}}}; }
-};
-
-}  // namespace
-
-json to_json(const Geometry& geometry) { return std::visit(Member{}, geometry); }
-
 Geometry geometry_in(ConfigObject& object) {
   const auto has = [&](const char* key) { return !object.any(key).is_null(); };
   const auto numbers = [&](const char* key, std::size_t count) { return numbers_in(object, key, count); };

@@ -13,10 +13,8 @@ std::vector<double> numbers_in(ConfigObject& object, const std::string& key, std
 /// A number that must be there. @throws ConfigError
 double number_in(ConfigObject& object, const std::string& key, NumberRange range = {});
 Pose2 pose_in(ConfigObject& object, const std::string& key);
-nlohmann::json to_json(const Pose2& pose);
 
 /// An object with one key, as in events: `point`, `oriented_point`, `segment` or `circle`.
-nlohmann::json to_json(const Geometry& geometry);
 Geometry geometry_in(ConfigObject& object);
 
 }  // namespace opal::remote

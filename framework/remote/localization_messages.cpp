@@ -2,6 +2,8 @@
 
 #include "remote/json_numbers.hpp"
 
+#include <opal/event_json.hpp>
+
 #include <array>
 #include <cmath>
 
@@ -69,6 +71,12 @@ PoseEstimate estimate_in(ConfigObject& object) {
   return estimate;
 }
 
+json geometry_json(const Geometry& geometry) {
+  nlohmann::ordered_json object;
+  add_geometry(object, geometry);
+  return object;
+}
+
 }  // namespace
 
 json to_json(const LaserModel& laser) {
@@ -79,7 +87,7 @@ json to_json(const LaserModel& laser) {
           {"range_max_m", laser.range_max_m},
           {"no_return_m", laser.no_return_m},
           {"range_sigma_m", laser.range_sigma_m},
-          {"T_base_laser", to_json(laser.T_base_laser)}};
+          {"T_base_laser", json(pose_json(laser.T_base_laser))}};
 }
 
 LaserModel laser_from(const json& message) {
@@ -104,7 +112,7 @@ json to_json(const ScanMessage& message) {
   for (float range_m : message.scan.ranges_m) ranges.push_back(range_json(range_m));
   return {{"session", message.session},
           {"stamp_s", message.scan.stamp_s},
-          {"T_odom_base", to_json(message.scan.T_odom_base.value())},
+          {"T_odom_base", json(pose_json(message.scan.T_odom_base.value()))},
           {"ranges_m", std::move(ranges)}};
 }
 
@@ -124,11 +132,11 @@ json to_json(const Answer& answer) {
   json rivals = json::array(), pattern = json::array();
   for (const PoseEstimate::Rival& rival : said.rivals)
     rivals.push_back({{"hypothesis", rival.hypothesis},
-                      {"T_map_base", to_json(rival.T_map_base)},
+                      {"T_map_base", json(pose_json(rival.T_map_base))},
                       {"probability", rival.probability}});
-  for (const Geometry& geometry : answer.pattern) pattern.push_back(to_json(geometry));
+  for (const Geometry& geometry : answer.pattern) pattern.push_back(geometry_json(geometry));
   return {{"stamp_s", said.stamp_s},         {"status", name_of(said.status)},
-          {"has_pose", said.has_pose},       {"T_map_base", to_json(said.T_map_base)},
+          {"has_pose", said.has_pose},       {"T_map_base", json(pose_json(said.T_map_base))},
           {"probability", said.probability}, {"none", said.none},
           {"hypotheses", said.hypotheses},   {"best", said.best},
           {"rivals", std::move(rivals)},     {"pattern", std::move(pattern)}};

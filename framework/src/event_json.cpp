@@ -1,4 +1,4 @@
-#include "event_json.hpp"
+#include <opal/event_json.hpp>
 
 namespace opal {
 namespace {

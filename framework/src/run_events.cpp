@@ -1,6 +1,6 @@
 #include <opal/run_events.hpp>
 
-#include "event_json.hpp"
+#include <opal/event_json.hpp>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "run_journal.hpp"
 
-#include "event_json.hpp"
 #include "observation.hpp"
 
+#include <opal/event_json.hpp>
 #include <opal/free_space.hpp>
 #include <opal/registration.hpp>
 
