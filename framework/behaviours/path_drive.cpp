@@ -1,7 +1,5 @@
 #include "behaviours/path_drive.hpp"
 
-#include <algorithm>
-
 namespace opal::behaviours {
 
 FloorGrid::Surcharge unmapped_surcharge(const Situation& situation) {
@@ -16,9 +14,10 @@ FloorGrid::Surcharge unmapped_surcharge(const Situation& situation) {
   for (const Point& p : situation.impasses()) unmapped.push_back(T_map_odom * p);
   const MotionOptions& motion = situation.motion.options();
   const double keep_m = motion.radius_m + motion.margin_m;
-  FloorGrid::Surcharge prices = situation.floor.surcharge(unmapped, keep_m + kBeside_m, kBeside);
-  for (const auto& blocked : {situation.floor.surcharge(unmapped, keep_m, kBlocked), situation.floor.surcharge(all, motion.radius_m, kBlocked)})
-    std::transform(prices.begin(), prices.end(), blocked.begin(), prices.begin(), [](float a, float b) { return std::max(a, b); });
+  FloorGrid::Surcharge prices = situation.floor.no_surcharge();
+  situation.floor.raise(prices, unmapped, keep_m + kBeside_m, kBeside);
+  situation.floor.raise(prices, unmapped, keep_m, kBlocked);
+  situation.floor.raise(prices, all, motion.radius_m, kBlocked);
   return prices;
 }
 

@@ -50,8 +50,8 @@ void SeenObstacles::add(const Scan& scan, const Pose2& T_odom_base, const Pose2&
   for (const ScanPoint& point : scan.points) {
     const Point p = T_odom_laser_ * point.position;
     const bool moves = std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
-    const auto known = points_.find(key_of(p));
-    points_[key_of(p)] = {p, now_s_, moves ? now_s_ : known == points_.end() ? kNever_s : known->second.moved_s};
+    SeenPoint& seen = points_.try_emplace(key_of(p), SeenPoint{p, now_s_, kNever_s}).first->second;
+    seen = {p, now_s_, moves ? now_s_ : seen.moved_s};
   }
 }
 

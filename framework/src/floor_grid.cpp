@@ -122,16 +122,14 @@ std::optional<Point> FloorGrid::nearest(const Point& p) const {
   return best;
 }
 
-FloorGrid::Surcharge FloorGrid::surcharge(std::span<const Point> points, double radius_m, float price) const {
-  Surcharge dear(clearance_m_.size(), 0.f);
+void FloorGrid::raise(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const {
   const int reach = static_cast<int>(std::ceil(radius_m / cell_m_));
   for (const Point& point : points)
     for (int j = -reach; j <= reach; ++j)
       for (int i = -reach; i <= reach; ++i) {
         const int cell = cell_at(point + cell_m_ * Point(i, j));
-        if (cell >= 0 && (center_of(cell) - point).norm() < radius_m) dear[cell] = price;
+        if (cell >= 0 && (center_of(cell) - point).norm() < radius_m) prices[cell] = std::max(prices[cell], price);
       }
-  return dear;
 }
 
 FloorWays FloorGrid::search(int start, int goal, const Surcharge& surcharge) const {

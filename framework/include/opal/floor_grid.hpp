@@ -40,8 +40,9 @@ class OPAL_EXPORT FloorGrid {
 
   /// What walking over a cell costs besides its length, by cell, in lengths; empty: nothing.
   using Surcharge = std::vector<float>;
-  /// Makes cells dear that are near to one of the points.
-  Surcharge surcharge(std::span<const Point> points, double radius_m, float price) const;
+  Surcharge no_surcharge() const { return Surcharge(clearance_m_.size(), 0.f); }
+  /// Makes cells that are near to one of the points at least so dear.
+  void raise(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const;
 
   /// The way from one place to another, along cell centres, that keeps its distance from what is not free where it can
   /// (A*, Hart, Nilsson and Raphael 1968); the ends are those given. Nullopt if one of them is not on the floor, or next
