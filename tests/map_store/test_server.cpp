@@ -1,5 +1,7 @@
 #include "test_server.hpp"
 
+#include "../free_port.hpp"
+
 #include "server.hpp"
 
 #include <arpa/inet.h>
@@ -30,19 +32,6 @@ namespace fs = std::filesystem;
 const passwd* server_user() {
   static const passwd* user = geteuid() == 0 ? getpwnam("postgres") : nullptr;
   return user;
-}
-
-int free_port() {
-  const int listener = socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  if (bind(listener, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
-      getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size) != 0)
-    throw std::runtime_error("no free port");
-  close(listener);
-  return ntohs(address.sin_port);
 }
 
 void wait_for(pid_t child, const std::string& what) {

@@ -1,5 +1,7 @@
 #include "slurm_server.hpp"
 
+#include "../../free_port.hpp"
+
 #include <ab/command.hpp>
 
 #include <arpa/inet.h>
@@ -20,19 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kPrograms{"/usr/sbin/munged", "/usr/sbin/slurmctld", "/usr/sbin/slurmd", "/usr/bin/sbatch", "/usr/bin/squeue"};
-
-/// A port of 127.0.0.1 that nobody uses now.
-int free_port() {
-  const int door = socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  if (bind(door, reinterpret_cast<sockaddr*>(&address), size) != 0 || getsockname(door, reinterpret_cast<sockaddr*>(&address), &size) != 0)
-    throw std::runtime_error("no free port");
-  close(door);
-  return ntohs(address.sin_port);
-}
 
 std::string host() {
   char name[256] = "";
