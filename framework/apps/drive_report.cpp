@@ -1,25 +1,19 @@
 #include "drive_report.hpp"
 
+#include <experiments/order_statistics.hpp>
+#include <experiments/summary_json.hpp>
+
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/text_file.hpp>
 
-#include <algorithm>
 #include <cstdio>
-#include <limits>
 
 namespace {
 
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-nlohmann::ordered_json number_or_null(double value) {
-  if (std::isfinite(value)) return value;
-  return nullptr;
-}
+using opal::experiments::kNever;
+using opal::experiments::median;
+using opal::experiments::number_or_null;
 
 nlohmann::ordered_json collisions_of(const opal::DriveRecord& record) {
   auto collisions = nlohmann::ordered_json::array();
@@ -64,10 +58,10 @@ void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
   collisions_ += record.collisions.size();
   falsely_localized_ += record.falsely_localized_scans > 0;
   localized_ += record.localized_after_m.has_value();
-  localized_after_m_.push_back(record.localized_after_m.value_or(std::numeric_limits<double>::infinity()));
+  localized_after_m_.push_back(record.localized_after_m.value_or(kNever));
   if (record.reached) times_s_.push_back(record.time_s);
   std::printf("seed %llu: %s after %.0f s and %.1f m, %.2f m from the goal; ", static_cast<unsigned long long>(task.seed),
-              record.reached ? "reached" : record.said_so ? "WRONG PLACE" : "GIVEN UP", record.time_s, record.driven_m, record.off_goal_m);
+              opal::drive_ending(record.reached, record.said_so), record.time_s, record.driven_m, record.off_goal_m);
   if (record.localized_after_m) std::printf("localized after %.1f m", *record.localized_after_m);
   else std::printf("never localized");
   std::printf("; %zu collisions, %d of %d scans falsely localized\n", record.collisions.size(), record.falsely_localized_scans, record.scans);

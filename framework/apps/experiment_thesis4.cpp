@@ -39,9 +39,7 @@ GoalExperiment setting(const ExperimentOptions& options, const opal::PluginRegis
 
 std::string line_of(const GoalRun& run) {
   return run.contender + ' ' + run.task + " seed " + std::to_string(run.seed) + ": " +
-         (run.reached   ? "reached"
-          : run.said_so ? "WRONG PLACE"
-                        : "GIVEN UP") +
+         opal::drive_ending(run.reached, run.said_so) +
          " after " + number(run.time_s, 0) + " s and " + number(run.driven_m, 1) + " m; " +
          std::to_string(run.collisions) + " collisions, " + std::to_string(run.false_scans) + " of " +
          std::to_string(run.scans) + " scans falsely localized\n";

@@ -42,6 +42,9 @@ struct DriveRecord {
   std::vector<Moment> moments;       ///< by scan
 };
 
+/// How a drive ended, in a word for reports: it is there, it says so and is not, or neither.
+inline const char* drive_ending(bool reached, bool said_so) { return reached ? "reached" : said_so ? "WRONG PLACE" : "GIVEN UP"; }
+
 /// Lets a robot drive to a goal in a simulated building, by a behaviour tree that knows only what localization answers. While
 /// it does not answer, the robot stands still, and simulated time goes as fast as the clock.
 /// @param localization  begins anew.

@@ -2,6 +2,7 @@
 
 #include "experiments/building_picture.hpp"
 #include "experiments/table.hpp"
+#include "viewer/html_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -76,7 +77,7 @@ std::string groups_of(const BuildingsExperiment& experiment) {
   const std::string* contender = nullptr;
   for (const BuildingGroup& group : experiment.groups) {
     if (!contender || *contender != group.contender)
-      html += std::string(contender ? "</table>\n" : "") + "<h2>" + escaped(group.contender) +
+      html += std::string(contender ? "</table>\n" : "") + "<h2>" + html_text(group.contender) +
               "</h2>\n<table><tr><th>buildings<th>outcomes<th>buildings<th>runs<th>success %<th>localized, "
               "right %<th>vouched wrongly %"
               "<th>honestly unknown %<th>m to localized<th>s to localized<th>CPU ms</tr>\n";
@@ -138,9 +139,9 @@ std::string failures_html(const BuildingsExperiment& experiment) {
       "<code>view</code>.</p>\n<div class=many style=\"--w:24rem\">";
   for (std::size_t k = 0; k < std::min(kMost, failures.size()); ++k)
     html += figure(run_picture(*failures[k].building, *failures[k].run),
-                   failures[k].building->building.id + " " + escaped(sentence_about(*failures[k].run)) +
+                   failures[k].building->building.id + " " + html_text(sentence_about(*failures[k].run)) +
                        "<br><code>" +
-                       escaped(command_for(experiment, *failures[k].building, *failures[k].run)) + "</code>");
+                       html_text(command_for(experiment, *failures[k].building, *failures[k].run)) + "</code>");
   return html + "</div>\n";
 }
 
@@ -163,7 +164,7 @@ std::string buildings_page(const BuildingsExperiment& experiment) {
   return std::string(
              "<!doctype html><html lang=en><meta charset=utf-8><title>Many buildings</title><style>") +
          kStyle + "</style>\n<svg style=\"position:absolute;width:0;height:0\"><defs>" + symbols +
-         "</defs></svg>\n<h1>Many buildings</h1>\n<p><code>" + escaped(experiment.command) +
+         "</defs></svg>\n<h1>Many buildings</h1>\n<p><code>" + html_text(experiment.command) +
          "</code>; intervals are 95 %, over buildings</p>\n" + kMeaning + groups_of(experiment) +
          failures_html(experiment) + buildings_html(experiment) + "</html>\n";
 }

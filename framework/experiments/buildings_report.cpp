@@ -1,6 +1,7 @@
 #include "experiments/buildings_report.hpp"
 
 #include "experiments/order_statistics.hpp"
+#include "experiments/summary_json.hpp"
 #include "experiments/table.hpp"
 
 #include <cmath>
@@ -33,10 +34,6 @@ std::string row_of(const BuildingGroup& group) {
   return text;
 }
 
-/// JSON knows no infinity: what never was is null.
-ordered_json number_or_null(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
 ordered_json metres_or_null(double value) { return value < 0 ? ordered_json(nullptr) : ordered_json(value); }
 
 ordered_json to_json(const BuildingShare& share) {

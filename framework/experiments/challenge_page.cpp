@@ -3,6 +3,7 @@
 #include "experiments/page.hpp"
 #include "experiments/time_plot.hpp"
 #include "experiments/ways_picture.hpp"
+#include "viewer/html_text.hpp"
 
 namespace opal::experiments {
 namespace {
@@ -59,7 +60,7 @@ std::string caption_of(const Run& run) {
 std::string challenge_page(const SemanticMap& map, std::span<const Run> runs) {
   std::string body =
       "<p>The challenges of Hendrikx (2023), section 3.5.2, driven in simulation in the building " +
-      escaped(map.name()) +
+      html_text(map.name()) +
       ". Success, distances, errors and hypotheses as in its 3.5.5; medians over the seeds. A: a region is "
       "known; B: nothing is, with people and "
       "everyday clutter; C: features hidden and mimicked on purpose.</p>\n<div class=wide>" +
@@ -67,7 +68,7 @@ std::string challenge_page(const SemanticMap& map, std::span<const Run> runs) {
   const std::uint64_t first = runs.empty() ? 0 : runs.front().seed;
   for (const std::string& contender : names(runs, &Run::contender)) {
     const auto shown = those(runs, [&](const Run& r) { return r.contender == contender && r.seed == first; });
-    body += "<h2>" + escaped(contender) + ", seed " + std::to_string(first) + "</h2>\n" +
+    body += "<h2>" + html_text(contender) + ", seed " + std::to_string(first) + "</h2>\n" +
             figure(ways_of(map, shown),
                    "The ways as they were driven; a ring is a start, a red circle a region that is known, a cross where " + contender +
                        " first said that it is localized.",

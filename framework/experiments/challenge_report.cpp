@@ -3,6 +3,7 @@
 #include "experiments/by_name.hpp"
 #include "experiments/order_statistics.hpp"
 #include "experiments/published.hpp"
+#include "experiments/summary_json.hpp"
 
 #include <functional>
 #include <ostream>
@@ -80,24 +81,14 @@ Table::Block block_of(std::span<const Run> runs, const std::string& contender,
   return block;
 }
 
-nlohmann::ordered_json number_or_null(double value) {
-  if (std::isfinite(value)) return value;
-  return nullptr;
-}
-
 nlohmann::ordered_json summary_of(const Runs& runs) {
   nlohmann::ordered_json summary = {{"runs", runs.size()}};
-  for (const Share& share : shares()) {
-    const int part = count(runs, share.holds);
-    const Interval within =
-        wilson_interval(part / static_cast<double>(runs.size()), static_cast<double>(runs.size()));
-    summary[share.name] = {{"runs", part}, {"within", {within.low, within.high}}};
-  }
+  for (const Share& share : shares())
+    summary[share.name] = share_json(count(runs, share.holds), runs.size());
   for (const Measure& measure : measures()) {
-    const Interval within = median_interval(known(runs, measure));
-    summary[measure.name] = {{"runs", known(runs, measure).size()},
-                             {"median", number_or_null(median(known(runs, measure)))},
-                             {"within", {number_or_null(within.low), number_or_null(within.high)}}};
+    const std::vector<double> numbers = known(runs, measure);
+    summary[measure.name] = {{"runs", numbers.size()}};
+    summary[measure.name].update(median_json(numbers));
   }
   return summary;
 }

@@ -4,6 +4,7 @@
 #include "experiments/published.hpp"
 #include "experiments/time_plot.hpp"
 #include "experiments/ways_picture.hpp"
+#include "viewer/html_text.hpp"
 
 namespace opal::experiments {
 namespace {
@@ -51,9 +52,7 @@ std::string one_way(const SemanticMap& map, const Run& run) {
 
 std::string caption_of(const Run& run) {
   return run.task + ", seed " + std::to_string(run.seed) + ": " +
-         (run.reached   ? "reached"
-          : run.said_so ? "WRONG PLACE"
-                        : "GIVEN UP") +
+         drive_ending(run.reached, run.said_so) +
          " after " + minutes(run.time_s) + ", " + number(run.driven_m, 1) + " m; " +
          (run.localized_after_m == kNever ? "never localized"
                                           : "localized after " + number(run.localized_after_m, 1) + " m") +
@@ -64,7 +63,7 @@ std::string caption_of(const Run& run) {
 
 std::string goal_page(const SemanticMap& map, std::span<const Run> runs) {
   std::string body = "<p>The 12 runs of Hendrikx (2023), table 4.1, driven in simulation in the building " +
-                     escaped(map.name()) +
+                     html_text(map.name()) +
                      ": from six places that the robot is not told to one goal; A with binary patterns of "
                      "columns, B with triples (a configuration that "
                      "names no patterns uses its own in both). Medians over the seeds, a drive that does not "
@@ -78,7 +77,7 @@ std::string goal_page(const SemanticMap& map, std::span<const Run> runs) {
     const auto failed = those(runs, [&](const Run& r) {
       return r.contender == contender && r.seed != first && (!r.reached || r.collisions > 0);
     });
-    body += "<h2>" + escaped(contender) + "</h2>\n";
+    body += "<h2>" + html_text(contender) + "</h2>\n";
     for (const char* set : {"A", "B"}) {
       std::vector<const Run*> of_set = shown;
       std::erase_if(of_set, [&](const Run* run) { return !run->task.starts_with(set); });

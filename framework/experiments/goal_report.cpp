@@ -2,6 +2,7 @@
 
 #include "experiments/by_name.hpp"
 #include "experiments/published.hpp"
+#include "experiments/summary_json.hpp"
 
 #include <cmath>
 #include <functional>
@@ -131,28 +132,16 @@ Table::Block block_of(std::span<const Run> runs, const std::string& contender,
   return block;
 }
 
-nlohmann::ordered_json number_or_null(double value) {
-  if (std::isfinite(value)) return value;
-  return nullptr;
-}
-
 nlohmann::ordered_json summary_of(const Runs& runs, const std::string& task) {
   nlohmann::ordered_json summary = {{"runs", runs.size()},
                                     {"published_total_s", number_or_null(published_total_s(task))}};
   const auto share = [&](const char* name, bool (*holds)(const Run&)) {
-    const int part = count(runs, holds);
-    const Interval within =
-        wilson_interval(part / static_cast<double>(runs.size()), static_cast<double>(runs.size()));
-    summary[name] = {{"runs", part}, {"within", {within.low, within.high}}};
+    summary[name] = share_json(count(runs, holds), runs.size());
   };
   share("reached", reached);
   share("touched_something", touched);
   share("falsely_localized", misled);
-  for (const Measure& measure : measures()) {
-    const Interval within = median_interval(values(runs, measure.of));
-    summary[measure.name] = {{"median", number_or_null(median(values(runs, measure.of)))},
-                             {"within", {number_or_null(within.low), number_or_null(within.high)}}};
-  }
+  for (const Measure& measure : measures()) summary[measure.name] = median_json(values(runs, measure.of));
   return summary;
 }
 

@@ -1,13 +1,14 @@
 #include "experiments/page.hpp"
 
 #include "experiments/table.hpp"
+#include "viewer/html_text.hpp"
 
 namespace opal::experiments {
 
 std::string page_of(const std::string& title, const std::string& body) {
   return "<!doctype html>\n<html lang=en><meta charset=utf-8><meta name=viewport "
          "content='width=device-width'><title>" +
-         escaped(title) +
+         html_text(title) +
          "</title>\n<style>\n"
          "body{font:15px/1.5 sans-serif;margin:2rem;color:#1b1b1b;max-width:100rem}\n"
          ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-"
@@ -22,11 +23,11 @@ std::string page_of(const std::string& title, const std::string& body) {
          "svg{max-height:56rem}figcaption{font-size:13px;color:#333}\n"
          "i.box{display:inline-block;width:1em;height:.7em;margin:0 .3em 0 1em}\n"
          "</style>\n<h1>" +
-         escaped(title) + "</h1>\n" + body + "</html>\n";
+         html_text(title) + "</h1>\n" + body + "</html>\n";
 }
 
 std::string figure(const std::string& svg, const std::string& caption, const std::string& kind) {
-  return "<figure" + (kind.empty() ? "" : " class=" + kind) + "><figcaption>" + escaped(caption) +
+  return "<figure" + (kind.empty() ? "" : " class=" + kind) + "><figcaption>" + html_text(caption) +
          "</figcaption>\n" + svg + "</figure>\n";
 }
 

@@ -1,5 +1,7 @@
 #include "experiments/table.hpp"
 
+#include "viewer/html_text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -36,13 +38,6 @@ std::string number(double value, int decimals) {
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (char c : text)
-    safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
-  return safe;
-}
-
 std::string text_of(const Table& table) {
   std::string text;
   const std::size_t name = widest_name(table) + 2;
@@ -64,9 +59,9 @@ std::string text_of(const Table& table) {
 std::string html_of(const Table& table) {
   std::string html = "<table>\n";
   const auto cells = [&](const char* tag, const std::string& first, const std::vector<std::string>& all) {
-    html += "<tr><th scope=row>" + escaped(first) + "</th>";
+    html += "<tr><th scope=row>" + html_text(first) + "</th>";
     for (const std::string& cell : all)
-      html += std::string("<") + tag + ">" + escaped(cell) + "</" + tag + ">";
+      html += std::string("<") + tag + ">" + html_text(cell) + "</" + tag + ">";
     html += "</tr>\n";
   };
   for (const Table::Block& block : table.blocks) {
@@ -75,7 +70,7 @@ std::string html_of(const Table& table) {
     for (const Table::Row& row : block.rows) cells("td", row.name, row.cells);
     if (!block.all.empty())
       html += "<tr><td colspan=" + std::to_string(table.columns.size() + 1) +
-              " class=all>All: " + escaped(block.all) + "</td></tr>\n";
+              " class=all>All: " + html_text(block.all) + "</td></tr>\n";
     html += "</tbody>\n";
   }
   return html + "</table>\n";

@@ -23,8 +23,6 @@ struct Table {
 std::string text_of(const Table& table);
 std::string html_of(const Table& table);
 
-/// With what means something to HTML written so that it does not.
-std::string escaped(const std::string& text);
 /// "2.50"; "-" for what is not finite.
 std::string number(double value, int decimals);
 

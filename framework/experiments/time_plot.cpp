@@ -1,6 +1,7 @@
 #include "experiments/time_plot.hpp"
 
 #include "experiments/table.hpp"
+#include "viewer/html_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ class Plot {
   }
   void text(double px, double py, const std::string& words, const char* anchor) {
     svg_ += "<text x='" + number(px, 1) + "' y='" + number(py, 1) + "' text-anchor='" + anchor +
-            "' fill='#444'>" + escaped(words) + "</text>\n";
+            "' fill='#444'>" + html_text(words) + "</text>\n";
   }
   void grid(const Curve& curve) {
     for (double value = curve.low; value <= curve.high * 1.001; value *= 10) {

@@ -1,6 +1,7 @@
 #include "experiments/ways_picture.hpp"
 
 #include "experiments/table.hpp"
+#include "viewer/html_text.hpp"
 
 #include <array>
 #include <sstream>
@@ -62,7 +63,7 @@ std::string drawn(const WaysPicture::Way& way, const std::string& colour) {
     svg += disc(start, 0.4, "fill='#fff' stroke='" + colour + "' stroke-width='.14'");
     svg += "<text x='" + number(start.x() + 0.55, 2) + "' y='" + number(-start.y() - 0.3, 2) +
            "' font-size='1.1' font-family='sans-serif' fill='" + colour +
-           "' stroke='#fff' stroke-width='.3' paint-order='stroke'>" + escaped(way.name) + "</text>\n";
+           "' stroke='#fff' stroke-width='.3' paint-order='stroke'>" + html_text(way.name) + "</text>\n";
   }
   for (const Point& mark : way.marks)
     svg += "<path d='M" + at(mark + Point(-0.3, -0.3)) + " L" + at(mark + Point(0.3, 0.3)) + " M" +
