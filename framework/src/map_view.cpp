@@ -178,18 +178,15 @@ std::vector<int> MapView::within(const Point& p, double radius_m) const {
 }
 
 int MapView::nearest_facing(const Point& p, const Point& view_direction) const {
-  int best = -1;
-  double best_distance = std::numeric_limits<double>::infinity();
-  for (int number : index_->surfaces.nearest(p)) {
-    if (number < 0 || number == best) continue;
+  const auto faces_viewer = [&](int number) {
+    if (number < 0) return false;
     const Surface& surface = index_->by_number[number];
-    if (!surface.is_circle() && surface.normal().dot(view_direction) >= 0) continue;
-    const double distance = surface.distance_m(p);
-    if (distance >= best_distance) continue;
-    best = number;
-    best_distance = distance;
-  }
-  return best;
+    return surface.is_circle() || !(surface.normal().dot(view_direction) >= 0);
+  };
+  const auto [first, second] = index_->surfaces.nearest(p);
+  if (!faces_viewer(second)) return faces_viewer(first) ? first : -1;  // mostly: a wall's faces look either way
+  if (!faces_viewer(first)) return second;
+  return surface(second).distance_m(p) >= surface(first).distance_m(p) ? first : second;
 }
 
 double MapView::clearance_m(const Point& p) const {

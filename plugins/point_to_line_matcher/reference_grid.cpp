@@ -1,6 +1,7 @@
 #include "reference_grid.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace opal::point_to_line {
 namespace {
@@ -42,6 +43,8 @@ bool has_near_neighbour(std::span<const Point> points, std::size_t i) {
   return (i > 0 && (points[i] - points[i - 1]).squaredNorm() < kNear_m * kNear_m) ||
          (i + 1 < points.size() && (points[i + 1] - points[i]).squaredNorm() < kNear_m * kNear_m);
 }
+
+double squared(double value) { return value * value; }
 
 }  // namespace
 
@@ -92,17 +95,23 @@ void ReferenceGrid::gather(std::span<const Point> reference) {
 }
 
 void ReferenceGrid::spread(std::uint32_t index) {
+  constexpr int kMostReach = static_cast<int>(kReach_m / kFinestCell_m) + 1;
   const Point& mean = surfels_[index].mean;
   const int reach = static_cast<int>(kReach_m / cell_m_) + 1;
   const int column = column_of(mean.x()), row = row_of(mean.y());
+  const int first = std::max(0, column - reach), count = std::min(columns_ - 1, column + reach) - first + 1;
+  std::array<double, 2 * kMostReach + 1> across;  // squared, by column
+  for (int c = 0; c < count; ++c) across[c] = squared(origin_.x() + cell_m_ * (first + c + 0.5) - mean.x());
   for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r) {
-    for (int c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c) {
-      const Point middle = origin_ + cell_m_ * Point(c + 0.5, r + 0.5);
-      const double squared = (middle - mean).squaredNorm() / (kReach_m * kReach_m);
-      float& nearness = nearness_[cell(c, r)];
-      if (squared >= 1 || 1 - squared <= nearness) continue;
-      nearness = static_cast<float>(1 - squared);
-      surfel_of_[cell(c, r)] = index;
+    const double along = squared(origin_.y() + cell_m_ * (r + 0.5) - mean.y());
+    float* nearness = &nearness_[cell(first, r)];
+    std::uint32_t* surfel = &surfel_of_[cell(first, r)];
+    for (int c = 0; c < count; ++c) {
+      // No branch: which cells are nearer is nothing that a processor could guess.
+      const double near = 1 - (across[c] + along) / (kReach_m * kReach_m);
+      const bool nearer = near > nearness[c];
+      nearness[c] = nearer ? static_cast<float>(near) : nearness[c];
+      surfel[c] = nearer ? index : surfel[c];
     }
   }
 }
