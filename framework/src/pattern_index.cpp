@@ -104,12 +104,14 @@ struct PatternIndex::Tree {
     return search(query, 2 * node + 1, from, middle, visit) && search(query, 2 * node + 2, middle, to, visit);
   }
 
+  /// Compares all dimensions: which of them rules a pattern out is nothing that a processor could guess.
   bool contains(const std::vector<Interval>& query, std::size_t at) const {
+    bool inside = true;
     for (std::size_t d = 0; d < dimensions; ++d) {
       const float value = values[at * dimensions + d];
-      if (value < query[d].low || value > query[d].high) return false;
+      inside &= !(value < query[d].low) & !(value > query[d].high);
     }
-    return true;
+    return inside;
   }
 };
 

@@ -7,18 +7,14 @@
 namespace opal {
 namespace {
 
-/// Normal equations of one Gauss-Newton step in (x, y, heading) about the current pose. Of the symmetric H, the lower
-/// triangle, which is all that a solver reads.
+/// Normal equations of one Gauss-Newton step in (x, y, heading) about the current pose.
 struct NormalEquations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
 
   void add(const Point& normal, const Point& lever, double error, double weight) {
     const Eigen::Vector3d J(normal.x(), normal.y(), cross(lever, normal));
-    const Eigen::Vector3d weighted = weight * J;
-    H.col(0) += weighted * J.x();
-    H.col(1).tail<2>() += weighted.tail<2>() * J.y();
-    H(2, 2) += weighted.z() * J.z();
+    H += weight * J * J.transpose();
     g += weight * error * J;
   }
 };

@@ -13,6 +13,12 @@ namespace {
 
 bool is_loose(const PatternInstance& instance) { return instance.extent_max_m > instance.extent_min_m; }
 
+/// Fetches what a search is about to ask of a mapped pattern: in a large map, it is far away.
+void prefetch(const PatternInstance& mapped) {
+  __builtin_prefetch(&mapped.frame);
+  __builtin_prefetch(&mapped.extent_max_m);
+}
+
 /// How much of a building a feature fixes; orders features of one kind.
 double weight_of(const Feature& feature) {
   if (const auto* segment = std::get_if<Segment>(&feature.geometry))
@@ -135,8 +141,12 @@ void Seeder::look_up(const Lookup& lookup, int number, const TellingPoints& poin
   std::vector<Way> ways{{T_frame_base, turned(points.first(), T_frame_base)}};
   if (lookup.observed.symmetric) ways.push_back({turned_about, turned(points.first(), turned_about)});
   std::vector<Point> positions;
-  for (int k : table.index.find(lookup.observed)) {
+  constexpr std::size_t kAhead = 16;
+  const std::vector<int> found = table.index.find(lookup.observed);
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    const int k = found[f];
     const PatternInstance& mapped = table.index.patterns()[k];
+    if (f + kAhead < found.size()) prefetch(table.index.patterns()[found[f + kAhead]]);
     for (const Way& way : ways) {
       const double heading_rad = wrap_angle(mapped.frame.heading_rad() + way.T_frame_base.heading_rad());
       const TellingPoints::First on_map = turned(way.points, mapped.frame);
