@@ -109,7 +109,8 @@ struct PatternIndex::Tree {
     bool inside = true;
     for (std::size_t d = 0; d < dimensions; ++d) {
       const float value = values[at * dimensions + d];
-      inside &= !(value < query[d].low) & !(value > query[d].high);
+      inside &= !(value < query[d].low);
+      inside &= !(value > query[d].high);
     }
     return inside;
   }
