@@ -29,9 +29,9 @@ void Amounts::fade(double keep) {
 }
 
 void Encounters::take(const Encounters& newer, double weight, double keep) {
-  surfaces_met.fade(keep);
+  patches_met.fade(keep);
   objects_passed.fade(keep);
-  for (const Amounts::Entry& entry : newer.surfaces_met.entries()) surfaces_met.add(entry.thing, weight * entry.amount);
+  for (const Amounts::Entry& entry : newer.patches_met.entries()) patches_met.add(entry.thing, weight * entry.amount);
   for (const Amounts::Entry& entry : newer.objects_passed.entries())
     objects_passed.add(entry.thing, weight * entry.amount);
 }

@@ -19,7 +19,7 @@ void Hindsight::remember(const Observation& observation, int keyframe, double no
   pending_ += novelty;
   if (options_.hindsight_scans == 0 || observation.points.empty() || (pending_ < 1 && !scans_.empty())) return;
   scans_.push_front({observation.local_map.T_local_base(), every_other(observation.points),
-                     every_other(observation.free_bearings_rad),
+                     every_other(observation.patches), every_other(observation.free_bearings_rad),
                      observation.range_max_m, observation.laser_position, observation.features, pending_, best_nat, keyframe});
   pending_ = 0;
   if (scans_.size() > static_cast<std::size_t>(options_.hindsight_scans)) scans_.pop_back();
@@ -45,7 +45,7 @@ Hindsight::Verdict Hindsight::look_back(const Hypothesis& hypothesis, const Loca
     T_later_local = scan.T_local_base.inverse();
     trial.T_map_local = T_map_base * T_now_local;  // scorers place the robot by the newest pose
     const Observation seen{local_map,         scan.points,         scan.free_bearings_rad, scan.range_max_m,
-                           scan.laser_position, scan.features, {}};
+                           scan.laser_position, scan.features, {}, scan.patches};
     weight *= std::pow(options_.memory, scan.novelty);
     Judge::Verdict judged = judge_.judge(trial, seen);
     const double nat = judged.nat;

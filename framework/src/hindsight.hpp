@@ -51,6 +51,7 @@ class Hindsight {
   struct PastScan {
     Pose2 T_local_base;
     std::vector<Point> points;
+    std::vector<int> patches;
     std::vector<double> free_bearings_rad;
     double range_max_m = 0;
     Point laser_position;

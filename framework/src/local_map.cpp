@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace opal {
@@ -217,5 +218,18 @@ const Pose2& LocalMap::T_local_base() const { return state_->T_local_base; }
 Pose2 LocalMap::T_local_base_at(const Pose2& T_odom_base) const { return state_->predict(T_odom_base); }
 const std::vector<int>& LocalMap::last_associations() const { return state_->associations; }
 const ScanMatch& LocalMap::last_match() const { return state_->last_match; }
+
+std::vector<int> LocalMap::patches(const std::vector<Point>& points) const {
+  constexpr double kSide_m = 1;
+  constexpr int kBits = 15, kMask = (1 << kBits) - 1;  // they come again after 33 km
+  const auto step = [](double at_m) { return static_cast<int>(std::floor(at_m / kSide_m)) & kMask; };
+  std::vector<int> patches;
+  patches.reserve(points.size());
+  for (const Point& point : points) {
+    const Point placed = T_local_base() * point;
+    patches.push_back(step(placed.x()) << kBits | step(placed.y()));
+  }
+  return patches;
+}
 
 }  // namespace opal

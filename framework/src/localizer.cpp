@@ -171,6 +171,7 @@ Observation Localizer::State::observe(const Scan& scan, const std::vector<Featur
                           thinned_bearings(scan.free_bearings_rad, T_base_laser, kFreeBeams),
                           scan.range_max_m, T_base_laser.position(), {}, std::move(seen.beams)};
   for (const Feature& feature : features) observation.features.push_back(transformed(T_base_laser, feature));
+  observation.patches = local_map.patches(observation.points);
   return observation;
 }
 

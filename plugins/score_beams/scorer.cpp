@@ -5,7 +5,7 @@
 using opal::Point;
 
 struct BeamScorer::Tally {
-  SumsByThing matched;  ///< beams by the surface that they end on
+  SumsByThing matched;  ///< beams that end on a mapped surface, by patch of the local map
   SumsByThing passed;   ///< beams by the object that they pass through
   int beams = 0;
   double hits = 0, hits_behind = 0, other_side = 0, early = 0, throughs = 0, free_throughs = 0;
@@ -34,7 +34,7 @@ double BeamScorer::nearness(double distance_m, double range_m) const {
   return std::exp(-0.5 * z * z);
 }
 
-void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end, Tally& tally) const {
+void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end, int patch, Tally& tally) const {
   constexpr double kLeast = 0.05, kStepBack_m = 0.02, kCrossed_m = 0.1;
   const double range = (end - eye).norm();
   const int nearest = map.nearest_facing(end, end - eye);
@@ -49,7 +49,7 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
     return;
   }
   tally.hits += hit;
-  if (hit > kLeast) tally.matched.add(nearest, hit);
+  if (hit > kLeast) tally.matched.add(patch, hit);
   if (hit > 1 - kLeast) return;
   const Point direction = (end - eye) / range;
   const auto next = map.first_crossing(end - kStepBack_m * direction, end + ahead_m_ * direction, kCrossed_m);
@@ -58,7 +58,7 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
     tally.early += 1 - hit;
   else if (next.range_m < other_side_m_) {
     tally.other_side += 1 - hit;
-    tally.matched.add(next.feature, 1 - hit);
+    tally.matched.add(patch, 1 - hit);
   }
 }
 
@@ -87,13 +87,14 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   const Point eye = T_map_base * observation.laser_position;
   Tally tally;
-  for (const Point& point : observation.points) judge_return(map, eye, T_map_base * point, tally);
+  const std::vector<int> patches = observation.patches.empty() ? observation.local_map.patches(observation.points) : observation.patches;
+  for (std::size_t k = 0; k < observation.points.size(); ++k) judge_return(map, eye, T_map_base * observation.points[k], patches[k], tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
   const double n = std::max(tally.beams, min_beams_), each = 100 / n;
   const opal::Encounters& before = hypothesis.encounters;
   opal::Encounters now;
-  const double matched = news(tally.matched, each, before.surfaces_met, now.surfaces_met);
+  const double matched = news(tally.matched, each, before.patches_met, now.patches_met);
   const double passed = news(tally.passed, each, before.objects_passed, now.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;
   const double nat = match_ * matched - absent_ * passed +

@@ -6,20 +6,22 @@
 
 #include <nlohmann/json.hpp>
 
-/// Casts the scan's beams against the mapped surfaces, and counts surfaces rather than beams: forty beams that end on
-/// one wall are one coincidence, and so are forty beams that pass through one; and a wall that the hypothesis has met
-/// before is hardly news. With w(b) = b / (1 + b / enough), b in beams of a hundred, and what was met before as b0:
+/// Casts the scan's beams against the mapped surfaces, and counts patches of the local map rather than beams: forty beams
+/// that end on one patch are one coincidence, and so are forty beams that pass through one mapped object; and what the
+/// hypothesis has met before is hardly news. What is one thing is decided by what is seen, not by how a map draws it: a wall
+/// of two pieces tells as much as the same wall of one. With w(b) = b / (1 + b / enough), b in beams of a hundred, and what
+/// was met before as b0:
 ///
-///   nat = match * sum over surfaces of w(b0 + b) - w(b0)     b: beams that end on it, or on the wall's other side
+///   nat = match * sum over patches of w(b0 + b) - w(b0)     b: beams that end there on a surface, or on its wall's other side
 ///       + hit * share of beams that end on a surface
 ///       - early * share of beams that end before a surface that lies ahead of them
 ///       - absent * sum over objects of w(b0 + b) - w(b0)     b: beams that pass through it
 ///       - through * share of beams that pass through an object and end on nothing mapped
 ///       - free_through * share of beams without return whose way crosses a surface
 ///
-/// The map holds only the static building, so a beam that ends early met something unmapped and costs little. The form
-/// and the weights are those of a conditional logit model (McFadden 1974) of the true pose among its rivals, over
-/// recorded scans on intact, simplified and damaged maps (docs/experiments.md).
+/// The map holds only the static building, so a beam that ends early met something unmapped and costs little. The form is
+/// that of a conditional logit model (McFadden 1974) of the true pose among its rivals, fitted to recorded scans on intact,
+/// simplified and damaged maps; the weights of patches and hits were chosen by whole runs on them (docs/experiments.md).
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
@@ -33,7 +35,8 @@ class BeamScorer final : public opal::HypothesisScorer {
   struct Tally;
   /// Sum of what the amounts are worth beyond what was met `before`; adds them to `now`.
   double news(const SumsByThing& beams, double each, const opal::Amounts& before, opal::Amounts& now) const;
-  void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, Tally& tally) const;
+  void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, int patch,
+                    Tally& tally) const;
   void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,
                   Tally& tally) const;
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-/// Sums by the number of a mapped thing, for the few dozen things that one scan meets. Things beyond what there is room
-/// for share the last sum.
+/// Sums by the number of a thing, for the few dozen things that one scan meets. Things beyond what there is room for share
+/// the last sum.
 class SumsByThing {
  public:
   void add(int thing, double amount) { at(thing) += amount; }
@@ -31,6 +31,6 @@ class SumsByThing {
     return sums_[last_].amount;
   }
 
-  std::array<Sum, 64> sums_;
+  std::array<Sum, 128> sums_;
   std::size_t size_ = 0, last_ = 0;
 };

@@ -51,7 +51,7 @@ struct AssociationOptions {
 
   // Life.
   double memory = 0.99;             ///< share of gathered evidence kept per update
-  double encounter_memory = 0.6;   ///< share of encounters with mapped things kept per whole piece of evidence
+  double encounter_memory = 0.95;  ///< share of encounters kept per whole piece of evidence
   double novelty_m = 1.2;           ///< driving that makes a scan a whole new piece of evidence
   double novelty_rad = 1.5;
   double least_novelty = 0.05;

@@ -27,7 +27,7 @@ class OPAL_EXPORT Amounts {
 /// What the beams have met so far if a hypothesis is right. Seeing the same wall again is hardly new evidence: scorers
 /// count what is not in here yet. In beams of a hundred, summed over whole pieces of evidence.
 struct Encounters {
-  Amounts surfaces_met;    ///< by feature: beams that ended on it
+  Amounts patches_met;     ///< by patch of the local map: beams that ended there, on a mapped surface
   Amounts objects_passed;  ///< by object: beams that passed through it
 
   /// `this` fades by `keep`, then takes `newer` times `weight`.

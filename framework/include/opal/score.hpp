@@ -40,6 +40,8 @@ struct Observation {
   std::vector<Feature> features;
   /// For each of `points`, the number of its beam.
   std::vector<int> beams = {};
+  /// For each of `points`, its patch of the local map (LocalMap::patches): the same for whoever is judged. Empty: as they are now.
+  std::vector<int> patches = {};
 };
 
 }  // namespace opal
