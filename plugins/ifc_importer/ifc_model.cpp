@@ -124,7 +124,8 @@ class Reading {
     for (const auto& [number, entity] : model_->getMapIfcEntities()) {
       const auto context = as<IfcGeometricRepresentationContext>(entity);
       if (context && context->m_TrueNorth && !building.north_rad) read_north(*context, building);
-      if (const auto conversion = as<IfcMapConversion>(entity)) read_georeference(*conversion, unit_m, building);
+      const auto conversion = as<IfcMapConversion>(entity);
+      if (conversion && !building.georeference) read_georeference(*conversion, unit_m, building);
     }
   }
 
@@ -137,10 +138,19 @@ class Reading {
     }
   }
 
-  /// A conversion by nothing is an exporter's default, and latitude and longitude of the site often are.
   static void read_georeference(const IfcMapConversion& conversion, double unit_m, Building& building) {
+    try {
+      take_georeference(conversion, unit_m, building);
+    } catch (const Unreadable& trouble) {
+      building.notes.push_back(std::string("its map conversion ") + trouble.what() + ": not taken as a georeference");
+    }
+  }
+
+  /// A conversion by nothing is an exporter's default, and latitude and longitude of the site often are.
+  static void take_georeference(const IfcMapConversion& conversion, double unit_m, Building& building) {
     const auto crs = as<IfcProjectedCRS>(conversion.m_TargetCRS);
-    const auto metres = [unit_m](const auto& length) { return length ? unit_m * length->m_value : 0.0; };
+    const double map_unit_m = crs && crs->m_MapUnit ? length_unit(crs->m_MapUnit).metres : unit_m;
+    const auto metres = [map_unit_m](const auto& length) { return length ? map_unit_m * length->m_value : 0.0; };
     Georeference place;
     if (crs) place.crs = text_of(crs->m_Name);
     place.eastings_m = metres(conversion.m_Eastings);

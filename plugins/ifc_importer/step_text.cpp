@@ -141,6 +141,37 @@ StepInstance read_instance(const Statements& statements, std::string_view statem
   return instance;
 }
 
+std::vector<std::string_view> split(std::string_view arguments) {
+  std::vector<std::string_view> parts;
+  std::size_t begin = 0;
+  visit_outside_texts(arguments, [&](std::size_t at, int depth) {
+    if (arguments[at] != ',' || depth != 0) return;
+    parts.push_back(arguments.substr(begin, at - begin));
+    begin = at + 1;
+  });
+  parts.push_back(arguments.substr(begin));
+  return parts;
+}
+
+std::string joined(const std::vector<std::string_view>& parts) {
+  std::string text;
+  for (const std::string_view part : parts) (text += text.empty() ? "" : ",") += part;
+  return text;
+}
+
+/// What IFC4 has otherwise than IFC4X3, of that which makes geometry: placements by grids have what they are relative to first,
+/// lists of points may have tags, face sets say first whether they are closed.
+std::string arguments_of_ifc4(const StepInstance& instance) {
+  const bool is_placement = instance.type == "IFCGRIDPLACEMENT", is_list = instance.type.starts_with("IFCCARTESIANPOINTLIST"),
+             is_faces = instance.type == "IFCTRIANGULATEDFACESET";
+  if (!is_placement && !is_list && !is_faces) return std::string(instance.arguments);
+  std::vector<std::string_view> parts = split(instance.arguments);
+  if (is_placement && parts.size() == 3) parts.erase(parts.begin());
+  if (is_list && parts.size() == 2) parts.pop_back();
+  if (is_faces && parts.size() == 5 && trimmed(parts[1]).starts_with('.')) std::swap(parts[1], parts[2]);
+  return joined(parts);
+}
+
 /// "IFC4" of FILE_SCHEMA(('IFC4')).
 std::string schema_of(std::string_view statement) {
   const std::size_t begin = statement.find('\''), end = statement.find('\'', begin + 1);
@@ -199,10 +230,12 @@ std::string StepText::for_parser() const {
                      (schema_.starts_with("IFC2X3") ? "IFC2X3" : "IFC4") + "'));\nENDSEC;\nDATA;\n";
   text.reserve(text_.size() + text.size());
   for (const StepInstance& instance : instances_) {
-    std::string_view arguments = instance.arguments;
-    if (is_4x3 && instance.type == "IFCGRIDPLACEMENT" && std::count(arguments.begin(), arguments.end(), ',') == 2)
-      arguments.remove_prefix(arguments.find(',') + 1);  // PlacementRelTo came first in 4X3
-    text.append("#").append(std::to_string(instance.number)).append("=").append(instance.type).append("(").append(arguments).append(");\n");
+    text.append("#").append(std::to_string(instance.number)).append("=").append(instance.type).append("(");
+    if (is_4x3)
+      text.append(arguments_of_ifc4(instance));
+    else
+      text.append(instance.arguments);
+    text.append(");\n");
   }
   return text + "ENDSEC;\n" + kEnd + "\n";
 }
