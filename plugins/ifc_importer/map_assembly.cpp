@@ -7,12 +7,14 @@
 namespace opal::ifc_importer {
 namespace {
 
+// What is just as long as one of these limits is long enough, wherever the building stands: many parts measure 10 cm.
+constexpr double kRounding_m = 1e-5;
 // Shorter faces are rounding and chamfers: no detector finds them.
-constexpr double kShortestFace_m = 0.02;
+constexpr double kShortestFace_m = 0.02 - kRounding_m;
 // Posts and balusters thinner than this around give a few returns, and no face.
-constexpr double kThinnestAround_m = 0.35;
+constexpr double kThinnestAround_m = 0.35 - kRounding_m;
 // A corner is seen by its two arms.
-constexpr double kShortestArm_m = 0.1;
+constexpr double kShortestArm_m = 0.1 - kRounding_m;
 constexpr double kLeastTurn_rad = 0.17;  // 10 degrees: facets of curved walls are no corners
 constexpr double kStraight_rad = 0.02;
 // Of a round column in a wall, that much must be visible to be one.

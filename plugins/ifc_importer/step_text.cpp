@@ -1,6 +1,7 @@
 #include "step_text.hpp"
 
 #include "reference_check.hpp"
+#include "step_arguments.hpp"
 
 #include <opal/error.hpp>
 
@@ -139,37 +140,6 @@ StepInstance read_instance(const Statements& statements, std::string_view statem
   if (first.starts_with('\''))
     if (const std::size_t end = first.find('\'', 1); end != std::string_view::npos) instance.global_id = first.substr(1, end - 1);
   return instance;
-}
-
-std::vector<std::string_view> split(std::string_view arguments) {
-  std::vector<std::string_view> parts;
-  std::size_t begin = 0;
-  visit_outside_texts(arguments, [&](std::size_t at, int depth) {
-    if (arguments[at] != ',' || depth != 0) return;
-    parts.push_back(arguments.substr(begin, at - begin));
-    begin = at + 1;
-  });
-  parts.push_back(arguments.substr(begin));
-  return parts;
-}
-
-std::string joined(const std::vector<std::string_view>& parts) {
-  std::string text;
-  for (const std::string_view part : parts) (text += text.empty() ? "" : ",") += part;
-  return text;
-}
-
-/// What IFC4 has otherwise than IFC4X3, of that which makes geometry: placements by grids have what they are relative to first,
-/// lists of points may have tags, face sets say first whether they are closed.
-std::string arguments_of_ifc4(const StepInstance& instance) {
-  const bool is_placement = instance.type == "IFCGRIDPLACEMENT", is_list = instance.type.starts_with("IFCCARTESIANPOINTLIST"),
-             is_faces = instance.type == "IFCTRIANGULATEDFACESET";
-  if (!is_placement && !is_list && !is_faces) return std::string(instance.arguments);
-  std::vector<std::string_view> parts = split(instance.arguments);
-  if (is_placement && parts.size() == 3) parts.erase(parts.begin());
-  if (is_list && parts.size() == 2) parts.pop_back();
-  if (is_faces && parts.size() == 5 && trimmed(parts[1]).starts_with('.')) std::swap(parts[1], parts[2]);
-  return joined(parts);
 }
 
 /// "IFC4" of FILE_SCHEMA(('IFC4')).

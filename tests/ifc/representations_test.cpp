@@ -3,6 +3,7 @@
 
 #include <opal/error.hpp>
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -25,8 +26,8 @@ double area_m2(const ImportedElement& element) {
   return std::abs(twice) / 2;
 }
 
-Eigen::AlignedBox2d box_of(const ImportedElement& element) {
-  Eigen::AlignedBox2d box;
+Eigen::AlignedBox<double, 2> box_of(const ImportedElement& element) {
+  Eigen::AlignedBox<double, 2> box;
   for (const Segment& s : element.outline) box.extend(s.begin).extend(s.end);
   return box;
 }
@@ -34,7 +35,7 @@ Eigen::AlignedBox2d box_of(const ImportedElement& element) {
 void check_box(const ImportedElement& element, double x0, double y0, double x1, double y1) {
   INFO(element.id << ": " << element.reason);
   REQUIRE(element.status == ImportStatus::imported);
-  const Eigen::AlignedBox2d box = box_of(element);
+  const Eigen::AlignedBox<double, 2> box = box_of(element);
   CHECK((box.min() - Point(x0, y0)).norm() < 1e-5);
   CHECK((box.max() - Point(x1, y1)).norm() < 1e-5);
   CHECK(area_m2(element) == Approx((x1 - x0) * (y1 - y0)).margin(1e-4));
@@ -182,6 +183,51 @@ TEST_CASE("tapered extrusions are cut where they are as wide as there") {
   check_box(element(imported, "tapered"), -2, -0.15, 2, 0.15);  // at a third of its height
   CHECK(element(imported, "odd").status == ImportStatus::unreadable);
   CHECK_THAT(element(imported, "odd").reason, Contains("do not match"));
+}
+
+namespace {
+
+/// A cylinder of radius 0.25 m and height 3 m around (1, 2), as IfcAdvancedBrep has it, on another surface if so wanted.
+int advanced_cylinder(DrawnBuilding& building, bool with_seam, const std::string& side_surface = "") {
+  const auto add = [&](const char* type, const std::string& arguments) { return ref(building.add(type, arguments)); };
+  const auto point = [&](const char* xyz) { return add("IFCCARTESIANPOINT", xyz); };
+  const auto axes = [&](const char* xyz) { return add("IFCAXIS2PLACEMENT3D", point(xyz) + ",$,$"); };
+  const std::string low = axes("(1.,2.,0.)"), high = axes("(1.,2.,3.)");
+  const std::string v0 = add("IFCVERTEXPOINT", point("(1.25,2.,0.)")), v1 = add("IFCVERTEXPOINT", point("(1.25,2.,3.)"));
+  const std::string e0 = add("IFCEDGECURVE", v0 + "," + v0 + "," + add("IFCCIRCLE", low + ",.25") + ",.T.");
+  const std::string e1 = add("IFCEDGECURVE", v1 + "," + v1 + "," + add("IFCCIRCLE", high + ",.25") + ",.T.");
+  const std::string up = add("IFCVECTOR", add("IFCDIRECTION", "(0.,0.,1.)") + ",1.");
+  const std::string seam = add("IFCEDGECURVE", v0 + "," + v1 + "," + add("IFCLINE", point("(1.25,2.,0.)") + "," + up) + ",.T.");
+  const auto way = [&](const std::string& edge, const char* sense) { return add("IFCORIENTEDEDGE", "*,*," + edge + "," + sense); };
+  const auto bound = [&](const std::string& edges) { return add("IFCFACEBOUND", add("IFCEDGELOOP", "(" + edges + ")") + ",.T."); };
+  const auto face = [&](const std::string& bounds, const std::string& surface) {
+    return add("IFCADVANCEDFACE", "(" + bounds + ")," + surface + ",.T.");
+  };
+  const std::string around = side_surface.empty() ? add("IFCCYLINDRICALSURFACE", low + ",.25") : add(side_surface.c_str(), low + ",.25");
+  const std::string side = with_seam ? bound(way(e0, ".T.") + "," + way(seam, ".T.") + "," + way(e1, ".F.") + "," + way(seam, ".F."))
+                                     : bound(way(e0, ".T.")) + "," + bound(way(e1, ".T."));
+  const std::string faces = face(side, around) + "," + face(bound(way(e0, ".F.")), add("IFCPLANE", low)) + "," +
+                            face(bound(way(e1, ".T.")), add("IFCPLANE", high));
+  return building.add("IFCADVANCEDBREP", add("IFCCLOSEDSHELL", "(" + faces + ")"));
+}
+
+}  // namespace
+
+TEST_CASE("advanced breps of planes and cylinders come in, others are named with their surface") {
+  DrawnBuilding building;
+  building.add_item("IFCCOLUMN", "with seam", advanced_cylinder(building, true));
+  building.add_item("IFCWALL", "ball", advanced_cylinder(building, true, "IFCSPHERICALSURFACE"));
+  const MapImport imported = import(building);
+  DrawnBuilding seamless;
+  seamless.add_item("IFCCOLUMN", "without seam", advanced_cylinder(seamless, false));
+  for (const ImportedElement& column : {element(imported, "with seam"), element(import(seamless), "without seam")}) {
+    INFO(column.id << ": " << column.reason);
+    REQUIRE(column.circles.size() == 1);
+    CHECK((column.circles[0].center - Point(1, 2)).norm() < 1e-9);
+    CHECK(column.circles[0].radius_m == Approx(0.25).margin(1e-9));
+  }
+  CHECK(element(imported, "ball").status == ImportStatus::unreadable);
+  CHECK_THAT(element(imported, "ball").reason, Contains("IfcAdvancedBrep: a face on an ") && Contains("which is not cut"));
 }
 
 TEST_CASE("blocks and cylinders of solid modelling come in") {

@@ -2,24 +2,22 @@
 
 // Part of ifc_model.cpp: solids of representation items.
 
+#include "advanced_faces.hpp"
 #include "profiles.hpp"
 
 #include <ifcpp/geometry/Carve/RepresentationConverter.h>
-#include <ifcpp/IFC4/include/IfcAdvancedBrep.h>
+#include <ifcpp/IFC4/include/IfcAdvancedBrepWithVoids.h>
 #include <ifcpp/IFC4/include/IfcBlock.h>
 #include <ifcpp/IFC4/include/IfcBooleanOperand.h>
 #include <ifcpp/IFC4/include/IfcBooleanOperator.h>
 #include <ifcpp/IFC4/include/IfcCsgSolid.h>
 #include <ifcpp/IFC4/include/IfcExtrudedAreaSolid.h>
 #include <ifcpp/IFC4/include/IfcExtrudedAreaSolidTapered.h>
-#include <ifcpp/IFC4/include/IfcFaceBound.h>
 #include <ifcpp/IFC4/include/IfcFacetedBrep.h>
 #include <ifcpp/IFC4/include/IfcFacetedBrepWithVoids.h>
 #include <ifcpp/IFC4/include/IfcHalfSpaceSolid.h>
 #include <ifcpp/IFC4/include/IfcIndexedPolygonalFace.h>
 #include <ifcpp/IFC4/include/IfcIndexedPolygonalFaceWithVoids.h>
-#include <ifcpp/IFC4/include/IfcPlane.h>
-#include <ifcpp/IFC4/include/IfcPolyLoop.h>
 #include <ifcpp/IFC4/include/IfcPolygonalBoundedHalfSpace.h>
 #include <ifcpp/IFC4/include/IfcPolygonalFaceSet.h>
 #include <ifcpp/IFC4/include/IfcRevolvedAreaSolid.h>
@@ -37,11 +35,11 @@ constexpr double kPrism_m = 1000;
 
 class Bodies {
  public:
-  Bodies(const shared_ptr<UnitConverter>& units, double unit_m)
+  Bodies(const shared_ptr<UnitConverter>& units, double unit_m, IndexedCurves indexed)
       : unit_m_(unit_m),
         settings_(std::make_shared<GeometrySettings>()),
         converter_(settings_, units),
-        profiles_(converter_, Curves(unit_m, angle_rad(*units)), unit_m) {
+        profiles_(converter_, Curves(unit_m, angle_rad(*units), std::move(indexed)), unit_m) {
     settings_->setNumVerticesPerCircle(kFacetsPerCircle);
     carve::setEpsilon(1.5e-05 * unit_m);
   }
@@ -51,7 +49,6 @@ class Bodies {
     if (const auto result = as<IfcBooleanResult>(item)) return of_boolean(*result, T);
     if (const auto solid = as<IfcCsgSolid>(item)) return of(solid->m_TreeRootExpression, T);
     if (const auto space = as<IfcHalfSpaceSolid>(item)) return of_half_space(*space, T);
-    if (as<IfcAdvancedBrep>(item)) throw Unreadable("IfcAdvancedBrep: curved surfaces are not cut");
     if (const auto brep = as<IfcManifoldSolidBrep>(item)) return of_brep(brep, T);
     if (const auto model = as<IfcFaceBasedSurfaceModel>(item)) return of_face_sets(model->m_FbsmFaces, T);
     if (const auto model = as<IfcShellBasedSurfaceModel>(item)) return of_face_sets(model->m_SbsmBoundary, T);
@@ -80,7 +77,7 @@ class Bodies {
 
   Point3 checked(const Point3& point) {
     if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kFarthest_m)
-      throw Unreadable("has a point farther than 1000 km from the origin, or none");
+      throw Unreadable("has a point farther than 1000 km from the origin (options origin_x_m, origin_y_m), or none");
     if (++points_ > kMaxPoints) throw Unreadable("is left out: the model has more than 20 million points");
     return point;
   }
@@ -177,14 +174,11 @@ class Bodies {
     Shell shell;
     for (const auto& face : faces) {
       if (!face) continue;
-      FaceLoops loops;
-      for (const auto& bound : face->m_Bounds) {
-        const auto loop = bound ? as<IfcPolyLoop>(bound->m_Bound) : nullptr;
-        if (!loop) throw Unreadable("a face that is not bounded by straight lines");
-        loops.emplace_back();
-        for (const auto& point : loop->m_Polygon) loops.back().push_back(checked(T * point_of(point, unit_m_)));
+      for (FaceLoops& facet : AdvancedFaces(profiles_.curves(), unit_m_).facets(*face)) {
+        for (auto& loop : facet)
+          for (Point3& p : loop) p = checked(T * p);
+        shell.push_back(std::move(facet));
       }
-      shell.push_back(std::move(loops));
     }
     return shell;
   }
@@ -192,11 +186,12 @@ class Bodies {
   Body of_brep(const shared_ptr<IfcManifoldSolidBrep>& brep, const Transform3& T) {
     if (!brep->m_Outer) throw Unreadable("a brep without outer shell");
     Body outer{Body::Kind::shells, {shell_of(brep->m_Outer->m_CfsFaces, T)}};
-    const auto with_voids = as<IfcFacetedBrepWithVoids>(brep);
-    if (!with_voids) return outer;
+    const auto faceted = as<IfcFacetedBrepWithVoids>(brep);
+    const auto advanced = as<IfcAdvancedBrepWithVoids>(brep);
+    if (!faceted && !advanced) return outer;
     Body body;
     body.kind = Body::Kind::subtract;
-    body.operands = {std::move(outer), of_face_sets(with_voids->m_Voids, T)};
+    body.operands = {std::move(outer), of_face_sets(faceted ? faceted->m_Voids : advanced->m_Voids, T)};
     return body;
   }
 

@@ -1,14 +1,14 @@
 #pragma once
 
-// Part of ifc_model.cpp: points along curves. The library reads no IfcIndexedPolyCurve, and takes splines for their control
-// points.
+// Part of ifc_model.cpp: points along curves. The library drops the segments of indexed curves, and takes splines for something
+// near to their control points.
 
+#include "../step_arguments.hpp"
 #include "placements.hpp"
 
 #include <opal/b_spline.hpp>
 #include <opal/plan_assembly.hpp>
 
-#include <ifcpp/IFC4/include/IfcArcIndex.h>
 #include <ifcpp/IFC4/include/IfcBSplineCurveWithKnots.h>
 #include <ifcpp/IFC4/include/IfcCartesianPointList2D.h>
 #include <ifcpp/IFC4/include/IfcCartesianPointList3D.h>
@@ -19,7 +19,6 @@
 #include <ifcpp/IFC4/include/IfcIndexedPolyCurve.h>
 #include <ifcpp/IFC4/include/IfcInteger.h>
 #include <ifcpp/IFC4/include/IfcLine.h>
-#include <ifcpp/IFC4/include/IfcLineIndex.h>
 #include <ifcpp/IFC4/include/IfcParameterValue.h>
 #include <ifcpp/IFC4/include/IfcPositiveInteger.h>
 #include <ifcpp/IFC4/include/IfcRationalBSplineCurveWithKnots.h>
@@ -29,6 +28,7 @@
 #include <ifcpp/IFC4/include/IfcVector.h>
 
 #include <numbers>
+#include <unordered_map>
 
 namespace opal::ifc_importer::ifcpp {
 
@@ -38,10 +38,13 @@ constexpr double kChordShare = 9.5e-4;  // of the radius
 constexpr double kSameJoint_m = 1e-3;
 constexpr int kCurvesInCurves = 20;
 
+/// By the number of the curve.
+using IndexedCurves = std::unordered_map<int, std::vector<IndexedSegment>>;
+
 class Curves {
  public:
   /// @param unit_m, angle_rad  lengths of the model's units.
-  Curves(double unit_m, double angle_rad) : unit_m_(unit_m), angle_rad_(angle_rad) {}
+  Curves(double unit_m, double angle_rad, IndexedCurves indexed) : unit_m_(unit_m), angle_rad_(angle_rad), indexed_(std::move(indexed)) {}
 
   /// In the curve's own frame [m], both ends included. @throws Unreadable for kinds that are not computed.
   std::vector<Point3> points(const shared_ptr<IfcCurve>& curve, int depth = 0) const {
@@ -53,6 +56,25 @@ class Curves {
     if (const auto conic = as<IfcConic>(curve)) return of_conic(ellipse_of(*conic), 0, 2 * std::numbers::pi);
     if (const auto spline = as<IfcBSplineCurve>(curve)) return of_spline(*spline);
     throw Unreadable(curve ? std::string(curve->className()) + ": curves of this kind are not computed" : "a curve is missing");
+  }
+
+  /// Along a curve from one of its points to another, both included; around a closed one if they are the same.
+  std::vector<Point3> between(const shared_ptr<IfcCurve>& curve, const Point3& begin, const Point3& end, bool forward) const {
+    if (as<IfcLine>(curve)) return {begin, end};
+    std::vector<Point3> points;
+    if (const auto conic = as<IfcConic>(curve)) {
+      const Ellipse ellipse = ellipse_of(*conic);
+      const double from_rad = angle_on(ellipse, begin);
+      points = of_conic(ellipse, from_rad, sweep_rad(from_rad, angle_on(ellipse, end), forward));
+    } else {
+      points = this->points(curve);
+      if (points.size() > 1 && !is_same(points.front(), begin)) std::reverse(points.begin(), points.end());
+    }
+    if (points.size() < 2 || !is_same(points.front(), begin) || !is_same(points.back(), end))
+      throw Unreadable("an edge that is not the whole of its curve, or beside it");
+    points.front() = begin;
+    points.back() = end;
+    return points;
   }
 
  private:
@@ -69,18 +91,14 @@ class Curves {
 
   std::vector<Point3> of_indexed(const IfcIndexedPolyCurve& curve) const {
     const std::vector<Point3> all = listed(curve.m_Points);
-    if (curve.m_Segments.empty()) return all;
+    const auto segments = indexed_.find(curve.m_entity_id);
+    if (segments == indexed_.end()) return all;
     std::vector<Point3> points;
-    for (const auto& segment : curve.m_Segments) {
-      if (const auto line = as<IfcLineIndex>(segment)) {
-        append(picked(all, line->m_vec), points);
-      } else if (const auto arc = as<IfcArcIndex>(segment)) {
-        const std::vector<Point3> three = picked(all, arc->m_vec);
-        if (three.size() != 3) throw Unreadable("an arc that is given by " + std::to_string(three.size()) + " points");
-        append(arc_through(three[0], three[1], three[2]), points);
-      } else {
+    for (const IndexedSegment& segment : segments->second) {
+      const std::vector<Point3> corners = picked(all, segment.points);
+      if (corners.size() < 2 || (segment.is_arc && corners.size() != 3))
         throw Unreadable("an indexed curve with a segment that is neither line nor arc");
-      }
+      append(segment.is_arc ? arc_through(corners[0], corners[1], corners[2]) : corners, points);
     }
     return points;
   }
@@ -96,12 +114,12 @@ class Curves {
     return points;
   }
 
-  static std::vector<Point3> picked(const std::vector<Point3>& all, const std::vector<IfcPositiveInteger>& indices) {
+  static std::vector<Point3> picked(const std::vector<Point3>& all, const std::vector<int>& numbers) {
     std::vector<Point3> points;
-    for (const IfcPositiveInteger& index : indices) {
-      if (index.m_value < 1 || static_cast<std::size_t>(index.m_value) > all.size())
+    for (const int number : numbers) {
+      if (number < 1 || static_cast<std::size_t>(number) > all.size())
         throw Unreadable("an indexed curve that names a point which it does not have");
-      points.push_back(all[static_cast<std::size_t>(index.m_value) - 1]);
+      points.push_back(all[static_cast<std::size_t>(number) - 1]);
     }
     return points;
   }
@@ -147,10 +165,14 @@ class Curves {
     if (!conic) throw Unreadable("a trimmed curve whose basis is no line, circle or ellipse");
     const Ellipse ellipse = ellipse_of(*conic);
     const double from_rad = on_conic(ellipse, curve.m_Trim1, by_points), to_rad = on_conic(ellipse, curve.m_Trim2, by_points);
-    double sweep_rad = std::remainder(to_rad - from_rad, 2 * std::numbers::pi);
-    if (forward && sweep_rad <= 1e-9) sweep_rad += 2 * std::numbers::pi;
-    if (!forward && sweep_rad >= -1e-9) sweep_rad -= 2 * std::numbers::pi;
-    return of_conic(ellipse, from_rad, sweep_rad);
+    return of_conic(ellipse, from_rad, sweep_rad(from_rad, to_rad, forward));
+  }
+
+  /// A whole turn between equal angles.
+  static double sweep_rad(double from_rad, double to_rad, bool forward) {
+    const double sweep_rad = std::remainder(to_rad - from_rad, 2 * std::numbers::pi);
+    if (forward) return sweep_rad <= 1e-9 ? sweep_rad + 2 * std::numbers::pi : sweep_rad;
+    return sweep_rad >= -1e-9 ? sweep_rad - 2 * std::numbers::pi : sweep_rad;
   }
 
   using Trim = std::vector<shared_ptr<IfcTrimmingSelect>>;
@@ -229,6 +251,7 @@ class Curves {
   }
 
   double unit_m_, angle_rad_;
+  IndexedCurves indexed_;
 };
 
 }  // namespace opal::ifc_importer::ifcpp

@@ -22,8 +22,8 @@ using Loops = std::vector<std::vector<Point>>;
 
 class Profiles {
  public:
-  Profiles(RepresentationConverter& converter, const Curves& curves, double unit_m)
-      : converter_(converter), curves_(curves), unit_m_(unit_m) {}
+  Profiles(RepresentationConverter& converter, Curves curves, double unit_m)
+      : converter_(converter), curves_(std::move(curves)), unit_m_(unit_m) {}
 
   const Curves& curves() const { return curves_; }
 
