@@ -61,7 +61,7 @@ ImportedElement imported_element(const ElementCut& cut, const Duplicates& duplic
   else if (kept != duplicates.kept.end())
     decide(ImportStatus::merged, "at the same place as " + kept->second);
   else if (holds(assembled.hidden, element.id))
-    decide(ImportStatus::imported, "hidden in others: nothing of it can be seen");
+    decide(ImportStatus::imported, "hidden in others, or thinner than 2 mm: nothing of it can be seen");
   else if (holds(assembled.hidden_rounds, element.id))
     decide(ImportStatus::imported, "round, and less than half of it stands free: no feature");
   else if (cut.treatment.kind == Kind::glass)

@@ -34,7 +34,7 @@ Eigen::AlignedBox<double, 2> box_of(const ImportedElement& element) {
 
 void check_box(const ImportedElement& element, double x0, double y0, double x1, double y1) {
   INFO(element.id << ": " << element.reason);
-  REQUIRE(element.status == ImportStatus::imported);
+  REQUIRE((element.status == ImportStatus::imported || element.status == ImportStatus::merged));
   const Eigen::AlignedBox<double, 2> box = box_of(element);
   CHECK((box.min() - Point(x0, y0)).norm() < 1e-5);
   CHECK((box.max() - Point(x1, y1)).norm() < 1e-5);
@@ -320,6 +320,17 @@ TEST_CASE("a solid thing without a body is told by name, and so is why nothing c
   unreadable.add_item("IFCWALL", "ball", unreadable.add("IFCSPHERE", ref(axes) + ",1."));
   CHECK_THROWS_WITH(import(unreadable), Contains("nothing of the building is there") && Contains("IfcSphere") &&
                                             Contains(DrawnBuilding::id("ball")));
+}
+
+TEST_CASE("sheets thinner than the gaps that are closed keep their two sides") {
+  const double thickness_m = GENERATE(0.009, 0.005, 0.003);
+  DrawnBuilding building;
+  building.add_box("IFCPLATE", "steel sheet", {0, 0, 0.3}, 2, thickness_m);
+  building.add_wall("wall", {0, 3, 0}, 4, 0.2);
+  const MapImport imported = import(building);
+  const auto faces = features_of(*imported.map, "steel sheet", GeometryKind::segment);
+  REQUIRE(faces.size() == 2);
+  for (const MapFeature* face : faces) CHECK(std::get<Segment>(face->geometry).length_m() == Approx(2).margin(0.01));
 }
 
 TEST_CASE("names are decoded as STEP encodes them") {
