@@ -55,7 +55,7 @@ ImportedElement imported_element(const ElementCut& cut, const Duplicates& duplic
   else if (cut.element->bodies.empty() && !cut.is_cut())
     decide(ImportStatus::not_cut, "it has no body of its own");
   else if (!cut.is_cut())
-    decide(ImportStatus::not_cut, cut.is_within_reach ? "the plane meets nothing of it but openings" : "the plane passes above or below it");
+    decide(ImportStatus::not_cut, cut.is_within_reach ? "the plane meets nothing of it but openings, or it is thinner than 0.1 mm" : "the plane passes above or below it");
   else if (cut.treatment.kind == Kind::left_out)
     decide(ImportStatus::left_out, cut.treatment.reason);
   else if (kept != duplicates.kept.end())

@@ -333,6 +333,18 @@ TEST_CASE("sheets thinner than the gaps that are closed keep their two sides") {
   for (const MapFeature* face : faces) CHECK(std::get<Segment>(face->geometry).length_m() == Approx(2).margin(0.01));
 }
 
+TEST_CASE("sheets so thin that both sides are one place bring nothing down") {
+  const double thickness_m = GENERATE(0.0021, 0.002, 0.0019, 0.001, 0.0001);
+  CAPTURE(thickness_m);
+  DrawnBuilding building;
+  building.add_box("IFCPLATE", "steel sheet", {0, 0, GENERATE(0.0, 0.3)}, 2, thickness_m);
+  building.add_wall("wall", {0, 3, 0}, 4, 0.2);
+  const MapImport imported = import(building);
+  CHECK(features_of(*imported.map, "wall", GeometryKind::segment).size() == 4);
+  const bool is_there = !features_of(*imported.map, "steel sheet", GeometryKind::segment).empty();
+  if (!is_there) CHECK_THAT(element(imported, "steel sheet").reason, Contains("thinner than"));
+}
+
 TEST_CASE("names are decoded as STEP encodes them") {
   DrawnBuilding building;
   building.add_wall("W\\X2\\00E4\\X0\\nd \\X\\E9 \\S\\d \\X4\\0001F600\\X0\\ it''s", {0, 0, 0}, 4, 0.2);
