@@ -2,6 +2,7 @@
 
 #include "dxf_scan.hpp"
 
+#include <opal/b_spline.hpp>
 #include <opal/geometry.hpp>
 
 #include <map>
@@ -29,6 +30,18 @@ struct DxfArc {
   double sweep_rad = 0;  ///< in (0, 2 pi], counter-clockwise
 };
 
+/// center + cos(u) major + sin(u) minor, for u from `from_rad` on.
+struct DxfEllipse {
+  Point center = Point::Zero(), major = Point::Zero(), minor = Point::Zero();
+  double from_rad = 0;
+  double sweep_rad = 0;  ///< in (0, 2 pi]
+};
+
+/// Side by side, as an MLINE has them.
+struct DxfLines {
+  std::vector<DxfPath> lines;
+};
+
 /// Closed lines, filled between them.
 struct DxfFill {
   std::vector<std::vector<DxfVertex>> loops;
@@ -46,7 +59,7 @@ struct DxfInsert {
 };
 
 /// Nothing, if the importer does not understand entities of this type.
-using DxfShape = std::variant<std::monostate, DxfPath, Circle, DxfArc, DxfFill, DxfInsert>;
+using DxfShape = std::variant<std::monostate, DxfPath, Circle, DxfArc, DxfEllipse, BSpline, DxfLines, DxfFill, DxfInsert>;
 
 /// An entity in the coordinates and units of its block or drawing.
 struct DxfEntity {

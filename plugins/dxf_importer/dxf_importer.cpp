@@ -92,7 +92,9 @@ class Sorting {
   /// Lines of one block that are no wall are one thing: the leaf and the swing of a door.
   static bool is_part_of_insert(const PlacedEntity& placed, const std::string& type) {
     const auto* path = std::get_if<DxfPath>(&placed.entity->shape);
-    const bool is_open = (path != nullptr && !path->closed) || std::holds_alternative<DxfArc>(placed.entity->shape);
+    const DxfShape& shape = placed.entity->shape;
+    const bool is_open = (path != nullptr && !path->closed) || std::holds_alternative<DxfArc>(shape) ||
+                         std::holds_alternative<DxfEllipse>(shape) || std::holds_alternative<BSpline>(shape);
     return !placed.insert.empty() && type != "opal:Wall" && is_open;
   }
 

@@ -1,3 +1,4 @@
+#include "dxf_curves.hpp"
 #include "dxf_drawing.hpp"
 #include "dxf_record_check.hpp"
 
@@ -132,7 +133,7 @@ void apply_extrusion(const DxfRecord& record, DxfEntity& entity) {
   const Point across(real_of(record, 210, 0), real_of(record, 220, 0));
   const double up = real_of(record, 230, 1);
   if (across.norm() > 1e-6 * std::abs(up)) entity.trouble = "its plane is tilted against the plan";
-  if (up >= 0 || record.type == "LINE") return;
+  if (up >= 0 || record.type == "LINE" || is_curve(record.type)) return;
   const auto mirror = [](Point& p) { p.x() = -p.x(); };
   const auto mirror_all = [&](std::vector<DxfVertex>& vertices) {
     for (DxfVertex& v : vertices) {
@@ -226,7 +227,7 @@ class Reader {
       return entity;
     }
     check_records(path_, records);
-    entity.shape = read_shape(path_, records, entity.trouble);
+    entity.shape = is_curve(head.type) ? read_curve(head, entity.trouble) : read_shape(path_, records, entity.trouble);
     apply_extrusion(head, entity);
     if (!entity.trouble.empty()) entity.shape = std::monostate();
     return entity;

@@ -27,6 +27,9 @@ const std::map<std::string, Codes, std::less<>>& understood() {
       {"ARC", {{10, 20, 40, 50, 51}, {8, 30}}},
       {"LWPOLYLINE", {{90}, {8, 38, 43, 70}}},
       {"POLYLINE", {{}, {8, 66, 70}}},
+      {"ELLIPSE", {{10, 20, 11, 21, 40, 41, 42}, {8, 30, 31, 230}}},
+      {"SPLINE", {{71, 72, 73}, {8, 70, 74, 230}}},
+      {"MLINE", {{40, 70, 71, 72, 73}, {8, 230}}},
       {"INSERT", {{2, 10, 20}, {8, 30, 41, 42, 43, 44, 45, 50, 66, 70, 71}}},
       {"SOLID", {{10, 20, 11, 21, 12, 22}, {8, 13, 23}}},
       {"TRACE", {{10, 20, 11, 21, 12, 22}, {8, 13, 23}}},
@@ -57,6 +60,8 @@ class RecordCheck {
     for (const int code : codes.at_most_once)
       if (count(code) > 1) fail(record_.line, code, std::to_string(count(code)) + " times", "one at most");
     if (record_.type == "LWPOLYLINE") check_vertices();
+    if (record_.type == "SPLINE") check_counts({{72, 40}, {73, 10}, {73, 20}});
+    if (record_.type == "MLINE") check_counts({{72, 11}, {72, 21}, {72, 13}, {72, 23}});
   }
 
  private:
@@ -85,6 +90,13 @@ class RecordCheck {
     if (error != std::errc() || end != pair.value.data() + pair.value.size())
       fail(pair.line, pair.code, "\"" + pair.value.substr(0, 40) + "\" for", "an integer");
     return value;
+  }
+
+  /// The first code of each pair counts how often the second is there.
+  void check_counts(const std::vector<std::pair<int, int>>& counts) const {
+    for (const auto& [number, counted] : counts)
+      if (const DxfPair& stated = *record_.find(number); integer(stated) != count(counted))
+        fail(stated.line, counted, std::to_string(count(counted)) + " times", stated.value + ", as code " + std::to_string(number) + " says");
   }
 
   /// Code 90 counts the vertices; each is an x (10) with its y (20) right after it.

@@ -51,6 +51,28 @@ class Drawer {
     return "";
   }
 
+  std::string operator()(const DxfEllipse& ellipse) {
+    const double size = std::max(ellipse.major.norm(), ellipse.minor.norm());
+    if (!(std::min(ellipse.major.norm(), ellipse.minor.norm()) > 0)) return "it is flat";
+    std::vector<Point> points;
+    for (const Point& p : arc_points({Point::Zero(), 1}, ellipse.from_rad, ellipse.sweep_rad, options_.chord_tolerance_m / (scale_ * size)))
+      points.push_back(ellipse.center + p.x() * ellipse.major + p.y() * ellipse.minor);
+    add_curve(std::move(points));
+    return "";
+  }
+
+  std::string operator()(const BSpline& spline) {
+    std::vector<Point> points;
+    for (const Eigen::Vector3d& p : chord_points(spline, options_.chord_tolerance_m / scale_)) points.push_back(p.head<2>());
+    add_curve(std::move(points));
+    return "";
+  }
+
+  std::string operator()(const DxfLines& lines) {
+    for (const DxfPath& path : lines.lines) add_line(moved(flattened(path.vertices, path.closed)), path.closed);
+    return "";
+  }
+
   /// Loops inside each other are holes.
   std::string operator()(const DxfFill& fill) {
     closed_sides_ = PlanSides::solid;
@@ -103,6 +125,12 @@ class Drawer {
     points.erase(points.begin());
     points.pop_back();
     return points;
+  }
+
+  void add_curve(std::vector<Point> points) {
+    ++shapes_.chorded;
+    was_curved_ = true;
+    add_line(moved(std::move(points)), false);
   }
 
   void add_line(std::vector<Point> points, bool closed) {

@@ -38,19 +38,27 @@ class GapClosing {
  private:
   void add(const Loop& loop, int solid) {
     loops_.push_back({solid, {}, circle_of(loop).has_value()});
+    const bool is_sheet = is_thinner_than_gap(loop);
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Point& p = loop[k];
       const int node = loops_.back().is_round ? nodes_.add(p) : node_for(p, solid);
       loops_.back().nodes.push_back(node);
+      users_.resize(nodes_.points().size());
+      if (is_sheet) users_[static_cast<std::size_t>(node)].insert(solid);
       corners_.resize(nodes_.points().size());
       corners_[static_cast<std::size_t>(node)].push_back({p, loop[(k + loop.size() - 1) % loop.size()] - p, loop[(k + 1) % loop.size()] - p});
     }
-    users_.resize(nodes_.points().size());
     for (const int node : loops_.back().nodes) users_[static_cast<std::size_t>(node)].insert(loops_.back().is_round ? kNobody : solid);
   }
 
+  /// Its two sides must not become one, as the ends of a chamfer do.
+  static bool is_thinner_than_gap(const Loop& loop) {
+    double around_m = 0;
+    for (const Segment& s : segments_of({loop})) around_m += s.length_m();
+    return 2 * std::abs(area_m2(loop)) < kGap_m * around_m;
+  }
+
   int node_for(const Point& p, int solid) {
-    users_.resize(nodes_.points().size());
     int best = -1;
     double best_m = 2 * kGap_m;
     nodes_.visit_near(p, [&](int node) {

@@ -29,11 +29,11 @@ bool comes_in(const ElementCut& cut, const Duplicates& duplicates) {
 }
 
 /// Read once in a child process, and once more if that survived.
-Building building_of(const std::string& path) {
+Building building_of(const std::string& path, const Point& origin_m) {
   const StepText step = StepText::read(path);
   const unsigned seconds = kTrial_s + static_cast<unsigned>(step.instances().size() / kInstancesPerSecond);
-  try_in_child([&] { (void)read_building(step, path); }, path, seconds);
-  return read_building(step, path);
+  try_in_child([&] { (void)read_building(step, path, origin_m); }, path, seconds);
+  return read_building(step, path, origin_m);
 }
 
 /// Where two share a face, walls have it before columns, and these before the rest; frames come last.
@@ -70,7 +70,7 @@ bool IfcImporter::recognizes(const std::string& path) const {
 }
 
 MapImport IfcImporter::import(const std::string& path) const {
-  const Building building = building_of(path);
+  const Building building = building_of(path, options_.origin_m);
   const Classes classes(options_.classes);
   const LevelChoice level = choose_level(building, classes, options_, path);
   const std::vector<ElementCut> cuts = cut_storey(building, classes, level.height_m);
@@ -78,7 +78,7 @@ MapImport IfcImporter::import(const std::string& path) const {
   std::vector<ElementCut> chosen;
   std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(chosen), [&](const ElementCut& cut) { return comes_in(cut, duplicates); });
   if (chosen.empty())
-    throw MapError(path + ": " + level.sentence + ": nothing of the building is there, expected a storey or height that has walls (opal map storeys)");
+    throw MapError(path + ": " + level.sentence + ": nothing of the building is there" + unread(cuts) + ", expected a storey or height that has walls (opal map storeys)");
   const std::vector<std::size_t> order = solids_in_order(chosen);
   std::vector<PlanSolid> solids;
   std::map<std::string, int> objects;
@@ -96,7 +96,7 @@ MapImport IfcImporter::import(const std::string& path) const {
 }
 
 std::vector<Storey> IfcImporter::storeys(const std::string& path) const {
-  const Building building = building_of(path);
+  const Building building = building_of(path, options_.origin_m);
   std::vector<Storey> storeys;
   for (const Level& level : building.levels) {
     const double height_m = level.elevation_m + options_.sensor_height_m;

@@ -36,7 +36,7 @@ struct Messages {
 
 class Reading {
  public:
-  Reading(const StepText& step, const std::string& name) : step_(step), name_(name) {}
+  Reading(const StepText& step, const std::string& name, const Point& origin_m) : step_(step), name_(name), origin_m_(origin_m) {}
 
   Building building() {
     load();
@@ -46,8 +46,8 @@ class Reading {
     building.schema = step_.schema();
     building.unit_m = unit.metres;
     building.unit_name = unit.name;
-    Bodies bodies(model_->getUnitConverter(), unit.metres);
-    Elements elements(bodies, unit.metres);
+    Bodies bodies(model_->getUnitConverter(), unit.metres, indexed_curves());
+    Elements elements(bodies, unit.metres, origin_m_);
     std::map<std::string, int> shapeless;
     for (const auto& [number, entity] : model_->getMapIfcEntities()) {
       if (const auto storey = as<IfcBuildingStorey>(entity)) read_level(*storey, elements, unit.metres, building);
@@ -94,6 +94,15 @@ class Reading {
     }
   }
 
+  IndexedCurves indexed_curves() const {
+    IndexedCurves curves;
+    for (const StepInstance& instance : step_.instances())
+      if (instance.type == "IFCINDEXEDPOLYCURVE")
+        if (const auto arguments = split_arguments(instance.arguments); arguments.size() > 1 && arguments[1].find('(') != std::string::npos)
+          curves.emplace(instance.number, indexed_segments(arguments[1]));
+    return curves;
+  }
+
   static std::string upper(std::string text) {
     for (char& c : text)
       if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
@@ -124,7 +133,8 @@ class Reading {
     for (const auto& [number, entity] : model_->getMapIfcEntities()) {
       const auto context = as<IfcGeometricRepresentationContext>(entity);
       if (context && context->m_TrueNorth && !building.north_rad) read_north(*context, building);
-      if (const auto conversion = as<IfcMapConversion>(entity)) read_georeference(*conversion, unit_m, building);
+      const auto conversion = as<IfcMapConversion>(entity);
+      if (conversion && !building.georeference) read_georeference(*conversion, unit_m, building);
     }
   }
 
@@ -137,10 +147,19 @@ class Reading {
     }
   }
 
+  void read_georeference(const IfcMapConversion& conversion, double unit_m, Building& building) const {
+    try {
+      take_georeference(conversion, unit_m, building);
+    } catch (const Unreadable& trouble) {
+      building.notes.push_back(std::string("its map conversion ") + trouble.what() + ": not taken as a georeference");
+    }
+  }
+
   /// A conversion by nothing is an exporter's default, and latitude and longitude of the site often are.
-  static void read_georeference(const IfcMapConversion& conversion, double unit_m, Building& building) {
+  void take_georeference(const IfcMapConversion& conversion, double unit_m, Building& building) const {
     const auto crs = as<IfcProjectedCRS>(conversion.m_TargetCRS);
-    const auto metres = [unit_m](const auto& length) { return length ? unit_m * length->m_value : 0.0; };
+    const double map_unit_m = crs && crs->m_MapUnit ? length_unit(crs->m_MapUnit).metres : unit_m;
+    const auto metres = [map_unit_m](const auto& length) { return length ? map_unit_m * length->m_value : 0.0; };
     Georeference place;
     if (crs) place.crs = text_of(crs->m_Name);
     place.eastings_m = metres(conversion.m_Eastings);
@@ -148,6 +167,9 @@ class Reading {
     place.height_m = metres(conversion.m_OrthogonalHeight);
     if (conversion.m_XAxisAbscissa && conversion.m_XAxisOrdinate)
       place.heading_rad = std::atan2(conversion.m_XAxisOrdinate->m_value, conversion.m_XAxisAbscissa->m_value);
+    const Point origin_m = Pose2(0, 0, place.heading_rad) * origin_m_;
+    place.eastings_m += origin_m.x();
+    place.northings_m += origin_m.y();
     const bool is_real = !place.crs.empty() && std::hypot(place.eastings_m, place.northings_m) > 1 &&
                          std::isfinite(place.eastings_m + place.northings_m + place.height_m + place.heading_rad);
     if (is_real)
@@ -181,6 +203,7 @@ class Reading {
 
   const StepText& step_;
   const std::string& name_;
+  const Point origin_m_;
   Messages messages_;
   shared_ptr<BuildingModel> model_;
   std::map<std::string, std::vector<std::string>> unknown_;  // GlobalIds by type
@@ -188,9 +211,9 @@ class Reading {
 
 }  // namespace
 
-Building read_building(const StepText& step, const std::string& name) {
+Building read_building(const StepText& step, const std::string& name, const Point& origin_m) {
   try {
-    return Reading(step, name).building();
+    return Reading(step, name, origin_m).building();
   } catch (const MapError&) {
     throw;
   } catch (const std::bad_alloc&) {

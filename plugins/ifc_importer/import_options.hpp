@@ -1,5 +1,7 @@
 #pragma once
 
+#include <opal/geometry.hpp>
+
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +14,7 @@ struct ImportOptions {
   std::optional<double> z_m;
   double sensor_height_m = 0.3;
   std::string sensor = "PlanarLidar2D";
+  Point origin_m = Point::Zero();  ///< what lies here in the model is the map's origin
   std::map<std::string, std::string> classes;
 };
 

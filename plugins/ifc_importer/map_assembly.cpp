@@ -7,13 +7,16 @@
 namespace opal::ifc_importer {
 namespace {
 
+// What is just as long as one of these limits is long enough, wherever the building stands: many parts measure 10 cm.
+constexpr double kRounding_m = 1e-5;
 // Shorter faces are rounding and chamfers: no detector finds them.
-constexpr double kShortestFace_m = 0.02;
+constexpr double kShortestFace_m = 0.02 - kRounding_m;
 // Posts and balusters thinner than this around give a few returns, and no face.
-constexpr double kThinnestAround_m = 0.35;
+constexpr double kThinnestAround_m = 0.35 - kRounding_m;
 // A corner is seen by its two arms.
-constexpr double kShortestArm_m = 0.1;
+constexpr double kShortestArm_m = 0.1 - kRounding_m;
 constexpr double kLeastTurn_rad = 0.17;  // 10 degrees: facets of curved walls are no corners
+constexpr double kFolded_rad = 3.04;     // the edge of a sheet, of 6 degrees, is none either
 constexpr double kStraight_rad = 0.02;
 // Of a round column in a wall, that much must be visible to be one.
 constexpr double kLeastCircle = 0.5;
@@ -127,8 +130,8 @@ class Assembly {
   void add_corner(const std::vector<PlanFace>& chain, std::size_t k) {
     const std::size_t next = (k + 1) % chain.size();
     const Segment a = segment(chain[k]), b = segment(chain[next]);
-    if (chain[next].is_round || b.length_m() < kShortestFace_m || std::abs(wrap_angle(b.heading_rad() - a.heading_rad())) < kLeastTurn_rad)
-      return;
+    const double turn_rad = std::abs(wrap_angle(b.heading_rad() - a.heading_rad()));
+    if (chain[next].is_round || b.length_m() < kShortestFace_m || turn_rad < kLeastTurn_rad || turn_rad > kFolded_rad) return;
     if (std::min(arm_m(chain, k, false), arm_m(chain, next, true)) < kShortestArm_m) return;
     const int object = object_of(cut_of(chain[k].owner));
     ++result_.corners;

@@ -23,8 +23,22 @@ void set_outline(const ElementCut& cut, ImportedElement& element) {
 
 bool holds(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
+/// Ids of the things that parts belong to: of all, and of those whose parts are cut.
+struct Wholes {
+  std::set<std::string> all, cut;
+};
+
+Wholes wholes_of(const std::vector<ElementCut>& cuts) {
+  Wholes wholes;
+  for (const ElementCut& cut : cuts) {
+    wholes.all.insert(cut.element->whole);
+    if (cut.is_cut() && cut.object != cut.element) wholes.cut.insert(cut.object->id);
+  }
+  return wholes;
+}
+
 ImportedElement imported_element(const ElementCut& cut, const Duplicates& duplicates, const AssembledMap& assembled,
-                                 const std::set<std::string>& wholes) {
+                                 const Wholes& wholes) {
   ImportedElement element{cut.element->id, cut.element->source_class(), cut.element->name};
   set_outline(cut, element);
   const auto decide = [&element](ImportStatus status, std::string reason) {
@@ -32,20 +46,22 @@ ImportedElement imported_element(const ElementCut& cut, const Duplicates& duplic
     element.reason = std::move(reason);
   };
   const auto kept = duplicates.kept.find(element.id);
-  if (!cut.is_cut() && wholes.count(element.id))
+  if (!cut.is_cut() && wholes.cut.count(element.id))
     decide(ImportStatus::imported, "its parts are cut: they have its id");
   else if (!cut.is_cut() && !cut.trouble.empty())
     decide(ImportStatus::unreadable, cut.trouble);
+  else if (cut.element->bodies.empty() && cut.treatment.kind != Kind::left_out && wholes.all.count(element.id) == 0)
+    decide(ImportStatus::unreadable, "it has no body, and no parts that have one");
   else if (cut.element->bodies.empty() && !cut.is_cut())
     decide(ImportStatus::not_cut, "it has no body of its own");
   else if (!cut.is_cut())
-    decide(ImportStatus::not_cut, cut.is_within_reach ? "the plane meets nothing of it but openings" : "the plane passes above or below it");
+    decide(ImportStatus::not_cut, cut.is_within_reach ? "the plane meets nothing of it but openings, or it is thinner than 0.1 mm" : "the plane passes above or below it");
   else if (cut.treatment.kind == Kind::left_out)
     decide(ImportStatus::left_out, cut.treatment.reason);
   else if (kept != duplicates.kept.end())
     decide(ImportStatus::merged, "at the same place as " + kept->second);
   else if (holds(assembled.hidden, element.id))
-    decide(ImportStatus::imported, "hidden in others: nothing of it can be seen");
+    decide(ImportStatus::imported, "hidden in others, or thinner than 2 mm: nothing of it can be seen");
   else if (holds(assembled.hidden_rounds, element.id))
     decide(ImportStatus::imported, "round, and less than half of it stands free: no feature");
   else if (cut.treatment.kind == Kind::glass)
@@ -113,12 +129,18 @@ std::vector<std::string> about_doors(const std::vector<ElementCut>& cuts) {
 
 std::vector<ImportedElement> imported_elements(const std::vector<ElementCut>& cuts, const Duplicates& duplicates,
                                                const AssembledMap& assembled) {
-  std::set<std::string> wholes;
-  for (const ElementCut& cut : cuts)
-    if (cut.is_cut() && cut.object != cut.element) wholes.insert(cut.object->id);
+  const Wholes wholes = wholes_of(cuts);
   std::vector<ImportedElement> elements;
   for (const ElementCut& cut : cuts) elements.push_back(imported_element(cut, duplicates, assembled, wholes));
   return elements;
+}
+
+std::string unread(const std::vector<ElementCut>& cuts) {
+  const auto is_unread = [](const ElementCut& cut) { return !cut.trouble.empty(); };
+  const auto first = std::find_if(cuts.begin(), cuts.end(), is_unread);
+  if (first == cuts.end()) return "";
+  return "; cannot be read: " + std::to_string(std::count_if(first, cuts.end(), is_unread)) + " things, the first is " +
+         first->element->source_class() + " " + first->element->id + ": " + first->trouble;
 }
 
 double widest_door_m(const std::vector<ElementCut>& cuts) {

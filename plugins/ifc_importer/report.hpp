@@ -15,6 +15,9 @@ std::vector<ImportedElement> imported_elements(const std::vector<ElementCut>& cu
 std::vector<std::string> report(const Building& building, const LevelChoice& level, const std::vector<ElementCut>& cuts,
                                 const std::vector<ImportedElement>& elements, const Plan& plan, const AssembledMap& assembled);
 
+/// "; cannot be read: 12 things, the first is IfcWall 2cXV28XOjE6f6irgi0CPeU: why"; empty if all can be.
+std::string unread(const std::vector<ElementCut>& cuts);
+
 /// Width of the widest door that is cut [m]; 0 without doors.
 double widest_door_m(const std::vector<ElementCut>& cuts);
 

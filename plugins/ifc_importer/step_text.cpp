@@ -1,6 +1,7 @@
 #include "step_text.hpp"
 
 #include "reference_check.hpp"
+#include "step_arguments.hpp"
 
 #include <opal/error.hpp>
 
@@ -199,10 +200,12 @@ std::string StepText::for_parser() const {
                      (schema_.starts_with("IFC2X3") ? "IFC2X3" : "IFC4") + "'));\nENDSEC;\nDATA;\n";
   text.reserve(text_.size() + text.size());
   for (const StepInstance& instance : instances_) {
-    std::string_view arguments = instance.arguments;
-    if (is_4x3 && instance.type == "IFCGRIDPLACEMENT" && std::count(arguments.begin(), arguments.end(), ',') == 2)
-      arguments.remove_prefix(arguments.find(',') + 1);  // PlacementRelTo came first in 4X3
-    text.append("#").append(std::to_string(instance.number)).append("=").append(instance.type).append("(").append(arguments).append(");\n");
+    text.append("#").append(std::to_string(instance.number)).append("=").append(instance.type).append("(");
+    if (is_4x3)
+      text.append(arguments_of_ifc4(instance));
+    else
+      text.append(instance.arguments);
+    text.append(");\n");
   }
   return text + "ENDSEC;\n" + kEnd + "\n";
 }

@@ -27,8 +27,8 @@ class StepText {
   const std::string& schema() const { return schema_; }  ///< "IFC2X3", "IFC4", "IFC4X3_ADD2": as the file says
   const std::vector<StepInstance>& instances() const { return instances_; }
 
-  /// The same instances, one a line and without comments, in a schema that the parser knows: IFC4X3 as IFC4, with the arguments of
-  /// grid placements as they were there.
+  /// The same instances, one a line and without comments, in a schema that the parser knows: IFC4X3 as IFC4, with arguments as they
+  /// were there.
   std::string for_parser() const;
 
  private:

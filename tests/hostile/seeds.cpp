@@ -41,6 +41,8 @@ std::string tiny_drawing() {
   for (const opal::Point& p : {opal::Point(6, 6), opal::Point(9, 6), opal::Point(9, 6.2)})
     dxf.entity("VERTEX", "A-WALL").point(10, p);
   dxf.entity("SEQEND", "A-WALL");
+  dxf.ellipse("A-WALL", {3, 12}, {2, 0}, 0.5, 0, 3).mline("A-WALL", {0, 15}, {5, 15}, 0.1);
+  dxf.spline("A-WALL", 3, {0, 0, 0, 0, 1, 1, 1, 1}, {{10, 0}, {11, 1}, {13, 1}, {14, 0}}, {1, 2, 1, 1});
   dxf.entity("TEXT", "A-ANNO").point(10, {1, 3}).pair(40, 0.25).pair(1, std::string("Room"));
   return dxf.text();
 }

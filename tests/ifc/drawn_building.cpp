@@ -133,9 +133,9 @@ void DrawnBuilding::add_storey(const std::string& name, double elevation_m) {
   add("IFCBUILDINGSTOREY", "'" + id(name) + "',$,'" + name + "',$,$," + ref(place) + ",$,$,.ELEMENT.," + number(elevation_m));
 }
 
-std::string DrawnBuilding::text() const {
+std::string DrawnBuilding::text(const std::string& schema) const {
   return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('drawn','',(''),(''),'','','');\n"
-         "FILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n" +
+         "FILE_SCHEMA(('" + schema + "'));\nENDSEC;\nDATA;\n" +
          lines_ + "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 

@@ -26,10 +26,16 @@ class DrawnBuilding {
   /// A thing without a body whose parts have been added before.
   void add_whole(const std::string& type, const std::string& name, const std::vector<int>& parts);
   void add_storey(const std::string& name, double elevation_m);
+  /// A thing whose body is this representation item.
+  int add_item(const std::string& type, const std::string& name, int item) { return add_thing(type, name, shape({item}), "$"); }
+  /// An extrusion of a profile, upwards from z = 0 to 3 m.
+  int extruded(int profile, const Pose2& pose = Pose2()) { return extruded(profile, axes(pose), 3); }
   /// Any instance; @return its number.
   int add(const std::string& type, const std::string& arguments);
+  /// The geometric context, to which a map conversion refers.
+  int context() const { return context_; }
 
-  std::string text() const;
+  std::string text(const std::string& schema = "IFC4") const;
   /// GlobalId of a thing by its name.
   static std::string id(const std::string& name);
 

@@ -36,7 +36,7 @@ TEST_CASE("a small office comes in with its walls, columns, doors and glass, and
   CHECK(says(office, "left out, no class for its layer: layer A-FURN: 2 LWPOLYLINE"));
   CHECK(says(office, "left out, no class for its layer: layer A-ANNO: 1 TEXT"));
   CHECK(says(office, "left out, its layer is frozen: layer A-OLD: 1 LINE"));
-  CHECK(says(office, "left out, entities of this type are not read: layer A-WALL: 1 SPLINE"));
+  CHECK(says(office, "left out, entities of this type are not read: layer A-WALL: 1 REGION"));
   for (const MapFeature& feature : office.map->features())
     if (office.map->objects()[static_cast<std::size_t>(feature.object)].type == "opal:Door")
       CHECK(feature.sensor.empty());
@@ -122,6 +122,54 @@ TEST_CASE("bulges are arcs, and two half circles are a circle") {
       CHECK(std::min(off, std::abs((chord.midpoint() - Point(4, 7)).norm() - std::sqrt(8.0))) < 0.006);
   }
   CHECK(says(plan, "curved lines that became short straight ones"));
+}
+
+TEST_CASE("ellipses are chords that are near to them; a round one is a column") {
+  DxfText dxf(6);
+  dxf.ellipse("A-WALL", {0, 0}, {0, 4}, 0.5, 0, std::numbers::pi / 2);
+  dxf.ellipse("S-COLS", {9, 3}, {0.2, 0}, 1, 0, 2 * std::numbers::pi);
+  dxf.ellipse("A-WALL", {20, 0}, {4, 0}, 0.5, 0, std::numbers::pi / 2).pair(230, -1);
+  const MapImport plan = import_dxf(dxf.text());
+  for (const char* id : {"100", "102"}) {
+    const ImportedElement wall = thing(plan, id);
+    REQUIRE(wall.outline.size() > 8);
+    const bool is_below = wall.id == "102";
+    for (const Segment& chord : wall.outline) {
+      const Point p = chord.midpoint() - (is_below ? Point(20, 0) : Point(0, 0));
+      const double round = is_below ? std::hypot(p.x() / 4, p.y() / 2) : std::hypot(p.x() / 2, p.y() / 4);
+      CHECK(std::abs(round - 1) < 0.0025);
+      CHECK((is_below ? p.x() > 0 && p.y() < 0 : p.x() < 0 && p.y() > 0));
+    }
+  }
+  REQUIRE(all<Circle>(*plan.map).size() == 1);
+  CHECK(all<Circle>(*plan.map)[0].radius_m == Approx(0.2));
+}
+
+TEST_CASE("splines are chords that are near to them, rational or not; without control points they are named") {
+  DxfText dxf(6);
+  dxf.spline("A-WALL", 2, {0, 0, 0, 1, 1, 1}, {{3, 0}, {3, 3}, {0, 3}}, {1, std::sqrt(0.5), 1});  // a quarter of a circle
+  dxf.spline("A-WALL", 3, {0, 0, 0, 0, 1, 1, 1, 1}, {{10, 0}, {11, 1}, {13, 1}, {14, 0}});
+  dxf.entity("SPLINE", "A-WALL").pair(70, 1064).pair(71, 3).pair(72, 0).pair(73, 0).pair(74, 2).point(11, {0, 9}).point(11, {3, 9});
+  dxf.spline("A-WALL", 3, {0, 0, 0, 0, 0, 0, 0, 0}, {{10, 0}, {11, 1}, {13, 1}, {14, 0}});
+  const MapImport plan = import_dxf(dxf.text());
+  const ImportedElement arc = thing(plan, "100"), wave = thing(plan, "101");
+  REQUIRE(arc.outline.size() > 4);
+  for (const Segment& chord : arc.outline) CHECK(std::abs(chord.midpoint().norm() - 3) < 0.006);
+  double highest_m = 0;
+  for (const Segment& chord : wave.outline) highest_m = std::max(highest_m, chord.end.y());
+  CHECK(highest_m == Approx(0.75).margin(0.005));
+  CHECK(thing(plan, "102").status == ImportStatus::unreadable);
+  CHECK_THAT(thing(plan, "102").reason, Contains("no control points"));
+  CHECK_THAT(thing(plan, "103").reason, Contains("knots do not rise"));
+  CHECK_THROWS_WITH(import_dxf(DxfText(6).spline("A-WALL", 1, {0, 0, 1, 1}, {{0, 0}, {1, 0}}).pair(10, 3).text()),
+                    Contains("SPLINE: 3 times code 10, expected 2, as code 73 says") || Contains("SPLINE: 3 times code 10"));
+}
+
+TEST_CASE("a multiline is all its lines: a wall with two faces") {
+  const MapImport plan = import_dxf(DxfText(6).mline("A-WALL", {0, 0}, {5, 0}, 0.1).text());
+  CHECK(has_face(*plan.map, {5, -0.1}, {0, -0.1}));
+  CHECK(has_face(*plan.map, {0, 0.1}, {5, 0.1}));
+  CHECK(all<Segment>(*plan.map).size() == 2);
 }
 
 TEST_CASE("a hatch or a filled shape says where the wall is") {

@@ -2,33 +2,31 @@
 
 // Part of ifc_model.cpp: solids of representation items.
 
-#include "placements.hpp"
+#include "advanced_faces.hpp"
+#include "profiles.hpp"
 
 #include <ifcpp/geometry/Carve/RepresentationConverter.h>
-#include <ifcpp/IFC4/include/IfcAdvancedBrep.h>
+#include <ifcpp/IFC4/include/IfcAdvancedBrepWithVoids.h>
+#include <ifcpp/IFC4/include/IfcBlock.h>
 #include <ifcpp/IFC4/include/IfcBooleanOperand.h>
 #include <ifcpp/IFC4/include/IfcBooleanOperator.h>
-#include <ifcpp/IFC4/include/IfcCartesianPointList3D.h>
 #include <ifcpp/IFC4/include/IfcCsgSolid.h>
 #include <ifcpp/IFC4/include/IfcExtrudedAreaSolid.h>
 #include <ifcpp/IFC4/include/IfcExtrudedAreaSolidTapered.h>
-#include <ifcpp/IFC4/include/IfcFaceBound.h>
 #include <ifcpp/IFC4/include/IfcFacetedBrep.h>
 #include <ifcpp/IFC4/include/IfcFacetedBrepWithVoids.h>
 #include <ifcpp/IFC4/include/IfcHalfSpaceSolid.h>
 #include <ifcpp/IFC4/include/IfcIndexedPolygonalFace.h>
 #include <ifcpp/IFC4/include/IfcIndexedPolygonalFaceWithVoids.h>
-#include <ifcpp/IFC4/include/IfcPlane.h>
-#include <ifcpp/IFC4/include/IfcPolyLoop.h>
 #include <ifcpp/IFC4/include/IfcPolygonalBoundedHalfSpace.h>
 #include <ifcpp/IFC4/include/IfcPolygonalFaceSet.h>
-#include <ifcpp/IFC4/include/IfcPositiveInteger.h>
+#include <ifcpp/IFC4/include/IfcRevolvedAreaSolid.h>
+#include <ifcpp/IFC4/include/IfcRightCircularCylinder.h>
+#include <ifcpp/IFC4/include/IfcSweptDiskSolid.h>
 #include <ifcpp/IFC4/include/IfcTriangulatedFaceSet.h>
 
 namespace opal::ifc_importer::ifcpp {
 
-// Facets of a full circle: 0.1 % of the radius off at the middle of each.
-constexpr int kFacetsPerCircle = 72;
 // A model that repeats its parts without end must not take all memory.
 constexpr std::size_t kMaxPoints = 20'000'000;
 constexpr double kFarthest_m = 1e6;
@@ -37,8 +35,11 @@ constexpr double kPrism_m = 1000;
 
 class Bodies {
  public:
-  Bodies(const shared_ptr<UnitConverter>& units, double unit_m)
-      : unit_m_(unit_m), settings_(std::make_shared<GeometrySettings>()), converter_(settings_, units) {
+  Bodies(const shared_ptr<UnitConverter>& units, double unit_m, IndexedCurves indexed)
+      : unit_m_(unit_m),
+        settings_(std::make_shared<GeometrySettings>()),
+        converter_(settings_, units),
+        profiles_(converter_, Curves(unit_m, angle_rad(*units), std::move(indexed)), unit_m) {
     settings_->setNumVerticesPerCircle(kFacetsPerCircle);
     carve::setEpsilon(1.5e-05 * unit_m);
   }
@@ -48,30 +49,35 @@ class Bodies {
     if (const auto result = as<IfcBooleanResult>(item)) return of_boolean(*result, T);
     if (const auto solid = as<IfcCsgSolid>(item)) return of(solid->m_TreeRootExpression, T);
     if (const auto space = as<IfcHalfSpaceSolid>(item)) return of_half_space(*space, T);
-    if (as<IfcAdvancedBrep>(item)) throw Unreadable("IfcAdvancedBrep: curved surfaces are not cut");
     if (const auto brep = as<IfcManifoldSolidBrep>(item)) return of_brep(brep, T);
     if (const auto model = as<IfcFaceBasedSurfaceModel>(item)) return of_face_sets(model->m_FbsmFaces, T);
     if (const auto model = as<IfcShellBasedSurfaceModel>(item)) return of_face_sets(model->m_SbsmBoundary, T);
     if (const auto set = as<IfcTriangulatedFaceSet>(item)) return of_triangles(*set, T);
     if (const auto set = as<IfcPolygonalFaceSet>(item)) return of_polygons(*set, T);
-    const auto extruded = as<IfcExtrudedAreaSolid>(item);
-    if (extruded && !as<IfcExtrudedAreaSolidTapered>(item)) return of_extrusion(extruded, T);
+    if (const auto extruded = as<IfcExtrudedAreaSolid>(item)) return of_extrusion(*extruded, T);
+    if (const auto block = as<IfcBlock>(item)) return of_block(*block, T);
+    if (const auto cylinder = as<IfcRightCircularCylinder>(item)) return of_cylinder(*cylinder, T);
+    if (const auto revolved = as<IfcRevolvedAreaSolid>(item)) profiles_.straighten(revolved->m_SweptArea);
+    if (const auto pipe = as<IfcSweptDiskSolid>(item)) pipe->m_Directrix = profiles_.straightened(pipe->m_Directrix);
     return of_converted(item, T);
   }
 
   /// The points of a curve, in the building's coordinates.
   std::vector<Point3> curve(const shared_ptr<IfcCurve>& curve, const Transform3& T) {
-    std::vector<vec3> points, starts;
-    converter_.getCurveConverter()->convertIfcCurve(curve, points, starts);
-    std::vector<Point3> converted;
-    for (const vec3& p : points) converted.push_back(checked(T * Point3(p.x, p.y, p.z)));
-    return converted;
+    std::vector<Point3> points = profiles_.curves().points(curve);
+    for (Point3& p : points) p = checked(T * p);
+    return points;
   }
 
  private:
+  /// As the model assigns it; radians if it assigns none.
+  static double angle_rad(UnitConverter& units) {
+    return units.getAngularUnit() == UnitConverter::UNDEFINED ? 1 : units.getAngleInRadiantFactor();
+  }
+
   Point3 checked(const Point3& point) {
     if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kFarthest_m)
-      throw Unreadable("has a point farther than 1000 km from the origin, or none");
+      throw Unreadable("has a point farther than 1000 km from the origin (options origin_x_m, origin_y_m), or none");
     if (++points_ > kMaxPoints) throw Unreadable("is left out: the model has more than 20 million points");
     return point;
   }
@@ -102,50 +108,59 @@ class Bodies {
     const Transform3 T_prism = T * transform_of(bounded->m_Position, unit_m_);
     Body both;
     both.kind = Body::Kind::intersect;
-    both.operands = {std::move(half), prism({outline(bounded->m_PolygonalBoundary)}, T_prism, -kPrism_m * Point3::UnitZ(),
+    both.operands = {std::move(half), prism({profiles_.outline(bounded->m_PolygonalBoundary)}, T_prism, -kPrism_m * Point3::UnitZ(),
                                             2 * kPrism_m * Point3::UnitZ())};
     return both;
   }
 
-  std::vector<Point> outline(const shared_ptr<IfcCurve>& curve) {
-    std::vector<vec2> points, starts;
-    converter_.getCurveConverter()->convertIfcCurve2D(curve, points, starts);
-    std::vector<Point> loop;
-    for (const vec2& p : points) loop.emplace_back(p.x, p.y);
-    if (loop.size() > 1 && (loop.front() - loop.back()).norm() < 1e-6) loop.pop_back();
-    return loop;
+  Body of_extrusion(const IfcExtrudedAreaSolid& solid, const Transform3& T) {
+    const double depth_m = unit_m_ * number_of(solid.m_Depth, "depth");
+    if (depth_m <= 0) throw Unreadable("an extrusion of no depth");
+    const Point3 way = depth_m * direction_of(solid.m_ExtrudedDirection, Point3::UnitZ());
+    const Transform3 T_solid = T * transform_of(solid.m_Position, unit_m_);
+    const Loops loops = profiles_.loops(solid.m_SweptArea);
+    const auto* tapered = dynamic_cast<const IfcExtrudedAreaSolidTapered*>(&solid);
+    if (!tapered) return prism(loops, T_solid, Point3::Zero(), way);
+    return frustum(loops, profiles_.loops(tapered->m_EndSweptArea), T_solid, Point3::Zero(), way);
   }
 
-  Body of_extrusion(const shared_ptr<IfcExtrudedAreaSolid>& solid, const Transform3& T) {
-    if (!solid->m_SweptArea) throw Unreadable("an extrusion without profile");
-    const auto profile = converter_.getProfileCache()->getProfileConverter(solid->m_SweptArea);
-    std::vector<std::vector<Point>> loops;
-    for (const std::vector<vec2>& path : profile->getCoordinates()) {
-      loops.emplace_back();
-      for (const vec2& p : path) loops.back().emplace_back(p.x, p.y);
-    }
-    if (loops.empty()) throw Unreadable(std::string("a profile of the kind ") + solid->m_SweptArea->className() + " without outline");
-    const double depth_m = unit_m_ * number_of(solid->m_Depth, "depth");
-    if (depth_m <= 0) throw Unreadable("an extrusion of no depth");
-    return prism(loops, T * transform_of(solid->m_Position, unit_m_), Point3::Zero(),
-                 depth_m * direction_of(solid->m_ExtrudedDirection, Point3::UnitZ()));
+  Body of_block(const IfcBlock& block, const Transform3& T) {
+    const double x = unit_m_ * number_of(block.m_XLength, "length"), y = unit_m_ * number_of(block.m_YLength, "length"),
+                 z = unit_m_ * number_of(block.m_ZLength, "length");
+    return prism({{{0, 0}, {x, 0}, {x, y}, {0, y}}}, T * transform_of(block.m_Position, unit_m_), Point3::Zero(), z * Point3::UnitZ());
+  }
+
+  Body of_cylinder(const IfcRightCircularCylinder& cylinder, const Transform3& T) {
+    const double radius_m = unit_m_ * number_of(cylinder.m_Radius, "radius"), height_m = unit_m_ * number_of(cylinder.m_Height, "height");
+    if (!(radius_m > 0)) throw Unreadable("a cylinder without radius");
+    std::vector<Point> rim = arc_points({Point::Zero(), radius_m}, 0, 2 * std::numbers::pi, kChordShare * radius_m);
+    rim.pop_back();
+    return prism({std::move(rim)}, T * transform_of(cylinder.m_Position, unit_m_), Point3::Zero(), height_m * Point3::UnitZ());
   }
 
   /// From `base` along `way`, both in the profile's frame.
-  Body prism(const std::vector<std::vector<Point>>& loops, const Transform3& T, const Point3& base, const Point3& way) {
+  Body prism(const Loops& loops, const Transform3& T, const Point3& base, const Point3& way) {
+    return frustum(loops, loops, T, base, way);
+  }
+
+  /// From one profile to another, corner to corner.
+  Body frustum(const Loops& lower, const Loops& upper, const Transform3& T, const Point3& base, const Point3& way) {
     Shell shell;
     FaceLoops bottom, top;
-    for (const std::vector<Point>& loop : loops) {
-      if (loop.size() < 3) continue;
+    if (lower.size() != upper.size()) throw Unreadable("a tapered extrusion between profiles that do not match");
+    for (std::size_t loop = 0; loop < lower.size(); ++loop) {
+      const std::size_t corners = lower[loop].size();
+      if (corners != upper[loop].size()) throw Unreadable("a tapered extrusion between profiles that do not match");
+      if (corners < 3) continue;
       bottom.emplace_back();
       top.emplace_back();
-      for (const Point& p : loop) {
-        const Point3 low = base + Point3(p.x(), p.y(), 0);
-        bottom.back().push_back(checked(T * low));
-        top.back().push_back(checked(T * Point3(low + way)));
+      for (std::size_t k = 0; k < corners; ++k) {
+        const Point &low = lower[loop][k], &high = upper[loop][k];
+        bottom.back().push_back(checked(T * Point3(base + Point3(low.x(), low.y(), 0))));
+        top.back().push_back(checked(T * Point3(base + way + Point3(high.x(), high.y(), 0))));
       }
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const std::size_t next = (k + 1) % loop.size();
+      for (std::size_t k = 0; k < corners; ++k) {
+        const std::size_t next = (k + 1) % corners;
         shell.push_back({{bottom.back()[k], bottom.back()[next], top.back()[next], top.back()[k]}});
       }
     }
@@ -159,14 +174,11 @@ class Bodies {
     Shell shell;
     for (const auto& face : faces) {
       if (!face) continue;
-      FaceLoops loops;
-      for (const auto& bound : face->m_Bounds) {
-        const auto loop = bound ? as<IfcPolyLoop>(bound->m_Bound) : nullptr;
-        if (!loop) throw Unreadable("a face that is not bounded by straight lines");
-        loops.emplace_back();
-        for (const auto& point : loop->m_Polygon) loops.back().push_back(checked(T * point_of(point, unit_m_)));
+      for (FaceLoops& facet : AdvancedFaces(profiles_.curves(), unit_m_).facets(*face)) {
+        for (auto& loop : facet)
+          for (Point3& p : loop) p = checked(T * p);
+        shell.push_back(std::move(facet));
       }
-      shell.push_back(std::move(loops));
     }
     return shell;
   }
@@ -174,11 +186,12 @@ class Bodies {
   Body of_brep(const shared_ptr<IfcManifoldSolidBrep>& brep, const Transform3& T) {
     if (!brep->m_Outer) throw Unreadable("a brep without outer shell");
     Body outer{Body::Kind::shells, {shell_of(brep->m_Outer->m_CfsFaces, T)}};
-    const auto with_voids = as<IfcFacetedBrepWithVoids>(brep);
-    if (!with_voids) return outer;
+    const auto faceted = as<IfcFacetedBrepWithVoids>(brep);
+    const auto advanced = as<IfcAdvancedBrepWithVoids>(brep);
+    if (!faceted && !advanced) return outer;
     Body body;
     body.kind = Body::Kind::subtract;
-    body.operands = {std::move(outer), of_face_sets(with_voids->m_Voids, T)};
+    body.operands = {std::move(outer), of_face_sets(faceted ? faceted->m_Voids : advanced->m_Voids, T)};
     return body;
   }
 
@@ -198,6 +211,13 @@ class Bodies {
     return points;
   }
 
+  /// The points as the faces number them: some lists are numbered anew.
+  template <class Set>
+  std::vector<Point3> numbered_points(const Set& set, const Transform3& T) {
+    const std::vector<Point3> points = listed_points(set, T);
+    return set.m_PnIndex.empty() ? points : picked(points, set.m_PnIndex);
+  }
+
   template <class Indices>
   static std::vector<Point3> picked(const std::vector<Point3>& points, const Indices& indices) {
     std::vector<Point3> loop;
@@ -210,14 +230,14 @@ class Bodies {
   }
 
   Body of_triangles(const IfcTriangulatedFaceSet& set, const Transform3& T) {
-    const std::vector<Point3> points = listed_points(set, T);
+    const std::vector<Point3> points = numbered_points(set, T);
     Shell shell;
     for (const auto& triangle : set.m_CoordIndex) shell.push_back({picked(points, triangle)});
     return {Body::Kind::shells, {std::move(shell)}};
   }
 
   Body of_polygons(const IfcPolygonalFaceSet& set, const Transform3& T) {
-    const std::vector<Point3> points = listed_points(set, T);
+    const std::vector<Point3> points = numbered_points(set, T);
     Shell shell;
     for (const auto& face : set.m_Faces) {
       if (!face) continue;
@@ -260,6 +280,7 @@ class Bodies {
   double unit_m_;
   shared_ptr<GeometrySettings> settings_;
   RepresentationConverter converter_;
+  Profiles profiles_;
   std::size_t points_ = 0;
 };
 

@@ -47,7 +47,8 @@ inline std::string in_lower_case(std::string text) {
 
 class Elements {
  public:
-  Elements(Bodies& bodies, double unit_m) : bodies_(bodies), placements_(unit_m), unit_m_(unit_m) {}
+  Elements(Bodies& bodies, double unit_m, const Point& origin_m)
+      : bodies_(bodies), placements_(unit_m, origin_m), unit_m_(unit_m) {}
 
   Element read(const IfcElement& element) {
     Element read;

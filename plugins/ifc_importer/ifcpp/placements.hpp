@@ -107,11 +107,12 @@ inline AxisLine meeting_of(const shared_ptr<IfcVirtualGridIntersection>& meeting
 
 class Placements {
  public:
-  explicit Placements(double unit_m) : unit_m_(unit_m) {}
+  /// @param origin_m  what lies here in the model is at (0, 0) in the map.
+  Placements(double unit_m, const Point& origin_m) : unit_m_(unit_m) { T_map_model_.translation() << -origin_m, 0; }
 
-  /// T_building_object.
+  /// T_map_object.
   Transform3 of(const shared_ptr<IfcObjectPlacement>& placement) const {
-    if (!placement) return Transform3::Identity();
+    if (!placement) return T_map_model_;
     if (const auto local = as<IfcLocalPlacement>(placement))
       return of(local->m_PlacementRelTo) * transform_of(local->m_RelativePlacement, unit_m_);
     if (const auto grid = as<IfcGridPlacement>(placement)) return on_grid(*grid);
@@ -137,6 +138,7 @@ class Placements {
   }
 
   double unit_m_;
+  Transform3 T_map_model_ = Transform3::Identity();
 };
 
 }  // namespace opal::ifc_importer::ifcpp

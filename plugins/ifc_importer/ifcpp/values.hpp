@@ -12,6 +12,7 @@
 #include <ifcpp/IFC4/include/IfcReal.h>
 
 #include <cmath>
+#include <cwctype>
 #include <stdexcept>
 
 namespace opal::ifc_importer::ifcpp {
@@ -33,9 +34,27 @@ inline void append_utf8(std::string& text, char32_t c) {
   for (int k = tails - 1; k >= 0; --k) text += static_cast<char>(0x80 | (c >> (6 * k) & 0x3F));
 }
 
+/// The library leaves "\X4\0001F600", and doubled apostrophes, as they are.
+inline std::wstring decoded(const std::wstring& encoded) {
+  std::wstring text;
+  for (std::size_t at = 0; at < encoded.size(); ++at) {
+    const bool is_apostrophe = encoded.compare(at, 2, L"''") == 0;
+    const bool is_code = encoded.compare(at, 4, L"\\X4\\") == 0;
+    for (std::size_t code = at + 4; is_code && code + 8 <= encoded.size(); code += 8, at = code - 1) {
+      std::size_t digits = 0;
+      for (; digits < 8 && std::iswxdigit(static_cast<wint_t>(encoded[code + digits])); ++digits) continue;
+      if (digits < 8) break;
+      text += static_cast<wchar_t>(std::stoul(encoded.substr(code, 8), nullptr, 16));
+    }
+    if (!is_code) text += encoded[at];
+    at += is_apostrophe;
+  }
+  return text;
+}
+
 inline std::string utf8(const std::wstring& wide) {
   std::string text;
-  for (const wchar_t c : wide) append_utf8(text, static_cast<char32_t>(c));
+  for (const wchar_t c : decoded(wide)) append_utf8(text, static_cast<char32_t>(c));
   return text;
 }
 

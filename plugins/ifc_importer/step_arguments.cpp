@@ -1,0 +1,74 @@
+#include "step_arguments.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <utility>
+
+namespace opal::ifc_importer {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string joined(const std::vector<std::string_view>& parts) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k) text.append(k == 0 ? "" : ",").append(parts[k]);
+  return text;
+}
+
+/// What stands in the outermost parentheses of a text; empty if it has none.
+std::string_view inside(std::string_view text) {
+  const std::size_t begin = text.find('('), end = text.rfind(')');
+  return begin == std::string_view::npos || end == std::string_view::npos || end < begin ? "" : text.substr(begin + 1, end - begin - 1);
+}
+
+}  // namespace
+
+std::vector<std::string_view> split_arguments(std::string_view arguments) {
+  std::vector<std::string_view> parts;
+  std::size_t begin = 0;
+  int depth = 0;
+  for (std::size_t at = 0; at < arguments.size(); ++at) {
+    if (arguments[at] == '\'') at = std::min(arguments.find('\'', at + 1), arguments.size() - 1);
+    depth += (arguments[at] == '(') - (arguments[at] == ')');
+    if (arguments[at] != ',' || depth != 0) continue;
+    parts.push_back(arguments.substr(begin, at - begin));
+    begin = at + 1;
+  }
+  parts.push_back(arguments.substr(begin));
+  return parts;
+}
+
+std::string arguments_of_ifc4(const StepInstance& instance) {
+  const bool is_placement = instance.type == "IFCGRIDPLACEMENT", is_list = instance.type.starts_with("IFCCARTESIANPOINTLIST"),
+             is_faces = instance.type == "IFCTRIANGULATEDFACESET";
+  if (!is_placement && !is_list && !is_faces) return std::string(instance.arguments);
+  std::vector<std::string_view> parts = split_arguments(instance.arguments);
+  if (is_placement && parts.size() == 3) parts.erase(parts.begin());
+  if (is_list && parts.size() == 2) parts.pop_back();
+  if (is_faces && parts.size() == 5 && trimmed(parts[1]).starts_with('.')) std::swap(parts[1], parts[2]);
+  return joined(parts);
+}
+
+std::vector<IndexedSegment> indexed_segments(std::string_view argument) {
+  std::vector<IndexedSegment> segments;
+  for (std::string_view part : split_arguments(inside(argument))) {
+    part = trimmed(part);
+    segments.push_back({part.starts_with("IFCARCINDEX"), {}});
+    if (!segments.back().is_arc && !part.starts_with("IFCLINEINDEX")) continue;
+    for (std::string_view number : split_arguments(inside(inside(part)))) {
+      number = trimmed(number);
+      int point = 0;
+      std::from_chars(number.data(), number.data() + number.size(), point);
+      segments.back().points.push_back(point);
+    }
+  }
+  return segments;
+}
+
+}  // namespace opal::ifc_importer
