@@ -52,6 +52,12 @@ class DriveFreely : public Node {
   double driven_m_ = 0, chosen_at_s_ = 0;
 };
 
+/// Asks localization to forget of its local map all but the pattern of the best hypothesis. Fails if there is none.
+class KeepPattern : public Node {
+ public:
+  Outcome tick(Situation& situation) override;
+};
+
 /// Drives between the first two features of the best hypothesis' pattern, to see both well (Hendrikx 2023, 4.4.2). Fails
 /// if there are none, or no way leads there.
 class DriveBetweenFeatures : public Node {

@@ -78,6 +78,12 @@ Outcome DriveFreely::tick(Situation& situation) {
   return Outcome::running;
 }
 
+Outcome KeepPattern::tick(Situation& situation) {
+  if (situation.localization.pattern().empty()) return Outcome::failure;
+  situation.keep_pattern();
+  return Outcome::success;
+}
+
 Outcome DriveBetweenFeatures::tick(Situation& situation) {
   constexpr double kArrived_m = 0.3, kLongest_s = 40, kFarthest_m = 15;
   if (!target_odom_) {

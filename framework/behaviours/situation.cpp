@@ -20,6 +20,7 @@ void Situation::look() {
   near_ = obstacles_.near(motion.reach_m());
   notice_progress();
   velocity_ = {};
+  wants_pattern_alone_ = false;
 }
 
 void Situation::notice_progress() {

@@ -44,6 +44,9 @@ class Situation {
   void turn(double radps) { velocity_ = {Point::Zero(), radps}; }
   /// Drives to a place by the best free primitive. @param target  frame odom. @return false if there is none.
   bool drive_towards(const Point& target_odom);
+  /// Wants a local map of the pattern alone (Localization::keep_pattern).
+  void keep_pattern() { wants_pattern_alone_ = true; }
+  bool wants_pattern_alone() const { return wants_pattern_alone_; }  ///< since `look`
   /// What stands around, frame base_link.
   std::vector<Point> around(double reach_m) const;
 
@@ -68,6 +71,7 @@ class Situation {
   std::vector<Obstacle> near_;  ///< what the next motion must not touch
   std::vector<Point> trail_;
   Velocity velocity_, before_;
+  bool wants_pattern_alone_ = false;
   std::vector<Impasse> impasses_;
   std::optional<Point> wanted_odom_;  ///< where some node wanted to get at the tick before
   Point moved_from_ = Point::Zero();
