@@ -35,7 +35,8 @@ class BackOff : public Node {
   double began_s_ = 0;
 };
 
-/// Drives to where there is room, straight on where it can, and rather to where it has not been yet.
+/// Drives to where there is room, straight on where it can, and rather to where it has not been yet, nor hypotheses have the
+/// building end. From where nothing is to be seen all round it goes back the way it came.
 class DriveFreely : public Node {
  public:
   /// @param distance_m  after which it succeeds; 0: never.

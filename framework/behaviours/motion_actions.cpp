@@ -36,11 +36,44 @@ void DriveFreely::halt() {
   before_.reset();
 }
 
+namespace {
+
+/// How probable it is, by what the hypotheses say, that a place is not on the building's floor.
+double probability_off_floor(const Situation& situation, const Point& p_odom) {
+  const PoseEstimate& estimate = situation.estimate();
+  if (!estimate.has_pose) return 0;
+  const Point p_base = situation.T_odom_base().inverse() * p_odom;
+  const auto is_off = [&](const Pose2& T_map_base) {
+    const auto place = situation.floor.nearest(T_map_base * p_base);
+    return !place || situation.floor.is_outside(*place);
+  };
+  double sum = is_off(estimate.T_map_base) ? estimate.probability : 0;
+  for (const PoseEstimate::Rival& rival : estimate.rivals)
+    if (is_off(rival.T_map_base)) sum += rival.probability;
+  return sum;
+}
+
+constexpr double kSomething_m = 4;  ///< where nothing is nearer, nothing is learnt
+
+/// The newest place on the way here where something was to be seen, and the robot is not.
+std::optional<Point> back_to_something(const Situation& situation, const std::vector<Point>& known_odom) {
+  constexpr double kElsewhere_m = 0.5;
+  const Point here = situation.T_odom_base().position();
+  for (auto been = situation.trail().rbegin(); been != situation.trail().rend(); ++been) {
+    const auto near = [&](const Point& p) { return (p - *been).norm() < kSomething_m; };
+    if ((*been - here).norm() > kElsewhere_m && std::any_of(known_odom.begin(), known_odom.end(), near)) return *been;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Point DriveFreely::choose(const Situation& situation) const {
   constexpr int kDirections = 36;
-  constexpr double kMost_m = 6, kVisited_m = 1.2, kSomething_m = 4;
+  constexpr double kMost_m = 6, kVisited_m = 1.2, kKnown_m = 100;
   const Pose2& T_odom_base = situation.T_odom_base();
-  const std::vector<Point> around = situation.around(kMost_m + 1);
+  const std::vector<Point> around = situation.around(kMost_m + 1), known = situation.obstacles().lately(kKnown_m);
+  bool something = false;
   Point best = T_odom_base.position();
   double most = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < kDirections; ++k) {
@@ -50,13 +83,16 @@ Point DriveFreely::choose(const Situation& situation) const {
     double score = room * (1 + 0.5 * std::cos(bearing));
     for (const Point& been : situation.trail())
       if ((been - target).norm() < kVisited_m) score -= 0.3;
-    const auto near = [&](const Point& p) { return (T_odom_base * p - target).norm() < kSomething_m; };
-    if (std::none_of(around.begin(), around.end(), near)) score -= kMost_m;  // where nothing is, nothing is learnt
+    const auto near = [&](const Point& p) { return (p - target).norm() < kSomething_m; };
+    const bool learns = std::any_of(known.begin(), known.end(), near);
+    something = something || learns;
+    score -= learns ? 0 : kMost_m;
+    score -= kMost_m * probability_off_floor(situation, target);
     if (score <= most) continue;
     most = score;
     best = target;
   }
-  return best;
+  return something ? best : back_to_something(situation, known).value_or(best);
 }
 
 Outcome DriveFreely::tick(Situation& situation) {
@@ -108,9 +144,10 @@ Outcome GoToGoal::tick(Situation& situation) {
   if (!situation.estimate().has_pose) return Outcome::failure;
   if ((situation.estimate().T_map_base.position() - situation.goal).norm() < arrived_m_) return Outcome::success;
   if (!drive_ || situation.now_s() - planned_at_s_ > kReplan_s) {
-    const auto way = situation.floor.way(situation.estimate().T_map_base.position(), situation.goal, unmapped_surcharge(situation));
+    const FloorGrid::Surcharge prices = unmapped_surcharge(situation);
+    const auto way = situation.floor.way(situation.estimate().T_map_base.position(), situation.goal, prices);
     if (!way) return Outcome::failure;
-    drive_.emplace(situation.T_map_odom().inverse(), *way);
+    drive_.emplace(situation.T_map_odom().inverse(), situation.floor.straightened(*way, prices));
     planned_at_s_ = situation.now_s();
   }
   drive_->drive(situation);

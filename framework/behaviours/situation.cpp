@@ -1,5 +1,8 @@
 #include "behaviours/situation.hpp"
 
+#include "behaviours/path.hpp"
+
+#include <opal/building_outside.hpp>
 #include <opal/error.hpp>
 
 #include <algorithm>
@@ -7,9 +10,11 @@
 namespace opal::behaviours {
 
 FloorGrid mapped_floor(const MapView& map, double radius_m) {
-  FloorGrid floor = seen_floor(map.map(), [&](const Point& p) { return map.clearance_m(p) > radius_m; });
+  const MapRaster raster = floor_raster(map.map());
+  FloorGrid floor = seen_floor(raster, [&](const Point& p) { return map.clearance_m(p) > radius_m; });
   if (floor.cells().empty())
     throw MapError(map.map().name() + ": has no floor for a robot of " + std::to_string(radius_m) + " m radius");
+  floor.close_off(outside_cells(map.map(), raster));
   return floor;
 }
 
@@ -60,6 +65,15 @@ std::vector<Point> Situation::impasses() const {
 bool Situation::drive_towards(const Point& target_odom) {
   wanted_odom_ = target_odom;
   const auto velocity = motion.towards(T_odom_base().inverse() * target_odom, near_, before_);
+  velocity_ = velocity.value_or(Velocity{});
+  return velocity.has_value();
+}
+
+bool Situation::drive_along(const std::vector<Point>& path_odom) {
+  wanted_odom_ = point_along(path_odom, motion.along_m());
+  std::vector<Point> path;
+  for (const Point& p : path_odom) path.push_back(T_odom_base().inverse() * p);
+  const auto velocity = motion.along(path, near_, before_);
   velocity_ = velocity.value_or(Velocity{});
   return velocity.has_value();
 }

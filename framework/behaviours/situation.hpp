@@ -12,7 +12,7 @@
 
 namespace opal::behaviours {
 
-/// Where the map has room for a disc. Frame: `map`.
+/// Where the map has room for a disc; no way leads out of the building (outside_cells). Frame: `map`.
 /// @throws MapError if there is no such place.
 FloorGrid mapped_floor(const MapView& map, double radius_m);
 
@@ -44,6 +44,8 @@ class Situation {
   void turn(double radps) { velocity_ = {Point::Zero(), radps}; }
   /// Drives to a place by the best free primitive. @param target  frame odom. @return false if there is none.
   bool drive_towards(const Point& target_odom);
+  /// Drives along a path from where the robot is on it. @param path_odom  not empty. @return false if there is no free primitive.
+  bool drive_along(const std::vector<Point>& path_odom);
   /// Wants a local map of the pattern alone (Localization::keep_pattern).
   void keep_pattern() { wants_pattern_alone_ = true; }
   bool wants_pattern_alone() const { return wants_pattern_alone_; }  ///< since `look`

@@ -44,18 +44,29 @@ class OPAL_EXPORT FloorGrid {
   /// Makes cells that are near to one of the points at least so dear.
   void raise(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const;
 
+  /// Makes these cells ground outside the building: no way leads there that begins inside, and one that begins there leads
+  /// inside as soon as it can.
+  /// @param outside  by cell of the grid, not 0: outside.
+  void close_off(std::vector<char> outside) { outside_ = std::move(outside); }
+  bool is_outside(const Point& p) const;
+
   /// The way from one place to another, along cell centres, that keeps its distance from what is not free where it can
   /// (A*, Hart, Nilsson and Raphael 1968); the ends are those given. Nullopt if one of them is not on the floor, or next
-  /// to it.
+  /// to it, or no way leads there.
   std::optional<std::vector<Point>> way(const Point& from, const Point& to, const Surcharge& surcharge = {}) const;
   /// The same to everywhere (Dijkstra 1959). Nullopt if `from` is not on the floor, or next to it.
   std::optional<FloorWays> ways(const Point& from, const Surcharge& surcharge = {}) const;
+  /// A way with straight lines for what they are no dearer than.
+  std::vector<Point> straightened(const std::vector<Point>& way, const Surcharge& surcharge = {}) const;
   /// Centres of the cells along the way to a cell, which it ends with.
   std::vector<Point> along(const FloorWays& ways, int cell) const;
 
  private:
   void keep_largest_part();
   void measure_clearance();
+  bool is_outside(int cell) const { return !outside_.empty() && outside_[cell]; }
+  float price(int cell, const Surcharge& surcharge) const;
+  double line_cost(const Point& from, const Point& to, const Surcharge& surcharge) const;
   FloorWays search(int start, int goal, const Surcharge& surcharge) const;
 
   Point low_;
@@ -63,6 +74,7 @@ class OPAL_EXPORT FloorGrid {
   int columns_, rows_;
   std::vector<float> clearance_m_;  ///< from the nearest cell that is not free; 0: not free
   std::vector<int> free_;           ///< cells of the largest part
+  std::vector<char> outside_;       ///< by cell; empty: none
 };
 
 /// Where somebody can be in a building, in cells of 0.1 m: from where some mapped surface is seen on its visible side, and there
