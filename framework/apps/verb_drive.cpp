@@ -5,6 +5,7 @@
 
 #include <behaviours/node_registry.hpp>
 #include <remote/remote_localization.hpp>
+#include <simulation/recording.hpp>
 
 #include <opal/deployment.hpp>
 #include <opal/error.hpp>
@@ -18,7 +19,7 @@ namespace sim = opal::simulation;
 namespace behaviours = opal::behaviours;
 
 struct DriveVerbOptions : WorldOptions {
-  std::string config, map, out = "out", behaviour, trees, localizer;
+  std::string config, map, out = "out", behaviour, trees, localizer, record;
   std::vector<double> goal, start;
   std::uint64_t seed = 1;
   int runs = 1;
@@ -68,6 +69,29 @@ class OwnLocalization : public behaviours::LocalizerQueries {
   std::unique_ptr<opal::Localizer> localizer_;
 };
 
+/// Drives one after the other, as a recording: each begins a while after the one before.
+class DriveRecording {
+ public:
+  explicit DriveRecording(const opal::LaserModel& laser) { recording_.laser = laser; }
+
+  void witness(opal::RawScan scan, const opal::Pose2& T_map_base) {
+    scan.stamp_s += begin_s_;
+    end_s_ = scan.stamp_s;
+    recording_.scans.push_back({std::move(scan), T_map_base});
+  }
+  void end_drive(std::uint64_t seed, double driven_m) {
+    constexpr double kPause_s = 10;
+    recording_.queries.push_back({"s" + std::to_string(seed), begin_s_, end_s_});
+    recording_.distances_m.push_back(driven_m);
+    begin_s_ = end_s_ + kPause_s;
+  }
+  void write(const std::string& prefix, const opal::SemanticMap& map) const { sim::write_recorded_place(recording_, map, prefix); }
+
+ private:
+  sim::Recording recording_;
+  double begin_s_ = 0, end_s_ = 0;
+};
+
 int drive(DriveVerbOptions options) {
   options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
@@ -91,6 +115,9 @@ int drive(DriveVerbOptions options) {
 
   std::filesystem::create_directories(options.out);
   DriveReport report(map, options.behaviour, options.out);
+  DriveRecording recording(deployment.laser);
+  if (!options.record.empty())
+    options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) { recording.witness(scan, T_map_base); };
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
     sim::Simulation simulation(map, options.world, seed);
@@ -98,9 +125,11 @@ int drive(DriveVerbOptions options) {
     const auto tree = behaviours::read_tree(nodes, trees, options.behaviour);
     const opal::DriveRecord record = opal::drive_to_goal(simulation, *localization, floor, *tree, task.goal, options.loop);
     report.add(task, record);
+    recording.end_drive(seed, record.driven_m);
     if (record.unanswered_scans > 0) std::cerr << "localization did not answer for " << record.unanswered_scans << " scans; the robot stood still\n";
   }
   report.write();
+  if (!options.record.empty()) recording.write(options.record, *map);
   return report.all_reached() ? 0 : 1;
 }
 
@@ -122,6 +151,7 @@ void opal::add_drive_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--runs", options->runs, "drives, with this seed and those after it")->capture_default_str()->check(CLI::Range(1, 100000));
   verb->add_option("--most", options->loop.most_s, "of each drive, before it is given up [s]")->capture_default_str();
   verb->add_option("-o,--out", options->out, "folder for summary.json and pictures")->capture_default_str();
+  verb->add_option("--record", options->record, "PREFIX of a recording of all drives, with the truth, as opal bench and opal localize take it");
   options->add_to(*verb);
   verb->add_option("--speed", options->loop.motion.speed_mps, "the fastest [m/s]")->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = drive(*options); });

@@ -10,11 +10,8 @@
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/ground_truth.hpp>
-#include <opal/map_raster.hpp>
 #include <opal/replay.hpp>
-#include <opal/text_file.hpp>
 
-#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -66,9 +63,6 @@ int simulate(SimulateOptions options) {
   const auto map = load_map(registry, options.map);
   options.furnish(registry, *map);
   const auto building = options.damage.any() ? opal::damaged_map(*map, options.damage.damage()) : map;
-  const std::string name = std::filesystem::path(options.out).filename().string();
-  if (const auto folder = std::filesystem::path(options.out).parent_path(); !folder.empty())
-    std::filesystem::create_directories(folder);
   const double start_s = process_cpu_s();
   sim::Simulation simulation(building, options.world, options.damage.seed);
   const double ready_s = process_cpu_s();
@@ -76,9 +70,7 @@ int simulate(SimulateOptions options) {
                                        ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
                                        : record_along(registry, options, *map, simulation);
   const double recorded_s = process_cpu_s();
-  sim::write_recording(recording, options.out, name);
-  opal::write_map(*map, options.out + ".map.jsonld");
-  opal::write_raster(opal::rasterized(*map), options.out + ".map.yaml");
+  sim::write_recorded_place(recording, *map, options.out);
   double driven_m = 0;
   for (double distance_m : recording.distances_m) driven_m += distance_m;
   std::printf("%.0f m2 of floor, %zu things that a beam can meet, %d people\n", simulation.floor().area_m2(),

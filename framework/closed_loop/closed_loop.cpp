@@ -54,6 +54,7 @@ class ClosedLoop {
 
   void sense() {
     const RawScan raw = simulation_.scan();
+    if (options_.witness) options_.witness(raw, simulation_.T_map_base());
     localization_.take(raw);
     if (!localization_.answers()) {
       ++record_.unanswered_scans;

@@ -3,6 +3,7 @@
 #include "behaviours/node.hpp"
 #include "simulation/simulation.hpp"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct ClosedLoopOptions {
   double tick_s = 0.1;      ///< a scan, a look at the localization, a decision
   double most_s = 900;      ///< then it is given up
   double reached_m = 0.5;   ///< the robot must really be this near to the goal
+  /// Is shown every scan, with T_map_base in truth.
+  std::function<void(const RawScan&, const Pose2&)> witness;
 };
 
 /// What became of one drive.

@@ -1,12 +1,14 @@
 #include "simulation/recording.hpp"
 
 #include <opal/error.hpp>
+#include <opal/map_raster.hpp>
+#include <opal/text_file.hpp>
 #include <opal/text_file.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <zlib.h>
-
 
 namespace opal::simulation {
 namespace {
@@ -87,6 +89,14 @@ void write_recording(const Recording& recording, const std::string& prefix, cons
   write_text(prefix + ".gt.csv", truth_of(recording));
   write_text(prefix + ".info.json", info_of(recording, name).dump(1) + '\n');
   write_text(prefix + ".queries.json", queries_of(recording, name).dump(1) + '\n');
+}
+
+void write_recorded_place(const Recording& recording, const SemanticMap& map, const std::string& prefix) {
+  const std::filesystem::path path(prefix);
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+  write_recording(recording, prefix, path.filename().string());
+  write_map(map, prefix + ".map.jsonld");
+  write_raster(rasterized(map), prefix + ".map.yaml");
 }
 
 }  // namespace opal::simulation
