@@ -36,7 +36,7 @@ class BackOff : public Node {
 };
 
 /// Drives to where there is room, straight on where it can, and rather to where it has not been yet, nor hypotheses have the
-/// building end. From where nothing is to be seen all round it goes back the way it came.
+/// building end. From the open, where much of the laser meets nothing, it goes back the way it came.
 class DriveFreely : public Node {
  public:
   /// @param distance_m  after which it succeeds; 0: never.
@@ -51,6 +51,7 @@ class DriveFreely : public Node {
   std::optional<Point> target_odom_;
   std::optional<Pose2> before_;
   double driven_m_ = 0, chosen_at_s_ = 0;
+  bool was_open_ = false;
 };
 
 /// Asks localization to forget of its local map all but the pattern of the best hypothesis. Fails if there is none.

@@ -53,27 +53,31 @@ double probability_off_floor(const Situation& situation, const Point& p_odom) {
   return sum;
 }
 
-constexpr double kSomething_m = 4;  ///< where nothing is nearer, nothing is learnt
+constexpr double kOpen = 0.7, kEnclosed = 0.8;  ///< shares of beams that meet something
 
-/// The newest place on the way here where something was to be seen, and the robot is not.
-std::optional<Point> back_to_something(const Situation& situation, const std::vector<Point>& known_odom) {
-  constexpr double kElsewhere_m = 0.5;
+/// On the way back along the trail to the newest place that was enclosed, a little way ahead.
+std::optional<Point> way_back_in(const Situation& situation) {
+  constexpr double kAhead_m = 2, kElsewhere_m = 0.4;
+  const auto& trail = situation.trail();
+  const auto enclosed = std::find_if(trail.rbegin(), trail.rend(), [](const Situation::Been& been) { return been.met_share >= kEnclosed; });
+  if (enclosed == trail.rend()) return std::nullopt;
   const Point here = situation.T_odom_base().position();
-  for (auto been = situation.trail().rbegin(); been != situation.trail().rend(); ++been) {
-    const auto near = [&](const Point& p) { return (p - *been).norm() < kSomething_m; };
-    if ((*been - here).norm() > kElsewhere_m && std::any_of(known_odom.begin(), known_odom.end(), near)) return *been;
-  }
-  return std::nullopt;
+  const auto ahead = std::find_if(enclosed.base() - 1, trail.end(), [&](const Situation::Been& been) {
+    const double left_m = (been.p_odom - here).norm();
+    return left_m > kElsewhere_m && left_m < kAhead_m;
+  });
+  return ahead == trail.end() ? enclosed->p_odom : ahead->p_odom;
 }
 
 }  // namespace
 
 Point DriveFreely::choose(const Situation& situation) const {
   constexpr int kDirections = 36;
-  constexpr double kMost_m = 6, kVisited_m = 1.2, kKnown_m = 100;
+  constexpr double kMost_m = 6, kVisited_m = 1.2, kSomething_m = 4;
+  if (situation.met_share() < kOpen)
+    if (const auto back = way_back_in(situation)) return *back;
   const Pose2& T_odom_base = situation.T_odom_base();
-  const std::vector<Point> around = situation.around(kMost_m + 1), known = situation.obstacles().lately(kKnown_m);
-  bool something = false;
+  const std::vector<Point> around = situation.around(kMost_m + 1);
   Point best = T_odom_base.position();
   double most = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < kDirections; ++k) {
@@ -81,18 +85,16 @@ Point DriveFreely::choose(const Situation& situation) const {
     const double room = situation.motion.room_m(bearing, around, kMost_m);
     const Point target = T_odom_base * Point(0.8 * room * unit_vector(bearing));
     double score = room * (1 + 0.5 * std::cos(bearing));
-    for (const Point& been : situation.trail())
-      if ((been - target).norm() < kVisited_m) score -= 0.3;
-    const auto near = [&](const Point& p) { return (p - target).norm() < kSomething_m; };
-    const bool learns = std::any_of(known.begin(), known.end(), near);
-    something = something || learns;
-    score -= learns ? 0 : kMost_m;
+    for (const Situation::Been& been : situation.trail())
+      if ((been.p_odom - target).norm() < kVisited_m) score -= 0.3;
+    const auto near = [&](const Point& p) { return (T_odom_base * p - target).norm() < kSomething_m; };
+    if (std::none_of(around.begin(), around.end(), near)) score -= kMost_m;  // where nothing is, nothing is learnt
     score -= kMost_m * probability_off_floor(situation, target);
     if (score <= most) continue;
     most = score;
     best = target;
   }
-  return something ? best : back_to_something(situation, known).value_or(best);
+  return best;
 }
 
 Outcome DriveFreely::tick(Situation& situation) {
@@ -106,6 +108,9 @@ Outcome DriveFreely::tick(Situation& situation) {
     return Outcome::success;
   }
   const bool stale = situation.now_s() - chosen_at_s_ > kLongest_s;
+  const bool open = situation.met_share() < kOpen;
+  if (open && !was_open_) target_odom_.reset();
+  was_open_ = open;
   if (!target_odom_ || stale || (*target_odom_ - now.position()).norm() < kArrived_m) {
     target_odom_ = choose(situation);
     chosen_at_s_ = situation.now_s();

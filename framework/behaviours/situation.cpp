@@ -28,10 +28,16 @@ void Situation::look() {
   wants_pattern_alone_ = false;
 }
 
+double Situation::met_share() const {
+  const Scan& scan = localization.newest_scan();
+  const std::size_t all = scan.points.size() + scan.free_bearings_rad.size();
+  return all == 0 ? 0 : static_cast<double>(scan.points.size()) / static_cast<double>(all);
+}
+
 void Situation::notice_progress() {
   constexpr double kSpacing_m = 0.3, kProgress_m = 0.2;
   const Point& here = T_odom_base().position();
-  if (trail_.empty() || (trail_.back() - here).norm() > kSpacing_m) trail_.push_back(here);
+  if (trail_.empty() || (trail_.back().p_odom - here).norm() > kSpacing_m) trail_.push_back({here, met_share()});
   if (!wanted_odom_ || (here - moved_from_).norm() > kProgress_m) {
     moved_from_ = here;
     moved_at_s_ = now_s();

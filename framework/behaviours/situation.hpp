@@ -37,7 +37,13 @@ class Situation {
   /// From the best hypothesis; only if estimate().has_pose.
   Pose2 T_map_odom() const { return estimate_.T_map_base * T_odom_base().inverse(); }
   const SeenObstacles& obstacles() const { return obstacles_; }
-  const std::vector<Point>& trail() const { return trail_; }  ///< where the robot has been, every 0.3 m, frame odom
+  /// Where the robot has been, and what share of its beams met something there.
+  struct Been {
+    Point p_odom;
+    double met_share;
+  };
+  const std::vector<Been>& trail() const { return trail_; }  ///< every 0.3 m
+  double met_share() const;                                  ///< of the newest scan's beams
 
   /// What the robot shall do until the next tick; stand still unless a node says otherwise.
   const Velocity& velocity() const { return velocity_; }
@@ -71,7 +77,7 @@ class Situation {
   PoseEstimate estimate_;
   SeenObstacles obstacles_;
   std::vector<Obstacle> near_;  ///< what the next motion must not touch
-  std::vector<Point> trail_;
+  std::vector<Been> trail_;
   Velocity velocity_, before_;
   bool wants_pattern_alone_ = false;
   std::vector<Impasse> impasses_;
