@@ -28,7 +28,7 @@ using Queue = std::priority_queue<Open, std::vector<Open>, std::greater<Open>>;
 
 }  // namespace
 
-FloorGrid::FloorGrid(const Point& low, double cell_m, int columns, int rows, std::vector<char> free)
+FloorGrid::FloorGrid(const Point& low, double cell_m, int columns, int rows, std::vector<char> free, Parts parts)
     : low_(low), cell_m_(cell_m), columns_(columns), rows_(rows), clearance_m_(free.size(), 0.f) {
   const auto at_border = [&](int cell) {
     const int column = cell % columns_, row = cell / columns_;
@@ -36,7 +36,7 @@ FloorGrid::FloorGrid(const Point& low, double cell_m, int columns, int rows, std
   };
   for (int cell = 0; cell < columns_ * rows_; ++cell)
     if (free[cell] && !at_border(cell)) clearance_m_[cell] = 1;
-  keep_largest_part();
+  keep_parts(parts);
   measure_clearance();
 }
 
@@ -50,7 +50,8 @@ Point FloorGrid::center_of(int cell) const {
   return low_ + cell_m_ * Point(cell % columns_ + 0.5, cell / columns_ + 0.5);
 }
 
-void FloorGrid::keep_largest_part() {
+void FloorGrid::keep_parts(Parts parts) {
+  constexpr double kLeast_m2 = 1;
   std::vector<char> seen(clearance_m_.size(), 0);
   for (int start = 0; start < columns_ * rows_; ++start) {
     if (seen[start] || clearance_m_[start] == 0) continue;
@@ -63,7 +64,9 @@ void FloorGrid::keep_largest_part() {
         seen[next] = 1;
         part.push_back(next);
       }
-    if (part.size() > free_.size()) free_ = std::move(part);
+    const double part_m2 = cell_m_ * cell_m_ * static_cast<double>(part.size());
+    if (parts == Parts::largest && part.size() > free_.size()) free_ = std::move(part);
+    if (parts == Parts::all && part_m2 >= kLeast_m2) free_.insert(free_.end(), part.begin(), part.end());
   }
   std::fill(clearance_m_.begin(), clearance_m_.end(), 0.f);
   for (int cell : free_) clearance_m_[cell] = 1;
@@ -234,13 +237,13 @@ MapRaster floor_raster(const SemanticMap& map) {
   return rasterized(map, options);
 }
 
-FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room) {
+FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room, FloorGrid::Parts parts) {
   std::vector<char> free(raster.cells.size(), 0);
   for (int cell = 0; cell < raster.columns * raster.rows; ++cell) {
     const Point center = raster.origin + raster.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
     free[cell] = raster.cells[cell] == MapRaster::Cell::free && has_room(center);
   }
-  return {raster.origin, raster.resolution_m, raster.columns, raster.rows, std::move(free)};
+  return {raster.origin, raster.resolution_m, raster.columns, raster.rows, std::move(free), parts};
 }
 
 FloorGrid seen_floor(const SemanticMap& map, const std::function<bool(const Point&)>& has_room) {

@@ -60,6 +60,16 @@ TEST_CASE("no way leads out of the building, and one from outside leads in") {
   CHECK(floor.way(outside, inside));
 }
 
+TEST_CASE("two flats of one building are both floor, and no way leads from one to the other") {
+  std::vector<Segment> faces = room_of({{0, 0}, {4, 0}, {4, 3}, {0, 3}});
+  for (const Segment& face : room_of({{5, 0}, {9, 0}, {9, 4}, {5, 4}})) faces.push_back(face);
+  const MapView map(map_of(faces), "PlanarLidar2D");
+  const FloorGrid floor = mapped_floor(map, 0.25);
+  CHECK(floor.way({1, 1}, {3, 2}));
+  CHECK(floor.way({6, 1}, {8, 3}));
+  CHECK_FALSE(floor.way({1, 1}, {8, 3}));
+}
+
 TEST_CASE("a way is made straight where nothing is in between, and not through walls") {
   const MapView map(map_of(room_of({{0, 0}, {8, 0}, {8, 6}, {4.2, 6}, {4.2, 2}, {3.8, 2}, {3.8, 6}, {0, 6}})), "PlanarLidar2D");
   const FloorGrid floor = mapped_floor(map, 0.25);
