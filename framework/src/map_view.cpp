@@ -88,6 +88,23 @@ struct Ray {
   double min_penetration_m;
 };
 
+// A walk along a ray goes as far as the distance in the grid allows, and looks for surfaces where it allows less than
+// a step. The numbers of each step are looked up: a walk is a chain of steps each of which waits for the one before.
+constexpr double kStep_m = 0.09;       // just below a cell
+constexpr double kInCell_m = 0.071;    // half a cell's diagonal: how far the grid's distance may be off
+constexpr std::uint8_t kPassable_cm = 12;  // from here on, more than kInCell_m + kStep_m / 2: no surface is in reach
+
+/// By distance [cm].
+constexpr std::array<double, 256> strides_m() {
+  std::array<double, 256> strides{};
+  for (int cm = 0; cm < 256; ++cm) {
+    const double clearance = cm == 255 ? MapView::clearance_cap_m() : 0.01 * cm;
+    strides[cm] = cm < kPassable_cm ? kStep_m : std::max(kStep_m, clearance - kInCell_m);
+  }
+  return strides;
+}
+constexpr std::array<double, 256> kStride_m = strides_m();
+
 /// Range at which the ray passes through a face by more than the margin, or -1.
 double meets_face(const Ray& ray, const Surface& face, bool& from_behind) {
   const double slope = face.normal().dot(ray.direction);
@@ -161,18 +178,15 @@ std::vector<int> MapView::within(const Point& p, double radius_m) const {
 }
 
 int MapView::nearest_facing(const Point& p, const Point& view_direction) const {
-  int best = -1;
-  double best_distance = std::numeric_limits<double>::infinity();
-  for (int number : index_->surfaces.nearest(p)) {
-    if (number < 0 || number == best) continue;
+  const auto faces_viewer = [&](int number) {
+    if (number < 0) return false;
     const Surface& surface = index_->by_number[number];
-    if (!surface.is_circle() && surface.normal().dot(view_direction) >= 0) continue;
-    const double distance = surface.distance_m(p);
-    if (distance >= best_distance) continue;
-    best = number;
-    best_distance = distance;
-  }
-  return best;
+    return surface.is_circle() || !(surface.normal().dot(view_direction) >= 0);
+  };
+  const auto [first, second] = index_->surfaces.nearest(p);
+  if (!faces_viewer(second)) return faces_viewer(first) ? first : -1;  // mostly: a wall's faces look either way
+  if (!faces_viewer(first)) return second;
+  return surface(second).distance_m(p) >= surface(first).distance_m(p) ? first : second;
 }
 
 double MapView::clearance_m(const Point& p) const {
@@ -204,27 +218,21 @@ MapView::Crossing MapView::first_crossing(const Point& origin, const Point& targ
   const double length = way.norm();
   if (!(length > 0)) return {};
   const Ray ray{origin, way / length, length, min_penetration_m};
-  constexpr double kStep_m = 0.09;     // just below a cell
-  constexpr double kInCell_m = 0.071;  // half a cell's diagonal: how far the grid's distance may be off
   const SurfaceGrid& grid = index_->surfaces;
   const Point from = grid.in_cells(origin), along = ray.direction * (1 / cell_m());
   for (double range = 0; range < length;) {
-    const int cm = grid.distance_cm_in_cells(from + range * along);
-    const double clearance = cm == 255 ? clearance_cap_m() : 0.01 * cm;
-    if (clearance > kInCell_m + kStep_m / 2) {
-      range += std::max(kStep_m, clearance - kInCell_m);
-      continue;
+    const std::uint8_t cm = grid.distance_cm_in_cells(from + range * along);
+    if (cm < kPassable_cm) {
+      for (int number : grid.nearest(origin + range * ray.direction)) {
+        if (number < 0) continue;
+        const Surface& surface = index_->by_number[number];
+        bool from_behind = false;
+        const double meets =
+            surface.is_circle() ? meets_circle(ray, surface) : meets_face(ray, surface, from_behind);
+        if (meets > 0) return {number, meets, from_behind};
+      }
     }
-    const Point p = origin + range * ray.direction;
-    for (int number : index_->surfaces.nearest(p)) {
-      if (number < 0) continue;
-      const Surface& surface = index_->by_number[number];
-      bool from_behind = false;
-      const double meets =
-          surface.is_circle() ? meets_circle(ray, surface) : meets_face(ray, surface, from_behind);
-      if (meets > 0) return {number, meets, from_behind};
-    }
-    range += kStep_m;
+    range += kStride_m[cm];
   }
   return {};
 }

@@ -1,6 +1,8 @@
 #include <opal/pattern_index.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -102,12 +104,15 @@ struct PatternIndex::Tree {
     return search(query, 2 * node + 1, from, middle, visit) && search(query, 2 * node + 2, middle, to, visit);
   }
 
+  /// Compares all dimensions: which of them rules a pattern out is nothing that a processor could guess.
   bool contains(const std::vector<Interval>& query, std::size_t at) const {
+    bool inside = true;
     for (std::size_t d = 0; d < dimensions; ++d) {
       const float value = values[at * dimensions + d];
-      if (value < query[d].low || value > query[d].high) return false;
+      inside &= !(value < query[d].low);
+      inside &= !(value > query[d].high);
     }
-    return true;
+    return inside;
   }
 };
 
@@ -126,6 +131,22 @@ std::vector<Interval> query_of(const PatternInstance& observed) {
   return query;
 }
 
+/// Different numbers below `end`, sorted. Many of them are sorted sooner by marking them.
+std::vector<int> increasing(std::vector<int> numbers, std::size_t end) {
+  constexpr std::size_t kBits = 64;
+  std::vector<std::uint64_t> marks(numbers.size() * kBits < end ? 0 : end / kBits + 1);
+  if (marks.empty()) {
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+  for (int number : numbers) marks[number / kBits] |= std::uint64_t{1} << number % kBits;
+  auto next = numbers.begin();
+  for (std::size_t k = 0; k < marks.size(); ++k)
+    for (std::uint64_t left = marks[k]; left != 0; left &= left - 1)
+      *next++ = static_cast<int>(k * kBits) + std::countr_zero(left);
+  return numbers;
+}
+
 }  // namespace
 
 std::size_t PatternIndex::count(const PatternInstance& observed, std::size_t limit) const {
@@ -142,8 +163,7 @@ std::vector<int> PatternIndex::find(const PatternInstance& observed) const {
     return true;
   };
   tree_->search(query_of(observed), add);
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
+  return increasing(std::move(numbers), patterns_.size());
 }
 
 }  // namespace opal

@@ -29,22 +29,35 @@ TellingPoints::TellingPoints(const PatternInstance& observed, std::span<const Po
   turned_.reserve(points_.size());
 }
 
-void TellingPoints::turn_to(double heading_rad) {
-  turn_ = Pose2(0, 0, heading_rad);
-  turned_.clear();
-  for (std::size_t k = 0; k < kFirst; ++k) turned_.push_back(turn_.rotate(points_[k]));
+TellingPoints::First TellingPoints::first() const {
+  First first;
+  std::copy_n(points_.begin(), kFirst, first.begin());
+  return first;
 }
 
-float TellingPoints::coarse_nearness(const MapView& map, const Point& position, float bar) const {
-  const std::span<const Point> first = std::span(turned_).first(kFirst);
-  const float half = map.coarse_nearness_sum(first.first(kFirst / 2), position);
-  if (half + static_cast<float>(kFirst / 2) < bar * static_cast<float>(kFirst)) return 0;
-  return (half + map.coarse_nearness_sum(first.subspan(kFirst / 2), position)) / static_cast<float>(kFirst);
+void TellingPoints::turn_to(double heading_rad) {
+  const Pose2 turn(0, 0, heading_rad);
+  turned_.clear();
+  for (const Point& point : points_) turned_.push_back(turn.rotate(point));
 }
 
 float TellingPoints::nearness(const MapView& map, const Point& position, double slack_m) {
-  while (turned_.size() < points_.size()) turned_.push_back(turn_.rotate(points_[turned_.size()]));
   return map.nearness_sum(turned_, position, slack_m) / static_cast<float>(turned_.size());
+}
+
+TellingPoints::First turned(const TellingPoints::First& points, const Pose2& turn) {
+  TellingPoints::First turned;
+  for (std::size_t k = 0; k < points.size(); ++k) turned[k] = turn.rotate(points[k]);
+  return turned;
+}
+
+float coarse_nearness(const TellingPoints::First& points, const MapView& map, const Point& position, float bar) {
+  constexpr std::size_t kHalf = TellingPoints::kFirst / 2;
+  constexpr float kAll = TellingPoints::kFirst;
+  const std::span<const Point> all(points);
+  const float half = map.coarse_nearness_sum(all.first(kHalf), position);
+  if (half + static_cast<float>(kHalf) < bar * kAll) return 0;
+  return (half + map.coarse_nearness_sum(all.subspan(kHalf), position)) / kAll;
 }
 
 }  // namespace opal

@@ -36,17 +36,24 @@ class TellingPoints {
   /// Fewer tell nothing.
   bool enough() const { return points_.size() >= 2 * kFirst; }
 
+  /// The first few, as they lie about the robot.
+  static constexpr std::size_t kFirst = 10;
+  using First = std::array<Point, kFirst>;
+  First first() const;
+
   /// From here on the robot has this heading.
   void turn_to(double heading_rad);
-  /// Mean nearness to the map of the first few points, in large cells; 0 as soon as it is sure to be less than `bar`.
-  float coarse_nearness(const MapView& map, const Point& position, float bar) const;
   /// Mean nearness of all points. @param slack_m  as MapView::nearness_sum.
   float nearness(const MapView& map, const Point& position, double slack_m = 0);
 
  private:
-  static constexpr std::size_t kFirst = 10;
-  std::vector<Point> points_, turned_;  ///< the first turned_.size() are turned
-  Pose2 turn_;
+  std::vector<Point> points_, turned_;
 };
+
+/// As they lie in axes that are turned.
+TellingPoints::First turned(const TellingPoints::First& points, const Pose2& turn);
+
+/// Mean nearness to the map in large cells, the robot being at `position`; 0 as soon as it is sure to be less than `bar`.
+float coarse_nearness(const TellingPoints::First& points, const MapView& map, const Point& position, float bar);
 
 }  // namespace opal

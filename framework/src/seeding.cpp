@@ -13,6 +13,12 @@ namespace {
 
 bool is_loose(const PatternInstance& instance) { return instance.extent_max_m > instance.extent_min_m; }
 
+/// Fetches what a search is about to ask of a mapped pattern: in a large map, it is far away.
+void prefetch(const PatternInstance& mapped) {
+  __builtin_prefetch(&mapped.frame);
+  __builtin_prefetch(&mapped.extent_max_m);
+}
+
 /// How much of a building a feature fixes; orders features of one kind.
 double weight_of(const Feature& feature) {
   if (const auto* segment = std::get_if<Segment>(&feature.geometry))
@@ -107,40 +113,49 @@ void Seeder::keep_nearest(std::vector<Place>& places, std::size_t most) {
   places.resize(most);
 }
 
-void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
+void Seeder::slide(const PatternInstance& observed, const PatternInstance& mapped, const Point& position,
                    std::vector<Point>& positions) const {
   if (!is_loose(observed)) {
-    positions.push_back(T_map_base.position());
+    positions.push_back(position);
     return;
   }
   const double from = mapped.extent_min_m - observed.extent_min_m - observed.overhang_m;
   const double to = mapped.extent_max_m - observed.extent_max_m + observed.overhang_m;
   const Point along = unit_vector(mapped.frame.heading_rad());
   for (double u = std::min(from + options_.slide_step_m, (from + to) / 2); u <= to + 1e-9; u += 3 * options_.slide_step_m)
-    positions.push_back(T_map_base.position() + u * along);
+    positions.push_back(position + u * along);
 }
 
 bool Seeder::is_in_region(const Point& position) const {
   return !options_.region || (position - options_.region->center).norm() <= options_.region->radius_m;
 }
 
-void Seeder::look_up(const Lookup& lookup, int number, TellingPoints& points, BestShare& sieve,
+void Seeder::look_up(const Lookup& lookup, int number, const TellingPoints& points, BestShare& sieve,
                      std::vector<Place>& places) const {
   const Table& table = tables_[lookup.table];
-  std::vector<Pose2> ways{lookup.observed.frame.inverse()};  // how the observed frame may lie on the mapped one
-  if (lookup.observed.symmetric) ways.push_back(Pose2(0, 0, std::numbers::pi) * ways.front());
+  struct Way {
+    Pose2 T_frame_base;           ///< how the observed frame may lie on the mapped one
+    TellingPoints::First points;  ///< in axes of the mapped frame: a sine per mapped pattern would cost as much as the rest
+  };
+  const Pose2 T_frame_base = lookup.observed.frame.inverse(), turned_about = Pose2(0, 0, std::numbers::pi) * T_frame_base;
+  std::vector<Way> ways{{T_frame_base, turned(points.first(), T_frame_base)}};
+  if (lookup.observed.symmetric) ways.push_back({turned_about, turned(points.first(), turned_about)});
   std::vector<Point> positions;
-  for (int k : table.index.find(lookup.observed)) {
+  constexpr std::size_t kAhead = 16;
+  const std::vector<int> found = table.index.find(lookup.observed);
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    const int k = found[f];
     const PatternInstance& mapped = table.index.patterns()[k];
-    for (const Pose2& way : ways) {
-      const Pose2 pose = mapped.frame * way;
+    if (f + kAhead < found.size()) prefetch(table.index.patterns()[found[f + kAhead]]);
+    for (const Way& way : ways) {
+      const double heading_rad = wrap_angle(mapped.frame.heading_rad() + way.T_frame_base.heading_rad());
+      const TellingPoints::First on_map = turned(way.points, mapped.frame);
       positions.clear();
-      slide(lookup.observed, mapped, pose, positions);
-      points.turn_to(pose.heading_rad());
+      slide(lookup.observed, mapped, mapped.frame * way.T_frame_base.position(), positions);
       for (const Point& position : positions) {
-        const float nearness = points.coarse_nearness(*map_, position, sieve.bar());
+        const float nearness = coarse_nearness(on_map, *map_, position, sieve.bar());
         if (sieve.passes(nearness) && is_in_region(position))
-          places.push_back({position, pose.heading_rad(), nearness, number, k});
+          places.push_back({position, heading_rad, nearness, number, k});
       }
     }
   }

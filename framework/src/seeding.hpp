@@ -71,10 +71,10 @@ class Seeder {
   static void leave_out_parts(std::vector<Lookup>& chosen);
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
   /// Poses by a few points in large cells; where a pattern slides, every third one.
-  void look_up(const Lookup& lookup, int number, TellingPoints& points, BestShare& sieve,
+  void look_up(const Lookup& lookup, int number, const TellingPoints& points, BestShare& sieve,
                std::vector<Place>& places) const;
   bool is_in_region(const Point& position) const;
-  void slide(const PatternInstance& observed, const PatternInstance& mapped, const Pose2& T_map_base,
+  void slide(const PatternInstance& observed, const PatternInstance& mapped, const Point& position,
              std::vector<Point>& positions) const;
   /// Nearness by all points. @param points  of each lookup.
   void look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points, double slack_m) const;

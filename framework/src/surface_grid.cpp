@@ -29,8 +29,10 @@ SurfaceGrid::SurfaceGrid(const Point& low, const Point& high, const std::vector<
   const Point size = high - low_ + Point::Constant(kCap_m + kCell_m);
   columns_ = static_cast<int>(size.x() / (kCell_m * kSide)) + 1;
   rows_ = static_cast<int>(size.y() / (kCell_m * kSide)) + 1;
-  tile_of_.assign(static_cast<std::size_t>(columns_) * rows_, -1);
+  cells_ = Point(columns_ * kSide, rows_ * kSide);
+  tile_of_.assign(static_cast<std::size_t>(columns_) * rows_, 0);
   Painting painting;
+  add_tile(painting);
   for (const auto& [number, shape] : shapes) {
     if (const auto* segment = std::get_if<Segment>(&shape)) paint(painting, number, *segment);
     if (const auto* circle = std::get_if<Circle>(&shape)) paint(painting, number, *circle);
@@ -47,29 +49,29 @@ void SurfaceGrid::make_coarse() {
   coarse_cm_.resize(distances_cm_.size());
   for (std::size_t tile = 0; tile < coarse_cm_.size(); ++tile) {
     coarse_cm_[tile].fill(kFar_cm);
-    for (int j = 0; j < kSide; ++j)
-      for (int i = 0; i < kSide; ++i) {
+    for (unsigned j = 0; j < kSide; ++j)
+      for (unsigned i = 0; i < kSide; ++i) {
         std::uint8_t& coarse = coarse_cm_[tile][coarse_offset_of(i, j)];
         coarse = std::min(coarse, distances_cm_[tile][offset_of(i, j)]);
       }
   }
 }
 
+std::uint32_t SurfaceGrid::add_tile(Painting& painting) {
+  nearest_.push_back(std::make_unique<Nearest>());
+  for (auto& layers : *nearest_.back()) layers.fill(-1);
+  painting.layer_distance_cm.push_back(std::make_unique<Painting::LayerDistances>());
+  for (auto& distances : *painting.layer_distance_cm.back()) distances.fill(kFar_cm);
+  painting.distance_cm.push_back(std::make_unique<Distances>());
+  painting.distance_cm.back()->fill(kFar_cm);
+  return static_cast<std::uint32_t>(nearest_.size() - 1);
+}
+
 void SurfaceGrid::paint_cell(Painting& painting, int i, int j, double distance_m, int number, int first_layer,
                              int last_layer) {
-  std::int32_t& tile = tile_of_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide];
-  if (tile < 0) {
-    tile = static_cast<std::int32_t>(nearest_.size());
-    nearest_.push_back(std::make_unique<Nearest>());
-    painting.layer_distance_cm.push_back(std::make_unique<Painting::LayerDistances>());
-    painting.distance_cm.push_back(std::make_unique<Distances>());
-    painting.distance_cm.back()->fill(kFar_cm);
-    for (int layer = 0; layer < kLayers; ++layer) {
-      (*nearest_.back())[layer].fill(-1);
-      (*painting.layer_distance_cm.back())[layer].fill(kFar_cm);
-    }
-  }
-  const int offset = offset_of(i % kSide, j % kSide);
+  std::uint32_t& tile = tile_of_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide];
+  if (tile == 0) tile = add_tile(painting);
+  const unsigned offset = offset_of(i % kSide, j % kSide);
   const auto cm = static_cast<std::uint8_t>(std::min(100 * distance_m + 0.5, 254.0));
   std::uint8_t& least_cm = (*painting.distance_cm[tile])[offset];
   least_cm = std::min(least_cm, cm);
@@ -78,7 +80,7 @@ void SurfaceGrid::paint_cell(Painting& painting, int i, int j, double distance_m
     std::uint8_t& layer_cm = (*painting.layer_distance_cm[tile])[layer][offset];
     if (cm >= layer_cm) continue;
     layer_cm = cm;
-    (*nearest_[tile])[layer][offset] = number;
+    (*nearest_[tile])[offset][layer] = number;
   }
 }
 

@@ -26,6 +26,8 @@ bool are_apart(const Pose2& a, const Pose2& b) {
 struct Steps {
   int count;
   double size;
+
+  int all() const { return 2 * count + 1; }
 };
 
 Steps steps_over(double extent, double finest, int most) {
@@ -37,16 +39,14 @@ class Search {
  public:
   Search(const ReferenceGrid& grid, std::span<const Point> scan, const Pose2& guess, const Eigen::Vector3d& sigma,
          double sigmas)
-      : grid_(grid), scan_(scan), guess_(guess), sigma_(sigma), columns_(scan.size()), rows_(scan.size()) {
+      : grid_(grid),
+        scan_(scan),
+        guess_(guess),
+        sigma_(sigma),
+        x_(steps_over(sigmas * sigma.x(), grid.cell_m(), kMostSteps)),
+        y_(steps_over(sigmas * sigma.y(), grid.cell_m(), kMostSteps)) {
     const Steps headings = steps_over(sigmas * sigma.z(), kHeadingStep_rad, kMostHeadingSteps);
-    const double finest = grid.cell_m();
-    const Steps x = steps_over(sigmas * sigma.x(), finest, kMostSteps);
-    const Steps y = steps_over(sigmas * sigma.y(), finest, kMostSteps);
-    for (int k = -headings.count; k <= headings.count; ++k) {
-      turn(k * headings.size);
-      for (int j = -y.count; j <= y.count; ++j)
-        for (int i = -x.count; i <= x.count; ++i) rate(i * stride(x), j * stride(y), k * headings.size);
-    }
+    for (int k = -headings.count; k <= headings.count; ++k) rate_heading(k * headings.size);
   }
 
   std::vector<Pose2> best() const {
@@ -56,21 +56,31 @@ class Search {
   }
 
  private:
+  /// In cells.
   int stride(const Steps& steps) const { return std::max(1, static_cast<int>(std::lround(steps.size / grid_.cell_m()))); }
 
-  void turn(double by_rad) {
-    const Pose2 turned(guess_.position(), guess_.heading_rad() + by_rad);
-    for (std::size_t p = 0; p < scan_.size(); ++p) {
-      const Point moved = turned * scan_[p];
-      columns_[p] = grid_.column_of(moved.x());
-      rows_[p] = grid_.row_of(moved.y());
+  void rate_heading(double turn_rad) {
+    const int stride_x = stride(x_), stride_y = stride(y_);
+    sum_nearness(Pose2(guess_.position(), guess_.heading_rad() + turn_rad), stride_x, stride_y);
+    for (int j = 0; j < y_.all(); ++j)
+      for (int i = 0; i < x_.all(); ++i)
+        rate(sums_[j][i], (i - x_.count) * stride_x, (j - y_.count) * stride_y, turn_rad);
+  }
+
+  /// Of all points, at every shift. Point by point and row by row: where a point may lie, neighbouring shifts find
+  /// neighbouring cells.
+  void sum_nearness(const Pose2& turned, int stride_x, int stride_y) {
+    sums_ = {};
+    for (const Point& point : scan_) {
+      const Point moved = turned * point;
+      const int column = grid_.column_of(moved.x()) - x_.count * stride_x;
+      const int row = grid_.row_of(moved.y()) - y_.count * stride_y;
+      for (int j = 0; j < y_.all(); ++j)
+        grid_.add_nearness(column, row + j * stride_y, stride_x, std::span(sums_[j]).first(x_.all()));
     }
   }
 
-  void rate(int column_shift, int row_shift, double turn_rad) {
-    float near = 0;
-    for (std::size_t p = 0; p < columns_.size(); ++p)
-      near += grid_.nearness(columns_[p] + column_shift, rows_[p] + row_shift);
+  void rate(float near, int column_shift, int row_shift, double turn_rad) {
     const Point shift = grid_.cell_m() * Point(column_shift, row_shift);
     const double squared = Eigen::Vector3d(shift.x(), shift.y(), turn_rad).cwiseQuotient(sigma_).squaredNorm();
     const double rating = static_cast<double>(near) - kPriorWeight * 0.5 * squared;
@@ -92,7 +102,8 @@ class Search {
   std::span<const Point> scan_;
   const Pose2& guess_;
   const Eigen::Vector3d& sigma_;
-  std::vector<int> columns_, rows_;
+  Steps x_, y_;
+  std::array<std::array<float, 2 * kMostSteps + 1>, 2 * kMostSteps + 1> sums_;  ///< nearness, by y and x
   Candidate best_, second_;
 };
 

@@ -1,6 +1,7 @@
 #include "reference_grid.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace opal::point_to_line {
 namespace {
@@ -43,6 +44,8 @@ bool has_near_neighbour(std::span<const Point> points, std::size_t i) {
          (i + 1 < points.size() && (points[i + 1] - points[i]).squaredNorm() < kNear_m * kNear_m);
 }
 
+double squared(double value) { return value * value; }
+
 }  // namespace
 
 ReferenceGrid::ReferenceGrid(std::span<const Point> reference) {
@@ -63,14 +66,16 @@ void ReferenceGrid::lay_out(std::span<const Point> reference) {
   origin_ = low - Point::Constant(kReach_m);
   columns_ = static_cast<int>(size.x() / cell_m_) + 1;
   rows_ = static_cast<int>(size.y() / cell_m_) + 1;
-  cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  surfel_of_.assign(cells, kNone);
+  nearness_.assign(cells, 0);
 }
 
 /// One surfel per occupied cell. Scans seen from either side of a wall have opposite normals: they are turned alike.
 void ReferenceGrid::gather(std::span<const Point> reference) {
   for (std::size_t i = 0; i < reference.size(); ++i) {
     const Point& p = reference[i];
-    std::uint32_t& index = cell(column_of(p.x()), row_of(p.y())).surfel;
+    std::uint32_t& index = surfel_of_[cell(column_of(p.x()), row_of(p.y()))];
     if (index == kNone) {
       index = static_cast<std::uint32_t>(surfels_.size());
       surfels_.emplace_back();
@@ -90,18 +95,37 @@ void ReferenceGrid::gather(std::span<const Point> reference) {
 }
 
 void ReferenceGrid::spread(std::uint32_t index) {
+  constexpr int kMostReach = static_cast<int>(kReach_m / kFinestCell_m) + 1;
   const Point& mean = surfels_[index].mean;
   const int reach = static_cast<int>(kReach_m / cell_m_) + 1;
   const int column = column_of(mean.x()), row = row_of(mean.y());
+  const int first = std::max(0, column - reach), count = std::min(columns_ - 1, column + reach) - first + 1;
+  std::array<double, 2 * kMostReach + 1> across;  // squared, by column
+  for (int c = 0; c < count; ++c) across[c] = squared(origin_.x() + cell_m_ * (first + c + 0.5) - mean.x());
   for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r) {
-    for (int c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c) {
-      const Point middle = origin_ + cell_m_ * Point(c + 0.5, r + 0.5);
-      const double squared = (middle - mean).squaredNorm() / (kReach_m * kReach_m);
-      Cell& near = cell(c, r);
-      if (squared >= 1 || 1 - squared <= near.nearness) continue;
-      near = {index, static_cast<float>(1 - squared)};
+    const double along = squared(origin_.y() + cell_m_ * (r + 0.5) - mean.y());
+    float* nearness = &nearness_[cell(first, r)];
+    std::uint32_t* surfel = &surfel_of_[cell(first, r)];
+    for (int c = 0; c < count; ++c) {
+      // No branch: which cells are nearer is nothing that a processor could guess.
+      const double near = 1 - (across[c] + along) / (kReach_m * kReach_m);
+      const bool nearer = near > nearness[c];
+      nearness[c] = nearer ? static_cast<float>(near) : nearness[c];
+      surfel[c] = nearer ? index : surfel[c];
     }
   }
+}
+
+void ReferenceGrid::add_nearness(int column, int row, int step, std::span<float> sums) const {
+  if (row < 0 || row >= rows_) return;
+  const int count = static_cast<int>(sums.size());
+  if (step == 1 && column >= 0 && column + count <= columns_) {  // nearly always; the compiler adds four at a time
+    const float* from = &nearness_[cell(column, row)];
+    for (int k = 0; k < count; ++k) sums[k] += from[k];
+    return;
+  }
+  for (int k = 0; k < count; ++k)
+    if (const int c = column + k * step; c >= 0 && c < columns_) sums[k] += nearness_[cell(c, row)];
 }
 
 }  // namespace opal::point_to_line

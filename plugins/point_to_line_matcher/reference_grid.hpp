@@ -30,33 +30,24 @@ class ReferenceGrid {
 
   /// The surfel nearest to the middle of the cell that holds `point`; null farther than kReach_m from all.
   const Surfel* nearest(const Point& point) const {
-    const Cell* cell = at(column_of(point.x()), row_of(point.y()));
-    return cell && cell->surfel != kNone ? &surfels_[cell->surfel] : nullptr;
+    const int column = column_of(point.x()), row = row_of(point.y());
+    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return nullptr;
+    const std::uint32_t surfel = surfel_of_[cell(column, row)];
+    return surfel != kNone ? &surfels_[surfel] : nullptr;
   }
 
   int column_of(double x) const { return static_cast<int>(std::floor((x - origin_.x()) / cell_m_)); }
   int row_of(double y) const { return static_cast<int>(std::floor((y - origin_.y()) / cell_m_)); }
 
-  /// How near the reference is to that cell: 1 on it, 0 from kReach_m on.
-  float nearness(int column, int row) const {
-    const Cell* cell = at(column, row);
-    return cell ? cell->nearness : 0;
-  }
+  /// Adds to sums[k] how near the reference is to the cell at column + k * step of a row: 1 on it, 0 from kReach_m on.
+  void add_nearness(int column, int row, int step, std::span<float> sums) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
-  struct Cell {
-    std::uint32_t surfel = kNone;
-    float nearness = 0;
-  };
 
-  const Cell* at(int column, int row) const {
-    const bool inside = column >= 0 && row >= 0 && column < columns_ && row < rows_;
-    return inside ? &cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                            static_cast<std::size_t>(column)]
-                  : nullptr;
+  std::size_t cell(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
-  Cell& cell(int column, int row) { return const_cast<Cell&>(*at(column, row)); }
   void lay_out(std::span<const Point> reference);
   void gather(std::span<const Point> reference);
   void spread(std::uint32_t surfel);
@@ -65,7 +56,9 @@ class ReferenceGrid {
   double cell_m_ = 0.1;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<Cell> cells_;
+  // By cell. Apart from each other, since a search reads nothing but nearness, along rows.
+  std::vector<std::uint32_t> surfel_of_;
+  std::vector<float> nearness_;
   std::vector<Surfel> surfels_;
 };
 
