@@ -25,8 +25,8 @@ class Challenges {
         registry_(registry),
         contenders_(contenders(options.configs)),
         map_(building(registry, options.map, "atlas")) {
-    if (!options.rival.empty())
-      rivals_.push_back({options.rival, fs::path(options.rival).filename().string()});
+    for (const std::string& program : options.rivals)
+      rivals_.push_back({program, fs::path(program).stem().string()});
     if (!keeps_logs()) return;
     fs::create_directories(logs_);
     opal::write_raster(opal::rasterized(*map_), grid());

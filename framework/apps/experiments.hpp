@@ -13,7 +13,7 @@ struct ExperimentOptions {
   int seeds = 20, jobs = 2;
   double duration_s = 60, most_s = 900;
   std::string behaviour, trees;  ///< of the closed loop
-  std::string rival;
+  std::vector<std::string> rivals;
   bool logs = false;
 };
 

@@ -27,7 +27,7 @@ struct DriveVerbOptions : WorldOptions {
 };
 
 /// Draws what was not given, the same way for every behaviour.
-DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, std::uint64_t seed) {
+DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor, std::uint64_t seed) {
   constexpr double kLeast_m = 3;
   sim::Random random(seed ^ 0x9e3779b97f4a7c15u);
   if (!options.start.empty()) {
@@ -45,7 +45,8 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
     return task;
   }
   do task.goal = simulation.floor().anywhere(random);
-  while ((task.goal - task.start.position()).norm() < kLeast_m && simulation.floor().area_m2() > 40);
+  while (floor.is_outside(task.goal) ||
+         ((task.goal - task.start.position()).norm() < kLeast_m && simulation.floor().area_m2() > 40));
   return task;
 }
 
@@ -120,7 +121,7 @@ int drive(DriveVerbOptions options) {
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
     sim::Simulation simulation(map, options.world, seed);
-    const DriveTask task = task_of(options, simulation, seed);
+    const DriveTask task = task_of(options, simulation, floor, seed);
     const auto tree = behaviours::read_tree(nodes, trees, options.behaviour);
     const opal::DriveRecord record = opal::drive_to_goal(simulation, *localization, floor, *tree, task.goal, options.loop);
     report.add(task, record);

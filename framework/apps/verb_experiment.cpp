@@ -9,7 +9,7 @@ namespace {
 
 int experiment(ExperimentOptions options) {
   const bool third = options.name == "thesis3";
-  if (!third && (!options.rival.empty() || options.logs))
+  if (!third && (!options.rivals.empty() || options.logs))
     throw opal::ConfigError(
         "--rival and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
   if (options.configs.empty())
@@ -42,8 +42,8 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
   verb->add_option("--duration", options->duration_s, "thesis3: of each run [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--rival", options->rival,
-                   "thesis3: program that localizes on the same logs, one more column");
+  verb->add_option("--rival", options->rivals,
+                   "thesis3: programs that localize on the same logs, one more block each");
   verb->add_flag("--logs", options->logs,
                  "thesis3: keep what was recorded, and the map as a grid, in OUT/logs");
   verb->add_option("--most", options->most_s, "thesis4: of each drive, before it is given up [s]")

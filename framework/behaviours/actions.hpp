@@ -35,7 +35,8 @@ class BackOff : public Node {
   double began_s_ = 0;
 };
 
-/// Drives to where there is room, straight on where it can, and rather to where it has not been yet.
+/// Drives to where there is room, straight on where it can, and rather to where it has not been yet, nor hypotheses have the
+/// building end. From the open, where much of the laser meets nothing, it goes back the way it came.
 class DriveFreely : public Node {
  public:
   /// @param distance_m  after which it succeeds; 0: never.
@@ -50,6 +51,13 @@ class DriveFreely : public Node {
   std::optional<Point> target_odom_;
   std::optional<Pose2> before_;
   double driven_m_ = 0, chosen_at_s_ = 0;
+  bool was_open_ = false;
+};
+
+/// Asks localization to forget of its local map all but the pattern of the best hypothesis. Fails if there is none.
+class KeepPattern : public Node {
+ public:
+  Outcome tick(Situation& situation) override;
 };
 
 /// Drives between the first two features of the best hypothesis' pattern, to see both well (Hendrikx 2023, 4.4.2). Fails

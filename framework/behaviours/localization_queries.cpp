@@ -1,6 +1,7 @@
 #include "behaviours/localization_queries.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace opal::behaviours {
 
@@ -8,9 +9,11 @@ void LocalizerQueries::begin() {
   localizer_.reset();
   scan_ = {};
   estimate_ = {};
+  keep_pattern_ = false;
 }
 
 void LocalizerQueries::take(const RawScan& scan) {
+  if (std::exchange(keep_pattern_, false)) localizer_.keep_pattern();
   T_odom_base_ = of_three_numbers(*scan.T_odom_base);
   scan_ = make_scan(scan, laser_);
   localizer_.update(scan_, T_odom_base_);

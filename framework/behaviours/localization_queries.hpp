@@ -31,6 +31,9 @@ class Localization : public LocalizationQueries {
   virtual void begin() = 0;
   /// @param scan  as the laser gave it, with its odometry.
   virtual void take(const RawScan& scan) = 0;
+  /// Asks for a local map that holds only the pattern of the best hypothesis (Localizer::keep_pattern), before the next
+  /// scan is taken.
+  virtual void keep_pattern() = 0;
 };
 
 /// Localization in the same process.
@@ -41,6 +44,7 @@ class LocalizerQueries : public Localization {
 
   void begin() override;
   void take(const RawScan& scan) override;
+  void keep_pattern() override { keep_pattern_ = true; }
 
   PoseEstimate estimate() const override { return estimate_; }
   const Scan& newest_scan() const override { return scan_; }
@@ -55,6 +59,7 @@ class LocalizerQueries : public Localization {
   Scan scan_;
   Pose2 T_odom_base_;
   PoseEstimate estimate_;
+  bool keep_pattern_ = false;
 };
 
 /// The pose of three numbers. One that was computed has a sine and cosine of its own, which may differ in the last digit, as

@@ -1,5 +1,7 @@
 #include "behaviours/motion_primitives.hpp"
 
+#include "behaviours/path.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -57,30 +59,54 @@ bool MotionPrimitives::is_free(const MotionPrimitive& primitive, std::span<const
   return true;
 }
 
-double MotionPrimitives::cost(const MotionPrimitive& primitive, const Point& target, std::span<const Obstacle> obstacles,
-                              const Velocity& before) const {
-  constexpr double kHeading_m_per_rad = 0.3, kClearance_m = 0.25, kWanted_m = 0.35, kChange_s = 0.03;
-  const Pose2& end = primitive.footprints.back();
-  const double left_m = (target - end.position()).norm();
+/// What it costs to look away from a target, beyond what is left of the way.
+double MotionPrimitives::misdirection_m(const Pose2& end, const Point& target) const {
+  constexpr double kHeading_m_per_rad = 0.3, kThere_m = 0.2;
   const Point ahead = end.inverse() * target;
-  const double bearing = left_m > 0.2 ? std::abs(std::atan2(ahead.y(), ahead.x())) : 0;
-  const double clearance = distance_to(primitive.footprints[primitive.footprints.size() / 2].position(), obstacles, kWanted_m + options_.radius_m) - options_.radius_m;
-  return left_m + (options_.omnidirectional ? 0.3 : 1) * kHeading_m_per_rad * bearing +
-         kClearance_m * (1 - clearance / kWanted_m) + kChange_s * std::abs(primitive.velocity.turn_radps - before.turn_radps);
+  if (ahead.norm() <= kThere_m) return 0;
+  return (options_.omnidirectional ? 0.3 : 1) * kHeading_m_per_rad * std::abs(std::atan2(ahead.y(), ahead.x()));
 }
 
-std::optional<Velocity> MotionPrimitives::towards(const Point& target, std::span<const Obstacle> obstacles,
-                                                  const Velocity& before) const {
+/// The one after which least is left to do; to come near to something, and to change one's mind, costs a little.
+std::optional<Velocity> MotionPrimitives::cheapest(const Left& left_m, std::span<const Obstacle> obstacles,
+                                                   const Velocity& before) const {
+  constexpr double kClearance_m = 0.25, kWanted_m = 0.35, kChange_s = 0.03;
   const MotionPrimitive* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const MotionPrimitive& primitive : primitives_) {
-    const double price = cost(primitive, target, obstacles, before);
+    const Point& halfway = primitive.footprints[primitive.footprints.size() / 2].position();
+    const double clearance = distance_to(halfway, obstacles, kWanted_m + options_.radius_m) - options_.radius_m;
+    const double price = left_m(primitive) + kClearance_m * (1 - clearance / kWanted_m) +
+                         kChange_s * std::abs(primitive.velocity.turn_radps - before.turn_radps);
     if (price >= least || !is_free(primitive, obstacles)) continue;
     least = price;
     best = &primitive;
   }
   if (!best || (best->velocity.linear_mps.isZero() && best->velocity.turn_radps == 0)) return std::nullopt;
   return best->velocity;
+}
+
+std::optional<Velocity> MotionPrimitives::towards(const Point& target, std::span<const Obstacle> obstacles,
+                                                  const Velocity& before) const {
+  const auto left_m = [&](const MotionPrimitive& primitive) {
+    const Pose2& end = primitive.footprints.back();
+    return (target - end.position()).norm() + misdirection_m(end, target);
+  };
+  return cheapest(left_m, obstacles, before);
+}
+
+std::optional<Velocity> MotionPrimitives::along(std::span<const Point> path, std::span<const Obstacle> obstacles,
+                                                const Velocity& before) const {
+  constexpr double kEndOff = 1, kHalfwayOff = 0.5, kAhead_m = 0.5;
+  const double whole_m = std::min(length_m(path), along_m());
+  const auto left_m = [&](const MotionPrimitive& primitive) {
+    const Pose2& end = primitive.footprints.back();
+    const PlaceOnPath there = nearest_on_path(path, end.position(), 0, along_m());
+    const PlaceOnPath halfway = nearest_on_path(path, primitive.footprints[primitive.footprints.size() / 2].position(), 0, along_m());
+    return whole_m - std::min(there.along_m, whole_m) + kEndOff * there.off_m + kHalfwayOff * halfway.off_m +
+           misdirection_m(end, point_along(path, there.along_m + kAhead_m));
+  };
+  return cheapest(left_m, obstacles, before);
 }
 
 double MotionPrimitives::room_m(double bearing_rad, std::span<const Point> obstacles, double most_m) const {

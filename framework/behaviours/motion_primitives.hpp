@@ -2,6 +2,7 @@
 
 #include <opal/velocity.hpp>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,12 +51,17 @@ class MotionPrimitives {
   /// @param before  velocity so far: changing one's mind costs a little.
   /// @return nullopt if none is better than to stand still.
   std::optional<Velocity> towards(const Point& target, std::span<const Obstacle> obstacles, const Velocity& before = {}) const;
+  /// The free primitive that gets farthest along a path and stays on it; a way round a corner is as good as a straight one.
+  /// @param path  straight pieces, from where the robot is on it; not empty. What is farther than `along_m()` does not matter.
+  std::optional<Velocity> along(std::span<const Point> path, std::span<const Obstacle> obstacles, const Velocity& before = {}) const;
+  double along_m() const { return options_.speed_mps * options_.horizon_s + 0.3; }
   /// How far the robot can go straight along a bearing, at most `most_m`.
   double room_m(double bearing_rad, std::span<const Point> obstacles, double most_m) const;
 
  private:
-  double cost(const MotionPrimitive& primitive, const Point& target, std::span<const Obstacle> obstacles,
-              const Velocity& before) const;
+  using Left = std::function<double(const MotionPrimitive&)>;
+  std::optional<Velocity> cheapest(const Left& left_m, std::span<const Obstacle> obstacles, const Velocity& before) const;
+  double misdirection_m(const Pose2& end, const Point& target) const;
 
   MotionOptions options_;
   std::vector<MotionPrimitive> primitives_;

@@ -1,5 +1,9 @@
 #include "behaviours/path_drive.hpp"
 
+#include "behaviours/path.hpp"
+
+#include <algorithm>
+
 namespace opal::behaviours {
 
 FloorGrid::Surcharge unmapped_surcharge(const Situation& situation) {
@@ -29,20 +33,13 @@ bool PathDrive::arrived(const Situation& situation, double within_m) const {
   return path_.empty() || (path_.back() - situation.T_odom_base().position()).norm() < within_m;
 }
 
-/// The target is the last point that is near, or on the straight continuation: corners must not be cut.
 void PathDrive::drive(Situation& situation) {
-  constexpr double kAhead_m = 1.0, kOff_m = 0.12;
-  const Point here = situation.T_odom_base().position();
-  for (std::size_t k = next_; k < path_.size() && k < next_ + 20; ++k)
-    if ((path_[k] - here).norm() < (path_[next_] - here).norm()) next_ = k;
-  std::size_t target = std::min(next_ + 1, path_.size() - 1);
-  for (std::size_t k = target + 1; k < path_.size() && (path_[k] - here).norm() < kAhead_m; ++k) {
-    const Point way = (path_[k] - here).normalized();
-    bool straight = true;
-    for (std::size_t j = next_; j < k && straight; ++j) straight = std::abs(cross(way, path_[j] - here)) < kOff_m;
-    if (straight || (path_[k] - here).norm() < 0.4) target = k;
-  }
-  situation.drive_towards(path_[target]);
+  constexpr double kLookAhead_m = 2;
+  const PlaceOnPath here = nearest_on_path(path_, situation.T_odom_base().position(), passed_, kLookAhead_m);
+  passed_ = here.piece;
+  std::vector<Point> left{here.position};
+  left.insert(left.end(), path_.begin() + static_cast<std::ptrdiff_t>(std::min(here.piece + 1, path_.size() - 1)), path_.end());
+  situation.drive_along(left);
 }
 
 }  // namespace opal::behaviours

@@ -8,7 +8,7 @@ namespace opal::behaviours {
 /// by the best hypothesis.
 FloorGrid::Surcharge unmapped_surcharge(const Situation& situation);
 
-/// Follows a path, frame odom, by motion primitives towards a point some way ahead on it.
+/// Follows a path, frame odom, by motion primitives.
 class PathDrive {
  public:
   explicit PathDrive(std::vector<Point> path_odom) : path_(std::move(path_odom)) {}
@@ -22,7 +22,7 @@ class PathDrive {
 
  private:
   std::vector<Point> path_;
-  std::size_t next_ = 0;  ///< nearest point of the path, not before those passed
+  std::size_t passed_ = 0;  ///< points of the path that lie behind
 };
 
 }  // namespace opal::behaviours

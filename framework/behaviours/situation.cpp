@@ -1,5 +1,8 @@
 #include "behaviours/situation.hpp"
 
+#include "behaviours/path.hpp"
+
+#include <opal/building_outside.hpp>
 #include <opal/error.hpp>
 
 #include <algorithm>
@@ -7,9 +10,11 @@
 namespace opal::behaviours {
 
 FloorGrid mapped_floor(const MapView& map, double radius_m) {
-  FloorGrid floor = seen_floor(map.map(), [&](const Point& p) { return map.clearance_m(p) > radius_m; });
+  const MapRaster raster = floor_raster(map.map());
+  FloorGrid floor = seen_floor(raster, [&](const Point& p) { return map.clearance_m(p) > radius_m; }, FloorGrid::Parts::all);
   if (floor.cells().empty())
     throw MapError(map.map().name() + ": has no floor for a robot of " + std::to_string(radius_m) + " m radius");
+  floor.close_off(outside_cells(map.map(), raster));
   return floor;
 }
 
@@ -20,12 +25,19 @@ void Situation::look() {
   near_ = obstacles_.near(motion.reach_m());
   notice_progress();
   velocity_ = {};
+  wants_pattern_alone_ = false;
+}
+
+double Situation::met_share() const {
+  const Scan& scan = localization.newest_scan();
+  const std::size_t all = scan.points.size() + scan.free_bearings_rad.size();
+  return all == 0 ? 0 : static_cast<double>(scan.points.size()) / static_cast<double>(all);
 }
 
 void Situation::notice_progress() {
   constexpr double kSpacing_m = 0.3, kProgress_m = 0.2;
   const Point& here = T_odom_base().position();
-  if (trail_.empty() || (trail_.back() - here).norm() > kSpacing_m) trail_.push_back(here);
+  if (trail_.empty() || (trail_.back().p_odom - here).norm() > kSpacing_m) trail_.push_back({here, met_share()});
   if (!wanted_odom_ || (here - moved_from_).norm() > kProgress_m) {
     moved_from_ = here;
     moved_at_s_ = now_s();
@@ -59,6 +71,15 @@ std::vector<Point> Situation::impasses() const {
 bool Situation::drive_towards(const Point& target_odom) {
   wanted_odom_ = target_odom;
   const auto velocity = motion.towards(T_odom_base().inverse() * target_odom, near_, before_);
+  velocity_ = velocity.value_or(Velocity{});
+  return velocity.has_value();
+}
+
+bool Situation::drive_along(const std::vector<Point>& path_odom) {
+  wanted_odom_ = point_along(path_odom, motion.along_m());
+  std::vector<Point> path;
+  for (const Point& p : path_odom) path.push_back(T_odom_base().inverse() * p);
+  const auto velocity = motion.along(path, near_, before_);
   velocity_ = velocity.value_or(Velocity{});
   return velocity.has_value();
 }

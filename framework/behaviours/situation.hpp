@@ -12,7 +12,7 @@
 
 namespace opal::behaviours {
 
-/// Where the map has room for a disc. Frame: `map`.
+/// Where the map has room for a disc; no way leads out of the building (outside_cells). Frame: `map`.
 /// @throws MapError if there is no such place.
 FloorGrid mapped_floor(const MapView& map, double radius_m);
 
@@ -37,13 +37,24 @@ class Situation {
   /// From the best hypothesis; only if estimate().has_pose.
   Pose2 T_map_odom() const { return estimate_.T_map_base * T_odom_base().inverse(); }
   const SeenObstacles& obstacles() const { return obstacles_; }
-  const std::vector<Point>& trail() const { return trail_; }  ///< where the robot has been, every 0.3 m, frame odom
+  /// Where the robot has been, and what share of its beams met something there.
+  struct Been {
+    Point p_odom;
+    double met_share;
+  };
+  const std::vector<Been>& trail() const { return trail_; }  ///< every 0.3 m
+  double met_share() const;                                  ///< of the newest scan's beams
 
   /// What the robot shall do until the next tick; stand still unless a node says otherwise.
   const Velocity& velocity() const { return velocity_; }
   void turn(double radps) { velocity_ = {Point::Zero(), radps}; }
   /// Drives to a place by the best free primitive. @param target  frame odom. @return false if there is none.
   bool drive_towards(const Point& target_odom);
+  /// Drives along a path from where the robot is on it. @param path_odom  not empty. @return false if there is no free primitive.
+  bool drive_along(const std::vector<Point>& path_odom);
+  /// Wants a local map of the pattern alone (Localization::keep_pattern).
+  void keep_pattern() { wants_pattern_alone_ = true; }
+  bool wants_pattern_alone() const { return wants_pattern_alone_; }  ///< since `look`
   /// What stands around, frame base_link.
   std::vector<Point> around(double reach_m) const;
 
@@ -66,8 +77,9 @@ class Situation {
   PoseEstimate estimate_;
   SeenObstacles obstacles_;
   std::vector<Obstacle> near_;  ///< what the next motion must not touch
-  std::vector<Point> trail_;
+  std::vector<Been> trail_;
   Velocity velocity_, before_;
+  bool wants_pattern_alone_ = false;
   std::vector<Impasse> impasses_;
   std::optional<Point> wanted_odom_;  ///< where some node wanted to get at the tick before
   Point moved_from_ = Point::Zero();

@@ -59,6 +59,7 @@ void add_actions(NodeRegistry& registry) {
   registry.add("opal:DriveFreely", Arity::none, [](ConfigObject& options, Children) {
     return std::make_unique<DriveFreely>(options.number("distance_m", 0, {0, 1000}));
   });
+  registry.add("opal:KeepPattern", Arity::none, [](ConfigObject&, Children) { return std::make_unique<KeepPattern>(); });
   registry.add("opal:DriveBetweenFeatures", Arity::none,
                [](ConfigObject&, Children) { return std::make_unique<DriveBetweenFeatures>(); });
   registry.add("opal:Disambiguate", Arity::none, [](ConfigObject& options, Children) {

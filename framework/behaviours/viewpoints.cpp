@@ -121,7 +121,7 @@ std::optional<Viewpoint> best_viewpoint(const MapView& map, const LaserModel& la
     best = cell;
   }
   if (best < 0) return std::nullopt;
-  return Viewpoint{floor.along(*ways, best), separation};
+  return Viewpoint{floor.straightened(floor.along(*ways, best), surcharge), separation};
 }
 
 }  // namespace opal::behaviours

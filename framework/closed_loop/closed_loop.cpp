@@ -38,9 +38,11 @@ class ClosedLoop {
   }
 
  private:
-  static behaviours::Outcome decide(behaviours::Situation& situation, behaviours::Node& tree) {
+  behaviours::Outcome decide(behaviours::Situation& situation, behaviours::Node& tree) {
     situation.look();
-    return tree.tick(situation);
+    const behaviours::Outcome outcome = tree.tick(situation);
+    if (situation.wants_pattern_alone()) localization_.keep_pattern();
+    return outcome;
   }
 
   /// Whoever waits has not been stuck.

@@ -1,9 +1,10 @@
 #include "experiments/building_share.hpp"
 
 #include "experiments/order_statistics.hpp"
+#include "statistics/cluster_bootstrap.hpp"
 
 #include <algorithm>
-#include <random>
+#include <cmath>
 
 namespace opal::experiments {
 namespace {
@@ -30,22 +31,23 @@ BuildingShare share_over(std::span<const Tally> buildings) {
 }
 
 BuildingMedian median_over(std::span<const std::vector<double>> buildings) {
-  constexpr std::size_t kSamples = 1000;
-  std::vector<double> values, medians;
-  for (const std::vector<double>& some : buildings) values.insert(values.end(), some.begin(), some.end());
+  std::vector<double> values;
+  std::vector<std::size_t> sizes;
+  for (const std::vector<double>& some : buildings) {
+    values.insert(values.end(), some.begin(), some.end());
+    sizes.push_back(some.size());
+  }
   BuildingMedian found{median(values), median_interval(values)};
   if (values.empty() || buildings.size() < 2) return found;
-  std::mt19937_64 random(1);
-  while (medians.size() < kSamples) {
-    values.clear();
-    for (std::size_t k = 0; k < buildings.size(); ++k) {
-      const std::vector<double>& some = buildings[random() % buildings.size()];
-      values.insert(values.end(), some.begin(), some.end());
-    }
-    medians.push_back(median(values));
-  }
-  std::sort(medians.begin(), medians.end());
-  found.within = {medians[kSamples / 40], medians[kSamples - 1 - kSamples / 40]};
+  const auto median_of = [&](const statistics::Weights& weights) {
+    std::vector<double> sample;
+    for (std::size_t k = 0; k < values.size(); ++k) sample.insert(sample.end(), static_cast<std::size_t>(weights[k]), values[k]);
+    return median(std::move(sample));
+  };
+  statistics::BootstrapOptions options;
+  options.samples = 1000;
+  const statistics::Interval within = statistics::percentile_interval(statistics::bootstrap(sizes, median_of, options), 0.05);
+  found.within = {within.low, within.high};
   return found;
 }
 

@@ -1,5 +1,7 @@
 #include "experiments/order_statistics.hpp"
 
+#include "statistics/effect.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,10 +9,7 @@
 namespace opal::experiments {
 
 double median(std::vector<double> values) {
-  if (values.empty()) return kNever;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return values.empty() ? kNever : statistics::median(std::move(values));
 }
 
 Interval median_interval(std::vector<double> values) {

@@ -26,6 +26,7 @@ std::optional<Answer> LocalizationDrives::take(const ScanMessage& message) {
   if (newest_s_ && message.scan.stamp_s <= *newest_s_)
     throw ConfigError("scan: /stamp_s: " + std::to_string(message.scan.stamp_s) +
                       ", expected more than that of the scan before, " + std::to_string(*newest_s_));
+  if (message.keep_pattern) queries_->keep_pattern();
   queries_->take(message.scan);
   newest_s_ = message.scan.stamp_s;
   return Answer{queries_->estimate(), queries_->pattern()};

@@ -110,10 +110,12 @@ LaserModel laser_from(const json& message) {
 json to_json(const ScanMessage& message) {
   json ranges = json::array();
   for (float range_m : message.scan.ranges_m) ranges.push_back(range_json(range_m));
-  return {{"session", message.session},
-          {"stamp_s", message.scan.stamp_s},
-          {"T_odom_base", json(pose_json(message.scan.T_odom_base.value()))},
-          {"ranges_m", std::move(ranges)}};
+  json object{{"session", message.session},
+              {"stamp_s", message.scan.stamp_s},
+              {"T_odom_base", json(pose_json(message.scan.T_odom_base.value()))},
+              {"ranges_m", std::move(ranges)}};
+  if (message.keep_pattern) object["keep_pattern"] = true;
+  return object;
 }
 
 ScanMessage scan_from(const json& message) {
@@ -123,6 +125,7 @@ ScanMessage scan_from(const json& message) {
   scan.scan.stamp_s = number_in(object, "stamp_s");
   scan.scan.T_odom_base = pose_in(object, "T_odom_base");
   scan.scan.ranges_m = ranges_in(object);
+  scan.keep_pattern = object.boolean("keep_pattern", false);
   object.expect_no_more();
   return scan;
 }

@@ -69,6 +69,7 @@ struct RemoteLocalization::Implementation {
   std::unique_ptr<const MapView> map;
   std::string session;  ///< empty: a drive must be begun
   std::string trouble;
+  bool keep_pattern = false;
   Scan scan;
   Pose2 T_odom_base;
   Answer answer;
@@ -115,14 +116,16 @@ void RemoteLocalization::Implementation::get_map() {
 void RemoteLocalization::Implementation::begin() {
   session.clear();
   answer = {};
+  keep_pattern = false;
   const json message = post("/v1/begin", to_json(laser), options.begin_s);
   session = ConfigObject(message, address).required_text("session");
 }
 
 void RemoteLocalization::Implementation::ask(const RawScan& raw) try {
   if (session.empty()) begin();
-  const json said = post("/v1/scans", to_json(ScanMessage{session, raw}), options.timeout_s);
+  const json said = post("/v1/scans", to_json(ScanMessage{session, raw, keep_pattern}), options.timeout_s);
   answer = answer_from(said);
+  keep_pattern = false;
   trouble.clear();
 } catch (const StartedAnew& error) {
   trouble = error.what();
@@ -153,6 +156,8 @@ void RemoteLocalization::take(const RawScan& raw) {
   implementation_->scan = make_scan(raw, implementation_->laser);
   implementation_->ask(raw);
 }
+
+void RemoteLocalization::keep_pattern() { implementation_->keep_pattern = true; }
 
 bool RemoteLocalization::answers() const { return implementation_->trouble.empty(); }
 const std::string& RemoteLocalization::trouble() const { return implementation_->trouble; }

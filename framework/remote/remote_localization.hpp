@@ -28,6 +28,8 @@ class RemoteLocalization : public behaviours::Localization {
   void begin() override;
   /// @throws Error if another robot has begun a drive there, or the scan was refused as such.
   void take(const RawScan& scan) override;
+  /// Is said with the next scan, and those after it until one is answered.
+  void keep_pattern() override;
 
   bool answers() const override;
   const std::string& trouble() const;  ///< empty if there is none

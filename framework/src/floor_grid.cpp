@@ -28,7 +28,7 @@ using Queue = std::priority_queue<Open, std::vector<Open>, std::greater<Open>>;
 
 }  // namespace
 
-FloorGrid::FloorGrid(const Point& low, double cell_m, int columns, int rows, std::vector<char> free)
+FloorGrid::FloorGrid(const Point& low, double cell_m, int columns, int rows, std::vector<char> free, Parts parts)
     : low_(low), cell_m_(cell_m), columns_(columns), rows_(rows), clearance_m_(free.size(), 0.f) {
   const auto at_border = [&](int cell) {
     const int column = cell % columns_, row = cell / columns_;
@@ -36,7 +36,7 @@ FloorGrid::FloorGrid(const Point& low, double cell_m, int columns, int rows, std
   };
   for (int cell = 0; cell < columns_ * rows_; ++cell)
     if (free[cell] && !at_border(cell)) clearance_m_[cell] = 1;
-  keep_largest_part();
+  keep_parts(parts);
   measure_clearance();
 }
 
@@ -50,7 +50,8 @@ Point FloorGrid::center_of(int cell) const {
   return low_ + cell_m_ * Point(cell % columns_ + 0.5, cell / columns_ + 0.5);
 }
 
-void FloorGrid::keep_largest_part() {
+void FloorGrid::keep_parts(Parts parts) {
+  constexpr double kLeast_m2 = 1;
   std::vector<char> seen(clearance_m_.size(), 0);
   for (int start = 0; start < columns_ * rows_; ++start) {
     if (seen[start] || clearance_m_[start] == 0) continue;
@@ -63,7 +64,9 @@ void FloorGrid::keep_largest_part() {
         seen[next] = 1;
         part.push_back(next);
       }
-    if (part.size() > free_.size()) free_ = std::move(part);
+    const double part_m2 = cell_m_ * cell_m_ * static_cast<double>(part.size());
+    if (parts == Parts::largest && part.size() > free_.size()) free_ = std::move(part);
+    if (parts == Parts::all && part_m2 >= kLeast_m2) free_.insert(free_.end(), part.begin(), part.end());
   }
   std::fill(clearance_m_.begin(), clearance_m_.end(), 0.f);
   for (int cell : free_) clearance_m_[cell] = 1;
@@ -132,11 +135,21 @@ void FloorGrid::raise(Surcharge& prices, std::span<const Point> points, double r
       }
 }
 
-FloorWays FloorGrid::search(int start, int goal, const Surcharge& surcharge) const {
+bool FloorGrid::is_outside(const Point& p) const {
+  const int cell = cell_at(p);
+  return cell >= 0 && is_outside(cell);
+}
+
+/// Of walking over a cell, per length.
+float FloorGrid::price(int cell, const Surcharge& surcharge) const {
   constexpr float kWanted_m = 0.4f, kPrice = 3;  // walking along a wall costs up to four times the distance
-  const auto price = [&](int cell) {
-    return 1 + kPrice * std::max(0.f, 1 - clearance_m_[cell] / kWanted_m) + (surcharge.empty() ? 0 : surcharge[cell]);
-  };
+  constexpr float kOutside = 20;
+  return 1 + kPrice * std::max(0.f, 1 - clearance_m_[cell] / kWanted_m) + (surcharge.empty() ? 0 : surcharge[cell]) +
+         (is_outside(cell) ? kOutside : 0);
+}
+
+FloorWays FloorGrid::search(int start, int goal, const Surcharge& surcharge) const {
+  const bool begins_inside = !is_outside(start);
   const auto left = [&](int cell) {
     if (goal < 0) return 0.f;
     return std::hypot(static_cast<float>(cell % columns_ - goal % columns_), static_cast<float>(cell / columns_ - goal / columns_));
@@ -152,8 +165,8 @@ FloorWays FloorGrid::search(int start, int goal, const Surcharge& surcharge) con
     if (open.cost > ways.cost[open.cell] + left(open.cell) + 1e-3f) continue;
     for (const Step& step : kSteps) {
       const int next = open.cell + step.row * columns_ + step.column;  // the border is not free
-      if (clearance_m_[next] == 0) continue;
-      const float further = ways.cost[open.cell] + step.length * price(next);
+      if (clearance_m_[next] == 0 || (begins_inside && is_outside(next))) continue;
+      const float further = ways.cost[open.cell] + step.length * price(next, surcharge);
       if (further >= ways.cost[next]) continue;
       ways.cost[next] = further;
       ways.before[next] = open.cell;
@@ -168,6 +181,7 @@ std::optional<std::vector<Point>> FloorGrid::way(const Point& from, const Point&
   if (!first || !last) return std::nullopt;
   const int start = cell_at(*first), goal = cell_at(*last);
   const FloorWays ways = search(start, goal, surcharge);
+  if (goal != start && ways.before[goal] < 0) return std::nullopt;
   std::vector<Point> way{to};
   for (int cell = ways.before[goal]; cell >= 0 && cell != start; cell = ways.before[cell]) way.push_back(center_of(cell));
   way.push_back(from);
@@ -179,6 +193,35 @@ std::optional<FloorWays> FloorGrid::ways(const Point& from, const Surcharge& sur
   const auto first = nearest(from);
   if (!first) return std::nullopt;
   return search(cell_at(*first), -1, surcharge);
+}
+
+double FloorGrid::line_cost(const Point& from, const Point& to, const Surcharge& surcharge) const {
+  const double length_m = (to - from).norm();
+  const int steps = 1 + static_cast<int>(length_m / (0.5 * cell_m_));
+  double sum = 0;
+  for (int k = 0; k < steps; ++k) {
+    const int cell = cell_at(from + (k + 0.5) / steps * (to - from));
+    if (cell < 0 || clearance_m_[cell] == 0) return std::numeric_limits<double>::infinity();
+    sum += price(cell, surcharge);
+  }
+  return length_m * sum / steps;
+}
+
+std::vector<Point> FloorGrid::straightened(const std::vector<Point>& way, const Surcharge& surcharge) const {
+  constexpr std::size_t kMost = 60;  // points that one line stands for
+  constexpr double kSame = 1.001;
+  std::vector<Point> straight;
+  for (std::size_t at = 0; at < way.size();) {
+    straight.push_back(way[at]);
+    std::size_t next = at + 1;
+    double cost = 0;
+    for (std::size_t k = at + 1; k < way.size() && k <= at + kMost; ++k) {
+      cost += line_cost(way[k - 1], way[k], surcharge);
+      if (line_cost(way[at], way[k], surcharge) <= kSame * cost) next = k;
+    }
+    at = next;
+  }
+  return straight;
 }
 
 std::vector<Point> FloorGrid::along(const FloorWays& ways, int cell) const {
@@ -194,13 +237,13 @@ MapRaster floor_raster(const SemanticMap& map) {
   return rasterized(map, options);
 }
 
-FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room) {
+FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room, FloorGrid::Parts parts) {
   std::vector<char> free(raster.cells.size(), 0);
   for (int cell = 0; cell < raster.columns * raster.rows; ++cell) {
     const Point center = raster.origin + raster.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
     free[cell] = raster.cells[cell] == MapRaster::Cell::free && has_room(center);
   }
-  return {raster.origin, raster.resolution_m, raster.columns, raster.rows, std::move(free)};
+  return {raster.origin, raster.resolution_m, raster.columns, raster.rows, std::move(free), parts};
 }
 
 FloorGrid seen_floor(const SemanticMap& map, const std::function<bool(const Point&)>& has_room) {

@@ -212,6 +212,12 @@ void LocalMap::clear() {
   *state_ = std::move(fresh);
 }
 
+void LocalMap::keep_only(const std::vector<int>& ids) {
+  std::erase_if(state_->features, [&](const LocalFeature& local) {
+    return std::find(ids.begin(), ids.end(), local.id) == ids.end();
+  });
+}
+
 const std::vector<LocalFeature>& LocalMap::features() const { return state_->features; }
 const std::deque<Keyframe>& LocalMap::keyframes() const { return state_->keyframes; }
 const Pose2& LocalMap::T_local_base() const { return state_->T_local_base; }

@@ -70,6 +70,7 @@ struct Localizer::State {
               std::size_t keep);
   void keep_best(std::vector<Candidate>& candidates, double distance_m, std::size_t keep);
   void grow();
+  std::vector<int> pattern_of_best() const;
 
   NullEventSink nobody;
   LocalizerParts parts;
@@ -328,6 +329,16 @@ void Localizer::State::grow() {
   hypotheses.grow(stable, local_map);
 }
 
+/// Local features of the first node of its branch.
+std::vector<int> Localizer::State::pattern_of_best() const {
+  const AssociationTree& tree = hypotheses.tree();
+  int node = hypotheses.alive().front().leaf;
+  while (tree.node(node).parent >= 0) node = tree.node(node).parent;
+  std::vector<int> features;
+  for (const Association& pair : tree.node(node).pairs) features.push_back(pair.local_feature);
+  return features;
+}
+
 // ---------------------------------------------------------------------------------------------- the rest
 
 Localizer::Localizer(LocalizerParts parts, EventSink* events)
@@ -349,6 +360,10 @@ void Localizer::reset() {
   s.started = false;
   s.searches_skipped = 0;
   s.journal.reset();
+}
+
+void Localizer::keep_pattern() {
+  if (!state_->hypotheses.alive().empty()) state_->local_map.keep_only(state_->pattern_of_best());
 }
 
 const LocalMap& Localizer::local_map() const { return state_->local_map; }

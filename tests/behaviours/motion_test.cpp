@@ -1,5 +1,7 @@
 #include "made_up.hpp"
 
+#include <behaviours/path.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <random>
@@ -44,6 +46,42 @@ TEST_CASE("where nothing is, the robot drives straight to what is ahead and turn
   const auto behind = motion.towards({-2, 0.3}, {});
   REQUIRE(behind);
   CHECK(behind->turn_radps > 0);
+}
+
+TEST_CASE("along a path the robot keeps its speed round a bend, stays on the path, and stops at its end") {
+  const MotionPrimitives motion;
+  const double turn = GENERATE(-1, 1);
+  std::vector<Point> path;  // a quarter of a circle of 1.5 m, and on
+  for (double angle = 0; angle < std::numbers::pi / 2; angle += 0.1)
+    path.push_back({1.5 * std::sin(angle), turn * 1.5 * (1 - std::cos(angle))});
+  path.push_back({1.5, turn * 4});
+  Pose2 robot;
+  Velocity before;
+  double driven_m = 0;
+  int steps = 0;
+  for (; steps < 100 && (robot.position() - path.back()).norm() > 0.15; ++steps) {
+    const PlaceOnPath here = nearest_on_path(path, robot.position());
+    CHECK(here.off_m < 0.15);
+    std::vector<Point> left{here.position};
+    left.insert(left.end(), path.begin() + static_cast<std::ptrdiff_t>(here.piece + 1), path.end());
+    for (Point& p : left) p = robot.inverse() * p;
+    const auto velocity = motion.along(left, {}, before);
+    REQUIRE(velocity);
+    before = *velocity;
+    robot = robot * moved(*velocity, 0.1);
+    driven_m += 0.1 * velocity->linear_mps.norm();
+  }
+  CHECK(steps < 100);
+  CHECK(driven_m / (0.1 * steps) > 0.75 * motion.options().speed_mps);
+}
+
+TEST_CASE("a robot turns on the spot to a path that leads back") {
+  const MotionPrimitives motion;
+  const std::vector<Point> path{{0, 0}, {-3, 0.2}};
+  const auto velocity = motion.along(path, {});
+  REQUIRE(velocity);
+  CHECK(velocity->turn_radps > 0.5);
+  CHECK(velocity->linear_mps.x() < 0.2);
 }
 
 TEST_CASE("a robot that is too near to something may turn and go away, but not nearer") {

@@ -182,6 +182,9 @@ TEST_CASE("what cannot be understood is answered by a sentence and changes nothi
   twisted["T_odom_base"] = {0, 0};
   CHECK_THAT(post("/v1/scans", twisted.dump()).body, Catch::Contains("3 numbers"));
   twisted = scan_message("x", 1);
+  twisted["keep_pattern"] = 2;
+  CHECK_THAT(post("/v1/scans", twisted.dump()).body, Catch::Contains("/keep_pattern"));
+  twisted = scan_message("x", 1);
   twisted["rnages"] = 1;
   CHECK_THAT(post("/v1/scans", twisted.dump()).body, Catch::Contains("unknown key"));
   CHECK(post("/v1/scans", scan_message("x", 1).dump()).status == 409);

@@ -67,14 +67,14 @@ void check_contract(Localization& localization) {
   CHECK_FALSE(localization.estimate().has_pose);
 }
 
-DriveRecord driven(Localization& localization, std::uint64_t seed) {
+DriveRecord driven(Localization& localization, std::uint64_t seed, const char* behaviour) {
   simulation::Simulation simulation(room(), world(), seed);
   const Point goal(1, 4);  // in the room: what is behind its door is not mapped
   ClosedLoopOptions options;
   options.motion.radius_m = world().robot_radius_m;
   options.most_s = 120;
   const auto tree = behaviours::read_tree(behaviours::standard_nodes(),
-                                          OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
+                                          OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
   return drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree, goal, options);
 }
 
@@ -102,10 +102,40 @@ TEST_CASE("another program answers the same to the last digit") {
   }
 }
 
+TEST_CASE("a local map is reduced to the pattern on request, wherever localization runs") {
+  Both both;
+  simulation::Simulation simulation(room(), world(), 5);
+  for (Localization* localization : {static_cast<Localization*>(&both.here), static_cast<Localization*>(&both.there)})
+    localization->begin();
+  const auto take = [&](const Velocity& velocity) {
+    const RawScan raw = simulation.scan();
+    both.here.take(raw);
+    both.there.take(raw);
+    simulation.drive(velocity, 0.2);
+  };
+  for (int k = 0; k < 30; ++k) take({{0.2, 0}, 0.8});
+  REQUIRE(both.here.estimate().has_pose);
+  const std::size_t before = both.localizer->local_map().features().size(), rested_on = both.here.pattern().size();
+  both.here.keep_pattern();
+  both.there.keep_pattern();
+  CHECK(both.localizer->local_map().features().size() == before);  // not before the next scan
+  take({});
+  CHECK(both.localizer->local_map().features().size() < before);
+  CHECK(both.here.pattern().size() < rested_on);
+  CHECK(both.here.estimate().has_pose);
+  for (int k = 0; k < 30; ++k) {
+    check_equal(both.here.estimate(), both.there.estimate());
+    CHECK(both.here.pattern().size() == both.there.pattern().size());
+    take({{0.2, 0}, 0.8});
+  }
+  CHECK(distance_m(both.here.estimate().T_map_base, simulation.T_map_base()) < 0.5);
+}
+
 TEST_CASE("a robot drives the same way whether localization is in its process or another program") {
   Both both;
   const std::uint64_t seed = GENERATE(1u, 2u);
-  const DriveRecord here = driven(both.here, seed), there = driven(both.there, seed);
+  const char* const behaviour = GENERATE("disambiguate", "inspect");
+  const DriveRecord here = driven(both.here, seed, behaviour), there = driven(both.there, seed, behaviour);
   CHECK(here.reached);
   CHECK(here.reached == there.reached);
   CHECK(here.time_s == there.time_s);

@@ -197,6 +197,24 @@ TEST_CASE("clear forgets everything but the ids") {
   CHECK(map.T_local_base().position().norm() == Approx(0).margin(1e-12));
 }
 
+TEST_CASE("what is kept alone keeps its id and its views, and what is seen again is new") {
+  LocalMap map({}, nullptr);
+  const std::vector<Feature> columns{pillar({3, 0}, 0.2), pillar({3, 3}, 0.2), pillar({0, 3}, 0.2)};
+  for (int k = 0; k < 4; ++k) see(map, Pose2(0.1 * k, 0, 0), columns);
+  map.keep_only({1, 77});
+  REQUIRE(map.features().size() == 1);
+  CHECK(map.features()[0].id == 1);
+  CHECK(map.features()[0].stable);
+  CHECK(map.keyframes().size() == 4);
+  see(map, Pose2(0.4, 0, 0), columns);
+  REQUIRE(map.features().size() == 3);
+  CHECK(map.features()[0].id == 1);
+  CHECK(map.features()[1].id == 3);
+  CHECK_FALSE(map.features()[1].stable);
+  map.keep_only({});
+  CHECK(map.features().empty());
+}
+
 TEST_CASE("features, points and odometry that are not finite are left out") {
   LocalMap map({}, nullptr);
   see(map, Pose2(), {pillar({2, 0}, 0.2)});

@@ -77,6 +77,8 @@ class OPAL_EXPORT LocalMap {
 
   /// Forgets everything; ids go on.
   void clear();
+  /// Forgets all features but these. The way here stays, with the points seen from it.
+  void keep_only(const std::vector<int>& ids);
 
   /// By increasing id. Where two features turn out to be pieces of one, the older id keeps both.
   const std::vector<LocalFeature>& features() const;

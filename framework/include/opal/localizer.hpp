@@ -97,6 +97,11 @@ class OPAL_EXPORT Localizer {
   /// Forgets hypotheses and local map: the next scan is the first one.
   void reset();
 
+  /// Reduces the local map to what the best hypothesis began with, its pattern, before the robot looks round there (Hendrikx
+  /// 2023, 4.3.5, 4.4.2). What hypotheses say of other features they forget with the next keyframe, and say anew of those seen
+  /// from then on. Nothing changes while there is no hypothesis.
+  void keep_pattern();
+
   const LocalMap& local_map() const;
   const MapView& map() const;
   /// Alive, best first.

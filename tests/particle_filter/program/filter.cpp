@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 /// MRPT's filter with another sensor model.
 class ParticleFilter::Mrpt : public mrpt::slam::CMonteCarloLocalization2D {
@@ -94,7 +95,7 @@ ParticleFilter::ParticleFilter(const mrpt::maps::COccupancyGridMap2D::Ptr& grid,
   mrpt::slam::TKLDParams& kld = filter_->options.KLD_params;
   kld.KLD_binSize_XY = options.bin_m;
   kld.KLD_binSize_PHI = options.bin_rad;
-  kld.KLD_delta = 1 - options.kld_quantile;
+  kld.KLD_delta = std::erfc(options.kld_z / std::numbers::sqrt2) / 2;
   kld.KLD_epsilon = options.kld_error;
   kld.KLD_minSampleSize = static_cast<unsigned>(options.least_particles);
   kld.KLD_maxSampleSize = static_cast<unsigned>(options.most_particles);
@@ -104,7 +105,7 @@ ParticleFilter::~ParticleFilter() = default;
 
 void ParticleFilter::update(const opal::Pose2& step) {
   mrpt::obs::CActionRobotMovement2D movement;
-  movement.poseChange = mrpt::poses::CPosePDFGaussian::Create(omni_motion(step));
+  movement.poseChange = mrpt::poses::CPosePDFGaussian::Create(omni_motion(step, options_.motion));
   mrpt::obs::CActionCollection actions;
   actions.insert(movement);
   const mrpt::obs::CSensoryFrame reading;  // the likelihood field has it

@@ -11,10 +11,12 @@
 /// Table 3.2 of Hendrikx (2023), as far as MRPT has it.
 struct FilterOptions {
   int most_particles = 50000, least_particles = 100;
-  double kld_error = 0.01, kld_quantile = 0.99;
+  double kld_error = 0.01;
+  double kld_z = 0.99;  ///< as in AMCL, where it is the quantile itself, not a probability
   double bin_m = 0.5, bin_rad = 0.17453292519943295;
   double update_m = 0.1, update_rad = 0.2;
   int resample_interval = 2;
+  OmniMotionOptions motion;
   double localized_m2 = 2;  ///< variances of x and y below this: says that it is localized
 };
 

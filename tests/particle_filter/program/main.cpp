@@ -14,6 +14,7 @@ namespace {
 
 struct Options {
   std::string map, log, laser, out;
+  std::string motion = "omni-corrected";
   std::vector<double> region;
   std::uint32_t seed = 1;
   FilterOptions filter;
@@ -84,7 +85,11 @@ int main(int argc, char** argv) {
   app.add_option("--beams", options.field.beams, "of each scan that count")
       ->capture_default_str()
       ->check(CLI::Range(2, 10000));
+  app.add_option("--motion", options.motion, "odometry model, as AMCL has them")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"omni", "omni-corrected"}));
   CLI11_PARSE(app, argc, argv);
+  options.filter.motion.variance_as_deviation = options.motion == "omni";
   try {
     run(options);
   } catch (const std::exception& error) {
