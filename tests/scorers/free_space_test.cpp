@@ -1,49 +1,12 @@
 // A robot in the middle of an empty round room of 5 m, and maps of what should stand there.
-#include <opal/plugin/plugin_registry.hpp>
-
-#include <catch2/catch.hpp>
+#include "made_up_map.hpp"
 
 using namespace opal;
 
 namespace {
 
 std::shared_ptr<const HypothesisScorer> scorer(const nlohmann::json& options = nlohmann::json::object()) {
-  static const PluginRegistry registry = [] {
-    PluginRegistry one;
-    one.load(OPAL_PLUGIN_DIR "/score_free_space.so");
-    return one;
-  }();
-  return registry.make<HypothesisScorer>("opal:FreeSpace", options);
-}
-
-struct Thing {
-  std::string type;
-  Geometry geometry;
-  double position_sigma_m = 0;
-  double existence = 1;
-};
-
-MapView map_of(const std::vector<Thing>& things) {
-  std::vector<MapObject> objects;
-  std::vector<MapFeature> features;
-  for (const Thing& thing : things) {
-    const std::string id = "thing-" + std::to_string(objects.size());
-    MapFeature feature;
-    feature.id = id + "-shape";
-    feature.object = static_cast<int>(objects.size());
-    feature.sensor = "lidar";
-    feature.geometry = thing.geometry;
-    feature.position_sigma_m = thing.position_sigma_m;
-    feature.existence = thing.existence;
-    objects.push_back({id, thing.type});
-    features.push_back(feature);
-  }
-  return {SemanticMap::make("room", objects, features), "lidar"};
-}
-
-const LocalMap& no_local_map() {
-  static const LocalMap map(LocalMapOptions{}, nullptr);
-  return map;
+  return scorer_of("score_free_space", "opal:FreeSpace", options);
 }
 
 /// @param from_rad, to_rad  where the laser sees the room's wall.
@@ -51,12 +14,6 @@ Observation seen(double radius_m = 5, double from_rad = -std::numbers::pi, doubl
   Observation observation{no_local_map(), {}, {}, 12, Point::Zero(), {}};
   for (double bearing = from_rad; bearing < to_rad; bearing += 0.05) observation.points.push_back(radius_m * unit_vector(bearing));
   return observation;
-}
-
-Hypothesis at(const Pose2& T_map_base) {
-  Hypothesis hypothesis;
-  hypothesis.T_map_local = T_map_base;
-  return hypothesis;
 }
 
 double overlap_m(const MapView& map, const Observation& observation, const nlohmann::json& options = {{"margin_m", 0.5}, {"unmatched_m", 0}}) {
