@@ -44,7 +44,7 @@ class Challenges {
     for (const Rival& rival : rivals_)
       runs.push_back(run_rival(rival, driven, prefix, grid(), static_cast<std::uint64_t>(seed)));
     if (options_.logs && rivals_.empty())
-      sim::write_recording(driven.recording, prefix, fs::path(prefix).filename().string());
+      sim::write_recording(driven.recording, prefix);
     for (ChallengeRun& run : runs) {
       run.challenge = challenge.id;
       run.seed = static_cast<std::uint64_t>(seed);

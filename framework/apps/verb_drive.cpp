@@ -29,6 +29,7 @@ struct DriveVerbOptions : WorldOptions {
 /// Draws what was not given, the same way for every behaviour.
 DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor, std::uint64_t seed) {
   constexpr double kLeast_m = 3;
+  constexpr int kMostDraws = 100000;
   sim::Random random(seed ^ 0x9e3779b97f4a7c15u);
   if (!options.start.empty()) {
     const opal::Pose2 start(options.start[0], options.start[1], options.start[2]);
@@ -44,10 +45,13 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
       throw opal::ConfigError("--goal: there is no room for the robot within 0.5 m, expected a place on the floor");
     return task;
   }
-  do task.goal = simulation.floor().anywhere(random);
-  while (floor.is_outside(task.goal) ||
-         ((task.goal - task.start.position()).norm() < kLeast_m && simulation.floor().area_m2() > 40));
-  return task;
+  const bool is_large = simulation.floor().area_m2() > 40;
+  for (int draw = 0; draw < kMostDraws; ++draw) {
+    task.goal = simulation.floor().anywhere(random);
+    const bool is_far = !is_large || (task.goal - task.start.position()).norm() >= kLeast_m;
+    if (is_far && !floor.is_outside(task.goal)) return task;
+  }
+  throw opal::ConfigError("the simulated robot's floor lies outside the building, expected --goal, and --start inside");
 }
 
 /// Another program that localizes, in the building that is driven in.
@@ -125,7 +129,7 @@ int drive(DriveVerbOptions options) {
     const auto tree = behaviours::read_tree(nodes, trees, options.behaviour);
     const opal::DriveRecord record = opal::drive_to_goal(simulation, *localization, floor, *tree, task.goal, options.loop);
     report.add(task, record);
-    recording.end_drive(seed, record.driven_m);
+    if (!options.record.empty()) recording.end_drive(seed, record.driven_m);
     if (record.unanswered_scans > 0) std::cerr << "localization did not answer for " << record.unanswered_scans << " scans; the robot stood still\n";
   }
   report.write();

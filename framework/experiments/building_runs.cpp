@@ -40,7 +40,7 @@ void keep(const BuildingRuns& in, const simulation::Challenge& challenge, int se
           const simulation::Recording& recording, const std::string& folder) {
   const std::string name = in.building.id + "_" + challenge.id + "_" + std::to_string(seed);
   const std::string prefix = (std::filesystem::path(folder) / name).string();
-  simulation::write_recording(recording, prefix, name);
+  simulation::write_recording(recording, prefix);
   write_map(*in.map, prefix + ".map.jsonld");
 }
 

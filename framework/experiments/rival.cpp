@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -112,7 +111,7 @@ ChallengeRun run_rival(const Rival& rival, const simulation::ChallengeDrive& dri
     region << driven.region->center.x() << ',' << driven.region->center.y() << ',' << driven.region->radius_m;
     command.insert(command.end(), {"--region", region.str()});
   }
-  simulation::write_recording(driven.recording, prefix, std::filesystem::path(prefix).filename().string());
+  simulation::write_recording(driven.recording, prefix);
   run_to_its_end(std::move(command));
   ChallengeRun run;
   run.contender = rival.name;

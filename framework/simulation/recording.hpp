@@ -54,8 +54,9 @@ Recording record_along(Simulation& simulation, std::span<const StampedPose> T_ma
 /// PREFIX.log.gz, .gt.csv, .info.json, .queries.json as recorded places have them; `name` stands before the ids of queries.
 /// @throws Error naming the file that cannot be written.
 void write_recording(const Recording& recording, const std::string& prefix, const std::string& name);
-/// The same beside the map, as PREFIX.map.jsonld and as a grid, PREFIX.map.yaml and .map.pgm; folders are made, and queries are
-/// named by the last part of the prefix.
+/// The same, named by the last part of the prefix.
+void write_recording(const Recording& recording, const std::string& prefix);
+/// The same beside the map, as PREFIX.map.jsonld and as a grid, PREFIX.map.yaml and .map.pgm; folders are made.
 void write_recorded_place(const Recording& recording, const SemanticMap& map, const std::string& prefix);
 
 }  // namespace opal::simulation

@@ -3,7 +3,6 @@
 #include <opal/error.hpp>
 #include <opal/map_raster.hpp>
 #include <opal/text_file.hpp>
-#include <opal/text_file.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -91,10 +90,14 @@ void write_recording(const Recording& recording, const std::string& prefix, cons
   write_text(prefix + ".queries.json", queries_of(recording, name).dump(1) + '\n');
 }
 
+void write_recording(const Recording& recording, const std::string& prefix) {
+  write_recording(recording, prefix, std::filesystem::path(prefix).filename().string());
+}
+
 void write_recorded_place(const Recording& recording, const SemanticMap& map, const std::string& prefix) {
   const std::filesystem::path path(prefix);
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-  write_recording(recording, prefix, path.filename().string());
+  write_recording(recording, prefix);
   write_map(map, prefix + ".map.jsonld");
   write_raster(rasterized(map), prefix + ".map.yaml");
 }

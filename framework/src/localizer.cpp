@@ -239,8 +239,9 @@ void Localizer::State::verify(std::vector<Candidate>& candidates, const Observat
                               std::size_t keep) {
   // Two sieves: a few beams for all candidates, all beams for those that look good.
   const Pose2 T_base_local = local_map.T_local_base().inverse();
-  const Observation few{local_map, thinned(scan.points, parts.laser.T_base_laser, 0.1, kCoarsePoints).points, {},
-                        full.range_max_m, full.laser_position, full.features};
+  Observation few{local_map, thinned(scan.points, parts.laser.T_base_laser, 0.1, kCoarsePoints).points, {},
+                  full.range_max_m, full.laser_position, full.features};
+  few.patches = local_map.patches(few.points);
   struct Sieve {
     const Observation& observation;
     double sigma_m;

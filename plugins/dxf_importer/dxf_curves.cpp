@@ -1,7 +1,6 @@
 #include "dxf_curves.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 namespace opal::dxf_importer {
@@ -9,34 +8,27 @@ namespace {
 
 constexpr int kClosedLines = 2;
 
-double value_of(const DxfPair& pair) { return std::strtod(pair.value.c_str(), nullptr); }
-
-double real_of(const DxfRecord& record, int code, double otherwise) {
-  const DxfPair* pair = record.find(code);
-  return pair == nullptr ? otherwise : value_of(*pair);
-}
-
-Point point_of(const DxfRecord& record, int code) { return {real_of(record, code, 0), real_of(record, code + 10, 0)}; }
+Point point_of(const DxfRecord& record, int code) { return {record.real(code, 0), record.real(code + 10, 0)}; }
 
 /// Seen from below, an ellipse runs the other way round.
 DxfShape ellipse_of(const DxfRecord& record) {
   DxfEllipse ellipse{point_of(record, 10), point_of(record, 11)};
-  const double side = real_of(record, 230, 1) < 0 ? -1 : 1;
-  ellipse.minor = side * real_of(record, 40, 1) * Point(-ellipse.major.y(), ellipse.major.x());
-  ellipse.from_rad = real_of(record, 41, 0);
-  const double sweep_rad = std::remainder(real_of(record, 42, 2 * std::numbers::pi) - ellipse.from_rad, 2 * std::numbers::pi);
+  const double side = record.real(230, 1) < 0 ? -1 : 1;
+  ellipse.minor = side * record.real(40, 1) * Point(-ellipse.major.y(), ellipse.major.x());
+  ellipse.from_rad = record.real(41, 0);
+  const double sweep_rad = std::remainder(record.real(42, 2 * std::numbers::pi) - ellipse.from_rad, 2 * std::numbers::pi);
   ellipse.sweep_rad = sweep_rad > 1e-9 ? sweep_rad : sweep_rad + 2 * std::numbers::pi;
   return ellipse;
 }
 
 DxfShape spline_of(const DxfRecord& record, std::string& trouble) {
   BSpline spline;
-  spline.degree = static_cast<int>(real_of(record, 71, 0));
+  spline.degree = static_cast<int>(record.real(71, 0));
   for (const DxfPair& pair : record.pairs) {
-    if (pair.code == 40) spline.knots.push_back(value_of(pair));
-    if (pair.code == 41) spline.weights.push_back(value_of(pair));
-    if (pair.code == 10) spline.control_points.emplace_back(value_of(pair), 0, 0);
-    if (pair.code == 20 && !spline.control_points.empty()) spline.control_points.back().y() = value_of(pair);
+    if (pair.code == 40) spline.knots.push_back(pair.real());
+    if (pair.code == 41) spline.weights.push_back(pair.real());
+    if (pair.code == 10) spline.control_points.emplace_back(pair.real(), 0, 0);
+    if (pair.code == 20 && !spline.control_points.empty()) spline.control_points.back().y() = pair.real();
   }
   trouble = spline.control_points.empty() ? "a spline that has points to go through only, and no control points" : fault_of(spline);
   return spline;
@@ -44,27 +36,27 @@ DxfShape spline_of(const DxfRecord& record, std::string& trouble) {
 
 /// At each vertex, each line of the style lies so far along the mitre as its first parameter says; the others are dashes.
 DxfShape lines_of(const DxfRecord& record, std::string& trouble) {
-  const auto lines = static_cast<std::size_t>(std::max(0.0, real_of(record, 73, 0)));
+  const auto lines = static_cast<std::size_t>(std::max(0.0, record.real(73, 0)));
   DxfLines all;
-  all.lines.resize(lines, {{}, (static_cast<int>(real_of(record, 71, 0)) & kClosedLines) != 0});
+  all.lines.resize(lines, {{}, (static_cast<int>(record.real(71, 0)) & kClosedLines) != 0});
   Point vertex = Point::Zero(), mitre = Point::Zero();
   std::size_t line = lines;
   bool is_first = false;
   for (const DxfPair& pair : record.pairs) {
-    if (pair.code == 11) vertex.x() = value_of(pair), line = static_cast<std::size_t>(-1);
-    if (pair.code == 21) vertex.y() = value_of(pair);
-    if (pair.code == 13) mitre.x() = value_of(pair);
-    if (pair.code == 23) mitre.y() = value_of(pair);
+    if (pair.code == 11) vertex.x() = pair.real(), line = static_cast<std::size_t>(-1);
+    if (pair.code == 21) vertex.y() = pair.real();
+    if (pair.code == 13) mitre.x() = pair.real();
+    if (pair.code == 23) mitre.y() = pair.real();
     if (pair.code == 74) ++line, is_first = true;
     if (pair.code != 41 || !is_first || line >= lines) continue;
-    all.lines[line].vertices.push_back({vertex + value_of(pair) * mitre, 0});
+    all.lines[line].vertices.push_back({vertex + pair.real() * mitre, 0});
     is_first = false;
   }
-  const auto vertices = static_cast<std::size_t>(std::max(0.0, real_of(record, 72, 0)));
+  const auto vertices = static_cast<std::size_t>(std::max(0.0, record.real(72, 0)));
   for (const DxfPath& path : all.lines)
     if (path.vertices.size() != vertices || vertices < 2) trouble = "a line of it does not go through all its vertices";
   if (all.lines.empty()) trouble = "it has no lines";
-  if (real_of(record, 230, 1) < 0) trouble = "it is drawn from below";
+  if (record.real(230, 1) < 0) trouble = "it is drawn from below";
   return all;
 }
 

@@ -98,10 +98,6 @@ void write(std::ostream& text, const DxfRecord& record) {
 }
 
 int flags_of(const DxfRecord& record) { return std::atoi(record.text(70, "0").c_str()); }
-double real_of(const DxfRecord& record, int code, double otherwise) {
-  const DxfPair* pair = record.find(code);
-  return pair == nullptr ? otherwise : std::strtod(pair->value.c_str(), nullptr);
-}
 
 /// dxflib gets each entity for itself, so that what it passes over, or stumbles over, is known by name.
 DxfShape read_shape(const std::string& path, const DxfEntityRecords& entity, std::string& trouble) {
@@ -130,8 +126,8 @@ DxfShape read_shape(const std::string& path, const DxfEntityRecords& entity, std
 
 /// Entities of planes that face down are mirrored: x of their own coordinates runs the other way.
 void apply_extrusion(const DxfRecord& record, DxfEntity& entity) {
-  const Point across(real_of(record, 210, 0), real_of(record, 220, 0));
-  const double up = real_of(record, 230, 1);
+  const Point across(record.real(210, 0), record.real(220, 0));
+  const double up = record.real(230, 1);
   if (across.norm() > 1e-6 * std::abs(up)) entity.trouble = "its plane is tilted against the plan";
   if (up >= 0 || record.type == "LINE" || is_curve(record.type)) return;
   const auto mirror = [](Point& p) { p.x() = -p.x(); };
@@ -183,7 +179,7 @@ class Reader {
       DxfBlock block;
       check_real(*begin, 10);
       check_real(*begin, 20);
-      block.base = {real_of(*begin, 10, 0), real_of(*begin, 20, 0)};
+      block.base = {begin->real(10, 0), begin->real(20, 0)};
       block.is_external = (flags_of(*begin) & kExternalBlock) != 0;
       block.entities = entities({begin + 1, end});
       if (!drawing_.blocks.emplace(name, std::move(block)).second)
@@ -193,7 +189,7 @@ class Reader {
   }
 
   void check_real(const DxfRecord& record, int code) const {
-    if (!std::isfinite(real_of(record, code, 0)) || std::abs(real_of(record, code, 0)) > 1e12)
+    if (!std::isfinite(record.real(code, 0)) || std::abs(record.real(code, 0)) > 1e12)
       fail(record.line, record.type + ": code " + std::to_string(code) + " is no number of at most 1e12");
   }
 
@@ -220,7 +216,7 @@ class Reader {
   DxfEntity read(const DxfEntityRecords& records) {
     const DxfRecord& head = records.head;
     DxfEntity entity{head.type, id_of(head), head.text(8, "0"), head.text(67) == "1", false, "", {}};
-    entity.has_width = real_of(head, 43, 0) > 0 || (head.type == "POLYLINE" && real_of(head, 40, 0) > 0);
+    entity.has_width = head.real(43, 0) > 0 || (head.type == "POLYLINE" && head.real(40, 0) > 0);
     if (!is_understood(head.type)) return entity;
     if (head.type == "POLYLINE" && (flags_of(head) & kThreeDimensionalMesh) != 0) {
       entity.trouble = "a mesh in space";

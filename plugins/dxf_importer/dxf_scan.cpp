@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -192,6 +193,8 @@ class Scanner {
 
 }  // namespace
 
+double DxfPair::real() const { return std::strtod(value.c_str(), nullptr); }
+
 const DxfPair* DxfRecord::find(int code) const {
   const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const DxfPair& pair) { return pair.code == code; });
   return found == pairs.end() ? nullptr : &*found;
@@ -200,6 +203,11 @@ const DxfPair* DxfRecord::find(int code) const {
 std::string DxfRecord::text(int code, const std::string& otherwise) const {
   const DxfPair* pair = find(code);
   return pair == nullptr ? otherwise : pair->value;
+}
+
+double DxfRecord::real(int code, double otherwise) const {
+  const DxfPair* pair = find(code);
+  return pair == nullptr ? otherwise : pair->real();
 }
 
 DxfScan scan_dxf(const std::string& path) {

@@ -12,6 +12,8 @@ struct DxfPair {
   int code = 0;
   std::string value;  ///< without spaces around it
   int line = 0;       ///< of the value, from 1
+
+  double real() const;  ///< 0 if it is no number
 };
 
 /// Everything from one code 0 to the next one: an entity, the begin of a block.
@@ -23,6 +25,7 @@ struct DxfRecord {
   /// Of the first pair with a code; nothing if there is none.
   const DxfPair* find(int code) const;
   std::string text(int code, const std::string& otherwise = "") const;
+  double real(int code, double otherwise) const;
 };
 
 struct DxfLayer {

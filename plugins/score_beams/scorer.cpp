@@ -87,7 +87,9 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   const Point eye = T_map_base * observation.laser_position;
   Tally tally;
-  const std::vector<int> patches = observation.patches.empty() ? observation.local_map.patches(observation.points) : observation.patches;
+  std::vector<int> as_now;
+  if (observation.patches.empty()) as_now = observation.local_map.patches(observation.points);
+  const std::vector<int>& patches = observation.patches.empty() ? as_now : observation.patches;
   for (std::size_t k = 0; k < observation.points.size(); ++k) judge_return(map, eye, T_map_base * observation.points[k], patches[k], tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
