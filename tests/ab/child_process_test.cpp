@@ -13,7 +13,7 @@
 #include <vector>
 
 using namespace opal::ab;
-using opal::ab_tests::TemporaryFolder;
+using opal::TemporaryFolder;
 
 namespace {
 

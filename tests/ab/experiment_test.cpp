@@ -10,7 +10,7 @@
 
 using namespace opal::ab;
 using opal::ab_tests::content_of;
-using opal::ab_tests::TemporaryFolder;
+using opal::TemporaryFolder;
 using opal::ab_tests::written;
 using nlohmann::json;
 

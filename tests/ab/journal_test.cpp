@@ -8,7 +8,7 @@
 
 using namespace opal::ab;
 using opal::ab_tests::content_of;
-using opal::ab_tests::TemporaryFolder;
+using opal::TemporaryFolder;
 
 namespace {
 

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <logs/temporary_folder.hpp>
+#include <temporary_folder.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <string>
 
 namespace opal::ab_tests {
-
-using log_tests::TemporaryFolder;
 
 /// Two scorers on the recorded demonstration.
 nlohmann::json small_experiment();

@@ -1,11 +1,11 @@
+#include "../temporary_folder.hpp"
+
 #include <experiments/challenge_report.hpp>
 #include <experiments/published.hpp>
 #include <experiments/rival.hpp>
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 using namespace opal;
@@ -45,12 +45,6 @@ simulation::Recording recording_of(int scans) {
   }
   return recording;
 }
-
-struct TemporaryFile {
-  explicit TemporaryFile(const std::string& text) { std::ofstream(path) << text; }
-  ~TemporaryFile() { std::filesystem::remove(path); }
-  std::string path = (std::filesystem::temp_directory_path() / "opal_rival_test.csv").string();
-};
 
 }  // namespace
 
@@ -93,8 +87,8 @@ TEST_CASE("what AMCL is said to have done in all is what it did in each") {
 
 TEST_CASE("a rival's answer is judged by the robot's pose, and where it says nothing it has none") {
   const TemporaryFile file(
-      "timestamp,x,y,theta,localized,hypotheses,cpu_ms\n0,0.2,0.5,0,0,50000,90\n0.4,2.2,0,0,1,200,3\n");
-  const std::vector<Moment> moments = read_rival(file.path, recording_of(3));
+      "rows.csv", "timestamp,x,y,theta,localized,hypotheses,cpu_ms\n0,0.2,0.5,0,0,50000,90\n0.4,2.2,0,0,1,200,3\n");
+  const std::vector<Moment> moments = read_rival(file.path(), recording_of(3));
   REQUIRE(moments.size() == 3);
   CHECK(moments[0].error_m() == Approx(0.5));
   CHECK(moments[0].hypotheses == 50000);
@@ -107,8 +101,8 @@ TEST_CASE("a rival's answer is judged by the robot's pose, and where it says not
 TEST_CASE("a rival's table that is none is refused by file and line") {
   const std::string header = "timestamp,x,y,theta,localized,hypotheses,cpu_ms\n";
   const auto reading = [](const std::string& text) {
-    const TemporaryFile file(text);
-    return read_rival(file.path, recording_of(1));
+    const TemporaryFile file("rows.csv", text);
+    return read_rival(file.path(), recording_of(1));
   };
   CHECK_THROWS_WITH(reading("a,b\n"), Contains("line 1") && Contains("expected timestamp"));
   CHECK_THROWS_WITH(reading(header + "0,1,2,3,1,1,1\n0.2,1,two,3,1,1,1\n"),
@@ -117,12 +111,10 @@ TEST_CASE("a rival's table that is none is refused by file and line") {
 }
 
 TEST_CASE("a rival that is not there, or fails, is named") {
-  const auto folder = std::filesystem::temp_directory_path() / "opal_rival_run_test";
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder folder;
   const simulation::ChallengeDrive driven{recording_of(1), std::nullopt};
-  CHECK_THROWS_WITH(run_rival({"/nowhere/filter", "filter"}, driven, (folder / "a").string(), "map.yaml", 1),
+  CHECK_THROWS_WITH(run_rival({"/nowhere/filter", "filter"}, driven, folder.path_of("a"), "map.yaml", 1),
                     Contains("/nowhere/filter"));
-  CHECK_THROWS_WITH(run_rival({"/bin/false", "false"}, driven, (folder / "a").string(), "map.yaml", 1),
+  CHECK_THROWS_WITH(run_rival({"/bin/false", "false"}, driven, folder.path_of("a"), "map.yaml", 1),
                     Contains("/bin/false"));
-  std::filesystem::remove_all(folder);
 }

@@ -1,3 +1,4 @@
+#include "../temporary_folder.hpp"
 #include "viewing/synthetic_run.hpp"
 
 #include <viewer/moment.hpp>
@@ -6,9 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 using namespace opal;
 using Catch::Matchers::Contains;
@@ -18,16 +17,15 @@ namespace {
 /// A run of three time lines, q0 to q2, whose updates are 0.25 s apart; q0 begins at stamp 1000, q1 at 11000.
 class WrittenRun {
  public:
-  WrittenRun() : path_(std::filesystem::temp_directory_path() / ("opal-moment-" + std::to_string(getpid()) + ".jsonl")) {
-    std::ofstream file(path_);
+  WrittenRun() {
+    std::ofstream file(path());
     JsonLinesSink events(file);
     synthetic::write_run({.updates = 60, .hypotheses = 5, .time_lines = 3}, events);
   }
-  ~WrittenRun() { std::filesystem::remove(path_); }
-  std::string path() const { return path_.string(); }
+  std::string path() const { return folder_.path_of("run.jsonl"); }
 
  private:
-  std::filesystem::path path_;
+  TemporaryFolder folder_;
 };
 
 /// The newest frame at a moment, as "TIME_LINE KEYFRAME".

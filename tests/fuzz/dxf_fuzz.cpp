@@ -1,5 +1,5 @@
 // libFuzzer entry point: any bytes called a drawing give a map or an opal::Error.
-#include "source_folder.hpp"
+#include "../temporary_folder.hpp"
 
 #include <opal/error.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -19,7 +19,7 @@ std::shared_ptr<const opal::MapImporter> importer() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::shared_ptr<const opal::MapImporter> kImporter = importer();
-  static const SourceFolder kFolder("opal_dxf_fuzz");
+  static const opal::TemporaryFolder kFolder;
   const std::string path = kFolder.write("p.dxf", {reinterpret_cast<const char*>(data), size});
   kImporter->recognizes(path);
   try {

@@ -1,5 +1,5 @@
 // libFuzzer entry point: any bytes called GeoJSON give storeys and a map, in metres or degrees, or an opal::Error.
-#include "source_folder.hpp"
+#include "../temporary_folder.hpp"
 
 #include <opal/error.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -29,7 +29,7 @@ void use(const opal::MapImporter& importer, const std::string& path) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Importer kFlat = importer(false), kGeographic = importer(true);
-  static const SourceFolder kFolder("opal_geojson_fuzz");
+  static const opal::TemporaryFolder kFolder;
   const std::string path = kFolder.write("p.json", {reinterpret_cast<const char*>(data), size});
   kFlat->recognizes(path);
   use(*kFlat, path);

@@ -1,6 +1,6 @@
 // libFuzzer entry point: whatever a yaml file and its image hold, importing them gives a map or an opal::Error. Input: the
 // yaml text, a zero byte, the bytes of the image; the yaml calls the image "i".
-#include "source_folder.hpp"
+#include "../temporary_folder.hpp"
 
 #include <opal/error.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -20,7 +20,7 @@ std::shared_ptr<const opal::MapImporter> importer() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::shared_ptr<const opal::MapImporter> kImporter = importer();
-  static const SourceFolder kFolder("opal_grid_fuzz");
+  static const opal::TemporaryFolder kFolder;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const std::size_t zero = std::min(bytes.find('\0'), size);
   kFolder.write("i", bytes.substr(std::min(zero + 1, size)));

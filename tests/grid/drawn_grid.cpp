@@ -4,29 +4,10 @@
 
 #include <png.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 namespace opal::test {
 
-namespace fs = std::filesystem;
-
-TemporaryFolder::TemporaryFolder() : path_((fs::temp_directory_path() / "opal_grid_XXXXXX").string()) {
-  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error(path_ + ": cannot make the folder");
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::string TemporaryFolder::write(const std::string& name, const std::string& bytes) const {
-  const std::string file = path_ + "/" + name;
-  std::ofstream(file, std::ios::binary) << bytes;
-  return file;
-}
 
 std::shared_ptr<const MapImporter> grid_importer(const nlohmann::json& options) {
   PluginRegistry registry;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "../temporary_folder.hpp"
+
 #include <opal/plugin/map_importer.hpp>
 
 #include <cstdint>
@@ -8,22 +10,6 @@
 #include <vector>
 
 namespace opal::test {
-
-/// A folder of its own that is gone when the test is over.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  /// @return the path of the new file.
-  std::string write(const std::string& name, const std::string& bytes) const;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// The importer from the built plugin, with its default options except these.
 std::shared_ptr<const MapImporter> grid_importer(const nlohmann::json& options = nlohmann::json::object());

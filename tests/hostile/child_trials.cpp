@@ -1,5 +1,7 @@
 #include "child_trials.hpp"
 
+#include "../temporary_folder.hpp"
+
 #include <opal/error.hpp>
 
 #include <poll.h>
@@ -10,36 +12,17 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 namespace {
 
-namespace fs = std::filesystem;
 
 constexpr int kProcessor_s = 10;
 constexpr int kWait_ms = 120'000;  // for a child that sleeps, on a machine that is busy
 constexpr rlim_t kAddressSpace = rlim_t{3} << 30;
 
 using Read = std::function<std::string(const std::string&, const std::string&)>;
-
-class Folder {
- public:
-  Folder() : path_((fs::temp_directory_path() / "opal_hostile_XXXXXX").string()) {
-    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 void limit_memory() {
 #ifndef __SANITIZE_ADDRESS__
@@ -129,9 +112,9 @@ std::size_t run_child(std::size_t first, const std::string& path, const std::vec
 
 std::vector<Trial> read_in_children(const std::string& file_name, const std::vector<std::string>& texts,
                                     const Read& read) {
-  const Folder folder;
+  const opal::TemporaryFolder folder;
   std::vector<Trial> trials(texts.size());
   for (std::size_t next = 0; next < texts.size();)
-    next = run_child(next, folder.path() + "/" + file_name, texts, read, trials);
+    next = run_child(next, folder.path_of(file_name), texts, read, trials);
   return trials;
 }

@@ -4,8 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 namespace opal {
@@ -145,18 +143,6 @@ std::string DrawnBuilding::id(const std::string& name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   id.resize(22, '0');
   return id;
-}
-
-IfcFile::IfcFile(const std::string& text, const std::string& name) : name_(name) {
-  std::string pattern = (std::filesystem::temp_directory_path() / "opal_ifc_XXXXXX").string();
-  REQUIRE(mkdtemp(pattern.data()) != nullptr);
-  folder_ = pattern;
-  std::ofstream(path(), std::ios::binary) << text;
-}
-
-IfcFile::~IfcFile() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
 }
 
 std::shared_ptr<const MapImporter> ifc_importer(const nlohmann::json& options) {

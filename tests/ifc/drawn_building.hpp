@@ -1,10 +1,11 @@
 #pragma once
 
+#include "../temporary_folder.hpp"
+
 #include <opal/plugin/map_importer.hpp>
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -60,17 +61,8 @@ class DrawnBuilding {
 };
 
 /// A text in a file of its own, which goes away with this.
-class IfcFile {
- public:
-  explicit IfcFile(const std::string& text, const std::string& name = "drawn.ifc");
-  ~IfcFile();
-  IfcFile(const IfcFile&) = delete;
-  IfcFile& operator=(const IfcFile&) = delete;
-  std::string path() const { return (folder_ / name_).string(); }
-
- private:
-  std::filesystem::path folder_;
-  std::string name_;
+struct IfcFile : TemporaryFile {
+  explicit IfcFile(const std::string& text) : TemporaryFile("drawn.ifc", text) {}
 };
 
 std::shared_ptr<const MapImporter> ifc_importer(const nlohmann::json& options = nlohmann::json::object());

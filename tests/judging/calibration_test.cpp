@@ -1,9 +1,10 @@
+#include "../temporary_folder.hpp"
+
 #include <opal/calibration.hpp>
 #include <opal/error.hpp>
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
 #include <fstream>
 #include <random>
 
@@ -94,12 +95,11 @@ TEST_CASE("nothing said, or no probability, is an error") {
 
 TEST_CASE("the diagram is drawn, and a file that cannot be written is named") {
   const Calibration c = calibration_of(honest_statements(1000), Weighting::per_statement);
-  const auto folder = std::filesystem::temp_directory_path();
-  const std::string path = (folder / "opal_reliability_test.svg").string();
+  const TemporaryFolder folder;
+  const std::string path = folder.path_of("reliability.svg");
   write_reliability_svg(c, "a title", path);
   std::ifstream file(path);
   const std::string text((std::istreambuf_iterator<char>(file)), {});
   CHECK(text.find("<svg") != std::string::npos);
-  std::filesystem::remove(path);
   CHECK_THROWS_WITH(write_reliability_svg(c, "a title", "/nowhere/at/all.svg"), Catch::Contains("/nowhere/at/all.svg"));
 }

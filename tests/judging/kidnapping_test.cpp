@@ -1,11 +1,11 @@
+#include "../temporary_folder.hpp"
+
 #include <opal/error.hpp>
 #include <opal/kidnapping.hpp>
 #include <opal/splice.hpp>
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 using namespace opal;
@@ -14,15 +14,11 @@ namespace {
 
 /// A robot that drives along x at 1 m/s for 100 s.
 GroundTruth straight_drive() {
-  const auto path = std::filesystem::temp_directory_path() / "opal_kidnapping_test.gt.csv";
-  {
-    std::ofstream file(path);
-    file << "timestamp,x,y,theta,is_scan\n";
-    for (int t = 0; t <= 100; ++t) file << t << ',' << t << ",0,0,1\n";
-  }
-  GroundTruth truth = GroundTruth::read(path.string());
-  std::filesystem::remove(path);
-  return truth;
+  std::ostringstream rows;
+  rows << "timestamp,x,y,theta,is_scan\n";
+  for (int t = 0; t <= 100; ++t) rows << t << ',' << t << ",0,0,1\n";
+  const TemporaryFile file("straight.gt.csv", rows.str());
+  return GroundTruth::read(file.path());
 }
 
 /// A row at second `t` whose pose is off by some metres.

@@ -1,4 +1,4 @@
-#include "temporary_folder.hpp"
+#include "../temporary_folder.hpp"
 
 #include <opal/error.hpp>
 #include <opal/replay.hpp>
@@ -13,7 +13,6 @@ namespace {
 
 using namespace opal;
 using carmen_log::CarmenLog;
-using log_tests::TemporaryFolder;
 
 const std::string kStart =
     "# a comment\n"

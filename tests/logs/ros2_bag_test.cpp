@@ -1,5 +1,5 @@
 #include "bag_writer.hpp"
-#include "temporary_folder.hpp"
+#include "../temporary_folder.hpp"
 
 #include <opal/error.hpp>
 #include <opal/replay.hpp>

@@ -88,13 +88,13 @@ const std::string kMalaga = OPAL_SOURCE_DIR "/maps/malaga/malaga";
 TEST_CASE("a password appears nowhere, right or wrong") {
   store()->push(*malaga(), {"secret"});
   const TemporaryFolder folder;
-  const Setting cache("OPAL_MAP_CACHE", (folder.path() / "cache").string());
+  const Setting cache("OPAL_MAP_CACHE", folder.path_of("cache"));
   const std::vector<std::vector<std::string>> commands{
       {"map", "list"},
       {"map", "push", OPAL_SOURCE_DIR "/maps/example_room.jsonld", "--building", "secret"},
-      {"map", "pull", "--building", "secret", "-o", (folder.path() / "map.jsonld").string()},
+      {"map", "pull", "--building", "secret", "-o", folder.path_of("map.jsonld")},
       {"map", "check", "store:secret"},
-      {"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "--map", "store:secret", "-o", folder.path().string()},
+      {"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "--map", "store:secret", "-o", folder.path()},
       {"plugins", "--check", OPAL_PLUGIN_DIR "/postgis_store.so"}};
   for (const std::string& password : {std::string(TestServer::kPassword), std::string("S3cret-but-wrong!")}) {
     const Setting word("PGPASSWORD", password);
@@ -118,13 +118,13 @@ TEST_CASE("a password inside a name of a database is not repeated") {
 TEST_CASE("credentials come from a password file and a service file, too") {
   store()->push(*malaga(), {"filed"});
   const TemporaryFolder folder;
-  std::ofstream(folder.path() / "pgpass") << "*:*:*:keeper:" << TestServer::kPassword << '\n';
-  fs::permissions(folder.path() / "pgpass", fs::perms::owner_read | fs::perms::owner_write);
-  std::ofstream(folder.path() / "services") << "[maps]\nhost=127.0.0.1\nport=" << std::getenv("PGPORT") << "\nuser=keeper\ndbname=postgres\n";
+  std::ofstream(folder.path_of("pgpass")) << "*:*:*:keeper:" << TestServer::kPassword << '\n';
+  fs::permissions(folder.path_of("pgpass"), fs::perms::owner_read | fs::perms::owner_write);
+  std::ofstream(folder.path_of("services")) << "[maps]\nhost=127.0.0.1\nport=" << std::getenv("PGPORT") << "\nuser=keeper\ndbname=postgres\n";
   const std::string port = std::getenv("PGPORT");
-  const Setting no_password("PGPASSWORD", ""), pgpass("PGPASSFILE", (folder.path() / "pgpass").string());
+  const Setting no_password("PGPASSWORD", ""), pgpass("PGPASSFILE", folder.path_of("pgpass"));
   CHECK(store()->list("filed").size() == 1);
-  const Setting file("PGSERVICEFILE", (folder.path() / "services").string()), service("PGSERVICE", "maps");
+  const Setting file("PGSERVICEFILE", folder.path_of("services")), service("PGSERVICE", "maps");
   const Setting elsewhere("PGHOST", "/nowhere"), nobody("PGUSER", "nobody");
   CHECK(store()->where() == "database postgres on 127.0.0.1:" + port);
   CHECK(store()->list("filed").size() == 1);
@@ -203,7 +203,7 @@ TEST_CASE("a localizer that has its map goes on when the server goes away") {
   const Setting cache("OPAL_MAP_CACHE", "");
   store()->push(*malaga(), {"hall"});
   Program localizer({"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "--map", "store:hall", "--serve=0",
-                     "--speed", "60", "-o", folder.path().string()});
+                     "--speed", "60", "-o", folder.path()});
   const bool has_its_map = localizer.says("map: version 1 of 'hall'") && localizer.says("http://");
   server().stop();
   CHECK(has_its_map);
@@ -219,14 +219,14 @@ TEST_CASE("a localizer that has its map goes on when the server goes away") {
 
 TEST_CASE("a robot that starts without its server uses the last map that it pulled, and says how old it is") {
   const TemporaryFolder folder;
-  const Setting cache("OPAL_MAP_CACHE", (folder.path() / "cache").string());
+  const Setting cache("OPAL_MAP_CACHE", folder.path_of("cache"));
   store()->push(*large_map(100, 1), {"hall with cache", "old"});
   store()->push(*malaga(), {"hall with cache", "measured anew"});
   CHECK_THAT(opal_run({"map", "check", "store:hall with cache"}).said, Contains("map: version 2 of 'hall with cache'"));
   opal_run({"map", "check", "store:hall with cache@1"});
   server().stop();
   const std::vector<std::string> localize{"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "-o",
-                                          folder.path().string(), "--map"};
+                                          folder.path(), "--map"};
   const auto with_map = [&](const std::string& map) {
     std::vector<std::string> command = localize;
     command.push_back(map);
@@ -252,17 +252,17 @@ TEST_CASE("a robot that starts without its server uses the last map that it pull
 TEST_CASE("a cache that cannot be written, or holds something else, is told") {
   const TemporaryFolder folder;
   store()->push(*malaga(), {"uncached"});
-  std::ofstream(folder.path() / "file") << "no folder";
+  const std::string file = folder.write("file", "no folder");
   {
-    const Setting cache("OPAL_MAP_CACHE", (folder.path() / "file" / "cache").string());
+    const Setting cache("OPAL_MAP_CACHE", file + "/cache");
     const Finished checked = opal_run({"map", "check", "store:uncached"});
     CAPTURE(checked.said);
     CHECK(checked.exit_code == 0);
     CHECK_THAT(checked.said, Contains("the map is not kept for times without its store"));
   }
-  const Setting cache("OPAL_MAP_CACHE", (folder.path() / "cache").string());
+  const Setting cache("OPAL_MAP_CACHE", folder.path_of("cache"));
   opal_run({"map", "check", "store:uncached"});
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder.path() / "cache"))
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder.path_of("cache")))
     if (entry.is_regular_file()) std::ofstream(entry.path()) << "{}";
   const Setting nowhere("PGPASSWORD", "wrong");
   const Finished checked = opal_run({"map", "check", "store:uncached"});
@@ -273,10 +273,10 @@ TEST_CASE("a cache that cannot be written, or holds something else, is told") {
 TEST_CASE("a program without the plugin says what is missing") {
   const TemporaryFolder folder;
   const fs::path build = fs::path(OPAL_PLUGIN_DIR).parent_path();
-  fs::create_directories(folder.path() / "lib");
-  fs::create_directories(folder.path() / "plugins");
-  fs::copy_file(build / "lib/libopal.so", folder.path() / "lib/libopal.so");
-  const Setting library("LD_LIBRARY_PATH", (folder.path() / "lib").string());
+  fs::create_directories(folder.path_of("lib"));
+  fs::create_directories(folder.path_of("plugins"));
+  fs::copy_file(build / "lib/libopal.so", folder.path_of("lib/libopal.so"));
+  const Setting library("LD_LIBRARY_PATH", folder.path_of("lib"));
   for (const std::string& source : {std::string("store:hall"), std::string("store:hall@2")}) {
     const Finished checked = opal_run({"map", "check", source});
     CAPTURE(checked.said);

@@ -58,17 +58,6 @@ void wait_for(pid_t child, const std::string& what) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "opal_store_XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 fs::path TestServer::programs() {
   std::vector<fs::path> found;
   const fs::path root = "/usr/lib/postgresql";

@@ -1,24 +1,13 @@
 #pragma once
 
+#include "../temporary_folder.hpp"
+
 #include <filesystem>
 #include <string>
 #include <sys/types.h>
 #include <vector>
 
 namespace opal::store_tests {
-
-/// A folder of its own, gone at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A PostgreSQL server in a temporary folder, on a unix socket there and on a free port of 127.0.0.1, which knows its
 /// superuser by password only. It ends with this object, and with the process at the latest. Run by root, the server runs
@@ -42,7 +31,7 @@ class TestServer {
 
   /// Makes an empty database and the one that PGDATABASE names.
   void use_new_database(const std::string& name);
-  const std::filesystem::path& folder() const { return folder_.path(); }
+  std::filesystem::path folder() const { return folder_.path(); }
 
  private:
   pid_t run(const std::vector<std::string>& arguments) const;

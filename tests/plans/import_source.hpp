@@ -1,6 +1,6 @@
 #pragma once
 
-#include "temporary_file.hpp"
+#include "../temporary_folder.hpp"
 
 #include <opal/plugin/plugin_registry.hpp>
 
@@ -13,7 +13,7 @@ inline opal::MapImport import_text(const std::string& plugin, const std::string&
                                    const std::string& text, const nlohmann::json& options = nlohmann::json::object()) {
   opal::PluginRegistry registry;
   registry.load(OPAL_PLUGIN_DIR "/" + plugin + ".so");
-  const TemporaryFile file(file_name, text);
+  const opal::TemporaryFile file(file_name, text);
   return registry.make<opal::MapImporter>(type, options)->import(file.path());
 }
 

@@ -1,10 +1,11 @@
+#include "../temporary_folder.hpp"
+
 #include <simulation/recording.hpp>
 
 #include <opal/error.hpp>
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -42,16 +43,14 @@ Recording recorded(const SimulationOptions& options, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("the same seed gives the same files to the byte, another seed others") {
-  const auto folder = std::filesystem::temp_directory_path() / "opal_simulation_test";
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder folder;
   const auto write = [&](std::uint64_t seed, const char* name) {
-    write_recording(recorded({}, seed), (folder / name).string(), "room");
-    return (folder / name).string();
+    write_recording(recorded({}, seed), folder.path_of(name), "room");
+    return folder.path_of(name);
   };
   const std::string a = write(7, "a"), b = write(7, "b"), c = write(8, "c");
   for (const char* end : {".log.gz", ".gt.csv", ".info.json", ".queries.json"}) CHECK(content_of(a + end) == content_of(b + end));
   CHECK(content_of(a + ".log.gz") != content_of(c + ".log.gz"));
-  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("without errors the laser reads the walls, and odometry is the way") {

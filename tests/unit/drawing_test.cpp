@@ -1,3 +1,5 @@
+#include "../temporary_folder.hpp"
+
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 
@@ -18,9 +20,8 @@ std::string contents(const std::string& path) {
 }
 
 std::string picture_path(const std::string& name) {
-  const auto folder = std::filesystem::temp_directory_path() / "opal_drawing_test";
-  std::filesystem::create_directories(folder);
-  return (folder / name).string();
+  static const TemporaryFolder kFolder;
+  return kFolder.path_of(name);
 }
 
 /// Width and height [px] that a PNG states (PNG specification, 11.2.2).

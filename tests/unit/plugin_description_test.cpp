@@ -1,13 +1,11 @@
+#include "../temporary_folder.hpp"
+
 #include <opal/plugin/plugin_description.hpp>
 
 #include <catch2/catch.hpp>
 
-#include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
-
-#include <unistd.h>
 
 using nlohmann::json;
 using opal::complete_options;
@@ -177,11 +175,8 @@ TEST_CASE("a plugin description file that is missing or no JSON is refused by na
 }
 
 TEST_CASE("a key that is there twice in a plugin description is refused") {
-  std::string path = "/tmp/opal_description_XXXXXX";
-  close(mkstemp(path.data()));
-  std::ofstream(path) << R"({"name": "a", "name": "b"})";
-  CHECK_THROWS_WITH(opal::read_plugin_description(path), Catch::StartsWith(path) && Catch::Contains("name"));
-  std::remove(path.c_str());
+  const opal::TemporaryFile file("twice.jsonld", R"({"name": "a", "name": "b"})");
+  CHECK_THROWS_WITH(opal::read_plugin_description(file.path()), Catch::StartsWith(file.path()) && Catch::Contains("name"));
 }
 
 TEST_CASE("an object option holds texts, and an option whose default is null may stay without a value") {

@@ -1,11 +1,12 @@
 // What needs no plugin. tests/bad_plugins has the plugins that fail, tests/contract those that must not.
+#include "../temporary_folder.hpp"
+
 #include <opal/plugin/plugin_folders.hpp>
 #include <opal/plugin/plugin_registry.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
-#include <filesystem>
 
 TEST_CASE("a new registry offers nothing, and says so") {
   const opal::PluginRegistry registry;
@@ -20,10 +21,8 @@ TEST_CASE("a folder of plugins that is not there is an error, an empty one is no
   opal::PluginRegistry registry;
   CHECK_THROWS_WITH(registry.load_all("/nowhere/plugins"),
                     "/nowhere/plugins: there is no such folder of plugins");
-  std::string pattern = (std::filesystem::temp_directory_path() / "opal_empty_XXXXXX").string();
-  const std::string folder = mkdtemp(pattern.data());
-  CHECK(registry.load_all(folder).empty());
-  std::filesystem::remove(folder);
+  const opal::TemporaryFolder folder;
+  CHECK(registry.load_all(folder.path()).empty());
 }
 
 TEST_CASE("plugin folders are the program's own, then those in OPAL_PLUGIN_PATH, each once") {

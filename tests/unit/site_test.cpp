@@ -1,30 +1,14 @@
+#include "../temporary_folder.hpp"
+
 #include <opal/error.hpp>
 #include <opal/site.hpp>
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
-#include <fstream>
 
 namespace {
 
 using namespace opal;
-namespace fs = std::filesystem;
-
-/// A file of the given content, gone at the end of the test.
-class TextFile {
- public:
-  TextFile(const std::string& name, const std::string& content)
-      : path_((fs::temp_directory_path() / ("opal_site_test_" + name)).string()) {
-    std::ofstream(path_) << content;
-  }
-  ~TextFile() { fs::remove(path_); }
-  TextFile(const TextFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 const std::string kInfo = R"({"site": "hall", "laser": {"n_beams": 181, "angle_min_deg": -90.0, "angle_increment_deg": 1.0,
   "no_return_at_or_above_m": 80.0, "offset_x_m": 0.78, "offset_y_m": -0.1, "offset_theta": 0.5}})";
@@ -36,7 +20,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 /// What the message of the error is after the file's name.
 template <class Read>
 std::string complaint(const Read& read, const std::string& content) {
-  const TextFile file("refused.json", content);
+  const TemporaryFile file("refused.json", content);
   try {
     read(file.path());
   } catch (const Error& error) {
@@ -50,7 +34,7 @@ std::string complaint(const Read& read, const std::string& content) {
 }  // namespace
 
 TEST_CASE("a site's laser is read in radians and metres") {
-  const TextFile file("info.json", kInfo);
+  const TemporaryFile file("info.json", kInfo);
   const LaserModel laser = read_site_laser(file.path());
   CHECK(laser.beams == 181);
   CHECK(laser.angle_min_rad == Approx(-std::numbers::pi / 2));
@@ -63,7 +47,7 @@ TEST_CASE("a site's laser is read in radians and metres") {
 }
 
 TEST_CASE("a laser that sees less far than 30 m is used up to where it sees") {
-  const TextFile file("near.json", replaced(kInfo, "80.0", "8.0"));
+  const TemporaryFile file("near.json", replaced(kInfo, "80.0", "8.0"));
   CHECK(read_site_laser(file.path()).range_max_m == 8);
 }
 
@@ -85,7 +69,7 @@ TEST_CASE("a wrong description of a laser is refused with its place") {
 }
 
 TEST_CASE("queries are read in order") {
-  const TextFile file("queries.json", R"({"site": "hall", "queries": [
+  const TemporaryFile file("queries.json", R"({"site": "hall", "queries": [
     {"id": "b", "start_time": 3, "end_time": 4.5, "distance_m": 1}, {"id": "a", "start_time": -1.0, "end_time": -1.0}]})");
   const auto queries = read_queries(file.path());
   REQUIRE(queries.size() == 2);

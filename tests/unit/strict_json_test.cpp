@@ -1,11 +1,10 @@
+#include "../temporary_folder.hpp"
+
 #include <opal/strict_json.hpp>
 
-#include <unistd.h>
 #include <catch2/catch.hpp>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 namespace {
@@ -105,9 +104,8 @@ TEST_CASE("size is limited") {
 }
 
 TEST_CASE("a file is read whole, and named when it cannot be") {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("opal_strict_json_" + std::to_string(getpid()))).string();
-  std::ofstream(path) << R"({"a": )" << repeated(" ", 200000) << "[1]}";
+  const opal::TemporaryFolder folder;
+  const std::string path = folder.write("long.json", R"({"a": )" + repeated(" ", 200000) + "[1]}");
   CHECK(opal::read_json(path) == json{{"a", json::array({1})}});
   JsonLimits limits;
   limits.bytes = 1000;

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "../temporary_folder.hpp"
 #include "synthetic_run.hpp"
 #include "viewer/frame_builder.hpp"
 
-#include <unistd.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -27,23 +27,9 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// A file that is gone with the test.
-class EventFile {
- public:
-  explicit EventFile(const std::string& text) {
-    static int number = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("opal_viewing_" + std::to_string(::getpid()) + "_" + std::to_string(number++) + ".jsonl");
-    std::ofstream(path_, std::ios::binary) << text;
-  }
-  ~EventFile() { std::filesystem::remove(path_); }
-  EventFile(const EventFile&) = delete;
-  EventFile& operator=(const EventFile&) = delete;
-  void cut_to(std::size_t bytes) const { std::filesystem::resize_file(path_, bytes); }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
+struct EventFile : TemporaryFile {
+  explicit EventFile(const std::string& text) : TemporaryFile("run.jsonl", text) {}
+  void cut_to(std::size_t bytes) const { std::filesystem::resize_file(path(), bytes); }
 };
 
 struct ReadRun {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <ab/child_process.hpp>
-#include <logs/temporary_folder.hpp>
+#include <temporary_folder.hpp>
 
 #include <memory>
 #include <string>
@@ -25,7 +25,7 @@ class SlurmServer {
   void run(const std::vector<std::string>& words);
   void wait_until_ready() const;
 
-  log_tests::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   std::vector<std::unique_ptr<ab::ChildProcess>> programs_;
 };
 
