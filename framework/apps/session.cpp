@@ -13,11 +13,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void tell_refusal(const std::string& refusal) { std::cerr << "plugin refused: " << refusal << '\n'; }
+
+/// A plugin that cannot be used recognizes nothing, and does not stand in the way of the others.
+template <class T>
+bool recognizes(const opal::PluginRegistry& registry, const std::string& type, const std::string& path) {
+  std::shared_ptr<const T> reader;
+  try {
+    reader = registry.make<T>(type);
+  } catch (const opal::PluginError& refusal) {
+    tell_refusal(refusal.what());
+  }
+  return reader != nullptr && reader->recognizes(path);
+}
+
 /// Name of the type of this kind that recognizes the source; empty if none does.
 template <class T>
 std::string recognizing(const opal::PluginRegistry& registry, opal::PluginKind kind, const std::string& path) {
   for (const opal::RegisteredType& type : registry.types())
-    if (type.kind == kind && registry.make<T>(type.info.name)->recognizes(path)) return type.info.name;
+    if (type.kind == kind && recognizes<T>(registry, type.info.name, path)) return type.info.name;
   return "";
 }
 
@@ -31,14 +45,14 @@ bool is_document(const std::string& source) {
 opal::PluginRegistry load_plugins() {
   opal::PluginRegistry registry;
   for (const std::string& folder : opal::plugin_folders())
-    for (const std::string& refusal : registry.load_all(folder)) std::cerr << "plugin refused: " << refusal << '\n';
+    for (const std::string& refusal : registry.announce_all(folder)) tell_refusal(refusal);
   return registry;
 }
 
 opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folders) {
   opal::PluginRegistry registry = load_plugins();
   for (const std::string& folder : further_folders)
-    for (const std::string& refusal : registry.load_all(folder)) throw opal::ConfigError(refusal);
+    for (const std::string& refusal : registry.announce_all(folder)) throw opal::ConfigError(refusal);
   return registry;
 }
 

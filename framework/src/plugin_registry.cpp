@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <variant>
 
 namespace opal {
@@ -22,13 +23,6 @@ template <class T>
 PluginKind kind_of_interface() {
   return kind_of(AnyFactory(Factory<T>{}));
 }
-
-/// A type that can be made. The library comes first, so that it goes last: the factory is its code.
-struct Entry {
-  std::shared_ptr<const PluginDescriptor> library;
-  RegisteredType type;
-  AnyFactory factory;
-};
 
 struct Registration {
   TypeInfo info;
@@ -136,33 +130,88 @@ std::map<std::string, Registration> collect(const std::string& file, const Plugi
   return by_name(file, promised, std::move(collector.registrations));
 }
 
+/// Takes every *.so of a folder, by name. @return why some were not taken.
+template <class Take>
+std::vector<std::string> refusals_of(const std::string& folder, const Take& take) {
+  if (!fs::is_directory(folder)) refuse(folder, "there is no such folder of plugins");
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".so") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> refusals;
+  for (const std::string& file : files) {
+    try {
+      take(file);
+    } catch (const PluginError& refusal) {
+      refusals.emplace_back(refusal.what());
+    }
+  }
+  return refusals;
+}
+
+/// A plugin by what its description promises. No code of it runs before it is opened.
+class Library {
+ public:
+  /// @throws PluginError if the file is no plugin for this framework, or has no good description.
+  explicit Library(const std::string& path) : file_(canonical_file(path)) {
+    require_plugin_file(file_);
+    description_ = read_plugin_description(description_path(file_));
+  }
+
+  const std::string& file() const { return file_; }
+  const PluginDescription& description() const { return description_; }
+
+  /// Loads the code, at the first call. @throws PluginError, at every call, if it cannot or is not what was promised.
+  void open() {
+    const std::lock_guard lock(opening_);
+    if (code_ != nullptr) return;
+    auto code = open_plugin(file_);
+    require_same_plugin(file_, description_, *code);
+    registered_ = collect(file_, description_, *code);
+    keep_until_exit(file_);
+    code_ = std::move(code);
+  }
+
+  /// Of an open library.
+  const AnyFactory& factory(const std::string& type) const { return registered_.at(type).factory; }
+
+ private:
+  std::string file_;
+  PluginDescription description_;
+  std::mutex opening_;
+  std::shared_ptr<const PluginDescriptor> code_;  // before the factories, which are its code, so that it goes after them
+  std::map<std::string, Registration> registered_;
+};
+
+/// A type that can be made.
+struct Entry {
+  std::shared_ptr<Library> library;
+  RegisteredType type;
+};
+
 }  // namespace
 
 struct PluginRegistry::State {
   std::map<std::string, Entry> entries;
 
-  void require_new(const std::string& file, const PluginDescription& description) const {
+  void require_new(const Library& library) const {
     for (const auto& [name, entry] : entries)
-      if (entry.type.file == file) refuse(file, "is loaded already");
-    for (const DescribedType& type : description.types) {
+      if (entry.library->file() == library.file()) refuse(library.file(), "is loaded already");
+    for (const DescribedType& type : library.description().types) {
       const auto found = entries.find(type.info.name);
       if (found != entries.end())
-        refuse(file, "offers " + type.info.name + ", which " + found->second.type.file + " (" +
-                         found->second.type.plugin + " " + found->second.type.version + ") offers already");
+        refuse(library.file(), "offers " + type.info.name + ", which " + found->second.type.file + " (" +
+                                   found->second.type.plugin + " " + found->second.type.version + ") offers already");
     }
   }
 
-  void merge(const std::string& file, const PluginDescription& description,
-             const std::shared_ptr<const PluginDescriptor>& library,
-             std::map<std::string, Registration>& named) {
-    std::map<std::string, Entry> taken;
-    for (const DescribedType& described : description.types) {
-      RegisteredType type{described.info, described.kind,        description.name, description.version,
-                          file,           described.description, described.options,   described.on_request};
-      taken.emplace(described.info.name,
-                    Entry{library, std::move(type), std::move(named.at(described.info.name).factory)});
-    }
-    entries.merge(taken);
+  void merge(const std::shared_ptr<Library>& library) {
+    const PluginDescription& description = library->description();
+    for (const DescribedType& described : description.types)
+      entries.emplace(described.info.name,
+                      Entry{library, RegisteredType{described.info, described.kind, description.name, description.version,
+                                                    library->file(), described.description, described.options,
+                                                    described.on_request}});
   }
 
   const Entry& entry(const std::string& name) const {
@@ -180,32 +229,24 @@ PluginRegistry::PluginRegistry(PluginRegistry&&) noexcept = default;
 PluginRegistry& PluginRegistry::operator=(PluginRegistry&&) noexcept = default;
 
 void PluginRegistry::load(const std::string& path) {
-  const std::string file = canonical_file(path);
-  require_plugin_file(file);
-  const PluginDescription description = read_plugin_description(description_path(file));
-  state_->require_new(file, description);
-  const auto library = open_plugin(file);  // from here on, code of the file runs
-  require_same_plugin(file, description, *library);
-  auto registrations = collect(file, description, *library);
-  keep_until_exit(file);
-  state_->merge(file, description, library, registrations);
+  const auto library = std::make_shared<Library>(path);
+  state_->require_new(*library);
+  library->open();
+  state_->merge(library);
+}
+
+void PluginRegistry::announce(const std::string& path) {
+  const auto library = std::make_shared<Library>(path);
+  state_->require_new(*library);
+  state_->merge(library);
 }
 
 std::vector<std::string> PluginRegistry::load_all(const std::string& folder) {
-  if (!fs::is_directory(folder)) refuse(folder, "there is no such folder of plugins");
-  std::vector<std::string> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".so") files.push_back(entry.path().string());
-  std::sort(files.begin(), files.end());
-  std::vector<std::string> refusals;
-  for (const std::string& file : files) {
-    try {
-      load(file);
-    } catch (const PluginError& refusal) {
-      refusals.emplace_back(refusal.what());
-    }
-  }
-  return refusals;
+  return refusals_of(folder, [this](const std::string& file) { load(file); });
+}
+
+std::vector<std::string> PluginRegistry::announce_all(const std::string& folder) {
+  return refusals_of(folder, [this](const std::string& file) { announce(file); });
 }
 
 std::vector<RegisteredType> PluginRegistry::types() const {
@@ -222,13 +263,14 @@ template <class T>
 std::shared_ptr<const T> PluginRegistry::make(const std::string& name, const nlohmann::json& options) const {
   const Entry& entry = state_->entry(name);
   const std::string origin = name + " from " + entry.type.plugin + " " + entry.type.version;
-  const auto* factory = std::get_if<Factory<T>>(&entry.factory);
-  if (factory == nullptr)
+  if (entry.type.kind != kind_of_interface<T>())
     throw PluginError(origin + " is a " + name_of(entry.type.kind) + ", expected a " +
                       name_of(kind_of_interface<T>()));
   const nlohmann::json complete = complete_options(name, entry.type.options, options);
+  entry.library->open();
+  const auto& factory = std::get<Factory<T>>(entry.library->factory(name));
   std::unique_ptr<T> made;
-  if (const auto failure = failure_of([&] { made = (*factory)(complete); }))
+  if (const auto failure = failure_of([&] { made = factory(complete); }))
     throw PluginError(origin + ": cannot be made: " + *failure);
   if (made == nullptr) throw PluginError(origin + ": cannot be made: its factory returned null");
   return {made.release(), [library = entry.library](const T* object) { delete object; }};

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <dlfcn.h>
+
 #include <cstdlib>
 
 using opal::FeatureDetector;
@@ -247,6 +249,40 @@ TEST_CASE("a plugin that registers more than its description names is refused") 
   description["types"].erase(1);
   folder.write("taken_name.jsonld", description.dump());
   CHECK(refusal_of(file) == file + ": registers bad:good, which its description does not name");
+}
+
+TEST_CASE("an announced plugin is opened when something of it is made, and not before") {
+  const PluginFolder folder;
+  const std::string file = folder.copy(bad_plugin("good.so"));
+  folder.write("good.jsonld", read_text(bad_plugin("good.jsonld")));
+  const auto is_open = [&] { return dlopen(file.c_str(), RTLD_NOW | RTLD_NOLOAD) != nullptr; };
+  PluginRegistry registry;
+  registry.announce(file);
+  CHECK(registry.type("bad:good").version == "1.2.3");
+  CHECK_THROWS_WITH(registry.make<opal::HypothesisScorer>("bad:good"), Catch::Contains("expected a HypothesisScorer"));
+  CHECK_FALSE(is_open());
+  CHECK(registry.make<FeatureDetector>("bad:good", {{"count", 7}})->detect({}).size() == 7);
+  CHECK(is_open());
+  CHECK(registry.make<FeatureDetector>("bad:good")->detect({}).size() == 4);
+}
+
+TEST_CASE("an announced plugin that cannot be used says why whenever something of it is made") {
+  const std::string file = bad_plugin("undefined_symbol.so");
+  PluginRegistry registry;
+  registry.announce(file);
+  registry.announce(bad_plugin("good.so"));
+  for (int time = 0; time < 2; ++time)
+    CHECK_THROWS_WITH(registry.make<FeatureDetector>("bad:undefined_symbol"),
+                      file + ": cannot be opened: undefined symbol: opal_test_function_that_nobody_defines");
+  CHECK(registry.make<FeatureDetector>("bad:good")->detect({}).size() == 4);
+}
+
+TEST_CASE("what can be told without opening a plugin is told when it is announced") {
+  PluginRegistry registry;
+  std::vector<std::string> refused;
+  for (const std::string& message : registry.announce_all(OPAL_BAD_PLUGIN_DIR))
+    refused.push_back(std::filesystem::path(message.substr(0, message.find(": "))).stem());
+  CHECK(refused == std::vector<std::string>{"good_stripped", "ordinary_library", "taken_name", "wrong_api"});
 }
 
 TEST_CASE("a refused file does not keep the others of its folder out") {

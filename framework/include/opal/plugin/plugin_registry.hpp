@@ -21,7 +21,7 @@ struct RegisteredType {
 };
 
 /// The door for plugins. Metadata is checked before any code of a file runs; a plugin is taken whole or not
-/// at all; a library that was taken stays loaded until the process ends. Loading is for one thread, at
+/// at all; a library that was opened stays loaded until the process ends. Loading is for one thread, at
 /// start-up; afterwards the const functions may be called from several.
 class OPAL_EXPORT PluginRegistry {
  public:
@@ -33,10 +33,16 @@ class OPAL_EXPORT PluginRegistry {
   /// Loads one library with the description that stands beside it (lines.jsonld beside lines.so).
   /// @throws PluginError naming the file and the cause; the registry is unchanged then.
   void load(const std::string& path);
+  /// Takes a plugin at its description's word: its code is opened when something of it is made for the first time, and
+  /// what is not needed costs no memory.
+  /// @throws PluginError as `load`, but for what only its code tells; `make` throws that then.
+  void announce(const std::string& path);
   /// Loads every *.so in a folder, by name. A refused file does not keep the others out.
   /// @return the refusals, one message each.
   /// @throws PluginError if there is no such folder.
   std::vector<std::string> load_all(const std::string& folder);
+  /// Announces every *.so in a folder in the same way.
+  std::vector<std::string> announce_all(const std::string& folder);
 
   /// All types, by name.
   std::vector<RegisteredType> types() const;
@@ -47,8 +53,7 @@ class OPAL_EXPORT PluginRegistry {
   /// Makes an object, which may outlive the registry. Options are checked against the description (unknown
   /// names, types, ranges) and completed with its defaults first. T is one of the seven interfaces.
   /// @throws PluginError naming the type, the option, what was found and what is expected; also for a factory
-  /// that
-  ///         throws or returns null.
+  ///         that throws or returns null, and for an announced plugin that cannot be opened or is not as described.
   template <class T>
   std::shared_ptr<const T> make(const std::string& name,
                                 const nlohmann::json& options = nlohmann::json::object()) const;
