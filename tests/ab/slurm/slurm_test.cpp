@@ -12,6 +12,7 @@
 #include <thread>
 
 using namespace opal::ab_tests;
+using opal::TemporaryFolder;
 using opal::store_tests::Finished;
 using opal::store_tests::opal_run;
 
