@@ -23,8 +23,8 @@ struct AssociationOptions {
   int seed_features = 8;            ///< best supported features per geometry that templates are offered
   int seed_patterns = 10;           ///< patterns looked up per scan, fewest expected candidates first
   int seed_lookup_limit = 30000;    ///< candidates per scan and template
-  int seed_candidates = 60;         ///< kept by nearness of the scan to the map, one per place
-  int seed_hypotheses = 20;         ///< kept by the scorers
+  int seed_candidates = 30;         ///< kept by nearness of the scan to the map, one per place
+  int seed_hypotheses = 12;         ///< kept by the scorers
   double seed_every_m = 0.5;        ///< driving, or
   double seed_every_rad = 1.0;      ///< turning, between searches for new hypotheses
   int seed_every_when_localized = 6; ///< only every n-th search while localized
