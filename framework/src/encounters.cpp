@@ -29,11 +29,10 @@ void Amounts::fade(double keep) {
 }
 
 void Encounters::take(const Encounters& newer, double weight, double keep) {
-  patches_met.fade(keep);
-  objects_passed.fade(keep);
-  for (const Amounts::Entry& entry : newer.patches_met.entries()) patches_met.add(entry.thing, weight * entry.amount);
-  for (const Amounts::Entry& entry : newer.objects_passed.entries())
-    objects_passed.add(entry.thing, weight * entry.amount);
+  for (Amounts Encounters::*kind : {&Encounters::patches_met, &Encounters::lines_met, &Encounters::objects_met, &Encounters::objects_passed}) {
+    (this->*kind).fade(keep);
+    for (const Amounts::Entry& entry : (newer.*kind).entries()) (this->*kind).add(entry.thing, weight * entry.amount);
+  }
 }
 
 }  // namespace opal

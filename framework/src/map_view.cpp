@@ -1,5 +1,6 @@
 #include <opal/map_view.hpp>
 
+#include "collinear_faces.hpp"
 #include "surface_grid.hpp"
 
 #include <opal/error.hpp>
@@ -141,9 +142,15 @@ struct MapView::Index {
     for (int number : numbers) {
       const Geometry& geometry = map.features()[number].geometry;
       by_number[number] = surface_of(geometry);
+      by_number[number].object = map.features()[number].object;
       entries.emplace_back(box_of(extent_of(geometry)), number);
     }
     tree = RTree(entries);
+    number_lines(by_number, [&](const Point& low, const Point& high) {
+      std::vector<int> found;
+      for (auto it = tree.qbegin(bg::index::intersects(box_of({low, high}))); it != tree.qend(); ++it) found.push_back(it->second);
+      return found;
+    });
   }
 
   std::vector<int> numbers;

@@ -6,6 +6,8 @@ using opal::Point;
 
 struct BeamScorer::Tally {
   SumsByThing matched;  ///< beams that end on a mapped surface, by patch of the local map
+  SumsByThing lines;    ///< the same by the surface's line, with those beyond an absent object
+  SumsByThing ended;    ///< beams that end on a mapped surface, by its object
   SumsByThing passed;   ///< beams by the object that they pass through
   int beams = 0;
   double hits = 0, hits_behind = 0, other_side = 0, early = 0, throughs = 0, free_throughs = 0;
@@ -13,10 +15,12 @@ struct BeamScorer::Tally {
 
 BeamScorer::BeamScorer(const nlohmann::json& options)
     : match_(options.at("match_nat")),
+      line_(options.at("line_nat")),
       enough_(options.at("enough")),
       hit_(options.at("hit_nat")),
       early_(options.at("early_nat")),
       absent_(options.at("absent_nat")),
+      conflict_(options.at("conflict_nat")),
       through_(options.at("through_nat")),
       free_through_(options.at("free_through_nat")),
       sigma_m_(options.at("sigma_m")),
@@ -45,11 +49,16 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
     constexpr double kExcused = 0.7;  // what lies behind a surface that is not there may well be mapped, too
     tally.throughs += 1;
     tally.hits_behind += hit;
-    tally.passed.add(map.feature(wall.feature).object, 1 - kExcused * hit);
+    if (hit > kLeast) tally.lines.add(map.surface(nearest).line, hit);
+    tally.passed.add(map.surface(wall.feature).object, 1 - kExcused * hit);
     return;
   }
   tally.hits += hit;
-  if (hit > kLeast) tally.matched.add(patch, hit);
+  if (hit > kLeast) {
+    tally.matched.add(patch, hit);
+    tally.lines.add(map.surface(nearest).line, hit);
+    tally.ended.add(map.surface(nearest).object, hit);
+  }
   if (hit > 1 - kLeast) return;
   const Point direction = (end - eye) / range;
   const auto next = map.first_crossing(end - kStepBack_m * direction, end + ahead_m_ * direction, kCrossed_m);
@@ -59,6 +68,7 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
   else if (next.range_m < other_side_m_) {
     tally.other_side += 1 - hit;
     tally.matched.add(patch, 1 - hit);
+    tally.lines.add(map.surface(next.feature).line, 1 - hit);
   }
 }
 
@@ -82,6 +92,21 @@ double BeamScorer::news(const SumsByThing& beams, double each, const opal::Amoun
   return total;
 }
 
+/// Share of beams that pass through objects on which others end, and the other way round. An object that is not there is
+/// passed through wherever it is looked at, one that is there nowhere; if it is both, the pose is wrong.
+double BeamScorer::conflict(const Tally& tally, double each, const opal::Encounters& before) const {
+  const auto all_ended = [&](int object) { return before.objects_met.of(object) + each * tally.ended.of(object); };
+  const auto all_passed = [&](int object) { return before.objects_passed.of(object) + each * tally.passed.of(object); };
+  double beams = 0;
+  tally.passed.each([&](int object, double count) {
+    beams += count * all_ended(object) / (all_ended(object) + all_passed(object));
+  });
+  tally.ended.each([&](int object, double count) {
+    beams += count * all_passed(object) / (all_ended(object) + all_passed(object));
+  });
+  return beams * each / 100;
+}
+
 opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                               const opal::MapView& map) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
@@ -97,9 +122,11 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const opal::Encounters& before = hypothesis.encounters;
   opal::Encounters now;
   const double matched = news(tally.matched, each, before.patches_met, now.patches_met);
+  const double lines = news(tally.lines, each, before.lines_met, now.lines_met);
   const double passed = news(tally.passed, each, before.objects_passed, now.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;
-  const double nat = match_ * matched - absent_ * passed +
+  tally.ended.each([&](int object, double count) { now.objects_met.add(object, each * count); });
+  const double nat = match_ * matched + line_ * lines - absent_ * passed - conflict_ * conflict(tally, each, before) +
                      (hit_ * met - early_ * tally.early - through_ * (tally.throughs - tally.hits_behind) -
                       free_through_ * tally.free_throughs) / n;
   const double throughs = tally.throughs + tally.free_throughs;

@@ -13,9 +13,12 @@
 /// was met before as b0:
 ///
 ///   nat = match * sum over patches of w(b0 + b) - w(b0)     b: beams that end there on a surface, or on its wall's other side
+///       + line * sum over mapped lines of w(b0 + b) - w(b0)    b: beams that end on one of its faces, or on their wall's other side
 ///       + hit * share of beams that end on a surface
 ///       - early * share of beams that end before a surface that lies ahead of them
 ///       - absent * sum over objects of w(b0 + b) - w(b0)     b: beams that pass through it
+///       - conflict * sum over objects of (p * B + b * P) / (B + P)
+///             b, p: shares of beams that end on it, that pass through it; B, P: the same with all that were met before
 ///       - through * share of beams that pass through an object and end on nothing mapped
 ///       - free_through * share of beams without return whose way crosses a surface
 ///
@@ -41,9 +44,10 @@ class BeamScorer final : public opal::HypothesisScorer {
                   Tally& tally) const;
 
   double margin_at(double range_m) const { return margin_m_ + margin_per_m_ * range_m; }
+  double conflict(const Tally& tally, double each, const opal::Encounters& before) const;
   double nearness(double distance_m, double range_m) const;
 
-  double match_, enough_, hit_, early_, absent_, through_, free_through_;
+  double match_, line_, enough_, hit_, early_, absent_, conflict_, through_, free_through_;
   double sigma_m_, sigma_per_m_, margin_m_, margin_per_m_, other_side_m_, ahead_m_, free_range_m_, floor_;
   int min_beams_;
 };

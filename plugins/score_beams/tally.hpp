@@ -9,6 +9,13 @@ class SumsByThing {
  public:
   void add(int thing, double amount) { at(thing) += amount; }
 
+  /// 0 for a thing that nothing was added to.
+  double of(int thing) const {
+    for (std::size_t k = 0; k < size_; ++k)
+      if (sums_[k].thing == thing) return sums_[k].amount;
+    return 0;
+  }
+
   template <class Use>
   void each(Use use) const {
     for (std::size_t k = 0; k < size_; ++k) use(sums_[k].thing, sums_[k].amount);

@@ -25,7 +25,7 @@ GoalExperiment in_the_room() {
   experiment.world.people = 1;
   experiment.world.robot_radius_m = 0.25;
   experiment.loop.motion.radius_m = 0.25;
-  experiment.loop.most_s = 120;
+  experiment.loop.most_s = 600;
   return experiment;
 }
 

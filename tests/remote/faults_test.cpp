@@ -145,7 +145,7 @@ TEST_CASE("a robot stands still while localization is away, and gets to its goal
   simulation::Random random(1);
   ClosedLoopOptions options;
   options.motion.radius_m = world().robot_radius_m;
-  options.most_s = 120;
+  options.most_s = 240;
   options.tick_s = 0.1;
   const auto tree = behaviours::read_tree(behaviours::standard_nodes(),
                                           OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");

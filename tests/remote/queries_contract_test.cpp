@@ -72,7 +72,7 @@ DriveRecord driven(Localization& localization, std::uint64_t seed, const char* b
   const Point goal(1, 4);  // in the room: what is behind its door is not mapped
   ClosedLoopOptions options;
   options.motion.radius_m = world().robot_radius_m;
-  options.most_s = 120;
+  options.most_s = 240;
   const auto tree = behaviours::read_tree(behaviours::standard_nodes(),
                                           OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
   return drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree, goal, options);

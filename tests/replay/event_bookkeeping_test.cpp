@@ -178,6 +178,6 @@ TEST_CASE("a hypothesis that falls behind ends with reasons that name what it co
         break;
       }
   }
-  REQUIRE(fallen > 20);
+  REQUIRE(fallen > 8);
   CHECK(named > fallen / 2);
 }

@@ -79,6 +79,34 @@ TEST_CASE("who judges a scan of before by its patches of then judges as then") {
   CHECK(nat(room(), at(Pose2()), then) < nat(room()) - 1);
 }
 
+TEST_CASE("an object that some beams end on and others pass through speaks against a hypothesis more than one that is absent") {
+  Observation observation = seen();
+  for (Point& point : observation.points) {  // the lower half of a wall at x = 2
+    const double bearing_rad = std::atan2(point.y(), point.x());
+    if (bearing_rad > -0.6 && bearing_rad < 0) point *= 2 / point.x();
+  }
+  const Point low(2, -1.4), middle(2, 0), high(2, 1.4);
+  std::vector<Thing> one = room(), two = room();
+  one.push_back({"Wall", Segment{low, high}});
+  for (const Segment& half : {Segment{low, middle}, Segment{middle, high}}) two.push_back({"Wall", half});
+  const double torn = nat(one, at(Pose2()), observation), absent = nat(two, at(Pose2()), observation);
+  CHECK(torn < absent - 0.1);
+  CHECK(absent < nat({two.begin(), two.end() - 1}, at(Pose2()), observation));
+}
+
+TEST_CASE("what beams ended on before must not be passed through now") {
+  const std::vector<Thing> with_wall = {{"Wall", Segment{{2, -1.4}, {2, 1.4}}}};
+  Observation ends = seen(-0.5, 0.5);
+  for (Point& point : ends.points) point *= 2 / point.x();
+  const auto one = scorer();
+  const MapView map = map_of(with_wall);
+  Hypothesis hypothesis = at(Pose2());
+  const Observation passes = seen(-0.5, 0.5);
+  const double before = one->score(hypothesis, passes, map).log_likelihood;
+  hypothesis.encounters.take(one->score(hypothesis, ends, map).encounters, 1, 1);
+  CHECK(one->score(hypothesis, passes, map).log_likelihood < before - 0.5);
+}
+
 TEST_CASE("an empty scan says nothing") {
   Observation empty = seen();
   empty.points.clear();

@@ -96,6 +96,26 @@ TEST_CASE("a ray finds the first wall it crosses, and says if it comes from behi
   CHECK(view.first_crossing({1, 2}, {1, 2}, 0.2).feature == -1);     // no way at all
 }
 
+TEST_CASE("faces that lie on one straight line and look the same way share its number, wherever the map lies") {
+  for (const Pose2& moved : {Pose2(), Pose2(-40, 300, 0.4), Pose2(7, 7, 2.9)}) {
+    std::vector<Geometry> geometries;
+    const auto add = [&](const Point& begin, const Point& end) { geometries.push_back(Segment{moved * begin, moved * end}); };
+    add({0, 0}, {6, 0});
+    add({7, 0.1}, {9, 0.1});     // the next piece
+    add({9, -0.05}, {9.4, 0});   // a short one, hardly askew
+    add({38, 0}, {39, 0});       // beyond 30 m
+    add({6, -0.1}, {0, -0.1});   // the other side of the wall
+    add({0, 0.6}, {6, 0.6});     // beside it
+    add({6, 0}, {6, 3});         // across
+    geometries.push_back(Circle{moved * Point(8, 0), 0.2});
+    const MapView view(map_of(geometries), "PlanarLidar2D");
+    std::vector<int> lines;
+    for (std::size_t k = 0; k < geometries.size(); ++k) lines.push_back(view.surface(static_cast<int>(k)).line);
+    CAPTURE(moved.x(), moved.y(), moved.heading_rad());
+    CHECK(lines == std::vector<int>{0, 0, 0, 3, 4, 5, 6, 7});
+  }
+}
+
 TEST_CASE("far outside the map there is nothing, whatever is asked") {
   const MapView view(map_of({kUpper}), "PlanarLidar2D");
   for (const Point& p : {Point(1e9, 1e9), Point(-1e9, 3), Point(std::nan(""), 0)}) {

@@ -29,12 +29,12 @@ struct AssociationOptions {
   double seed_every_rad = 1.0;      ///< turning, between searches for new hypotheses
   int seed_every_when_localized = 6; ///< only every n-th search while localized
   int seed_loose_patterns = 3;      ///< the same for patterns with a free parameter
-  double loose_below_nat = 2;     ///< patterns with a free parameter are tried if no candidate scores this
+  double loose_below_nat = 1;       ///< patterns with a free parameter are tried if no candidate scores this
   double loose_until_nat = 3;       ///< and only while no hypothesis has gathered this much
   double slide_step_m = 0.2;        ///< step along a pattern's free parameter
   double birth_nat = -3.0;          ///< log prior of a new hypothesis against clutter
   int hindsight_scans = 40;         ///< scans seen before that a candidate is judged by, too; 0: none
-  double hindsight_behind_nat = 10; ///< a candidate that falls behind the best ones of the time by more is no hypothesis
+  double hindsight_behind_nat = 7;  ///< a candidate that falls behind the best ones of the time by more is no hypothesis
   bool seed_from_stable = false;    ///< only stable local features may seed (thesis)
 
   // Growth: the association tree.
@@ -60,16 +60,16 @@ struct AssociationOptions {
   int track_search = 15;            ///< hypotheses that get an alignment search when odometry is uncertain
   double merge_m = 0.3;             ///< hypotheses nearer than this
   double merge_rad = 0.1;           ///< and this are one
-  double prune_nat = 10;            ///< worse than the best by this: ended
+  double prune_nat = 7;             ///< worse than the best by this: ended
   int max_hypotheses = 120;
 
   // Status.
   double none_nat = 0;              ///< log weight of "none of these" before the first scan
-  double none_scan_nat = 0.6;       ///< what a scan at a place that is not on the map would say for a wrong pose:
+  double none_scan_nat = 0.12;      ///< what a scan at a place that is not on the map would say for a wrong pose:
                                     ///< hypotheses must gather more than this to be believed
   double localized_probability = 0.99;
   double localized_novelty = 2;     ///< sum of the scans' novelty over which that must hold
-  double lost_scan_nat = -0.35;     ///< mean of the newest scans below this: lost
+  double lost_scan_nat = -0.2;      ///< mean of the newest scans below this: lost
 
   // Being carried away.
   double carried_nat = -5.6;        ///< log prior that a robot was carried away whose scan does not continue those before
@@ -77,10 +77,10 @@ struct AssociationOptions {
   double carried_drop = 0.5;        ///< a scan that does not continue those before says at least this share of what they said, on average
   double carried_match_share = 0.5; ///< a scan of whose points fewer lie on what was seen before does not continue it
   double carried_place_nat = -10;   ///< log prior of one place among all where it may have been put down
-  double carried_scan_nat = 0.3;    ///< what a scan says for the place that the robot was carried away from
+  double carried_scan_nat = 0.15;   ///< what a scan says for the place that the robot was carried away from
   double carried_most_nat = 8;      ///< suspicion grows up to this, so that good scans can take it back
   double carried_search_nat = 3;    ///< suspicion from which on the whole map is searched for where it was put down
-  double carried_alarm_nat = 1;     ///< a scan that alone gives this suspicion is looked at even if the robot stands
+  double carried_alarm_nat = 0.5;   ///< a scan that alone gives this suspicion is looked at even if the robot stands
 
   std::optional<RegionPrior> region;
 };

@@ -28,6 +28,8 @@ class OPAL_EXPORT Amounts {
 /// count what is not in here yet. In beams of a hundred, summed over whole pieces of evidence.
 struct Encounters {
   Amounts patches_met;     ///< by patch of the local map: beams that ended there, on a mapped surface
+  Amounts lines_met;       ///< by Surface::line: beams that ended there
+  Amounts objects_met;     ///< by object: beams that ended there
   Amounts objects_passed;  ///< by object: beams that passed through it
 
   /// `this` fades by `keep`, then takes `newer` times `weight`.

@@ -15,6 +15,10 @@ struct Surface {
   Point origin = Point::Zero();     ///< a face's begin; a circle's centre
   Point direction = Point::Zero();  ///< a face's unit direction, visible side on the left; zero for a circle
   double size_m = 0;                ///< a face's length; a circle's radius
+  int object = -1;                  ///< position in SemanticMap::objects()
+  /// Faces that lie on one straight line, look to the same side and are at most 30 m apart share a number, however a map
+  /// cuts them up; a circle has its own.
+  int line = -1;
 
   bool is_circle() const { return direction.x() == 0 && direction.y() == 0; }
   Point normal() const { return left_of(direction); }
