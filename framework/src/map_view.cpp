@@ -147,10 +147,15 @@ struct MapView::Index {
     }
     tree = RTree(entries);
     number_lines(by_number, [&](const Point& low, const Point& high) {
-      std::vector<int> found;
-      for (auto it = tree.qbegin(bg::index::intersects(box_of({low, high}))); it != tree.qend(); ++it) found.push_back(it->second);
-      return found;
+      return numbers_of(bg::index::intersects(box_of({low, high})));
     });
+  }
+
+  template <class Query>
+  std::vector<int> numbers_of(const Query& query) const {
+    std::vector<int> found;
+    for (auto it = tree.qbegin(query); it != tree.qend(); ++it) found.push_back(it->second);
+    return found;
   }
 
   std::vector<int> numbers;
@@ -174,14 +179,12 @@ std::array<Point, 2> MapView::bounds() const { return {index_->bounds.low, index
 std::vector<int> MapView::within(const Point& p, double radius_m) const {
   constexpr double kRounding_m = 1e-9;  // of the box, for coordinates up to 1e6 m: what is near enough decides
   const Point radius = Point::Constant(radius_m + kRounding_m);
-  std::vector<int> found;
   const auto near_enough = [&](const Entry& e) {
     return distance_m(feature(e.second).geometry, p) <= radius_m;
   };
   const auto query =
       bg::index::intersects(box_of({p - radius, p + radius})) && bg::index::satisfies(near_enough);
-  for (auto it = index_->tree.qbegin(query); it != index_->tree.qend(); ++it) found.push_back(it->second);
-  return found;
+  return index_->numbers_of(query);
 }
 
 int MapView::nearest_facing(const Point& p, const Point& view_direction) const {

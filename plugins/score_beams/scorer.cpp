@@ -44,19 +44,18 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
   const int nearest = map.nearest_facing(end, end - eye);
   const double hit = nearest < 0 ? 0 : nearness(map.surface(nearest).distance_m(end), range);
   ++tally.beams;
+  if (hit > kLeast) tally.lines.add(map.surface(nearest).line, hit);
   const auto wall = map.first_crossing(eye, end, margin_at(range));
   if (wall.feature >= 0) {
     constexpr double kExcused = 0.7;  // what lies behind a surface that is not there may well be mapped, too
     tally.throughs += 1;
     tally.hits_behind += hit;
-    if (hit > kLeast) tally.lines.add(map.surface(nearest).line, hit);
     tally.passed.add(map.surface(wall.feature).object, 1 - kExcused * hit);
     return;
   }
   tally.hits += hit;
   if (hit > kLeast) {
     tally.matched.add(patch, hit);
-    tally.lines.add(map.surface(nearest).line, hit);
     tally.ended.add(map.surface(nearest).object, hit);
   }
   if (hit > 1 - kLeast) return;
@@ -95,15 +94,16 @@ double BeamScorer::news(const SumsByThing& beams, double each, const opal::Amoun
 /// Share of beams that pass through objects on which others end, and the other way round. An object that is not there is
 /// passed through wherever it is looked at, one that is there nowhere; if it is both, the pose is wrong.
 double BeamScorer::conflict(const Tally& tally, double each, const opal::Encounters& before) const {
-  const auto all_ended = [&](int object) { return before.objects_met.of(object) + each * tally.ended.of(object); };
-  const auto all_passed = [&](int object) { return before.objects_passed.of(object) + each * tally.passed.of(object); };
   double beams = 0;
-  tally.passed.each([&](int object, double count) {
-    beams += count * all_ended(object) / (all_ended(object) + all_passed(object));
-  });
-  tally.ended.each([&](int object, double count) {
-    beams += count * all_passed(object) / (all_ended(object) + all_passed(object));
-  });
+  const auto add = [&](const SumsByThing& these, const opal::Amounts& these_before, const SumsByThing& others,
+                       const opal::Amounts& others_before) {
+    these.each([&](int object, double count) {
+      const double against = others_before.of(object) + each * others.of(object);
+      beams += count * against / (against + these_before.of(object) + each * count);
+    });
+  };
+  add(tally.passed, before.objects_passed, tally.ended, before.objects_met);
+  add(tally.ended, before.objects_met, tally.passed, before.objects_passed);
   return beams * each / 100;
 }
 

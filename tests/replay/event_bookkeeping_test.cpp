@@ -164,8 +164,10 @@ TEST_CASE("whether somebody listens changes no answer") {
 TEST_CASE("a hypothesis that falls behind ends with reasons that name what it contradicts") {
   const RecordedSite site("malaga-demo");
   EventRecorder recorder;
-  Localizer localizer(site.parts(), &recorder);
-  replay(localizer, site.samples);
+  for (const int from : {0, 6, 12}) {  // several places from which to start
+    Localizer localizer(site.parts(), &recorder);
+    replay(localizer, {site.samples.begin() + from, site.samples.end()});
+  }
   int fallen = 0, named = 0;
   for (const ordered_json& e : recorder.events) {
     if (e["event"] != "pruned" || e.contains("merged_into")) continue;
@@ -178,6 +180,6 @@ TEST_CASE("a hypothesis that falls behind ends with reasons that name what it co
         break;
       }
   }
-  REQUIRE(fallen > 8);
+  REQUIRE(fallen > 20);
   CHECK(named > fallen / 2);
 }
