@@ -1,6 +1,6 @@
 #include <opal/map_view.hpp>
 
-#include "collinear_faces.hpp"
+#include "support_lines.hpp"
 #include "surface_grid.hpp"
 
 #include <opal/error.hpp>
@@ -146,9 +146,19 @@ struct MapView::Index {
       entries.emplace_back(box_of(extent_of(geometry)), number);
     }
     tree = RTree(entries);
-    number_lines(by_number, [&](const Point& low, const Point& high) {
-      return numbers_of(bg::index::intersects(box_of({low, high})));
-    });
+    number_lines(map);
+  }
+
+  /// Wider than the lines that patterns are made of: evidence must not count one wall twice.
+  void number_lines(const SemanticMap& map) {
+    constexpr SupportLineOptions kSameWall{.min_length_m = 0, .angle_rad = 0.15, .offset_m = 0.2, .gap_m = 30};
+    std::vector<int> faces;
+    for (int number : numbers) {
+      by_number[number].line = number;
+      if (std::holds_alternative<Segment>(map.features()[number].geometry)) faces.push_back(number);
+    }
+    for (const MappedFeature& line : support_lines(map, std::move(faces), kSameWall))
+      for (int number : line.numbers) by_number[number].line = line.numbers.front();
   }
 
   template <class Query>

@@ -103,7 +103,7 @@ TEST_CASE("faces that lie on one straight line and look the same way share its n
     add({0, 0}, {6, 0});
     add({7, 0.1}, {9, 0.1});     // the next piece
     add({9, -0.05}, {9.4, 0});   // a short one, hardly askew
-    add({38, 0}, {39, 0});       // beyond 30 m
+    add({42, 0}, {43, 0});       // beyond 30 m
     add({6, -0.1}, {0, -0.1});   // the other side of the wall
     add({0, 0.6}, {6, 0.6});     // beside it
     add({6, 0}, {6, 3});         // across
