@@ -4,6 +4,7 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace opal {
 namespace {
@@ -31,13 +32,20 @@ Relation relate(const Segment& line, const Segment& face) {
           n.dot(face.end - line.begin)};
 }
 
-bool collinear(const Segment& line, const Segment& face, const SupportLineOptions& options) {
-  // The heading of a short face is known only to a few centimetres over its length.
-  const double angle = std::max(options.angle_rad, std::min(0.35, 0.04 / face.length_m()));
-  if (std::abs(wrap_angle(line.heading_rad() - face.heading_rad())) > angle) return false;
+bool goes_on_in(const Segment& line, const Segment& face, const SupportLineOptions& options) {
   const Relation r = relate(line, face);
   return std::abs(r.aside_begin) <= options.offset_m && std::abs(r.aside_end) <= options.offset_m &&
          r.begin <= line.length_m() + options.gap_m && r.end >= -options.gap_m;
+}
+
+bool same_heading(const Segment& line, const Segment& face, const SupportLineOptions& options) {
+  // The heading of a short face is known only to a few centimetres over its length.
+  const double angle = std::max(options.angle_rad, std::min(0.35, 0.04 / face.length_m()));
+  return std::abs(wrap_angle(line.heading_rad() - face.heading_rad())) <= angle;
+}
+
+bool collinear(const Segment& line, const Segment& face, const SupportLineOptions& options) {
+  return goes_on_in(line, face, options) && same_heading(line, face, options);
 }
 
 void absorb(Line& line, const Line& face) {
@@ -56,16 +64,59 @@ Box box_around(const Segment& segment, double margin_m) {
   return {{low.x() - margin_m, low.y() - margin_m}, {high.x() + margin_m, high.y() + margin_m}};
 }
 
-/// The first line after number `after`, of those that are left, that goes on in line number `a`; lines.size() if none.
-std::size_t next_collinear(const RTree& tree, const std::vector<Line>& lines, const std::vector<bool>& gone,
-                           std::size_t a, std::size_t after, const SupportLineOptions& options) {
-  std::size_t first = lines.size();
-  const Box box = box_around(lines[a].extent, options.gap_m + options.offset_m + 0.01);
-  for (auto it = tree.qbegin(bg::index::intersects(box)); it != tree.qend(); ++it) {
-    const std::size_t b = it->second;
-    if (b > after && b < first && !gone[b] && collinear(lines[a].extent, lines[b].extent, options)) first = b;
+Segment prolonged(const Segment& line, double by_m) {
+  const Point further = by_m * line.direction();
+  return {line.begin - further, line.end + further};
+}
+
+/// What may go on in a line that grows. Looked up along the line for more than its reach, so that it can grow for a while.
+class Continuations {
+ public:
+  Continuations(const RTree& tree, const SupportLineOptions& options) : tree_(tree), options_(options) {}
+
+  /// Numbers of all lines that may go on in `line`, ascending.
+  const std::vector<std::size_t>& of(const Segment& line) {
+    if (!looked_along_ || !covers(line)) look_along(prolonged(line, options_.gap_m + kFurther_m));
+    return numbers_;
   }
-  return first;
+
+ private:
+  static constexpr double kFurther_m = 30, kAside_m = 0.1, kStep_m = 20;
+
+  bool covers(const Segment& line) const {
+    const Relation r = relate(*looked_along_, prolonged(line, options_.gap_m));
+    return r.begin >= 0 && r.end <= looked_along_->length_m() && std::abs(r.aside_begin) <= kAside_m &&
+           std::abs(r.aside_end) <= kAside_m;
+  }
+
+  /// In steps, because the box around a long line that lies aslant holds half of a map.
+  void look_along(const Segment& line) {
+    looked_along_ = line;
+    numbers_.clear();
+    const int steps = 1 + static_cast<int>(line.length_m() / kStep_m);
+    const Point step = (line.end - line.begin) / steps;
+    for (int k = 0; k < steps; ++k) {
+      const Segment piece{line.begin + k * step, line.begin + (k + 1) * step};
+      const Box box = box_around(piece, options_.offset_m + kAside_m + 0.01);
+      for (auto it = tree_.qbegin(bg::index::intersects(box)); it != tree_.qend(); ++it) numbers_.push_back(it->second);
+    }
+    std::sort(numbers_.begin(), numbers_.end());
+    numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
+  }
+
+  const RTree& tree_;
+  const SupportLineOptions& options_;
+  std::optional<Segment> looked_along_;
+  std::vector<std::size_t> numbers_;
+};
+
+/// The first line after number `after`, of those that are left, that goes on in `line`; lines.size() if none.
+std::size_t next_collinear(const Segment& line, const std::vector<std::size_t>& continuations,
+                           const std::vector<Line>& lines, const std::vector<bool>& gone, std::size_t after,
+                           const SupportLineOptions& options) {
+  for (auto b = std::upper_bound(continuations.begin(), continuations.end(), after); b != continuations.end(); ++b)
+    if (!gone[*b] && collinear(line, lines[*b].extent, options)) return *b;
+  return lines.size();
 }
 
 /// One pass: longer lines absorb shorter ones. True if any was absorbed.
@@ -79,7 +130,9 @@ bool absorb_once(std::vector<Line>& lines, const SupportLineOptions& options) {
   bool any = false;
   for (std::size_t a = 0; a < lines.size(); ++a) {
     if (gone[a]) continue;
-    for (std::size_t b = a; (b = next_collinear(tree, lines, gone, a, b, options)) < lines.size();) {
+    Continuations continuations(tree, options);
+    const Segment& line = lines[a].extent;
+    for (std::size_t b = a; (b = next_collinear(line, continuations.of(line), lines, gone, b, options)) < lines.size();) {
       absorb(lines[a], lines[b]);
       gone[b] = any = true;
     }

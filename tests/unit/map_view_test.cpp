@@ -116,6 +116,19 @@ TEST_CASE("faces that lie on one straight line and look the same way share its n
   }
 }
 
+TEST_CASE("one line goes on as far as each piece follows the one before, in both directions") {
+  for (const double turned_rad : {0.0, 0.7, -2.3}) {
+    std::vector<Geometry> geometries;
+    for (int k : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11})
+      geometries.push_back(transformed(Pose2(3, 5, turned_rad), Segment{{25.0 * k, 0.01 * k}, {25.0 * k + 2, 0.01 * k}}));
+    const MapView view(map_of(geometries), "PlanarLidar2D");
+    for (int number : view.features()) {
+      CAPTURE(turned_rad, number);
+      CHECK(view.surface(number).line == view.surface(0).line);
+    }
+  }
+}
+
 TEST_CASE("far outside the map there is nothing, whatever is asked") {
   const MapView view(map_of({kUpper}), "PlanarLidar2D");
   for (const Point& p : {Point(1e9, 1e9), Point(-1e9, 3), Point(std::nan(""), 0)}) {
