@@ -67,17 +67,14 @@ class Search {
         rate(sums_[j][i], (i - x_.count) * stride_x, (j - y_.count) * stride_y, turn_rad);
   }
 
-  /// Of all points, at every shift. Point by point and row by row: where a point may lie, neighbouring shifts find
-  /// neighbouring cells.
+  /// Of all points, at every shift, row by row: neighbouring shifts find neighbouring cells.
   void sum_nearness(const Pose2& turned, int stride_x, int stride_y) {
-    sums_ = {};
+    cells_.clear();
     for (const Point& point : scan_) {
       const Point moved = turned * point;
-      const int column = grid_.column_of(moved.x()) - x_.count * stride_x;
-      const int row = grid_.row_of(moved.y()) - y_.count * stride_y;
-      for (int j = 0; j < y_.all(); ++j)
-        grid_.add_nearness(column, row + j * stride_y, stride_x, std::span(sums_[j]).first(x_.all()));
+      cells_.push_back({grid_.column_of(moved.x()) - x_.count * stride_x, grid_.row_of(moved.y()) - y_.count * stride_y});
     }
+    for (int j = 0; j < y_.all(); ++j) sums_[j] = grid_.sum_nearness(cells_, j * stride_y, stride_x, x_.all());
   }
 
   void rate(float near, int column_shift, int row_shift, double turn_rad) {
@@ -103,7 +100,9 @@ class Search {
   const Pose2& guess_;
   const Eigen::Vector3d& sigma_;
   Steps x_, y_;
-  std::array<std::array<float, 2 * kMostSteps + 1>, 2 * kMostSteps + 1> sums_;  ///< nearness, by y and x
+  std::vector<ReferenceGrid::Cell> cells_;  ///< where the points lie at the lowest shift
+  static_assert(2 * kMostSteps + 1 <= ReferenceGrid::kMostSums);
+  std::array<ReferenceGrid::Sums, 2 * kMostSteps + 1> sums_;  ///< nearness, by y and x
   Candidate best_, second_;
 };
 

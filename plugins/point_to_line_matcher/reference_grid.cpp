@@ -68,7 +68,7 @@ void ReferenceGrid::lay_out(std::span<const Point> reference) {
   rows_ = static_cast<int>(size.y() / cell_m_) + 1;
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   surfel_of_.assign(cells, kNone);
-  nearness_.assign(cells, 0);
+  nearness_.assign(cells + kMostSums, 0);
 }
 
 /// One surfel per occupied cell. Scans seen from either side of a wall have opposite normals: they are turned alike.
@@ -116,16 +116,34 @@ void ReferenceGrid::spread(std::uint32_t index) {
   }
 }
 
-void ReferenceGrid::add_nearness(int column, int row, int step, std::span<float> sums) const {
-  if (row < 0 || row >= rows_) return;
-  const int count = static_cast<int>(sums.size());
-  if (step == 1 && column >= 0 && column + count <= columns_) {  // nearly always; the compiler adds four at a time
-    const float* from = &nearness_[cell(column, row)];
-    for (int k = 0; k < count; ++k) sums[k] += from[k];
-    return;
+ReferenceGrid::Sums ReferenceGrid::sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const {
+  return count <= kMostSums / 2 ? sum_nearness<kMostSums / 2>(cells, rows, step, count)
+                                : sum_nearness<kMostSums>(cells, rows, step, count);
+}
+
+/// Sums stay in the processor's registers, which takes a number of them that is known beforehand.
+template <int kSums>
+ReferenceGrid::Sums ReferenceGrid::sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const {
+  using Row = Eigen::Array<float, kSums, 1>;
+  Row sums = Row::Zero();
+  for (const auto& [column, first_row] : cells) {
+    const int row = first_row + rows;
+    if (row < 0 || row >= rows_) continue;
+    if (step == 1 && column >= 0 && column + count <= columns_)  // nearly always
+      sums += Eigen::Map<const Row>(&nearness_[cell(column, row)]);
+    else
+      sums += nearness_at_edge(column, row, step, count).template head<kSums>();
   }
+  Sums all = Sums::Zero();
+  all.template head<kSums>() = sums;
+  return all;
+}
+
+ReferenceGrid::Sums ReferenceGrid::nearness_at_edge(int column, int row, int step, int count) const {
+  Sums nearness = Sums::Zero();
   for (int k = 0; k < count; ++k)
-    if (const int c = column + k * step; c >= 0 && c < columns_) sums[k] += nearness_[cell(c, row)];
+    if (const int c = column + k * step; c >= 0 && c < columns_) nearness[k] = nearness_[cell(c, row)];
+  return nearness;
 }
 
 }  // namespace opal::point_to_line

@@ -39,8 +39,14 @@ class ReferenceGrid {
   int column_of(double x) const { return static_cast<int>(std::floor((x - origin_.x()) / cell_m_)); }
   int row_of(double y) const { return static_cast<int>(std::floor((y - origin_.y()) / cell_m_)); }
 
-  /// Adds to sums[k] how near the reference is to the cell at column + k * step of a row: 1 on it, 0 from kReach_m on.
-  void add_nearness(int column, int row, int step, std::span<float> sums) const;
+  struct Cell {
+    int column, row;
+  };
+  static constexpr int kMostSums = 16;
+  using Sums = Eigen::Array<float, kMostSums, 1>;
+  /// Of all cells, `rows` rows on, how near the reference is to column + k * step: 1 on it, 0 from kReach_m on; for
+  /// k < count, at most kMostSums. Sums from there on mean nothing.
+  Sums sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
@@ -51,6 +57,9 @@ class ReferenceGrid {
   void lay_out(std::span<const Point> reference);
   void gather(std::span<const Point> reference);
   void spread(std::uint32_t surfel);
+  template <int kSums>
+  Sums sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const;
+  Sums nearness_at_edge(int column, int row, int step, int count) const;
 
   Point origin_ = Point::Zero();
   double cell_m_ = 0.1;
@@ -58,7 +67,7 @@ class ReferenceGrid {
   int rows_ = 0;
   // By cell. Apart from each other, since a search reads nothing but nearness, along rows.
   std::vector<std::uint32_t> surfel_of_;
-  std::vector<float> nearness_;
+  std::vector<float> nearness_;  ///< and kMostSums more, since that many are read at a time
   std::vector<Surfel> surfels_;
 };
 
