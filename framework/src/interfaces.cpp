@@ -13,6 +13,7 @@ namespace opal {
 FeatureDetector::~FeatureDetector() = default;
 PatternTemplate::~PatternTemplate() = default;
 HypothesisScorer::~HypothesisScorer() = default;
+bool HypothesisScorer::judges_associations() const { return true; }
 std::vector<Finding> HypothesisScorer::explain(const Hypothesis&, const Observation&, const MapView&) const { return {}; }
 LogReader::~LogReader() = default;
 LogSource::~LogSource() = default;

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace opal {
@@ -46,6 +47,10 @@ std::vector<Judge::NamedFinding> Judge::explain(const Hypothesis& hypothesis, co
     for (Finding& finding : findings) all.push_back({scorer.name, std::move(finding)});
   }
   return all;
+}
+
+bool Judge::judges_associations() const {
+  return std::any_of(scorers_.begin(), scorers_.end(), [](const ActiveScorer& s) { return s.part->judges_associations(); });
 }
 
 double Judge::decide(const Hypothesis& hypothesis, const Observation& observation) const {

@@ -15,6 +15,8 @@ class Judge {
         std::map<std::string, int>& failures)
       : scorers_(std::move(scorers)), map_(std::move(map)), failures_(failures) {}
 
+  bool judges_associations() const;  ///< any of the scorers
+
   /// Sum of the deciding scorers' contributions [nat].
   double decide(const Hypothesis& hypothesis, const Observation& observation) const;
 

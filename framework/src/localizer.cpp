@@ -68,6 +68,7 @@ struct Localizer::State {
   bool worth_loose_search(const std::vector<Candidate>& found) const;
   void verify(std::vector<Candidate>& candidates, const Observation& observation, const Scan& scan,
               std::size_t keep);
+  Hypothesis aligned(Candidate& candidate, const Observation& observation, double sigma_m) const;
   void keep_best(std::vector<Candidate>& candidates, double distance_m, std::size_t keep);
   void grow();
   std::vector<int> pattern_of_best() const;
@@ -238,31 +239,32 @@ std::vector<SeedFeature> Localizer::State::seed_features(const Observation& obse
 void Localizer::State::verify(std::vector<Candidate>& candidates, const Observation& full, const Scan& scan,
                               std::size_t keep) {
   // Two sieves: a few beams for all candidates, all beams for those that look good.
-  const Pose2 T_base_local = local_map.T_local_base().inverse();
+  constexpr double kOnePlace_m = 0.2;
   Observation few{local_map, thinned(scan.points, parts.laser.T_base_laser, 0.1, kCoarsePoints).points, {},
                   full.range_max_m, full.laser_position, full.features};
   few.patches = local_map.patches(few.points);
-  struct Sieve {
-    const Observation& observation;
-    double sigma_m;
-    double distance_m;
-  };
-  for (const Sieve& sieve : {Sieve{few, 0.15, 0.2}, Sieve{full, 0.12, 0.2}}) {
-    RefinementOptions refinement;
-    refinement.iterations = 4;
-    refinement.sigma_m = sieve.sigma_m;
-    refinement.prior_position = 0.01;
-    refinement.prior_heading = 0.05;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      Pose2& pose = candidates[k].T_map_base;
-      pose = refine_on_map(*parts.map, sieve.observation.points, full.laser_position, pose, refinement);
-      Hypothesis trial;
-      trial.T_map_local = pose * T_base_local;
-      trial.associations = candidates[k].pairs;
-      candidates[k].score = judge.decide(trial, sieve.observation);
-    }
-    keep_best(candidates, sieve.distance_m, keep);
+  for (Candidate& candidate : candidates) candidate.score = judge.decide(aligned(candidate, few, 0.15), few);
+  keep_best(candidates, kOnePlace_m, keep);
+  for (Candidate& candidate : candidates) {
+    candidate.verdict = judge.judge(aligned(candidate, full, 0.12), full);
+    candidate.score = candidate.verdict.nat;
   }
+  keep_best(candidates, kOnePlace_m, keep);
+}
+
+/// Moves the candidate to where the scan fits best. @return the hypothesis that it would be.
+Hypothesis Localizer::State::aligned(Candidate& candidate, const Observation& observation, double sigma_m) const {
+  RefinementOptions refinement;
+  refinement.iterations = 4;
+  refinement.sigma_m = sigma_m;
+  refinement.prior_position = 0.01;
+  refinement.prior_heading = 0.05;
+  Pose2& pose = candidate.T_map_base;
+  pose = refine_on_map(*parts.map, observation.points, observation.laser_position, pose, refinement);
+  Hypothesis trial;
+  trial.T_map_local = pose * local_map.T_local_base().inverse();
+  trial.associations = candidate.pairs;
+  return trial;
 }
 
 /// Best first, one per place.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "judge.hpp"
 #include "place_sieve.hpp"
 #include "support_lines.hpp"
 
@@ -24,6 +25,7 @@ struct Candidate {
   double score = 0;     ///< the seeder's: mean nearness of the coarse scan, in [0, 1]; once verified: evidence [nat]
   int pattern = -1;     ///< which of the seeder's templates
   std::vector<Association> pairs;
+  Judge::Verdict verdict = {};  ///< of the newest scan, once verified
 };
 
 /// Looks observed patterns up among mapped ones. Built once per map.

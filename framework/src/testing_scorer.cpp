@@ -162,6 +162,16 @@ class Judging {
     if (!same && std::isfinite(score->log_likelihood))
       violations_.add("repeat", "gives " + name + " another score when it is asked again");
     check_findings(name, hypothesis, seen, view);
+    check_associations(name, hypothesis, seen, view);
+  }
+
+  void check_associations(const std::string& name, const Hypothesis& hypothesis, const Observation& seen, const MapView& view) {
+    if (scorer_.judges_associations()) return;
+    Hypothesis alone = hypothesis;
+    alone.associations.clear();
+    const auto with = ask(name, hypothesis, seen, view), without = ask(name, alone, seen, view);
+    if (with && without && (with->log_likelihood != without->log_likelihood || with->veto != without->veto))
+      violations_.add("associations", "gives " + name + " another score than without its associations, which it says it does not judge");
   }
 
   void check_findings(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,

@@ -30,6 +30,7 @@ class BeamScorer final : public opal::HypothesisScorer {
   explicit BeamScorer(const nlohmann::json& options);
   opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                     const opal::MapView& map) const override;
+  bool judges_associations() const override { return false; }
   /// The mapped objects that beams pass through, each with the beam that does so deepest.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                      const opal::MapView& map) const override;

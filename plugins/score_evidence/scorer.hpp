@@ -12,6 +12,7 @@ class EvidenceScorer final : public opal::HypothesisScorer {
   explicit EvidenceScorer(const nlohmann::json& options);
   opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                     const opal::MapView& map) const override;
+  bool judges_associations() const override { return false; }
   /// The largest features of the scan that no mapped feature explains.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                      const opal::MapView& map) const override;

@@ -20,6 +20,7 @@ class FreeSpaceScorer final : public opal::HypothesisScorer {
   ~FreeSpaceScorer() override;
   opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                     const opal::MapView& map) const override;
+  bool judges_associations() const override { return false; }
   /// The mapped objects that reach deepest into free space.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                      const opal::MapView& map) const override;

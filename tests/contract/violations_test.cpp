@@ -216,6 +216,8 @@ TEST_CASE("a plugin that fails when it is called breaks its contract, with the f
 TEST_CASE("a scorer that breaks a promise is told which") {
   struct Scorer final : HypothesisScorer {
     std::function<double(const Hypothesis&, const Observation&)> judge;
+    bool by_associations = true;
+    bool judges_associations() const override { return by_associations; }
     Score score(const Hypothesis& hypothesis, const Observation& seen, const MapView&) const override {
       return {judge(hypothesis, seen), "", {}};
     }
@@ -237,6 +239,10 @@ TEST_CASE("a scorer that breaks a promise is told which") {
   double calls = 0;
   CHECK_THAT(offences([&](const Hypothesis&, const Observation&) { return ++calls; }),
              Contains("another score when it is asked again"));
+  scorer.by_associations = false;
+  CHECK_THAT(offences([](const Hypothesis& h, const Observation&) { return 0.1 * static_cast<double>(h.associations.size()); }),
+             Contains("another score than without its associations, which it says it does not judge"));
+  CHECK(offences([](const Hypothesis&, const Observation& seen) { return static_cast<double>(seen.points.size()); }) == "");
 }
 
 TEST_CASE("a scorer that explains itself badly is told so") {
