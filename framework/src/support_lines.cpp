@@ -81,7 +81,7 @@ class Continuations {
   }
 
  private:
-  static constexpr double kFurther_m = 30, kAside_m = 0.1, kStep_m = 20;
+  static constexpr double kFurther_m = 30, kAside_m = 0.1, kStep_m = 20, kMostSteps = 1000;
 
   bool covers(const Segment& line) const {
     const Relation r = relate(*looked_along_, prolonged(line, options_.gap_m));
@@ -93,7 +93,7 @@ class Continuations {
   void look_along(const Segment& line) {
     looked_along_ = line;
     numbers_.clear();
-    const int steps = 1 + static_cast<int>(line.length_m() / kStep_m);
+    const int steps = 1 + static_cast<int>(std::min(line.length_m() / kStep_m, kMostSteps));
     const Point step = (line.end - line.begin) / steps;
     for (int k = 0; k < steps; ++k) {
       const Segment piece{line.begin + k * step, line.begin + (k + 1) * step};
