@@ -26,31 +26,6 @@ std::string fixed(double value, int decimals) {
 
 bool ended(const Live& live) { return live.leaf < 0; }
 
-/// What hypotheses get for a scan if they have met nothing before, as candidates have not: asked once of each.
-class AsNewborn {
- public:
-  AsNewborn(const Judge& judge, const Observation& observation) : judge_(judge), observation_(observation) {}
-
-  double nat(const Hypothesis& old) {
-    const auto [known, is_new] = known_.try_emplace(old.id);
-    if (is_new) known->second = judge_.decide(newborn(old), observation_);
-    return known->second;
-  }
-  void forget(const Hypothesis& moved) { known_.erase(moved.id); }
-
- private:
-  static Hypothesis newborn(const Hypothesis& old) {
-    Hypothesis like_it;
-    like_it.T_map_local = old.T_map_local;
-    like_it.associations = old.associations;
-    return like_it;
-  }
-
-  const Judge& judge_;
-  const Observation& observation_;
-  std::map<int, double> known_;
-};
-
 }  // namespace
 
 HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
@@ -126,7 +101,6 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
 void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
                           const Hindsight& hindsight) {
   const Pose2 T_base_local = observation.local_map.T_local_base().inverse();
-  AsNewborn as_newborn(judge_, observation);
   for (Candidate& candidate : candidates) {
     Live live;
     live.hypothesis.T_map_local = candidate.T_map_base * T_base_local;
@@ -143,9 +117,11 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
     };
     const auto old = std::find_if(alive_.begin(), alive_.end(), same_place);
     if (old != alive_.end()) {
-      const double gain = verdict.nat - as_newborn.nat(old->hypothesis);
+      Hypothesis newborn;  // both judged as if they had met nothing yet
+      newborn.T_map_local = old->hypothesis.T_map_local;
+      newborn.associations = old->hypothesis.associations;
+      const double gain = verdict.nat - judge_.decide(newborn, observation);
       if (gain > 0.3) {  // clearly better aligned: the old one moves over
-        as_newborn.forget(old->hypothesis);
         old->hypothesis.log_likelihood += gain;
         old->hypothesis.T_map_local = live.hypothesis.T_map_local;
         old->scan_nat += gain;

@@ -157,20 +157,21 @@ class Judging {
                                     std::to_string(term.value));
     }
     const auto again = ask(name, hypothesis, seen, view);
-    const bool same = again && again->log_likelihood == score->log_likelihood && again->veto == score->veto &&
-                      again->breakdown.size() == score->breakdown.size();
-    if (!same && std::isfinite(score->log_likelihood))
+    if (!(again && same(*again, *score)) && std::isfinite(score->log_likelihood))
       violations_.add("repeat", "gives " + name + " another score when it is asked again");
     check_findings(name, hypothesis, seen, view);
-    check_associations(name, hypothesis, seen, view);
+    if (!scorer_.judges_associations()) check_without_associations(name, *score, hypothesis, seen, view);
   }
 
-  void check_associations(const std::string& name, const Hypothesis& hypothesis, const Observation& seen, const MapView& view) {
-    if (scorer_.judges_associations()) return;
-    Hypothesis alone = hypothesis;
-    alone.associations.clear();
-    const auto with = ask(name, hypothesis, seen, view), without = ask(name, alone, seen, view);
-    if (with && without && (with->log_likelihood != without->log_likelihood || with->veto != without->veto))
+  static bool same(const Score& a, const Score& b) {
+    return a.log_likelihood == b.log_likelihood && a.veto == b.veto && a.breakdown.size() == b.breakdown.size();
+  }
+
+  void check_without_associations(const std::string& name, const Score& score, Hypothesis hypothesis,
+                                  const Observation& seen, const MapView& view) {
+    hypothesis.associations.clear();
+    const auto alone = ask(name, hypothesis, seen, view);
+    if (alone && !same(*alone, score))
       violations_.add("associations", "gives " + name + " another score than without its associations, which it says it does not judge");
   }
 

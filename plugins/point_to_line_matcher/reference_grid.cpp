@@ -132,14 +132,14 @@ ReferenceGrid::Sums ReferenceGrid::sum_nearness(std::span<const Cell> cells, int
     if (step == 1 && column >= 0 && column + count <= columns_)  // nearly always
       sums += Eigen::Map<const Row>(&nearness_[cell(column, row)]);
     else
-      sums += nearness_at_edge(column, row, step, count).template head<kSums>();
+      sums += nearness_cell_by_cell(column, row, step, count).template head<kSums>();
   }
   Sums all = Sums::Zero();
   all.template head<kSums>() = sums;
   return all;
 }
 
-ReferenceGrid::Sums ReferenceGrid::nearness_at_edge(int column, int row, int step, int count) const {
+ReferenceGrid::Sums ReferenceGrid::nearness_cell_by_cell(int column, int row, int step, int count) const {
   Sums nearness = Sums::Zero();
   for (int k = 0; k < count; ++k)
     if (const int c = column + k * step; c >= 0 && c < columns_) nearness[k] = nearness_[cell(c, row)];

@@ -59,7 +59,7 @@ class ReferenceGrid {
   void spread(std::uint32_t surfel);
   template <int kSums>
   Sums sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const;
-  Sums nearness_at_edge(int column, int row, int step, int count) const;
+  Sums nearness_cell_by_cell(int column, int row, int step, int count) const;
 
   Point origin_ = Point::Zero();
   double cell_m_ = 0.1;
