@@ -258,6 +258,18 @@ test('a deep link leads back to moment, selection, layers and view', async () =>
   });
 });
 
+test('an address that comes just before the page writes its own is visited', () =>
+  withPage({}, async (page) => {
+    await page.waitForFunction(() => location.hash !== '');
+    await page.evaluate(() => {
+      setTimeout(() => (location.hash = '#t=2&sel=1'), 200);
+      window.opal.seek(47);
+      const bothDue = performance.now() + 300;
+      while (performance.now() < bothDue);
+    });
+    await page.waitForFunction(() => window.opal.state().frame === 10 && window.opal.choices().selected === 1);
+  }));
+
 test('windows are time lines of their own', async () => {
   const three = syntheticRun({ frames: 60, hypotheses: 6, windows: 3 });
   await withPage({ address: writePage('windows', [three.lines, 'out']) }, async (page) => {

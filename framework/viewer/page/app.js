@@ -1,6 +1,6 @@
 import { Announcer } from './announcer.js';
 import { AppState } from './app_state.js';
-import { DeepLink, wishesOf } from './deep_link.js';
+import { DeepLink } from './deep_link.js';
 import { DetailsPanel } from './details_panel.js';
 import { element } from './dom.js';
 import { Header } from './header.js';
@@ -111,7 +111,7 @@ export class App {
 
   /// The first look, once data is there: what the address asks for, else the whole map at the start.
   start() {
-    this.visit(wishesOf(location.hash));
+    this.visit(this.link.read());
     this.started = true;
     this.fitOnce();
     this.invalidate();

@@ -26,7 +26,7 @@ function linkOf(state) {
 const trimmed = (value, digits) => String(Number(value.toFixed(digits)));
 
 /// What such a text asks for; what cannot be read is left out.
-export function wishesOf(hash) {
+function wishesOf(hash) {
   const fields = new URLSearchParams(hash.replace(/^#/, ''));
   const wishes = {};
   const number = (name) =>
@@ -60,20 +60,27 @@ export class DeepLink {
   constructor(state, visit) {
     this.state = state;
     this.timer = 0;
-    this.written = '';
+    this.known = location.hash; ///< as last read or written
     window.addEventListener('hashchange', () => {
-      if (location.hash.slice(1) !== this.written) visit(wishesOf(location.hash));
+      if (location.hash !== this.known) visit(this.read());
     });
+  }
+
+  read() {
+    this.known = location.hash;
+    return wishesOf(this.known);
   }
 
   note() {
     if (!this.timer) this.timer = setTimeout(() => this.write(), this.state.playing ? kPausePlaying_ms : kPause_ms);
   }
 
+  /// An address that somebody has changed meanwhile is a wish that is about to be visited, and stays.
   write() {
     clearTimeout(this.timer);
     this.timer = 0;
-    this.written = linkOf(this.state);
-    history.replaceState(null, '', `#${this.written}`);
+    if (location.hash !== this.known) return;
+    history.replaceState(null, '', `#${linkOf(this.state)}`);
+    this.known = location.hash;
   }
 }
