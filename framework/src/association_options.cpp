@@ -62,6 +62,8 @@ const std::vector<Field>& fields() {
       {"none_nat", &O::none_nat, -kMany, kMany},
       {"localized_probability", &O::localized_probability, 0, 1},
       {"localized_novelty", &O::localized_novelty, 0, kMany},
+      {"localized_novelty_per_m", &O::localized_novelty_per_m, 0, kMany},
+      {"localized_unmapped_m", &O::localized_unmapped_m, 0, kMany},
       {"none_scan_nat", &O::none_scan_nat, -kMany, kMany},
       {"lost_scan_nat", &O::lost_scan_nat, -kMany, kMany},
       {"carried_nat", &O::carried_nat, -kMany, 0},

@@ -6,6 +6,7 @@
 #include "run_journal.hpp"
 #include "seeding.hpp"
 #include "status.hpp"
+#include "unmapped_walls.hpp"
 
 #include <opal/registration.hpp>
 
@@ -59,6 +60,7 @@ struct Localizer::State {
   std::vector<Feature> detect(const Scan& scan);
   Observation observe(const Scan& scan, const std::vector<Feature>& features) const;
   double novelty() const;  ///< of the newest scan
+  Circumstances circumstances() const;
   void track(const Observation& observation, const Scan& scan);
   void watch();
   void settle();
@@ -122,7 +124,7 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.hindsight.remember(observation, s.keyframe, s.novelty(), best_nat);
   const PoseEstimate estimate = s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s,
-                                                  s.novelty(), s.change.probability());
+                                                  s.circumstances());
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
@@ -180,6 +182,12 @@ Observation Localizer::State::observe(const Scan& scan, const std::vector<Featur
 double Localizer::State::novelty() const {
   if (!started) return 1;
   return std::clamp(step_m / options.novelty_m + turn_rad / options.novelty_rad, options.least_novelty, 1.0);
+}
+
+Circumstances Localizer::State::circumstances() const {
+  const auto& all = hypotheses.alive();
+  const double unmapped_m = all.empty() ? 0 : unmapped_walls_m(local_map, *parts.map, all.front().hypothesis.T_map_local);
+  return {novelty(), change.probability(), unmapped_m};
 }
 
 void Localizer::State::track(const Observation& observation, const Scan& scan) {

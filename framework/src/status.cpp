@@ -64,43 +64,55 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
   }
 }
 
+double StatusEstimator::novelty_asked(double unmapped_walls_m) const {
+  const double beyond_m = std::max(0.0, unmapped_walls_m - options_.localized_unmapped_m);
+  return options_.localized_novelty + options_.localized_novelty_per_m * beyond_m;
+}
+
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,
-                              const PoseEstimate& estimate, double novelty, double carried) {
+                              const PoseEstimate& estimate, const Circumstances& now) {
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
-  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + novelty : 0;
+  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.novelty : 0;
   constexpr double kMemory = 0.8;
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
                         : alive.front().scan_nat;
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
     return because(Status::lost, "the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
                    options_.lost_scan_nat);
-  const bool doubt = estimate.probability * (1 - carried) <= options_.localized_probability;
+  const bool doubt = estimate.probability * (1 - now.carried) <= options_.localized_probability;
   if (was_localized_ && same && doubt && sure_ > 0)
     return because(Status::lost, "the newest scans do not fit here: carried away with probability %.3f, not below %.3f",
-                   carried, 1 - options_.localized_probability);
-  const char* held = "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence";
-  if (sure_ >= options_.localized_novelty && !doubt) return because(Status::localized, held, sure_, options_.localized_novelty);
-  const Status status = estimate.rivals.empty() ? Status::searching : Status::ambiguous;
-  if (sure_ > 0) return because(status, held, sure_, options_.localized_novelty);
+                   now.carried, 1 - options_.localized_probability);
+  const double asked = novelty_asked(now.unmapped_walls_m);
+  const Status status = sure_ >= asked && !doubt   ? Status::localized
+                        : estimate.rivals.empty() ? Status::searching
+                                                  : Status::ambiguous;
+  if (sure_ > 0 && asked > options_.localized_novelty)
+    return because(status, "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence, "
+                   "so many since %.1f m of straight walls that were seen are not on the map", sure_, asked,
+                   now.unmapped_walls_m);
+  if (sure_ > 0)
+    return because(status, "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence",
+                   sure_, asked);
   if (same || estimate.probability <= options_.localized_probability)
     return because(status, "the probability is %.3f, not above %.3f", estimate.probability,
                    options_.localized_probability);
-  return because(status, "the best place has just changed", 0, 0);
+  return because(status, "the best place has just changed");
 }
 
-Status StatusEstimator::because(Status status, const char* format, double found, double wanted) {
-  char text[160];
-  std::snprintf(text, sizeof text, format, found, wanted);
+Status StatusEstimator::because(Status status, const char* format, auto... numbers) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, numbers...);
   belief_.why = text;
   return status;
 }
 
 PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base,
-                                       double stamp_s, double novelty, double carried) {
+                                       double stamp_s, const Circumstances& now) {
   PoseEstimate estimate;
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
-  none_nat_ = (1 - novelty * (1 - options_.memory)) * none_nat_ + novelty * options_.none_scan_nat;
+  none_nat_ = (1 - now.novelty * (1 - options_.memory)) * none_nat_ + now.novelty * options_.none_scan_nat;
   believe(alive);
   estimate.none = belief_.none;
   if (alive.empty()) {
@@ -114,8 +126,8 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.best = alive.front().hypothesis.id;
   estimate.T_map_base = alive.front().hypothesis.T_map_local * T_local_base;
   weigh(alive, T_local_base, estimate);
-  estimate.status = judge(alive, T_local_base, estimate, novelty, carried);
-  reckon_with(carried, estimate);
+  estimate.status = judge(alive, T_local_base, estimate, now);
+  reckon_with(now.carried, estimate);
   was_localized_ = was_localized_ || estimate.status == Status::localized;
   T_map_local_ = alive.front().hypothesis.T_map_local;
   last_ = estimate;

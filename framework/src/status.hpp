@@ -8,6 +8,13 @@
 
 namespace opal {
 
+/// What the newest scan tells beside the hypotheses' evidence.
+struct Circumstances {
+  double novelty = 1;          ///< how much of a new piece of evidence the scan was, in (0, 1]
+  double carried = 0;          ///< probability that the robot has been carried away from all hypotheses
+  double unmapped_walls_m = 0; ///< straight walls around the robot that the best hypothesis does not find on the map
+};
+
 /// Turns hypotheses into one answer with a status.
 class StatusEstimator {
  public:
@@ -15,10 +22,8 @@ class StatusEstimator {
 
   /// @param alive         best first.
   /// @param T_local_base  newest pose in the local frame.
-  /// @param novelty       how much of a new piece of evidence the newest scan was, in (0, 1].
-  /// @param carried       probability that the robot has been carried away from all of them.
-  PoseEstimate estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s, double novelty,
-                        double carried = 0);
+  PoseEstimate estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s,
+                        const Circumstances& now);
   /// The newest estimate, carried on to another pose in the local frame.
   PoseEstimate at(double stamp_s, const Pose2& T_local_base) const;
 
@@ -42,9 +47,11 @@ class StatusEstimator {
   void believe(const std::vector<Live>& alive);
   void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const;
   Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
-               double novelty, double carried);
+               const Circumstances& now);
+  /// @return for how many pieces of new evidence the required probability has to hold.
+  double novelty_asked(double unmapped_walls_m) const;
   void reckon_with(double carried, PoseEstimate& estimate);
-  Status because(Status status, const char* format, double found, double wanted);
+  Status because(Status status, const char* format, auto... numbers);
 
   AssociationOptions options_;
   PoseEstimate last_;

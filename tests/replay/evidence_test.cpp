@@ -1,6 +1,7 @@
 #include "recorded_site.hpp"
 
 #include <opal/event_stream.hpp>
+#include <opal/map_damage.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -60,7 +61,50 @@ std::shared_ptr<const SemanticMap> with_glass(const RecordedSite& site, int pane
   return SemanticMap::make("with glass", std::move(objects), std::move(features));
 }
 
+/// Keeps when the pose was vouched for first, and in which words the status was told otherwise.
+class StatusReader final : public EventSink {
+ public:
+  bool listening() const override { return true; }
+  void write(const nlohmann::ordered_json& event) override {
+    if (event["event"] != "estimate") return;
+    if (event["status"] == "localized" && !first_localized) first_localized = event["keyframe"].get<int>();
+    const bool said = event["why"].get<std::string>().find("straight walls that were seen are not on the map") != std::string::npos;
+    told += said && event["status"] != "localized";
+  }
+  std::optional<int> first_localized;
+  int told = 0;
+};
+
+StatusReader read_status(const RecordedSite& site, std::shared_ptr<const SemanticMap> map, double novelty_per_m) {
+  LocalizerParts parts = site.parts(std::move(map));
+  parts.association["localized_novelty_per_m"] = novelty_per_m;
+  StatusReader reader;
+  Localizer localizer(std::move(parts), &reader);
+  replay(localizer, site.samples);
+  return reader;
+}
+
 }  // namespace
+
+TEST_CASE("a robot among walls that its map lacks waits longer until it vouches for its pose") {
+  const RecordedSite site("malaga");
+  MapDamage damage;
+  damage.plan_m = 1.5;
+  damage.drop = 0.3;
+  const auto lacking = damaged_map(*site.map, damage);
+  const StatusReader soon = read_status(site, lacking, 0), late = read_status(site, lacking, 1);
+  REQUIRE(soon.first_localized);
+  CHECK(soon.told == 0);
+  CHECK(late.told > 0);
+  CHECK((!late.first_localized || *late.first_localized > *soon.first_localized + 5));
+}
+
+TEST_CASE("a robot whose map holds the walls around it does not wait") {
+  const RecordedSite site("malaga");
+  const StatusReader soon = read_status(site, site.map, 0), late = read_status(site, site.map, 1);
+  REQUIRE(soon.first_localized);
+  CHECK(late.first_localized == soon.first_localized);
+}
 
 TEST_CASE("late candidates that earlier scans contradict are rejected, and the answer stays") {
   const RecordedSite site("malaga");

@@ -22,7 +22,7 @@ struct AssociationOptions {
   // Birth: which patterns are looked up, and how many candidates survive each sieve.
   int seed_features = 8;            ///< best supported features per geometry that templates are offered
   int seed_patterns = 10;           ///< patterns looked up per scan, fewest expected candidates first
-  int seed_lookup_limit = 30000;    ///< candidates per scan and template
+  int seed_lookup_limit = 2000;     ///< candidates per scan and template
   int seed_candidates = 30;         ///< kept by nearness of the scan to the map, one per place
   int seed_hypotheses = 12;         ///< kept by the scorers
   double seed_every_m = 0.5;        ///< driving, or
@@ -68,7 +68,9 @@ struct AssociationOptions {
   double none_scan_nat = 0.12;      ///< what a scan at a place that is not on the map would say for a wrong pose:
                                     ///< hypotheses must gather more than this to be believed
   double localized_probability = 0.99;
-  double localized_novelty = 2;     ///< sum of the scans' novelty over which that must hold
+  double localized_novelty = 2;     ///< sum of the scans' novelty over which that must hold,
+  double localized_novelty_per_m = 1; ///< and so much more of it per metre of straight walls around the robot that are
+  double localized_unmapped_m = 6;  ///< not on the map, beyond this much: it lacks walls, or the robot is elsewhere
   double lost_scan_nat = -0.2;      ///< mean of the newest scans below this: lost
 
   // Being carried away.
