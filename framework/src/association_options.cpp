@@ -64,6 +64,7 @@ const std::vector<Field>& fields() {
       {"localized_novelty", &O::localized_novelty, 0, kMany},
       {"localized_novelty_per_m", &O::localized_novelty_per_m, 0, kMany},
       {"localized_unmapped_m", &O::localized_unmapped_m, 0, kMany},
+      {"localized_most_novelty", &O::localized_most_novelty, 0, kMany},
       {"none_scan_nat", &O::none_scan_nat, -kMany, kMany},
       {"lost_scan_nat", &O::lost_scan_nat, -kMany, kMany},
       {"carried_nat", &O::carried_nat, -kMany, 0},

@@ -66,7 +66,8 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
 
 double StatusEstimator::novelty_asked(double unmapped_walls_m) const {
   const double beyond_m = std::max(0.0, unmapped_walls_m - options_.localized_unmapped_m);
-  return options_.localized_novelty + options_.localized_novelty_per_m * beyond_m;
+  const double asked = options_.localized_novelty + options_.localized_novelty_per_m * beyond_m;
+  return std::max(options_.localized_novelty, std::min(asked, options_.localized_most_novelty));
 }
 
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,

@@ -70,7 +70,8 @@ struct AssociationOptions {
   double localized_probability = 0.99;
   double localized_novelty = 2;     ///< sum of the scans' novelty over which that must hold,
   double localized_novelty_per_m = 1; ///< and so much more of it per metre of straight walls around the robot that are
-  double localized_unmapped_m = 6;  ///< not on the map, beyond this much: it lacks walls, or the robot is elsewhere
+  double localized_unmapped_m = 6;  ///< not on the map, beyond this much: it lacks walls, or the robot is elsewhere.
+  double localized_most_novelty = 20; ///< Whatever walls are missing, this is enough, or localized_novelty if that is more
   double lost_scan_nat = -0.2;      ///< mean of the newest scans below this: lost
 
   // Being carried away.
