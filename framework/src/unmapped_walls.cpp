@@ -5,7 +5,7 @@
 namespace opal {
 namespace {
 
-constexpr double kShortestWall_m = 1.5, kBeside_m = 0.3, kStep_m = 0.2;
+constexpr double kShortestWall_m = 2.5, kBeside_m = 0.3, kStep_m = 0.2;
 
 /// Sampled in the middle of pieces of about kStep_m.
 double unmapped_m(const Segment& wall, const MapView& map) {

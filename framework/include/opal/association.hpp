@@ -22,7 +22,7 @@ struct AssociationOptions {
   // Birth: which patterns are looked up, and how many candidates survive each sieve.
   int seed_features = 8;            ///< best supported features per geometry that templates are offered
   int seed_patterns = 10;           ///< patterns looked up per scan, fewest expected candidates first
-  int seed_lookup_limit = 2000;     ///< candidates per scan and template
+  int seed_lookup_limit = 5000;     ///< candidates per scan and template
   int seed_candidates = 30;         ///< kept by nearness of the scan to the map, one per place
   int seed_hypotheses = 12;         ///< kept by the scorers
   double seed_every_m = 0.5;        ///< driving, or
