@@ -89,7 +89,6 @@ struct PatternIndex::Tree {
   template <class Visit>
   bool search(const std::vector<Interval>& query, std::size_t node, std::size_t from, std::size_t to, Visit& visit) const {
     const Interval* box = &boxes[node * dimensions];
-    if (to - from > kBucket) __builtin_prefetch(&boxes[(2 * node + 1) * dimensions]);  // both children: they lie together
     bool inside = true;
     for (std::size_t d = 0; d < dimensions; ++d) {
       if (box[d].low > query[d].high || box[d].high < query[d].low) return true;
