@@ -88,17 +88,18 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
   const Status status = sure_ >= asked && !doubt   ? Status::localized
                         : estimate.rivals.empty() ? Status::searching
                                                   : Status::ambiguous;
-  if (sure_ > 0 && asked > options_.localized_novelty)
-    return because(status, "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence, "
-                   "so many since %.1f m of straight walls that were seen are not on the map", sure_, asked,
-                   now.unmapped_walls_m);
-  if (sure_ > 0)
-    return because(status, "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence",
-                   sure_, asked);
+  if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
   if (same || estimate.probability <= options_.localized_probability)
     return because(status, "the probability is %.3f, not above %.3f", estimate.probability,
                    options_.localized_probability);
   return because(status, "the best place has just changed");
+}
+
+Status StatusEstimator::because_held(Status status, double asked, double unmapped_walls_m) {
+  const char* held = "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence";
+  if (asked <= options_.localized_novelty) return because(status, held, sure_, asked);
+  const std::string for_walls = std::string(held) + ", so many since %.1f m of straight walls that were seen are not on the map";
+  return because(status, for_walls.c_str(), sure_, asked, unmapped_walls_m);
 }
 
 Status StatusEstimator::because(Status status, const char* format, auto... numbers) {

@@ -51,6 +51,8 @@ class StatusEstimator {
   /// @return for how many pieces of new evidence the required probability has to hold.
   double novelty_asked(double unmapped_walls_m) const;
   void reckon_with(double carried, PoseEstimate& estimate);
+  /// The status is what it is since the required probability has held for so long, and no longer.
+  Status because_held(Status status, double asked, double unmapped_walls_m);
   Status because(Status status, const char* format, auto... numbers);
 
   AssociationOptions options_;
