@@ -75,9 +75,11 @@ class StatusReader final : public EventSink {
   int told = 0;
 };
 
-StatusReader read_status(const RecordedSite& site, std::shared_ptr<const SemanticMap> map, double novelty_per_m) {
+StatusReader read_status(const RecordedSite& site, std::shared_ptr<const SemanticMap> map, double novelty_per_m,
+                         double most_novelty = 20) {
   LocalizerParts parts = site.parts(std::move(map));
   parts.association["localized_novelty_per_m"] = novelty_per_m;
+  parts.association["localized_most_novelty"] = most_novelty;
   StatusReader reader;
   Localizer localizer(std::move(parts), &reader);
   replay(localizer, site.samples);
@@ -97,6 +99,10 @@ TEST_CASE("a robot among walls that its map lacks waits longer until it vouches 
   CHECK(soon.told == 0);
   CHECK(late.told > 0);
   CHECK((!late.first_localized || *late.first_localized > *soon.first_localized + 5));
+  const StatusReader bounded = read_status(site, lacking, 100, 4);
+  REQUIRE(bounded.first_localized);
+  CHECK(*bounded.first_localized > *soon.first_localized);
+  CHECK((!late.first_localized || *bounded.first_localized <= *late.first_localized));
 }
 
 TEST_CASE("a robot whose map holds the walls around it does not wait") {
