@@ -1,8 +1,8 @@
 #include "bench_site.hpp"
 
-#include "cpu_clock.hpp"
 #include "session.hpp"
 
+#include <opal/cpu_clock.hpp>
 #include <opal/error.hpp>
 
 #include <algorithm>
@@ -22,9 +22,9 @@ std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const st
     const std::string name = std::filesystem::path(prefix).filename().string();
     if (std::any_of(sites.begin(), sites.end(), [&](const BenchSite& site) { return site.name == name; }))
       throw opal::ConfigError("bench: two places are called '" + name + "', expected a name for each");
-    const double start_s = process_cpu_s();
+    const double start_s = opal::process_cpu_s();
     auto map = site_map(registry, prefix, damage.damage());
-    const double import_s = process_cpu_s() - start_s;
+    const double import_s = opal::process_cpu_s() - start_s;
     if (damage.any()) map = opal::damaged_map(*map, damage.damage());
     sites.push_back({prefix, name, std::move(map), opal::Pose2(), import_s});
   }

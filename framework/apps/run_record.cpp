@@ -1,6 +1,6 @@
 #include "run_record.hpp"
 
-#include "cpu_clock.hpp"
+#include <opal/cpu_clock.hpp>
 
 namespace {
 
@@ -44,12 +44,12 @@ void RunRecord::append(const RunRecord& other) {
 RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser, const SampleSource& next,
                       const std::string& query, const RunObserver& observer) {
   RunRecord record;
-  double before_s = thread_cpu_s();  // the replay cleans the scan: that is part of an update's cost
+  double before_s = opal::thread_cpu_s();  // the replay cleans the scan: that is part of an update's cost
   while (const auto sample = next()) {
     if (observer.ready && !observer.ready(sample->scan.stamp_s)) break;
     const auto updated = localizer.update(sample->scan, sample->T_odom_base);
     if (updated) {
-      record.update_cpu_ms.push_back(1e3 * (thread_cpu_s() - before_s));
+      record.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
       add(record.stages, localizer.last_times());
       record.hypotheses += updated->hypotheses;
       record.last_points.clear();
@@ -59,7 +59,7 @@ RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser,
     record.last = localizer.estimate_at(sample->scan.stamp_s, sample->T_odom_base);
     if (record.last.has_pose) add_rows(record, query, laser);
     if (updated && observer.updated) observer.updated(record);
-    before_s = thread_cpu_s();
+    before_s = opal::thread_cpu_s();
   }
   return record;
 }

@@ -1,7 +1,8 @@
 #include "track_run.hpp"
 
-#include "cpu_clock.hpp"
 #include "quantile.hpp"
+
+#include <opal/cpu_clock.hpp>
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& l
   TrackedWindow window;
   window.id = id;
   std::optional<opal::Pose2> T_map_odom;
-  double before_s = thread_cpu_s();
+  double before_s = opal::thread_cpu_s();
   while (const auto sample = replay.next()) {
     const double stamp_s = sample->scan.stamp_s;
     if (!T_map_odom) {
@@ -19,7 +20,7 @@ TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& l
       tracker.start(start->T_map_base, start->sigma);
       T_map_odom = start->T_map_base * sample->T_odom_base.inverse();
     }
-    if (tracker.update(sample->scan, sample->T_odom_base)) window.update_cpu_ms.push_back(1e3 * (thread_cpu_s() - before_s));
+    if (tracker.update(sample->scan, sample->T_odom_base)) window.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
     const opal::Pose2 T_map_base = tracker.T_map_base_at(sample->T_odom_base);
     window.trajectory.push_back({stamp_s, T_map_base});
     window.rows.push_back({id, stamp_s, T_map_base * laser.T_base_laser,
@@ -28,7 +29,7 @@ TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& l
     window.last_points.clear();
     for (const opal::ScanPoint& point : sample->scan.points)
       window.last_points.push_back(window.rows.back().T_map_laser * point.position);
-    before_s = thread_cpu_s();
+    before_s = opal::thread_cpu_s();
   }
   window.track = tracker.track();
   window.last = tracker.last();

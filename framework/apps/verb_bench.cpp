@@ -71,7 +71,8 @@ nlohmann::ordered_json summarize(const RunRecord& all, const BenchCost& cost) {
             {"local_map", mean_ms(all.stages.local_map_s)},
             {"track", mean_ms(all.stages.track_s)},
             {"associate", mean_ms(all.stages.associate_s)},
-            {"verify", mean_ms(all.stages.verify_s)}}}};
+            {"verify", mean_ms(all.stages.verify_s)},
+            {"status", mean_ms(all.stages.status_s)}}}};
 }
 
 std::ofstream writable(const fs::path& path) {

@@ -1,4 +1,3 @@
-#include "cpu_clock.hpp"
 #include "damage_options.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
@@ -7,6 +6,7 @@
 #include <simulation/beam_statistics.hpp>
 #include <simulation/recording.hpp>
 
+#include <opal/cpu_clock.hpp>
 #include <opal/drawing.hpp>
 #include <opal/error.hpp>
 #include <opal/ground_truth.hpp>
@@ -63,13 +63,13 @@ int simulate(SimulateOptions options) {
   const auto map = load_map(registry, options.map);
   options.furnish(registry, *map);
   const auto building = options.damage.any() ? opal::damaged_map(*map, options.damage.damage()) : map;
-  const double start_s = process_cpu_s();
+  const double start_s = opal::process_cpu_s();
   sim::Simulation simulation(building, options.world, options.damage.seed);
-  const double ready_s = process_cpu_s();
+  const double ready_s = opal::process_cpu_s();
   const sim::Recording recording = options.along.empty()
                                        ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
                                        : record_along(registry, options, *map, simulation);
-  const double recorded_s = process_cpu_s();
+  const double recorded_s = opal::process_cpu_s();
   sim::write_recorded_place(recording, *map, options.out);
   double driven_m = 0;
   for (double distance_m : recording.distances_m) driven_m += distance_m;

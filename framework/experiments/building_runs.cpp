@@ -3,23 +3,16 @@
 #include "experiments/order_statistics.hpp"
 #include "experiments/thesis_robot.hpp"
 
+#include <opal/cpu_clock.hpp>
 #include <opal/text_file.hpp>
 
 #include <simulation/recording.hpp>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 
 namespace opal::experiments {
 namespace {
-
-/// Only what this thread has used.
-double thread_cpu_s() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 double first_time_s(const ChallengeRun& run, bool (*holds)(const Moment&)) {
   const auto moment = std::find_if(run.moments.begin(), run.moments.end(), holds);

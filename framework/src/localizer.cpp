@@ -8,12 +8,12 @@
 #include "status.hpp"
 #include "unmapped_walls.hpp"
 
+#include <opal/cpu_clock.hpp>
 #include <opal/registration.hpp>
 
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <ctime>
 
 namespace opal {
 namespace {
@@ -23,17 +23,12 @@ constexpr std::size_t kPoints = 100, kCoarsePoints = 40, kFreeBeams = 25;
 /// Adds the CPU time of a scope to a stage.
 class StageClock {
  public:
-  explicit StageClock(double& stage_s) : stage_s_(stage_s), start_s_(now_s()) {}
-  ~StageClock() { stage_s_ += now_s() - start_s_; }
+  explicit StageClock(double& stage_s) : stage_s_(stage_s), start_s_(thread_cpu_s()) {}
+  ~StageClock() { stage_s_ += thread_cpu_s() - start_s_; }
   StageClock(const StageClock&) = delete;
   StageClock& operator=(const StageClock&) = delete;
 
  private:
-  static double now_s() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  }
   double& stage_s_;
   double start_s_;
 };
@@ -60,7 +55,7 @@ struct Localizer::State {
   std::vector<Feature> detect(const Scan& scan);
   Observation observe(const Scan& scan, const std::vector<Feature>& features) const;
   double novelty() const;  ///< of the newest scan
-  Circumstances circumstances() const;
+  PoseEstimate estimate();
   void track(const Observation& observation, const Scan& scan);
   void watch();
   void settle();
@@ -123,8 +118,7 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.hindsight.remember(observation, s.keyframe, s.novelty(), best_nat);
-  const PoseEstimate estimate = s.status.estimate(s.hypotheses.alive(), s.local_map.T_local_base(), s.stamp_s,
-                                                  s.circumstances());
+  const PoseEstimate estimate = s.estimate();
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
@@ -184,10 +178,11 @@ double Localizer::State::novelty() const {
   return std::clamp(step_m / options.novelty_m + turn_rad / options.novelty_rad, options.least_novelty, 1.0);
 }
 
-Circumstances Localizer::State::circumstances() const {
+PoseEstimate Localizer::State::estimate() {
+  StageClock clock(times.status_s);
   const auto& all = hypotheses.alive();
   const double unmapped_m = all.empty() ? 0 : unmapped_walls_m(local_map, *parts.map, all.front().hypothesis.T_map_local);
-  return {novelty(), change.probability(), unmapped_m};
+  return status.estimate(all, local_map.T_local_base(), stamp_s, {novelty(), change.probability(), unmapped_m});
 }
 
 void Localizer::State::track(const Observation& observation, const Scan& scan) {

@@ -257,7 +257,8 @@ void RunJournal::cost(const StageTimes& times, double total_s) {
   auto e = event("cost");
   e["cpu_ms"] = {{"detect", milliseconds(times.detect_s)},       {"local_map", milliseconds(times.local_map_s)},
                  {"track", milliseconds(times.track_s)},         {"associate", milliseconds(times.associate_s)},
-                 {"verify", milliseconds(times.verify_s)},       {"total", milliseconds(total_s)}};
+                 {"verify", milliseconds(times.verify_s)},       {"status", milliseconds(times.status_s)},
+                 {"total", milliseconds(total_s)}};
   events_.write(e);
 }
 

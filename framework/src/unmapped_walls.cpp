@@ -25,7 +25,7 @@ double unmapped_walls_m(const LocalMap& local_map, const MapView& map, const Pos
   for (const LocalFeature& local : local_map.features()) {
     const auto* wall = std::get_if<Segment>(&local.feature.geometry);
     if (!wall || !local.stable || wall->length_m() < kShortestWall_m) continue;
-    sum_m += unmapped_m({T_map_local * wall->begin, T_map_local * wall->end}, map);
+    sum_m += unmapped_m(transformed(T_map_local, *wall), map);
   }
   return sum_m;
 }

@@ -3,7 +3,7 @@
 #include <opal/pattern_index.hpp>
 #include <opal/plugin/plugin_registry.hpp>
 
-#include <cpu_clock.hpp>
+#include <opal/cpu_clock.hpp>
 
 #include <catch2/catch.hpp>
 

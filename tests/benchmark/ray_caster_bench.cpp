@@ -1,5 +1,5 @@
 // Rays per second on one core in made-up buildings of 2,000 and 5,000 segments, 720 beams, 30 m.
-#include <cpu_clock.hpp>
+#include <opal/cpu_clock.hpp>
 #include <simulation/random.hpp>
 #include <simulation/ray_caster.hpp>
 

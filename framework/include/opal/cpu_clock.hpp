@@ -2,6 +2,8 @@
 
 #include <ctime>
 
+namespace opal {
+
 /// CPU time [s] that a clock of this process has counted.
 inline double cpu_s(clockid_t clock) {
   timespec t{};
@@ -11,3 +13,5 @@ inline double cpu_s(clockid_t clock) {
 
 inline double thread_cpu_s() { return cpu_s(CLOCK_THREAD_CPUTIME_ID); }
 inline double process_cpu_s() { return cpu_s(CLOCK_PROCESS_CPUTIME_ID); }
+
+}  // namespace opal
