@@ -1,16 +1,9 @@
 #include <opal/calibration.hpp>
 
-#include <cstdio>
+#include <opal/sentence.hpp>
 
 namespace opal {
 namespace {
-
-template <class... Numbers>
-std::string text(const char* format, Numbers... numbers) {
-  char line[240];
-  std::snprintf(line, sizeof line, format, numbers...);
-  return line;
-}
 
 nlohmann::ordered_json json_of(const Interval& interval) {
   return nlohmann::ordered_json::array({interval.low, interval.high});
@@ -47,19 +40,18 @@ nlohmann::ordered_json to_json(const Calibration& c) {
 std::string table_of(const Calibration& c) {
   std::string table = "     probability   statements  clusters     said  came true   95 %\n";
   for (const ReliabilityBin& bin : c.bins)
-    table += text("  %.3f to %.3f   %10zu  %8zu   %.4f     %.4f   %.4f to %.4f\n", bin.from, bin.to, bin.statements,
-                  bin.clusters, bin.said, bin.came_true, bin.came_true_within.low, bin.came_true_within.high);
+    table += sentence("  %.3f to %.3f   %10zu  %8zu   %.4f     %.4f   %.4f to %.4f\n", bin.from, bin.to, bin.statements,
+                      bin.clusters, bin.said, bin.came_true, bin.came_true_within.low, bin.came_true_within.high);
   return table;
 }
 
 std::string scores_of(const Calibration& c) {
-  std::string scores = text("  Brier score %.5f (%.5f to %.5f) = reliability %.5f - resolution %.5f + uncertainty %.5f %+.5f\n",
-                c.brier, c.brier_within.low, c.brier_within.high, c.reliability, c.resolution, c.uncertainty,
-                c.within_bins);
-  scores += text("  log loss %.4f nat (%.4f to %.4f), expected calibration error %.4f (%.4f to %.4f)\n", c.log_loss,
-                c.log_loss_within.low, c.log_loss_within.high, c.expected_error, c.expected_error_within.low,
-                c.expected_error_within.high);
-  return scores;
+  return sentence("  Brier score %.5f (%.5f to %.5f) = reliability %.5f - resolution %.5f + uncertainty %.5f %+.5f\n",
+                  c.brier, c.brier_within.low, c.brier_within.high, c.reliability, c.resolution, c.uncertainty,
+                  c.within_bins) +
+         sentence("  log loss %.4f nat (%.4f to %.4f), expected calibration error %.4f (%.4f to %.4f)\n", c.log_loss,
+                  c.log_loss_within.low, c.log_loss_within.high, c.expected_error, c.expected_error_within.low,
+                  c.expected_error_within.high);
 }
 
 }  // namespace opal

@@ -1,11 +1,11 @@
 #include <opal/calibration.hpp>
+#include <opal/sentence.hpp>
 
 #include "drawing_layers.hpp"
 #include "picture_file.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace opal {
 namespace {
@@ -14,12 +14,6 @@ constexpr double kPanel_px = 380, kBars_px = 90, kGap_px = 34, kText_px = 13;
 constexpr double kLeft_px = 64, kTop_px = 84, kBetween_px = 92, kRight_px = 40, kBelow_px = 96;
 const Point kPage_px(kLeft_px + 2 * kPanel_px + kBetween_px + kRight_px,
                      kTop_px + kPanel_px + kGap_px + kBars_px + kBelow_px);
-
-std::string number(const char* format, double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 /// One pair of axes: what was said to the right, what came true upwards, and below how often.
 class Panel {
@@ -52,7 +46,7 @@ class Panel {
       const double said = from_.x() + share * (1 - from_.x()), came_true = from_.y() + share * (1 - from_.y());
       canvas_.page_line(at(said, 1), at(said, from_.y()), ink::kGrid, 1);
       canvas_.page_line(at(from_.x(), came_true), at(1, came_true), ink::kGrid, 1);
-      const std::string x = number("%.2f", said), y = number("%.2f", came_true);
+      const std::string x = sentence("%.2f", said), y = sentence("%.2f", came_true);
       canvas_.text(at(said, from_.y()) + Point(-canvas_.text_width_px(x, kText_px) / 2, 20), x, kText_px, ink::kFaintText);
       canvas_.text(at(from_.x(), came_true) + Point(-canvas_.text_width_px(y, kText_px) - 8, 4), y, kText_px,
                    ink::kFaintText);
@@ -93,10 +87,9 @@ void draw(const Calibration& calibration, const std::string& title, cairo_surfac
   DrawingCanvas canvas(surface, {});
   canvas.page_rectangle(Point::Zero(), kPage_px, ink::kPaper);
   canvas.text({kLeft_px, 36}, title, 18, ink::kText, true);
-  char scores[200];
-  std::snprintf(scores, sizeof scores, "%zu statements in %zu queries; Brier score %.4f, log loss %.3f nat, expected calibration error %.4f",
-                calibration.statements, calibration.clusters, calibration.brier, calibration.log_loss,
-                calibration.expected_error);
+  const std::string scores = sentence(
+      "%zu statements in %zu queries; Brier score %.4f, log loss %.3f nat, expected calibration error %.4f",
+      calibration.statements, calibration.clusters, calibration.brier, calibration.log_loss, calibration.expected_error);
   canvas.text({kLeft_px, 60}, scores, kText_px, ink::kFaintText);
   Panel(canvas, {kLeft_px, kTop_px}, 0, 0).draw(calibration.bins);
   Panel(canvas, {kLeft_px + kPanel_px + kBetween_px, kTop_px}, kClose, lowest_from(calibration.bins, kClose))

@@ -1,8 +1,10 @@
 #include "status.hpp"
 
+#include <opal/sentence.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -78,34 +80,34 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
                         : alive.front().scan_nat;
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
-    return because(Status::lost, "the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
-                   options_.lost_scan_nat);
+    return because(Status::lost, sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
+                                          options_.lost_scan_nat));
   const bool doubt = estimate.probability * (1 - now.carried) <= options_.localized_probability;
   if (was_localized_ && same && doubt && sure_ > 0)
-    return because(Status::lost, "the newest scans do not fit here: carried away with probability %.3f, not below %.3f",
-                   now.carried, 1 - options_.localized_probability);
+    return because(Status::lost,
+                   sentence("the newest scans do not fit here: carried away with probability %.3f, not below %.3f",
+                            now.carried, 1 - options_.localized_probability));
   const double asked = novelty_asked(now.unmapped_walls_m);
   const Status status = sure_ >= asked && !doubt   ? Status::localized
                         : estimate.rivals.empty() ? Status::searching
                                                   : Status::ambiguous;
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
   if (same || estimate.probability <= options_.localized_probability)
-    return because(status, "the probability is %.3f, not above %.3f", estimate.probability,
-                   options_.localized_probability);
+    return because(status, sentence("the probability is %.3f, not above %.3f", estimate.probability,
+                                    options_.localized_probability));
   return because(status, "the best place has just changed");
 }
 
 Status StatusEstimator::because_held(Status status, double asked, double unmapped_walls_m) {
-  const char* held = "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence";
-  if (asked <= options_.localized_novelty) return because(status, held, sure_, asked);
-  const std::string for_walls = std::string(held) + ", so many since %.1f m of straight walls that were seen are not on the map";
-  return because(status, for_walls.c_str(), sure_, asked, unmapped_walls_m);
+  const std::string held = sentence(
+      "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence", sure_, asked);
+  if (asked <= options_.localized_novelty) return because(status, held);
+  return because(status, held + sentence(", so many since %.1f m of straight walls that were seen are not on the map",
+                                         unmapped_walls_m));
 }
 
-Status StatusEstimator::because(Status status, const char* format, auto... numbers) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, numbers...);
-  belief_.why = text;
+Status StatusEstimator::because(Status status, std::string why) {
+  belief_.why = std::move(why);
   return status;
 }
 

@@ -53,7 +53,7 @@ class StatusEstimator {
   void reckon_with(double carried, PoseEstimate& estimate);
   /// The status is what it is since the required probability has held for so long, and no longer.
   Status because_held(Status status, double asked, double unmapped_walls_m);
-  Status because(Status status, const char* format, auto... numbers);
+  Status because(Status status, std::string why);
 
   AssociationOptions options_;
   PoseEstimate last_;
