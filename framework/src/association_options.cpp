@@ -54,6 +54,8 @@ const std::vector<Field>& fields() {
       {"least_novelty", &O::least_novelty, 0, 1},
       {"track_prior_position", &O::track_prior_position, 0, kMany},
       {"track_prior_heading", &O::track_prior_heading, 0, kMany},
+      {"track_memory", &O::track_memory, 0, 1},
+      {"track_jump_m", &O::track_jump_m, 0.001, kMany},
       {"track_search", &O::track_search, 0, kMany},
       {"merge_m", &O::merge_m, 0, 100},
       {"merge_rad", &O::merge_rad, 0, 4},

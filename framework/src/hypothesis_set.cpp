@@ -65,25 +65,33 @@ Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Po
   return best;
 }
 
-void HypothesisSet::track(const Observation& observation, double novelty, std::span<const Point> coarse,
-                          const Eigen::Vector2d& window) {
-  const Pose2& T_local_base = observation.local_map.T_local_base();
+Alignment HypothesisSet::align(const Pose2& predicted, const Observation& observation) const {
+  if (options_.register_by_associations || observation.points.empty()) return {predicted};
   RefinementOptions refinement;
   refinement.prior_position = options_.track_prior_position;
   refinement.prior_heading = options_.track_prior_heading;
+  return align_with_map(*map_, observation.points, observation.laser_position, predicted, refinement);
+}
+
+void HypothesisSet::track(const Observation& observation, double novelty, std::span<const Point> coarse,
+                          const Eigen::Vector2d& window) {
+  const Pose2& T_local_base = observation.local_map.T_local_base();
   int rank = 0;
   for (Live& live : alive_) {
     Hypothesis& hypothesis = live.hypothesis;
-    Pose2 T_map_base = hypothesis.T_map_local * T_local_base;
-    if (!observation.points.empty()) {
-      if (window.x() > 0 && rank++ < options_.track_search)
-        T_map_base = search_alignment(T_map_base, coarse, window);
-      if (!options_.register_by_associations)
-        T_map_base =
-            refine_on_map(*map_, observation.points, observation.laser_position, T_map_base, refinement);
+    Pose2 predicted = hypothesis.T_map_local * T_local_base;
+    if (!observation.points.empty() && window.x() > 0 && rank++ < options_.track_search) {
+      predicted = search_alignment(predicted, coarse, window);
+      live.pose.reset();
     }
-    hypothesis.T_map_local = T_map_base * T_local_base.inverse();
+    const Alignment scan = align(predicted, observation);
+    // The scan is judged where it fits best: a wall that is not where the map says is the map's error, not its own.
+    hypothesis.T_map_local = scan.T_map_base * T_local_base.inverse();
     Judge::Verdict verdict = judge_.judge(hypothesis, observation);
+    if (options_.track_memory > 0)
+      hypothesis.T_map_local = live.pose.update(predicted, scan, novelty, T_local_base,
+                                                {options_.track_memory, options_.track_jump_m}) *
+                               T_local_base.inverse();
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
     ++live.updates;
@@ -124,6 +132,7 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
       if (gain > 0.3) {  // clearly better aligned: the old one moves over
         old->hypothesis.log_likelihood += gain;
         old->hypothesis.T_map_local = live.hypothesis.T_map_local;
+        old->pose.reset();
         old->scan_nat += gain;
         old->scores = std::move(verdict.scores);
       }

@@ -6,6 +6,7 @@
 #include "seeding.hpp"
 
 #include <opal/association.hpp>
+#include <opal/pose_filter.hpp>
 
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Live {
   int consecutive_not_on_map = 0;
   int carried_after = -1;       ///< the robot was carried away after this keyframe, if it is right; -1: it was not
   double inherited_nat = 0;     ///< part of its evidence that the best hypothesis had gathered by then
+  PoseFilter pose;              ///< what the scans since birth say about where it is
   std::vector<Score> scores;    ///< of the newest scan, in the judge's order
 };
 
@@ -88,6 +90,7 @@ class HypothesisSet {
   /// @return the worst error [m] if an association is an outlier under the new registration, else nothing.
   std::optional<double> register_anew(Live& live, const LocalMap& local_map) const;
   bool grow_child(const Live& parent, const Association& choice, bool first, const LocalMap& local_map, Live& child);
+  Alignment align(const Pose2& predicted, const Observation& observation) const;
   Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
   void end(Live& live, const std::string& reason, int merged_into = -1);
   void merge(const Pose2& T_local_base);

@@ -61,15 +61,18 @@ NormalEquations linearize(const MapView& map, std::span<const Point> points, con
 
 }  // namespace
 
-Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& guess,
-                    const RefinementOptions& options) {
-  Pose2 pose = guess;
+Alignment align_with_map(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& guess,
+                         const RefinementOptions& options) {
+  Alignment aligned{guess};
+  Pose2& pose = aligned.T_map_base;
   const double n = static_cast<double>(points.size());
   const Eigen::Vector3d prior(options.prior_position * n, options.prior_position * n, options.prior_heading * n);
+  aligned.by_guess = prior.asDiagonal();
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     // The first step looks twice as far, so that a poor guess is not stuck.
     const double sigma = iteration == 0 ? 2 * options.sigma_m : options.sigma_m;
     NormalEquations equations = linearize(map, points, laser, pose, sigma);
+    aligned.by_points = equations.H;
     const Eigen::Vector3d from_guess(pose.x() - guess.x(), pose.y() - guess.y(),
                                      wrap_angle(pose.heading_rad() - guess.heading_rad()));
     equations.H.diagonal() += prior + Eigen::Vector3d(1e-3, 1e-3, 1e-2);
@@ -83,7 +86,12 @@ Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Poi
     pose = {Point(pose.position() + step.head<2>()), pose.heading_rad() + step.z()};
     if (length < 0.003 && std::abs(step.z()) < 0.0007) break;
   }
-  return pose;
+  return aligned;
+}
+
+Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& guess,
+                    const RefinementOptions& options) {
+  return align_with_map(map, points, laser, guess, options).T_map_base;
 }
 
 double mean_nearness(const MapView& map, std::span<const Point> points, const Pose2& T_map_base) {

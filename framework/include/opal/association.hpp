@@ -57,6 +57,9 @@ struct AssociationOptions {
   double least_novelty = 0.05;
   double track_prior_position = 0.05; ///< how much dead reckoning weighs when a hypothesis is aligned with the map,
   double track_prior_heading = 0.3;   ///< as RefinementOptions: maps are wrong more often than the scan matcher
+  double track_memory = 0.9;        ///< share of what is known about a hypothesis' pose that is kept per whole piece of
+                                    ///< evidence; 0: it is where the newest scan puts it
+  double track_jump_m = 0.2;        ///< as PoseFilterOptions
   int track_search = 15;            ///< hypotheses that get an alignment search when odometry is uncertain
   double merge_m = 0.3;             ///< hypotheses nearer than this
   double merge_rad = 0.1;           ///< and this are one

@@ -3,6 +3,8 @@
 #include <opal/geometry.hpp>
 #include <opal/map_view.hpp>
 
+#include <Eigen/Core>
+
 #include <span>
 #include <vector>
 
@@ -43,11 +45,22 @@ struct RefinementOptions {
   double prior_heading = 0.02;
 };
 
+/// A scan on the map, and what fixes it there: information about (x, y, heading), relative to what a point says of its
+/// distance to a surface [1/m^2].
+struct Alignment {
+  Pose2 T_map_base;
+  Eigen::Matrix3d by_points = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d by_guess = Eigen::Matrix3d::Zero();
+};
+
 /// Slides a scan onto the mapped surfaces near it: robust point-to-surface Gauss-Newton (Censi 2008 for the metric;
 /// weights after Geman and McClure). Surfaces that would be seen from behind are not used.
 /// @param points  in the base frame [m].
 /// @param laser   where the beams start, base frame.
 /// @return T_map_base near `guess`.
+OPAL_EXPORT Alignment align_with_map(const MapView& map, std::span<const Point> points, const Point& laser,
+                                     const Pose2& guess, const RefinementOptions& options);
+/// The same, its pose only.
 OPAL_EXPORT Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Point& laser,
                                 const Pose2& guess, const RefinementOptions& options);
 

@@ -1,0 +1,41 @@
+#include <opal/pose_filter.hpp>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace opal {
+namespace {
+
+Eigen::Vector3d difference(const Pose2& to, const Pose2& from) {
+  return {to.x() - from.x(), to.y() - from.y(), wrap_angle(to.heading_rad() - from.heading_rad())};
+}
+
+}  // namespace
+
+/// What is unknown of the heading shifts the pose the more the further the robot has driven.
+Eigen::Matrix3d PoseFilter::known_here(const Pose2& predicted, const Pose2& T_local_base) const {
+  const Point moved = -predicted.rotate((T_local_base.inverse() * T_local_base_).position());
+  Eigen::Matrix3d there_of_here = Eigen::Matrix3d::Identity();
+  there_of_here(0, 2) = moved.y();
+  there_of_here(1, 2) = -moved.x();
+  return there_of_here.transpose() * known_ * there_of_here;
+}
+
+Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double novelty, const Pose2& T_local_base,
+                         const PoseFilterOptions& options) {
+  constexpr double kNothing = 1e-3;
+  const Eigen::Vector3d step = difference(scan.T_map_base, predicted);
+  const double jump = step.head<2>().norm() / options.jump_m, robust = 1 / (1 + jump * jump);
+  const Eigen::Matrix3d known =
+      known_here(predicted, T_local_base) * (std::pow(options.memory, novelty) * robust * robust);
+  const Eigen::Matrix3d said = novelty * (scan.by_points + scan.by_guess);
+  known_ = known + novelty * scan.by_points;
+  T_local_base_ = T_local_base;
+  if (known.trace() < kNothing) return scan.T_map_base;
+  const Eigen::Vector3d by_all = (known + said).ldlt().solve(said * step);
+  if (!by_all.allFinite()) return scan.T_map_base;
+  return {Point(predicted.position() + by_all.head<2>()), predicted.heading_rad() + by_all.z()};
+}
+
+}  // namespace opal
