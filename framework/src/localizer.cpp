@@ -60,6 +60,7 @@ struct Localizer::State {
   void watch();
   void settle();
   bool time_to_seed();
+  int searched_every() const;
   void seed(const Observation& observation, const Scan& scan);
   std::vector<SeedFeature> seed_features(const Observation& observation) const;
   bool worth_loose_search(const std::vector<Candidate>& found) const;
@@ -90,7 +91,8 @@ struct Localizer::State {
   Pose2 T_odom_base;        ///< at the newest keyframe
   Pose2 T_odom_base_seed;   ///< at the last search for new hypotheses
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
-  int searches_skipped = 0;
+  int chances_passed = 0;           ///< to search, since the last search
+  double probability = 0;           ///< of the newest estimate
   bool search_now = false;  ///< there is reason to believe that the robot was carried away, since this scan
   StageTimes times;
 };
@@ -119,6 +121,7 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.hindsight.remember(observation, s.keyframe, s.novelty(), best_nat);
   const PoseEstimate estimate = s.estimate();
+  s.probability = estimate.probability;
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
@@ -221,9 +224,16 @@ bool Localizer::State::time_to_seed() {
                    angle_between_rad(T_odom_base_seed, T_odom_base) > options.seed_every_rad;
   if (!due) return false;
   T_odom_base_seed = T_odom_base;
-  if (status.localized() && ++searches_skipped < options.seed_every_when_localized) return false;
-  searches_skipped = 0;
+  if (++chances_passed < searched_every()) return false;
+  chances_passed = 0;
   return true;
+}
+
+/// How many chances to search make one search: the surer the robot is, the less there is to find.
+int Localizer::State::searched_every() const {
+  if (status.localized()) return options.seed_every_when_localized;
+  const bool likely = probability > options.likely_probability && !hypotheses.alive().empty();
+  return likely && !search_now ? options.seed_every_when_likely : 1;
 }
 
 std::vector<SeedFeature> Localizer::State::seed_features(const Observation& observation) const {
@@ -364,7 +374,8 @@ void Localizer::reset() {
   s.search_now = false;
   s.status.reset();
   s.started = false;
-  s.searches_skipped = 0;
+  s.chances_passed = 0;
+  s.probability = 0;
   s.journal.reset();
 }
 

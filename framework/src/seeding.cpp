@@ -56,36 +56,47 @@ Seeder::Seeder(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemp
     tables_.push_back({templates[k].name, templates[k].part, PatternIndex(std::move(mapped.by_template[k]))});
 }
 
+bool Seeder::rarer(const Lookup& a, const Lookup& b) { return a.expected < b.expected; }
+
+/// Observed patterns of one template that the map knows: well supported ones; of those, the ones that the index expects
+/// least often.
+std::vector<Seeder::Lookup> Seeder::shortlist(int number, std::span<const Feature> features, bool loose) const {
+  const Table& table = tables_[number];
+  std::vector<Lookup> lookups;
+  for (PatternInstance& observed : find_patterns(*table.part, features))
+    if (is_loose(observed) == loose) lookups.push_back({number, std::move(observed), 0});
+  std::stable_sort(lookups.begin(), lookups.end(), [&](const Lookup& a, const Lookup& b) {
+    return support_of(a.observed, features) > support_of(b.observed, features);
+  });
+  const auto most = static_cast<std::size_t>(loose ? options_.seed_loose_patterns : options_.seed_patterns);
+  if (lookups.size() > most) lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(most), lookups.end());
+  const auto limit = static_cast<std::size_t>(options_.seed_lookup_limit);
+  for (Lookup& lookup : lookups) lookup.expected = table.index.count(lookup.observed, limit);
+  std::erase_if(lookups, [](const Lookup& lookup) { return lookup.expected == 0; });
+  keep_rarest(lookups, limit, 1, loose);
+  return lookups;
+}
+
+void Seeder::keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest, bool loose) {
+  constexpr std::size_t kPlacesPerSlide = 3;
+  std::stable_sort(lookups.begin(), lookups.end(), rarer);
+  std::size_t places = 0, kept = 0;
+  for (const Lookup& lookup : lookups) {
+    places += lookup.expected * (loose ? kPlacesPerSlide : 1);
+    if (kept >= fewest && places > most_places) break;
+    ++kept;
+  }
+  lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(kept), lookups.end());
+}
+
 std::vector<Seeder::Lookup> Seeder::choose(std::span<const SeedFeature> best, bool loose) const {
+  constexpr std::size_t kFewest = 3;
   std::vector<Feature> features;
   for (const SeedFeature& seed : best) features.push_back(seed.feature);
   std::vector<Lookup> chosen;
-  for (std::size_t t = 0; t < tables_.size(); ++t) {
-    std::vector<Lookup> lookups;
-    for (PatternInstance& observed : find_patterns(*tables_[t].part, features)) {
-      if (is_loose(observed) != loose) continue;
-      lookups.push_back({static_cast<int>(t), std::move(observed), 0});
-    }
-    // Well supported patterns first; among those, the ones that the index expects least often.
-    std::stable_sort(lookups.begin(), lookups.end(), [&](const Lookup& a, const Lookup& b) {
-      return support_of(a.observed, features) > support_of(b.observed, features);
-    });
-    const auto limit = static_cast<std::size_t>(options_.seed_lookup_limit);
-    const auto shortlist = static_cast<std::size_t>(loose ? options_.seed_loose_patterns : options_.seed_patterns);
-    if (lookups.size() > shortlist) lookups.resize(shortlist);
-    for (Lookup& lookup : lookups) lookup.expected = tables_[t].index.count(lookup.observed, limit);
-    std::stable_sort(lookups.begin(), lookups.end(),
-                     [](const Lookup& a, const Lookup& b) { return a.expected < b.expected; });
-    constexpr std::size_t kPlacesPerSlide = 3;
-    std::size_t total = 0;
-    for (Lookup& lookup : lookups) {
-      if (lookup.expected == 0) continue;
-      const std::size_t places = lookup.expected * (loose ? kPlacesPerSlide : 1);
-      if (total > 0 && total + places > limit) break;
-      total += places;
-      chosen.push_back(std::move(lookup));
-    }
-  }
+  for (int number = 0; number < static_cast<int>(tables_.size()); ++number)
+    for (Lookup& lookup : shortlist(number, features, loose)) chosen.push_back(std::move(lookup));
+  if (options_.seed_places > 0) keep_rarest(chosen, static_cast<std::size_t>(options_.seed_places), kFewest, loose);
   leave_out_parts(chosen);
   return chosen;
 }
@@ -184,18 +195,19 @@ std::vector<Seeder::Place> Seeder::with_neighbours(const std::vector<Place>& pla
 
 std::vector<Seeder::Place> Seeder::places_for(const std::vector<Lookup>& lookups, std::span<const Point> coarse,
                                               bool loose) const {
-  constexpr std::size_t kLookedAtClosely = 400, kSlidesLookedAt = 3000;
+  constexpr std::size_t kSlidesLookedAt = 3000;
+  const auto close_looks = static_cast<std::size_t>(options_.seed_close_looks);
   std::vector<TellingPoints> points;
   std::vector<Place> places;
-  BestShare sieve(kLookedAtClosely, 30);
+  BestShare sieve(close_looks, 30);
   for (std::size_t k = 0; k < lookups.size(); ++k) {
     points.emplace_back(lookups[k].observed, coarse);
     if (points.back().enough()) look_up(lookups[k], static_cast<int>(k), points.back(), sieve, places);
   }
-  keep_nearest(places, loose ? kSlidesLookedAt : kLookedAtClosely);
+  keep_nearest(places, loose ? kSlidesLookedAt : close_looks);
   look_closely(places, points, loose ? options_.slide_step_m / 2 : 0);
   if (!loose) return places;
-  keep_nearest(places, kLookedAtClosely);
+  keep_nearest(places, close_looks);
   places = with_neighbours(places, lookups);
   look_closely(places, points, 0);
   return places;

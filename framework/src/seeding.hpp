@@ -70,6 +70,10 @@ class Seeder {
     int mapped;
   };
 
+  static bool rarer(const Lookup& a, const Lookup& b);
+  std::vector<Lookup> shortlist(int number, std::span<const Feature> features, bool loose) const;
+  /// Those that are expected least often, as long as they have no more places together; the fewest in any case.
+  static void keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest, bool loose);
   static void leave_out_parts(std::vector<Lookup>& chosen);
   std::vector<Lookup> choose(std::span<const SeedFeature> best, bool loose) const;
   /// Poses by a few points in large cells; where a pattern slides, every third one.

@@ -22,12 +22,17 @@ struct AssociationOptions {
   // Birth: which patterns are looked up, and how many candidates survive each sieve.
   int seed_features = 8;            ///< best supported features per geometry that templates are offered
   int seed_patterns = 10;           ///< patterns looked up per scan, fewest expected candidates first
-  int seed_lookup_limit = 5000;     ///< candidates per scan and template
+  int seed_lookup_limit = 2000;     ///< candidates per scan and template,
+  int seed_places = 2000;           ///< and of all templates together: patterns that are expected least often first,
+                                    ///< at least three of them; 0: any number
+  int seed_close_looks = 200;       ///< of these, judged by all points of a thinned scan
   int seed_candidates = 30;         ///< kept by nearness of the scan to the map, one per place
   int seed_hypotheses = 12;         ///< kept by the scorers
   double seed_every_m = 0.5;        ///< driving, or
   double seed_every_rad = 1.0;      ///< turning, between searches for new hypotheses
-  int seed_every_when_localized = 6; ///< only every n-th search while localized
+  int seed_every_when_localized = 6; ///< only every n-th search while localized,
+  int seed_every_when_likely = 2;   ///< or while a hypothesis has
+  double likely_probability = 0.9;  ///< more than this
   int seed_loose_patterns = 3;      ///< the same for patterns with a free parameter
   double loose_below_nat = 1;       ///< patterns with a free parameter are tried if no candidate scores this
   double loose_until_nat = 3;       ///< and only while no hypothesis has gathered this much
