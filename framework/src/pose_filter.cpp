@@ -25,15 +25,15 @@ Eigen::Matrix3d PoseFilter::known_here(const Pose2& predicted, const Pose2& T_lo
 Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double novelty, const Pose2& T_local_base,
                          const PoseFilterOptions& options) {
   constexpr double kNothing = 1e-3;
+  const Eigen::Matrix3d said = novelty * (scan.by_points + scan.by_guess);
+  if (!said.allFinite()) return scan.T_map_base;
   const Eigen::Vector3d step = difference(scan.T_map_base, predicted);
   const double jump = step.head<2>().norm() / options.jump_m, robust = 1 / (1 + jump * jump);
-  const Eigen::Matrix3d known =
-      known_here(predicted, T_local_base) * (std::pow(options.memory, novelty) * robust * robust);
-  const Eigen::Matrix3d said = novelty * (scan.by_points + scan.by_guess);
-  known_ = known + novelty * scan.by_points;
+  const Eigen::Matrix3d kept = known_here(predicted, T_local_base) * std::pow(options.memory, novelty);
+  known_ = kept + novelty * scan.by_points;
   T_local_base_ = T_local_base;
-  if (known.trace() < kNothing) return scan.T_map_base;
-  const Eigen::Vector3d by_all = (known + said).ldlt().solve(said * step);
+  if (kept.trace() < kNothing) return scan.T_map_base;
+  const Eigen::Vector3d by_all = (robust * robust * kept + said).ldlt().solve(said * step);
   if (!by_all.allFinite()) return scan.T_map_base;
   return {Point(predicted.position() + by_all.head<2>()), predicted.heading_rad() + by_all.z()};
 }
