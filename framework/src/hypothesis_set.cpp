@@ -82,7 +82,7 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
     Pose2 predicted = hypothesis.T_map_local * T_local_base;
     if (!observation.points.empty() && window.x() > 0 && rank++ < options_.track_search) {
       predicted = search_alignment(predicted, coarse, window);
-      live.pose.reset();
+      live.pose.reset();  // dead reckoning has failed, and what was known goes with it
     }
     const Alignment scan = align(predicted, observation);
     // The scan is judged where it fits best: a wall that is not where the map says is the map's error, not its own.
