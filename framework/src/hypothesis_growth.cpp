@@ -1,9 +1,9 @@
 #include "hypothesis_set.hpp"
 
 #include <opal/registration.hpp>
+#include <opal/sentence.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 // How hypotheses say what local features are on the map: the growth of the association tree (Algorithm 2, Hendrikx 2023).
 
@@ -23,9 +23,7 @@ const LocalFeature* find_local(const LocalMap& map, int id) {
 }
 
 std::string outlier_words(double off_m, double most_m) {
-  char text[96];
-  std::snprintf(text, sizeof text, "an association would be %.2f m off, more than %.2f m", off_m, most_m);
-  return text;
+  return sentence("an association would be %.2f m off, more than %.2f m", off_m, most_m);
 }
 
 }  // namespace

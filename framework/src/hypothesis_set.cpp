@@ -1,9 +1,9 @@
 #include "hypothesis_set.hpp"
 
 #include <opal/registration.hpp>
+#include <opal/sentence.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 namespace opal {
@@ -17,12 +17,6 @@ bool better(const Live& a, const Live& b) {
 }
 
 void sort_best_first(std::vector<Live>& alive) { std::stable_sort(alive.begin(), alive.end(), better); }
-
-std::string fixed(double value, int decimals) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 bool ended(const Live& live) { return live.leaf < 0; }
 
@@ -88,10 +82,9 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
     // The scan is judged where it fits best: a wall that is not where the map says is the map's error, not its own.
     hypothesis.T_map_local = scan.T_map_base * T_local_base.inverse();
     Judge::Verdict verdict = judge_.judge(hypothesis, observation);
-    if (options_.track_memory > 0)
-      hypothesis.T_map_local = live.pose.update(predicted, scan, novelty, T_local_base,
-                                                {options_.track_memory, options_.track_jump_m}) *
-                               T_local_base.inverse();
+    hypothesis.T_map_local = live.pose.update(predicted, scan, novelty, T_local_base,
+                                              {options_.track_memory, options_.track_jump_m}) *
+                             T_local_base.inverse();
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
     ++live.updates;
@@ -217,8 +210,8 @@ void HypothesisSet::prune() {
   for (std::size_t k = 0; k < alive_.size(); ++k) {
     Live& live = alive_[k];
     if (live.hypothesis.log_likelihood < best - options_.prune_nat)
-      end(live, "worse than the best by " + fixed(best - live.hypothesis.log_likelihood, 1) + " nat, more than " +
-                    fixed(options_.prune_nat, 1));
+      end(live, sentence("worse than the best by %.1f nat, more than %.1f", best - live.hypothesis.log_likelihood,
+                         options_.prune_nat));
     else if (options_.max_consecutive_not_on_map > 0 &&
              live.consecutive_not_on_map > options_.max_consecutive_not_on_map)
       end(live, "too many features in a row that are not on the map");

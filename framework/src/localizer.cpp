@@ -92,7 +92,6 @@ struct Localizer::State {
   Pose2 T_odom_base_seed;   ///< at the last search for new hypotheses
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   int chances_passed = 0;           ///< to search, since the last search
-  double probability = 0;           ///< of the newest estimate
   bool search_now = false;  ///< there is reason to believe that the robot was carried away, since this scan
   StageTimes times;
 };
@@ -121,7 +120,6 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.hindsight.remember(observation, s.keyframe, s.novelty(), best_nat);
   const PoseEstimate estimate = s.estimate();
-  s.probability = estimate.probability;
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
@@ -232,7 +230,7 @@ bool Localizer::State::time_to_seed() {
 /// How many chances to search make one search: the surer the robot is, the less there is to find.
 int Localizer::State::searched_every() const {
   if (status.localized()) return options.seed_every_when_localized;
-  const bool likely = probability > options.likely_probability && !hypotheses.alive().empty();
+  const bool likely = status.probability() > options.likely_probability && !hypotheses.alive().empty();
   return likely && !search_now ? options.seed_every_when_likely : 1;
 }
 
@@ -375,7 +373,6 @@ void Localizer::reset() {
   s.status.reset();
   s.started = false;
   s.chances_passed = 0;
-  s.probability = 0;
   s.journal.reset();
 }
 

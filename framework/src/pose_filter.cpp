@@ -1,17 +1,12 @@
 #include <opal/pose_filter.hpp>
 
+#include "pose_step.hpp"
+
 #include <Eigen/Dense>
 
 #include <cmath>
 
 namespace opal {
-namespace {
-
-Eigen::Vector3d difference(const Pose2& to, const Pose2& from) {
-  return {to.x() - from.x(), to.y() - from.y(), wrap_angle(to.heading_rad() - from.heading_rad())};
-}
-
-}  // namespace
 
 /// What is unknown of the heading shifts the pose the more the further the robot has driven.
 Eigen::Matrix3d PoseFilter::known_here(const Pose2& predicted, const Pose2& T_local_base) const {
@@ -27,15 +22,14 @@ Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double n
   constexpr double kNothing = 1e-3;
   const Eigen::Matrix3d said = novelty * (scan.by_points + scan.by_guess);
   if (!said.allFinite()) return scan.T_map_base;
-  const Eigen::Vector3d step = difference(scan.T_map_base, predicted);
-  const double jump = step.head<2>().norm() / options.jump_m, robust = 1 / (1 + jump * jump);
+  const Eigen::Vector3d step = step_between(predicted, scan.T_map_base);
   const Eigen::Matrix3d kept = known_here(predicted, T_local_base) * std::pow(options.memory, novelty);
   known_ = kept + novelty * scan.by_points;
   T_local_base_ = T_local_base;
   if (kept.trace() < kNothing) return scan.T_map_base;
-  const Eigen::Vector3d by_all = (robust * robust * kept + said).ldlt().solve(said * step);
-  if (!by_all.allFinite()) return scan.T_map_base;
-  return {Point(predicted.position() + by_all.head<2>()), predicted.heading_rad() + by_all.z()};
+  const double trust = robust_weight(step.head<2>().norm(), options.jump_m);
+  const Eigen::Vector3d by_all = (trust * kept + said).ldlt().solve(said * step);
+  return by_all.allFinite() ? stepped(predicted, by_all) : scan.T_map_base;
 }
 
 }  // namespace opal

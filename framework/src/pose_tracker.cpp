@@ -6,6 +6,7 @@
 #include "local_map_odometry.hpp"
 #include "observation.hpp"
 #include "odometry_direction.hpp"
+#include "pose_step.hpp"
 #include "scan_on_map.hpp"
 #include "seen_through.hpp"
 #include "tracking_horizon.hpp"
@@ -54,12 +55,9 @@ Motion fused(const Motion& a, const Motion& b) {
   constexpr double kContradiction = 2.5 * 2.5;
   const Eigen::Matrix3d information = (a.covariance + b.covariance).inverse();
   const Eigen::Matrix3d gain = a.covariance * information;
-  const Eigen::Vector3d apart(b.T_before_now.x() - a.T_before_now.x(), b.T_before_now.y() - a.T_before_now.y(),
-                              wrap_angle(b.T_before_now.heading_rad() - a.T_before_now.heading_rad()));
+  const Eigen::Vector3d apart = step_between(a.T_before_now, b.T_before_now);
   if (apart.dot(information * apart) > kContradiction) return b;
-  const Eigen::Vector3d step = gain * apart;
-  return {Pose2(Point(a.T_before_now.position() + step.head<2>()), a.T_before_now.heading_rad() + step.z()),
-          (Eigen::Matrix3d::Identity() - gain) * a.covariance};
+  return {stepped(a.T_before_now, gain * apart), (Eigen::Matrix3d::Identity() - gain) * a.covariance};
 }
 
 }  // namespace

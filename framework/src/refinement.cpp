@@ -1,5 +1,7 @@
 #include <opal/registration.hpp>
 
+#include "pose_step.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -39,11 +41,6 @@ Residual residual_to(const Surface& surface, const Point& p) {
           along > -kOverhang_m && along < surface.size_m + kOverhang_m};
 }
 
-double robust_weight(double error, double sigma) {
-  const double w = 1 / (1 + error * error / (sigma * sigma));
-  return w * w;
-}
-
 NormalEquations linearize(const MapView& map, std::span<const Point> points, const Point& laser,
                           const Pose2& pose, double sigma_m) {
   NormalEquations equations;
@@ -73,17 +70,15 @@ Alignment align_with_map(const MapView& map, std::span<const Point> points, cons
     const double sigma = iteration == 0 ? 2 * options.sigma_m : options.sigma_m;
     NormalEquations equations = linearize(map, points, laser, pose, sigma);
     aligned.by_points = equations.H;
-    const Eigen::Vector3d from_guess(pose.x() - guess.x(), pose.y() - guess.y(),
-                                     wrap_angle(pose.heading_rad() - guess.heading_rad()));
     equations.H.diagonal() += prior + Eigen::Vector3d(1e-3, 1e-3, 1e-2);
-    equations.g += prior.cwiseProduct(from_guess);
+    equations.g += prior.cwiseProduct(step_between(guess, pose));
     Eigen::Vector3d step = -equations.H.ldlt().solve(equations.g);
     constexpr double kLongest_m = 0.4, kWidest_rad = 0.15;
     const double length = step.head<2>().norm();
     if (!std::isfinite(length)) break;
     if (length > kLongest_m) step.head<2>() *= kLongest_m / length;
     step.z() = std::clamp(step.z(), -kWidest_rad, kWidest_rad);
-    pose = {Point(pose.position() + step.head<2>()), pose.heading_rad() + step.z()};
+    pose = stepped(pose, step);
     if (length < 0.003 && std::abs(step.z()) < 0.0007) break;
   }
   return aligned;

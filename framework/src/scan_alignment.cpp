@@ -1,3 +1,4 @@
+#include "pose_step.hpp"
 #include "scan_on_map.hpp"
 
 #include <Eigen/Dense>
@@ -12,11 +13,6 @@ constexpr double kRobust_m = 0.12;
 constexpr double kOn_m = 0.15;
 constexpr int kIterations = 5;
 
-double robust_weight(double error, double sigma) {
-  const double w = 1 / (1 + error * error / (sigma * sigma));
-  return w * w;
-}
-
 }  // namespace
 
 Pose2 align_with(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser, const Pose2& guess,
@@ -25,10 +21,8 @@ Pose2 align_with(const ExpectedFeatures& expected, std::span<const Point> points
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const double sigma = iteration == 0 ? 2 * kRobust_m : kRobust_m;
     const Point eye = pose * laser;
-    const Eigen::Vector3d from_guess(pose.x() - guess.x(), pose.y() - guess.y(),
-                                     wrap_angle(pose.heading_rad() - guess.heading_rad()));
     Eigen::Matrix3d H = information;
-    Eigen::Vector3d g = information * from_guess;
+    Eigen::Vector3d g = information * step_between(guess, pose);
     for (const Point& point : points) {
       const Point lever = pose.rotate(point), p = pose.position() + lever;
       const int k = expected.nearest(eye, p, kReach_m);
@@ -45,7 +39,7 @@ Pose2 align_with(const ExpectedFeatures& expected, std::span<const Point> points
     if (!std::isfinite(length) || !std::isfinite(step.z())) break;
     if (length > kLongest_m) step.head<2>() *= kLongest_m / length;
     step.z() = std::clamp(step.z(), -kWidest_rad, kWidest_rad);
-    pose = {Point(pose.position() + step.head<2>()), pose.heading_rad() + step.z()};
+    pose = stepped(pose, step);
     if (length < 0.002 && std::abs(step.z()) < 0.0005) break;
   }
   return pose;

@@ -56,8 +56,6 @@ Seeder::Seeder(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemp
     tables_.push_back({templates[k].name, templates[k].part, PatternIndex(std::move(mapped.by_template[k]))});
 }
 
-bool Seeder::rarer(const Lookup& a, const Lookup& b) { return a.expected < b.expected; }
-
 /// Observed patterns of one template that the map knows: well supported ones; of those, the ones that the index expects
 /// least often.
 std::vector<Seeder::Lookup> Seeder::shortlist(int number, std::span<const Feature> features, bool loose) const {
@@ -79,7 +77,8 @@ std::vector<Seeder::Lookup> Seeder::shortlist(int number, std::span<const Featur
 
 void Seeder::keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest, bool loose) {
   constexpr std::size_t kPlacesPerSlide = 3;
-  std::stable_sort(lookups.begin(), lookups.end(), rarer);
+  std::stable_sort(lookups.begin(), lookups.end(),
+                   [](const Lookup& a, const Lookup& b) { return a.expected < b.expected; });
   std::size_t places = 0, kept = 0;
   for (const Lookup& lookup : lookups) {
     places += lookup.expected * (loose ? kPlacesPerSlide : 1);

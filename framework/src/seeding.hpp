@@ -70,7 +70,6 @@ class Seeder {
     int mapped;
   };
 
-  static bool rarer(const Lookup& a, const Lookup& b);
   std::vector<Lookup> shortlist(int number, std::span<const Feature> features, bool loose) const;
   /// Those that are expected least often, as long as they have no more places together; the fewest in any case.
   static void keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest, bool loose);

@@ -38,6 +38,7 @@ class StatusEstimator {
   /// Takes this much off what "none of these" has gathered: hypotheses begin anew.
   void settle(double nat) { none_nat_ = std::max(none_nat_ - nat, options_.carried_nat); }
 
+  double probability() const { return last_.probability; }  ///< of the best place
   bool localized() const { return last_.status == Status::localized; }
   /// The best place has the probability that `localized` asks for, if not for long enough yet.
   bool believed() const { return localized() || sure_ > 0; }
