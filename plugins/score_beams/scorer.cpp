@@ -7,6 +7,7 @@ using opal::Point;
 struct BeamScorer::Tally {
   SumsByThing matched;  ///< beams that end on a mapped surface, by patch of the local map
   SumsByThing lines;    ///< the same by the surface's line, with those beyond an absent object
+  SumsByThing ends;     ///< ends of faces that were seen where the map has one, by FaceEnd::number
   SumsByThing ended;    ///< beams that end on a mapped surface, by its object
   SumsByThing passed;   ///< beams by the object that they pass through
   int beams = 0;
@@ -17,6 +18,8 @@ BeamScorer::BeamScorer(const nlohmann::json& options)
     : match_(options.at("match_nat")),
       line_(options.at("line_nat")),
       enough_(options.at("enough")),
+      end_(options.at("end_nat")),
+      enough_ends_(options.at("enough_ends")),
       hit_(options.at("hit_nat")),
       early_(options.at("early_nat")),
       absent_(options.at("absent_nat")),
@@ -31,6 +34,7 @@ BeamScorer::BeamScorer(const nlohmann::json& options)
       ahead_m_(options.at("ahead_m")),
       free_range_m_(options.at("free_range_m")),
       floor_(options.at("floor_nat")),
+      end_gate_{options.at("end_along_m"), options.at("end_across_m"), options.at("end_angle_rad")},
       min_beams_(options.at("min_beams")) {}
 
 double BeamScorer::nearness(double distance_m, double range_m) const {
@@ -71,6 +75,20 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
   }
 }
 
+/// Where a wall stops is hardly anywhere met by chance: false places have walls where there are walls, but they end elsewhere.
+void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
+                            Tally& tally) const {
+  const auto* face = std::get_if<opal::Segment>(&seen.geometry);
+  if (!face) return;
+  for (const opal::Tip tip : {opal::Tip::begin, opal::Tip::end}) {
+    const bool at_begin = tip == opal::Tip::begin;
+    if (!seen.true_end[at_begin ? 0 : 1]) continue;
+    const opal::FaceEnd met = map.face_end_near(T_map_base * (at_begin ? face->begin : face->end),
+                                                T_map_base.rotate(face->direction()), tip, end_gate_);
+    if (met.number >= 0) tally.ends.add(met.number, std::exp(-2 * met.gates * met.gates));
+  }
+}
+
 void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double bearing_rad, double range_max_m,
                             Tally& tally) const {
   const double range = std::min(range_max_m, free_range_m_);
@@ -79,9 +97,9 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
   if (map.first_crossing(eye, end, margin_at(range)).feature >= 0) tally.free_throughs += 1;
 }
 
-double BeamScorer::news(const SumsByThing& beams, double each, const opal::Amounts& before,
-                        opal::Amounts& now) const {
-  const auto worth = [&](double amount) { return amount / (1 + amount / enough_); };
+double BeamScorer::news(const SumsByThing& beams, double each, double enough, const opal::Amounts& before,
+                        opal::Amounts& now) {
+  const auto worth = [&](double amount) { return amount / (1 + amount / enough); };
   double total = 0;
   beams.each([&](int thing, double count) {
     const double known = before.of(thing), fresh = each * count;
@@ -118,15 +136,17 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   for (std::size_t k = 0; k < observation.points.size(); ++k) judge_return(map, eye, T_map_base * observation.points[k], patches[k], tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
+  for (const opal::Feature& seen : observation.features) judge_ends(map, T_map_base, seen, tally);
   const double n = std::max(tally.beams, min_beams_), each = 100 / n;
   const opal::Encounters& before = hypothesis.encounters;
   opal::Encounters now;
-  const double matched = news(tally.matched, each, before.patches_met, now.patches_met);
-  const double lines = news(tally.lines, each, before.lines_met, now.lines_met);
-  const double passed = news(tally.passed, each, before.objects_passed, now.objects_passed);
+  const double matched = news(tally.matched, each, enough_, before.patches_met, now.patches_met);
+  const double lines = news(tally.lines, each, enough_, before.lines_met, now.lines_met);
+  const double ends = news(tally.ends, 1, enough_ends_, before.ends_met, now.ends_met);
+  const double passed = news(tally.passed, each, enough_, before.objects_passed, now.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;
   tally.ended.each([&](int object, double count) { now.objects_met.add(object, each * count); });
-  const double nat = match_ * matched + line_ * lines - absent_ * passed - conflict_ * conflict(tally, each, before) +
+  const double nat = match_ * matched + line_ * lines + end_ * ends - absent_ * passed - conflict_ * conflict(tally, each, before) +
                      (hit_ * met - early_ * tally.early - through_ * (tally.throughs - tally.hits_behind) -
                       free_through_ * tally.free_throughs) / n;
   const double throughs = tally.throughs + tally.free_throughs;

@@ -14,6 +14,8 @@
 ///
 ///   nat = match * sum over patches of w(b0 + b) - w(b0)     b: beams that end there on a surface, or on its wall's other side
 ///       + line * sum over mapped lines of w(b0 + b) - w(b0)    b: beams that end on one of its faces, or on their wall's other side
+///       + end * sum over ends of mapped faces of v(e0 + e) - v(e0)     e: exp(-2 d^2) if an end of a face was seen at distance d,
+///             in semi-axes of the gate, e0: the same before; v(e) = e / (1 + e / enough ends)
 ///       + hit * share of beams that end on a surface
 ///       - early * share of beams that end before a surface that lies ahead of them
 ///       - absent * sum over objects of w(b0 + b) - w(b0)     b: beams that pass through it
@@ -24,7 +26,7 @@
 ///
 /// The map holds only the static building, so a beam that ends early met something unmapped and costs little. The form is
 /// that of a conditional logit model (McFadden 1974) of the true pose among its rivals, fitted to recorded scans on intact,
-/// simplified and damaged maps; the weight of patches was chosen by whole runs on them (docs/experiments.md).
+/// simplified and damaged maps; the weights of patches and ends were chosen by whole runs on them (docs/experiments.md).
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
@@ -38,9 +40,10 @@ class BeamScorer final : public opal::HypothesisScorer {
  private:
   struct Tally;
   /// Sum of what the amounts are worth beyond what was met `before`; adds them to `now`.
-  double news(const SumsByThing& beams, double each, const opal::Amounts& before, opal::Amounts& now) const;
+  static double news(const SumsByThing& beams, double each, double enough, const opal::Amounts& before, opal::Amounts& now);
   void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, int patch,
                     Tally& tally) const;
+  void judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen, Tally& tally) const;
   void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,
                   Tally& tally) const;
 
@@ -48,7 +51,8 @@ class BeamScorer final : public opal::HypothesisScorer {
   double conflict(const Tally& tally, double each, const opal::Encounters& before) const;
   double nearness(double distance_m, double range_m) const;
 
-  double match_, line_, enough_, hit_, early_, absent_, conflict_, through_, free_through_;
+  double match_, line_, enough_, end_, enough_ends_, hit_, early_, absent_, conflict_, through_, free_through_;
   double sigma_m_, sigma_per_m_, margin_m_, margin_per_m_, other_side_m_, ahead_m_, free_range_m_, floor_;
+  opal::EndGate end_gate_;
   int min_beams_;
 };

@@ -159,3 +159,62 @@ TEST_CASE("a sensor that perceives nothing of a map is refused by name") {
   CHECK_THROWS_WITH(MapView(map_of({kUpper}), "Camera"),
                     "test: holds no feature that sensor 'Camera' can perceive");
 }
+
+TEST_CASE("the end of a face is found within the gate, and which of two ends it is") {
+  const MapView view(map_of({kUpper, kLower}), "PlanarLidar2D");
+  const Point east(1, 0);
+  const EndGate gate;
+  CHECK(view.face_end_near({0.1, 0.1}, east, Tip::begin, gate).number == 0);
+  CHECK(view.face_end_near({3.9, 0.3}, east, Tip::end, gate).number == 1);
+  CHECK(view.face_end_near({3.9, 0.1}, east, Tip::begin, gate).number == -1);
+  CHECK(view.face_end_near({3.9, 0}, -east, Tip::begin, gate).number == 2);  // the other side
+  CHECK(view.face_end_near({2, 0.1}, east, Tip::begin, gate).number == -1);
+  CHECK(view.face_end_near({0, 0.1}, unit_vector(0.3), Tip::begin, gate).number == -1);
+  CHECK(view.face_end_near({0.15, 0.1}, east, Tip::begin, gate).gates == Approx(0.5));
+  CHECK(view.face_end_near({0, 0.3}, east, Tip::begin, gate).gates == Approx(0.5));
+  CHECK(view.face_end_near({std::nan(""), 0}, east, Tip::begin, gate).number == -1);
+}
+
+TEST_CASE("where a wall goes on as another piece of it, there is no end") {
+  const Point east(1, 0);
+  for (const double gap_m : {0.0, 0.2}) {
+    const MapView view(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4 + gap_m, 0.05}, {7, 0.05}}}), "PlanarLidar2D");
+    CAPTURE(gap_m);
+    CHECK(view.face_end_near({4, 0}, east, Tip::end, {}).number == -1);
+    CHECK(view.face_end_near({4, 0}, east, Tip::begin, {}).number == -1);
+    CHECK(view.face_end_near({7, 0}, east, Tip::end, {}).number == 3);
+  }
+  const MapView door(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4.9, 0}, {7, 0}}}), "PlanarLidar2D");
+  CHECK(door.face_end_near({4, 0}, east, Tip::end, {}).number == 1);
+  const MapView corner(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4, 0}, {4, 3}}}), "PlanarLidar2D");
+  CHECK(corner.face_end_near({4, 0}, east, Tip::end, {}).number == 1);
+  CHECK(corner.face_end_near({4, 0}, {0, 1}, Tip::begin, {}).number == 2);
+}
+
+TEST_CASE("ends of faces are those that a walk over all faces finds") {
+  const auto walls = random_walls(400, 7);  // headings at random: none goes on as another
+  const MapView view(map_of(walls), "PlanarLidar2D");
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> off(-0.3, 0.3), turn(-0.3, 0.3);
+  const EndGate gate;
+  int found = 0;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const auto& wall = std::get<Segment>(walls[k]);
+    const Point p = wall.end + Point(off(random), off(random));
+    const double heading_rad = std::atan2(wall.direction().y(), wall.direction().x()) + turn(random);
+    FaceEnd expected;
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+      const auto& other = std::get<Segment>(walls[n]);
+      if (other.direction().dot(unit_vector(heading_rad)) < std::cos(gate.angle_rad)) continue;
+      const Point from = p - other.end;
+      const double gates = std::hypot(other.direction().dot(from) / gate.along_m, cross(other.direction(), from) / gate.across_m);
+      if (gates < expected.gates) expected = {static_cast<int>(2 * n + 1), gates};
+    }
+    const FaceEnd end = view.face_end_near(p, unit_vector(heading_rad), Tip::end, gate);
+    CAPTURE(k, p.transpose(), heading_rad);
+    CHECK(end.number == expected.number);
+    CHECK(end.gates == Approx(expected.gates));
+    found += end.number >= 0;
+  }
+  CHECK(found > 100);
+}

@@ -29,6 +29,22 @@ struct Surface {
   }
 };
 
+/// Which of a face's two ends, seen with the visible side on the left of begin -> end.
+enum class Tip { begin, end };
+
+/// How far an end that was seen may be from the mapped one, along its face and across it, and how far the two faces may be
+/// turned against each other. A wall that is not quite where the map says still ends where it ends: more across than along.
+struct EndGate {
+  double along_m = 0.3, across_m = 0.4, angle_rad = 0.2;
+};
+
+/// An end of a mapped face.
+struct FaceEnd {
+  int number = -1;   ///< 2 * the face's feature number, plus 1 for Tip::end; -1: there is none
+  double gates = 1;  ///< how far off, in the gate's semi-axes, 0 to 1
+};
+inline Tip tip_of(int face_end_number) { return face_end_number % 2 == 0 ? Tip::begin : Tip::end; }
+
 /// What one sensor can perceive of a map, with indices that answer spatial questions in microseconds. Immutable and
 /// shared. Frame: `map`. Feature numbers are positions in SemanticMap::features().
 class OPAL_EXPORT MapView {
@@ -53,6 +69,10 @@ class OPAL_EXPORT MapView {
   /// @param view_direction  any length; from the viewer to p.
   /// @return feature number, or -1.
   int nearest_facing(const Point& p, const Point& view_direction) const;
+  /// The end of a mapped face that an end seen at `p` may be, the nearest one within the gate. Only where a wall stops is an
+  /// end: where a face goes on as another one that looks to the same side, there is none. A lookup in cells, O(1).
+  /// @param direction  of the face that was seen, unit.
+  FaceEnd face_end_near(const Point& p, const Point& direction, Tip tip, const EndGate& gate) const;
   /// Distance [m] from p to the nearest surface whatever its side, by grid lookup (within one cell's diagonal), capped
   /// at clearance_cap_m().
   double clearance_m(const Point& p) const;
