@@ -7,7 +7,7 @@ using opal::Point;
 struct BeamScorer::Tally {
   SumsByThing matched;  ///< beams that end on a mapped surface, by patch of the local map
   SumsByThing lines;    ///< the same by the surface's line, with those beyond an absent object
-  SumsByThing ends;     ///< ends of faces that were seen where the map has one, by FaceEnd::number
+  SumsByThing ends;     ///< ends of faces that were seen where the map has one, by the mapped face's line
   SumsByThing ended;    ///< beams that end on a mapped surface, by its object
   SumsByThing passed;   ///< beams by the object that they pass through
   int beams = 0;
@@ -85,7 +85,7 @@ void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_b
     if (!seen.true_end[at_begin ? 0 : 1]) continue;
     const opal::FaceEnd met = map.face_end_near(T_map_base * (at_begin ? face->begin : face->end),
                                                 T_map_base.rotate(face->direction()), tip, end_gate_);
-    if (met.number >= 0) tally.ends.add(met.number, std::exp(-2 * met.gates * met.gates));
+    if (met.number >= 0) tally.ends.add(map.surface(met.number / 2).line, std::exp(-2 * met.gates * met.gates));
   }
 }
 

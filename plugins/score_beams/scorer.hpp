@@ -14,8 +14,8 @@
 ///
 ///   nat = match * sum over patches of w(b0 + b) - w(b0)     b: beams that end there on a surface, or on its wall's other side
 ///       + line * sum over mapped lines of w(b0 + b) - w(b0)    b: beams that end on one of its faces, or on their wall's other side
-///       + end * sum over ends of mapped faces of v(e0 + e) - v(e0)     e: exp(-2 d^2) if an end of a face was seen at distance d,
-///             in semi-axes of the gate, e0: the same before; v(e) = e / (1 + e / enough ends)
+///       + end * sum over mapped lines of v(e0 + e) - v(e0)     e: sum of exp(-2 d^2) over ends of its faces that were seen, each at
+///             a distance of d in semi-axes of the gate, e0: the same before; v(e) = e / (1 + e / enough ends)
 ///       + hit * share of beams that end on a surface
 ///       - early * share of beams that end before a surface that lies ahead of them
 ///       - absent * sum over objects of w(b0 + b) - w(b0)     b: beams that pass through it

@@ -128,7 +128,9 @@ TEST_CASE("an end of a wall that is seen where the map has one speaks for a plac
   const std::vector<Thing> map{{"Wall", kFace}};
   const double both = nat(map, at(Pose2()), with_face(kFace, {true, true}));
   CHECK(both > 0.5);
-  CHECK(nat(map, at(Pose2()), with_face(kFace, {true, false})) == Approx(both / 2));
+  const double one = nat(map, at(Pose2()), with_face(kFace, {true, false}));
+  CHECK(one > both / 2);  // the second one on a line is less of a surprise
+  CHECK(one < both);
   CHECK(nat(map, at(Pose2()), with_face(kFace, {false, false})) == 0);  // occluded there, or at the edge of the view
   for (const Pose2& moved : {Pose2(103, -57, 0.7), Pose2(-9, 4, 3)})
     CHECK(nat({{"Wall", Segment{moved * kFace.begin, moved * kFace.end}}}, at(moved), with_face(kFace, {true, true})) ==
@@ -155,6 +157,18 @@ TEST_CASE("the nearer an end is to the mapped one the more it says, and walls ma
   CHECK(off({0.25, 0}) > off({0, 0.25}));
 }
 
+TEST_CASE("ends on one line are one thing, ends of walls apart are two") {
+  const Segment further{{4, 3}, {4, 5}}, aside{{6, 3}, {6, 5}};
+  const auto two_ends = [&](const Segment& second) {
+    Observation observation = with_face(kFace, {false, true});
+    observation.features.push_back(with_face(second, {true, false}).features.front());
+    return nat({{"Wall", kFace}, {"Wall", second}}, at(Pose2()), observation);
+  };
+  const double single = nat({{"Wall", kFace}}, at(Pose2()), with_face(kFace, {false, true}));
+  CHECK(two_ends(aside) == Approx(2 * single));
+  CHECK(two_ends(further) < 1.9 * single);
+}
+
 TEST_CASE("an end that was seen before is hardly news") {
   const auto one = scorer();
   const MapView map = map_of({{"Wall", kFace}});
@@ -168,8 +182,8 @@ TEST_CASE("an end that was seen before is hardly news") {
     CHECK(now < last);
     total += last = now;
   }
-  CHECK(last < 0.02);
-  CHECK(total < 3);
+  CHECK(last < 0.05);
+  CHECK(total < 4);
 }
 
 TEST_CASE("an empty scan says nothing") {

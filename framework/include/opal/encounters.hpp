@@ -29,7 +29,7 @@ class OPAL_EXPORT Amounts {
 struct Encounters {
   Amounts patches_met;     ///< by patch of the local map: beams that ended there, on a mapped surface
   Amounts lines_met;       ///< by Surface::line: beams that ended there
-  Amounts ends_met;        ///< by FaceEnd::number, in scans that saw it, each by how near
+  Amounts ends_met;        ///< by Surface::line, in ends of its faces that were seen, each by how near
   Amounts objects_met;     ///< by object: beams that ended there
   Amounts objects_passed;  ///< by object: beams that passed through it
 
