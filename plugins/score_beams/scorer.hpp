@@ -26,7 +26,7 @@
 ///
 /// The map holds only the static building, so a beam that ends early met something unmapped and costs little. The form is
 /// that of a conditional logit model (McFadden 1974) of the true pose among its rivals, fitted to recorded scans on intact,
-/// simplified and damaged maps; the weights of patches and ends were chosen by whole runs on them (docs/experiments.md).
+/// simplified and damaged maps; the weights of patches and ends were chosen by whole runs on them; ends are off by default (docs/experiments.md).
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
