@@ -7,8 +7,11 @@ namespace opal {
 namespace {
 
 constexpr double kCell_m = 2;
+constexpr double kFarthest = 1e9;  ///< cells from the origin: what lies beyond is in the last one
 
-std::int64_t cell_at(double coordinate_m) { return static_cast<std::int64_t>(std::floor(coordinate_m / kCell_m)); }
+std::int64_t cell_at(double coordinate_m) {
+  return static_cast<std::int64_t>(std::clamp(std::floor(coordinate_m / kCell_m), -kFarthest, kFarthest));
+}
 
 std::int64_t key_of(std::int64_t i, std::int64_t j) { return i * (std::int64_t{1} << 32) + j; }
 
@@ -41,9 +44,9 @@ FaceEnd FaceEnds::nearest(const Point& p, const Point& direction, Tip tip, const
       if (cell == cells_.end()) continue;
       for (std::size_t k = cell->second.begin; k < cell->second.end; ++k) {
         const End& end = ends_[k];
-        if (tip_of(end.number) != tip || end.direction.dot(direction) < least_cosine) continue;
+        if (end.tip != tip || end.direction.dot(direction) < least_cosine) continue;
         const double gates = gates_between(end, p, gate);
-        if (gates < best.gates) best = {end.number, gates};
+        if (gates < best.gates) best = {end.face, end.tip, gates};
       }
     }
   return best;

@@ -14,7 +14,8 @@ class FaceEnds {
   struct End {
     Point position;
     Point direction;  ///< of its face, unit
-    int number = -1;  ///< as FaceEnd::number
+    int face = -1;    ///< feature number
+    Tip tip = Tip::begin;
   };
 
   FaceEnds() = default;

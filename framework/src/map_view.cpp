@@ -157,8 +157,8 @@ struct MapView::Index {
       const Surface& face = by_number[number];
       if (face.is_circle()) continue;
       const Point end = face.origin + face.size_m * face.direction;
-      if (!goes_on(number, face.origin, -face.direction)) found.push_back({face.origin, face.direction, 2 * number});
-      if (!goes_on(number, end, face.direction)) found.push_back({end, face.direction, 2 * number + 1});
+      if (!goes_on(number, face.origin, -face.direction)) found.push_back({face.origin, face.direction, number, Tip::begin});
+      if (!goes_on(number, end, face.direction)) found.push_back({end, face.direction, number, Tip::end});
     }
     return found;
   }

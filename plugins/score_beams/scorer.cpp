@@ -4,10 +4,18 @@
 
 using opal::Point;
 
+namespace {
+
+/// What is seen again and again is worth ever less: `enough` of it count half of `enough`, and any amount less than `enough`.
+double worth(double amount, double enough) { return amount / (1 + amount / enough); }
+
+}  // namespace
+
 struct BeamScorer::Tally {
   SumsByThing matched;  ///< beams that end on a mapped surface, by patch of the local map
   SumsByThing lines;    ///< the same by the surface's line, with those beyond an absent object
-  SumsByThing ends;     ///< ends of faces that were seen where the map has one, by the mapped face's line
+  SumsByThing ends;     ///< ends of faces that were seen where the map has one, by FaceEnd::number
+  SumsByThing ended_lines;  ///< what these sightings are worth, by the mapped face's line
   SumsByThing ended;    ///< beams that end on a mapped surface, by its object
   SumsByThing passed;   ///< beams by the object that they pass through
   int beams = 0;
@@ -19,6 +27,7 @@ BeamScorer::BeamScorer(const nlohmann::json& options)
       line_(options.at("line_nat")),
       enough_(options.at("enough")),
       end_(options.at("end_nat")),
+      enough_sightings_(options.at("enough_sightings")),
       enough_ends_(options.at("enough_ends")),
       hit_(options.at("hit_nat")),
       early_(options.at("early_nat")),
@@ -77,7 +86,7 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
 
 /// Where a wall stops is hardly anywhere met by chance: false places have walls where there are walls, but they end elsewhere.
 void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
-                            Tally& tally) const {
+                            const opal::Amounts& before, Tally& tally) const {
   const auto* face = std::get_if<opal::Segment>(&seen.geometry);
   if (!face) return;
   for (const opal::Tip tip : {opal::Tip::begin, opal::Tip::end}) {
@@ -85,7 +94,10 @@ void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_b
     if (!seen.true_end[at_begin ? 0 : 1]) continue;
     const opal::FaceEnd met = map.face_end_near(T_map_base * (at_begin ? face->begin : face->end),
                                                 T_map_base.rotate(face->direction()), tip, end_gate_);
-    if (met.number >= 0) tally.ends.add(map.surface(met.number / 2).line, std::exp(-2 * met.gates * met.gates));
+    if (met.face < 0) continue;
+    const double known = before.of(met.number()) + tally.ends.of(met.number()), fresh = std::exp(-2 * met.gates * met.gates);
+    tally.ends.add(met.number(), fresh);
+    tally.ended_lines.add(map.surface(met.face).line, worth(known + fresh, enough_sightings_) - worth(known, enough_sightings_));
   }
 }
 
@@ -99,11 +111,10 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
 
 double BeamScorer::news(const SumsByThing& beams, double each, double enough, const opal::Amounts& before,
                         opal::Amounts& now) {
-  const auto worth = [&](double amount) { return amount / (1 + amount / enough); };
   double total = 0;
   beams.each([&](int thing, double count) {
     const double known = before.of(thing), fresh = each * count;
-    total += worth(known + fresh) - worth(known);
+    total += worth(known + fresh, enough) - worth(known, enough);
     now.add(thing, fresh);
   });
   return total;
@@ -136,16 +147,18 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   for (std::size_t k = 0; k < observation.points.size(); ++k) judge_return(map, eye, T_map_base * observation.points[k], patches[k], tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
-  for (const opal::Feature& seen : observation.features) judge_ends(map, T_map_base, seen, tally);
-  const double n = std::max(tally.beams, min_beams_), each = 100 / n;
   const opal::Encounters& before = hypothesis.encounters;
+  if (end_ > 0)
+    for (const opal::Feature& seen : observation.features) judge_ends(map, T_map_base, seen, before.ends_met, tally);
+  const double n = std::max(tally.beams, min_beams_), each = 100 / n;
   opal::Encounters now;
   const double matched = news(tally.matched, each, enough_, before.patches_met, now.patches_met);
   const double lines = news(tally.lines, each, enough_, before.lines_met, now.lines_met);
-  const double ends = news(tally.ends, 1, enough_ends_, before.ends_met, now.ends_met);
+  const double ends = news(tally.ended_lines, 1, enough_ends_, before.lines_ended, now.lines_ended);
   const double passed = news(tally.passed, each, enough_, before.objects_passed, now.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;
   tally.ended.each([&](int object, double count) { now.objects_met.add(object, each * count); });
+  tally.ends.each([&](int end, double sightings) { now.ends_met.add(end, sightings); });
   const double nat = match_ * matched + line_ * lines + end_ * ends - absent_ * passed - conflict_ * conflict(tally, each, before) +
                      (hit_ * met - early_ * tally.early - through_ * (tally.throughs - tally.hits_behind) -
                       free_through_ * tally.free_throughs) / n;

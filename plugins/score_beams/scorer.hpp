@@ -14,8 +14,9 @@
 ///
 ///   nat = match * sum over patches of w(b0 + b) - w(b0)     b: beams that end there on a surface, or on its wall's other side
 ///       + line * sum over mapped lines of w(b0 + b) - w(b0)    b: beams that end on one of its faces, or on their wall's other side
-///       + end * sum over mapped lines of v(e0 + e) - v(e0)     e: sum of exp(-2 d^2) over ends of its faces that were seen, each at
-///             a distance of d in semi-axes of the gate, e0: the same before; v(e) = e / (1 + e / enough ends)
+///       + end * sum over mapped lines of v(e0 + e) - v(e0)     e: ends of its faces that were seen, each as s(a0 + a) - s(a0)
+///             a: sum of exp(-2 d^2) over sightings at a distance of d in semi-axes of the gate, a0: the same before;
+///             s(a) = a / (1 + a / enough sightings), v(e) = e / (1 + e / enough ends)
 ///       + hit * share of beams that end on a surface
 ///       - early * share of beams that end before a surface that lies ahead of them
 ///       - absent * sum over objects of w(b0 + b) - w(b0)     b: beams that pass through it
@@ -26,7 +27,7 @@
 ///
 /// The map holds only the static building, so a beam that ends early met something unmapped and costs little. The form is
 /// that of a conditional logit model (McFadden 1974) of the true pose among its rivals, fitted to recorded scans on intact,
-/// simplified and damaged maps; the weights of patches and ends were chosen by whole runs on them; ends are off by default (docs/experiments.md).
+/// simplified and damaged maps; the weights of patches and ends were chosen by whole runs on them (docs/experiments.md).
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
@@ -43,7 +44,8 @@ class BeamScorer final : public opal::HypothesisScorer {
   static double news(const SumsByThing& beams, double each, double enough, const opal::Amounts& before, opal::Amounts& now);
   void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, int patch,
                     Tally& tally) const;
-  void judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen, Tally& tally) const;
+  void judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
+                  const opal::Amounts& before, Tally& tally) const;
   void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,
                   Tally& tally) const;
 
@@ -51,7 +53,7 @@ class BeamScorer final : public opal::HypothesisScorer {
   double conflict(const Tally& tally, double each, const opal::Encounters& before) const;
   double nearness(double distance_m, double range_m) const;
 
-  double match_, line_, enough_, end_, enough_ends_, hit_, early_, absent_, conflict_, through_, free_through_;
+  double match_, line_, enough_, end_, enough_sightings_, enough_ends_, hit_, early_, absent_, conflict_, through_, free_through_;
   double sigma_m_, sigma_per_m_, margin_m_, margin_per_m_, other_side_m_, ahead_m_, free_range_m_, floor_;
   opal::EndGate end_gate_;
   int min_beams_;

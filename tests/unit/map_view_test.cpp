@@ -164,15 +164,16 @@ TEST_CASE("the end of a face is found within the gate, and which of two ends it 
   const MapView view(map_of({kUpper, kLower}), "PlanarLidar2D");
   const Point east(1, 0);
   const EndGate gate;
-  CHECK(view.face_end_near({0.1, 0.1}, east, Tip::begin, gate).number == 0);
-  CHECK(view.face_end_near({3.9, 0.3}, east, Tip::end, gate).number == 1);
-  CHECK(view.face_end_near({3.9, 0.1}, east, Tip::begin, gate).number == -1);
-  CHECK(view.face_end_near({3.9, 0}, -east, Tip::begin, gate).number == 2);  // the other side
-  CHECK(view.face_end_near({2, 0.1}, east, Tip::begin, gate).number == -1);
-  CHECK(view.face_end_near({0, 0.1}, unit_vector(0.3), Tip::begin, gate).number == -1);
+  CHECK(view.face_end_near({0.1, 0.1}, east, Tip::begin, gate).number() == 0);
+  CHECK(view.face_end_near({3.9, 0.3}, east, Tip::end, gate).number() == 1);
+  CHECK(view.face_end_near({3.9, 0.1}, east, Tip::begin, gate).face == -1);
+  CHECK(view.face_end_near({3.9, 0}, -east, Tip::begin, gate).number() == 2);  // the other side
+  CHECK(view.face_end_near({2, 0.1}, east, Tip::begin, gate).face == -1);
+  CHECK(view.face_end_near({0, 0.1}, unit_vector(0.3), Tip::begin, gate).face == -1);
   CHECK(view.face_end_near({0.15, 0.1}, east, Tip::begin, gate).gates == Approx(0.5));
   CHECK(view.face_end_near({0, 0.3}, east, Tip::begin, gate).gates == Approx(0.5));
-  CHECK(view.face_end_near({std::nan(""), 0}, east, Tip::begin, gate).number == -1);
+  CHECK(view.face_end_near({std::nan(""), 0}, east, Tip::begin, gate).face == -1);
+  CHECK(view.face_end_near({1e300, -1e300}, east, Tip::begin, gate).face == -1);
 }
 
 TEST_CASE("where a wall goes on as another piece of it, there is no end") {
@@ -180,15 +181,15 @@ TEST_CASE("where a wall goes on as another piece of it, there is no end") {
   for (const double gap_m : {0.0, 0.2}) {
     const MapView view(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4 + gap_m, 0.05}, {7, 0.05}}}), "PlanarLidar2D");
     CAPTURE(gap_m);
-    CHECK(view.face_end_near({4, 0}, east, Tip::end, {}).number == -1);
-    CHECK(view.face_end_near({4, 0}, east, Tip::begin, {}).number == -1);
-    CHECK(view.face_end_near({7, 0}, east, Tip::end, {}).number == 3);
+    CHECK(view.face_end_near({4, 0}, east, Tip::end, {}).face == -1);
+    CHECK(view.face_end_near({4, 0}, east, Tip::begin, {}).face == -1);
+    CHECK(view.face_end_near({7, 0}, east, Tip::end, {}).number() == 3);
   }
   const MapView door(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4.9, 0}, {7, 0}}}), "PlanarLidar2D");
-  CHECK(door.face_end_near({4, 0}, east, Tip::end, {}).number == 1);
+  CHECK(door.face_end_near({4, 0}, east, Tip::end, {}).number() == 1);
   const MapView corner(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4, 0}, {4, 3}}}), "PlanarLidar2D");
-  CHECK(corner.face_end_near({4, 0}, east, Tip::end, {}).number == 1);
-  CHECK(corner.face_end_near({4, 0}, {0, 1}, Tip::begin, {}).number == 2);
+  CHECK(corner.face_end_near({4, 0}, east, Tip::end, {}).number() == 1);
+  CHECK(corner.face_end_near({4, 0}, {0, 1}, Tip::begin, {}).number() == 2);
 }
 
 TEST_CASE("ends of faces are those that a walk over all faces finds") {
@@ -208,13 +209,13 @@ TEST_CASE("ends of faces are those that a walk over all faces finds") {
       if (other.direction().dot(unit_vector(heading_rad)) < std::cos(gate.angle_rad)) continue;
       const Point from = p - other.end;
       const double gates = std::hypot(other.direction().dot(from) / gate.along_m, cross(other.direction(), from) / gate.across_m);
-      if (gates < expected.gates) expected = {static_cast<int>(2 * n + 1), gates};
+      if (gates < expected.gates) expected = {static_cast<int>(n), Tip::end, gates};
     }
     const FaceEnd end = view.face_end_near(p, unit_vector(heading_rad), Tip::end, gate);
     CAPTURE(k, p.transpose(), heading_rad);
-    CHECK(end.number == expected.number);
+    CHECK(end.number() == expected.number());
     CHECK(end.gates == Approx(expected.gates));
-    found += end.number >= 0;
+    found += end.face >= 0;
   }
   CHECK(found > 100);
 }

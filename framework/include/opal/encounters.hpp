@@ -25,11 +25,12 @@ class OPAL_EXPORT Amounts {
 };
 
 /// What the beams have met so far if a hypothesis is right. Seeing the same wall again is hardly new evidence: scorers
-/// count what is not in here yet. In beams of a hundred, summed over whole pieces of evidence.
+/// count what is not in here yet. In beams of a hundred where nothing else is said, summed over whole pieces of evidence.
 struct Encounters {
   Amounts patches_met;     ///< by patch of the local map: beams that ended there, on a mapped surface
   Amounts lines_met;       ///< by Surface::line: beams that ended there
-  Amounts ends_met;        ///< by Surface::line, in ends of its faces that were seen, each by how near
+  Amounts ends_met;        ///< by FaceEnd::number: how often it was seen, each time by how near
+  Amounts lines_ended;     ///< by Surface::line: ends of its faces that were seen, each by what its sightings are worth
   Amounts objects_met;     ///< by object: beams that ended there
   Amounts objects_passed;  ///< by object: beams that passed through it
 

@@ -40,10 +40,13 @@ struct EndGate {
 
 /// An end of a mapped face.
 struct FaceEnd {
-  int number = -1;   ///< 2 * the face's feature number, plus 1 for Tip::end; -1: there is none
+  int face = -1;  ///< feature number; -1: there is none
+  Tip tip = Tip::begin;
   double gates = 1;  ///< how far off, in the gate's semi-axes, 0 to 1
+
+  /// No two ends of a map have the same.
+  int number() const { return 2 * face + (tip == Tip::end ? 1 : 0); }
 };
-inline Tip tip_of(int face_end_number) { return face_end_number % 2 == 0 ? Tip::begin : Tip::end; }
 
 /// What one sensor can perceive of a map, with indices that answer spatial questions in microseconds. Immutable and
 /// shared. Frame: `map`. Feature numbers are positions in SemanticMap::features().
