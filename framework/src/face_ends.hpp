@@ -3,12 +3,11 @@
 #include <opal/map_view.hpp>
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace opal {
 
-/// Ends of mapped faces by place, in cells of 2 m: a lookup costs the same however large the map is.
+/// Ends of mapped faces by place, in square cells: a lookup costs the same however large the map is.
 class FaceEnds {
  public:
   struct End {
@@ -23,11 +22,15 @@ class FaceEnds {
   FaceEnd nearest(const Point& p, const Point& direction, Tip tip, const EndGate& gate) const;
 
  private:
-  struct Range {
-    std::size_t begin = 0, end = 0;
-  };
-  std::vector<End> ends_;  ///< those of one cell together
-  std::unordered_map<std::int64_t, Range> cells_;
+  int column_of(double x_m) const;
+  int row_of(double y_m) const;
+  std::size_t cell_of(const Point& p) const;
+
+  Point low_ = Point::Zero();  ///< corner of the first cell
+  double cell_m_ = 0;
+  int columns_ = 0, rows_ = 0;
+  std::vector<End> ends_;             ///< those of one cell together
+  std::vector<std::uint32_t> first_;  ///< by cell, row after row, and one more: of its ends in ends_
 };
 
 }  // namespace opal

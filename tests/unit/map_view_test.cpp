@@ -174,6 +174,9 @@ TEST_CASE("the end of a face is found within the gate, and which of two ends it 
   CHECK(view.face_end_near({0, 0.3}, east, Tip::begin, gate).gates == Approx(0.5));
   CHECK(view.face_end_near({std::nan(""), 0}, east, Tip::begin, gate).face == -1);
   CHECK(view.face_end_near({1e300, -1e300}, east, Tip::begin, gate).face == -1);
+  const MapView wide(map_of({kUpper, Segment{{4000, 9000}, {4002, 9000}}}), "PlanarLidar2D");  // cells of more than 2 m
+  CHECK(wide.face_end_near({4002.1, 9000.1}, east, Tip::end, gate).number() == 3);
+  CHECK(wide.face_end_near({3.9, 0.1}, east, Tip::end, gate).number() == 1);
 }
 
 TEST_CASE("where a wall goes on as another piece of it, there is no end") {
