@@ -136,8 +136,8 @@ double BeamScorer::conflict(const Tally& tally, double each, const opal::Encount
   return beams * each / 100;
 }
 
-opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                              const opal::MapView& map) const {
+BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                      const opal::MapView& map) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   const Point eye = T_map_base * observation.laser_position;
   Tally tally;
@@ -147,9 +147,16 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   for (std::size_t k = 0; k < observation.points.size(); ++k) judge_return(map, eye, T_map_base * observation.points[k], patches[k], tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
-  const opal::Encounters& before = hypothesis.encounters;
   if (end_ > 0)
-    for (const opal::Feature& seen : observation.features) judge_ends(map, T_map_base, seen, before.ends_met, tally);
+    for (const opal::Feature& seen : observation.features)
+      judge_ends(map, T_map_base, seen, hypothesis.encounters.ends_met, tally);
+  return tally;
+}
+
+opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                              const opal::MapView& map) const {
+  const Tally tally = compare(hypothesis, observation, map);
+  const opal::Encounters& before = hypothesis.encounters;
   const double n = std::max(tally.beams, min_beams_), each = 100 / n;
   opal::Encounters now;
   const double matched = news(tally.matched, each, enough_, before.patches_met, now.patches_met);

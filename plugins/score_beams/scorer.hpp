@@ -40,6 +40,8 @@ class BeamScorer final : public opal::HypothesisScorer {
 
  private:
   struct Tally;
+  /// The scan's beams and ends beside the map, from where the hypothesis has the robot.
+  Tally compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map) const;
   /// Sum of what the amounts are worth beyond what was met `before`; adds them to `now`.
   static double news(const SumsByThing& beams, double each, double enough, const opal::Amounts& before, opal::Amounts& now);
   void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, int patch,
