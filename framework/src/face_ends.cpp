@@ -55,11 +55,10 @@ FaceEnd FaceEnds::nearest(const Point& p, const Point& direction, Tip tip, const
   FaceEnd best;
   if (ends_.empty() || !p.allFinite()) return best;
   const double reach_m = std::max(gate.along_m, gate.across_m), least_cosine = std::cos(gate.angle_rad);
-  for (int row = row_of(p.y() - reach_m); row <= row_of(p.y() + reach_m); ++row) {
+  const int from = column_of(p.x() - reach_m), to = column_of(p.x() + reach_m), last_row = row_of(p.y() + reach_m);
+  for (int row = row_of(p.y() - reach_m); row <= last_row; ++row) {
     const std::size_t before = static_cast<std::size_t>(row) * columns_;
-    const std::uint32_t begin = first_[before + column_of(p.x() - reach_m)];
-    const std::uint32_t end_of_row = first_[before + column_of(p.x() + reach_m) + 1];
-    for (std::uint32_t k = begin; k < end_of_row; ++k) {
+    for (std::uint32_t k = first_[before + from]; k < first_[before + to + 1]; ++k) {
       const End& end = ends_[k];
       if (end.tip != tip || end.direction.dot(direction) < least_cosine) continue;
       const double gates = gates_between(end, p, gate);
