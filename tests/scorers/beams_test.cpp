@@ -91,6 +91,11 @@ TEST_CASE("an object that some beams end on and others pass through speaks again
   for (const Segment& half : {Segment{low, middle}, Segment{middle, high}}) two.push_back({"Wall", half});
   const double torn = nat(one, at(Pose2()), observation), absent = nat(two, at(Pose2()), observation);
   CHECK(torn < absent - 0.05);
+  const auto dearer = scorer({{"conflict_nat", 2.4}});
+  const auto dear = [&](const std::vector<Thing>& things) {
+    return dearer->score(at(Pose2()), observation, map_of(things)).log_likelihood;
+  };
+  CHECK(dear(one) < dear(two) - 0.1);
   CHECK(absent < nat({two.begin(), two.end() - 1}, at(Pose2()), observation));
 }
 
