@@ -4,6 +4,7 @@
 #include "judge.hpp"
 #include "observation.hpp"
 #include "run_journal.hpp"
+#include "search_schedule.hpp"
 #include "seeding.hpp"
 #include "status.hpp"
 #include "unmapped_walls.hpp"
@@ -48,6 +49,7 @@ struct Localizer::State {
         hindsight(parts.map, judge, options),
         hypotheses(parts.map, judge, options, journal),
         change(options),
+        schedule(options),
         status(options) {}
 
   bool moved_enough(const Pose2& T_odom_base) const;
@@ -59,7 +61,7 @@ struct Localizer::State {
   void track(const Observation& observation, const Scan& scan);
   void watch();
   void settle();
-  bool time_to_seed();
+  bool time_to_search();
   int searched_every() const;
   void seed(const Observation& observation, const Scan& scan);
   std::vector<SeedFeature> seed_features(const Observation& observation) const;
@@ -82,6 +84,7 @@ struct Localizer::State {
   Hindsight hindsight;
   HypothesisSet hypotheses;
   ChangeDetector change;
+  SearchSchedule schedule;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
 
@@ -89,9 +92,7 @@ struct Localizer::State {
   double stamp_s = 0;
   int keyframe = 0;
   Pose2 T_odom_base;        ///< at the newest keyframe
-  Pose2 T_odom_base_seed;   ///< at the last search for new hypotheses
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
-  int chances_passed = 0;           ///< to search, since the last search
   bool search_now = false;  ///< there is reason to believe that the robot was carried away, since this scan
   StageTimes times;
 };
@@ -115,7 +116,7 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   s.journal.keyframe(s.stamp_s, s.keyframe, scan, s.parts.laser.T_base_laser, observation);
   s.track(observation, scan);                              // map frame from here on
   s.watch();
-  if (s.time_to_seed()) s.seed(observation, scan);
+  if (s.time_to_search()) s.seed(observation, scan);
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.hindsight.remember(observation, s.keyframe, s.novelty(), best_nat);
@@ -216,15 +217,8 @@ void Localizer::State::settle() {
   status.settle(hypotheses.settle());
 }
 
-bool Localizer::State::time_to_seed() {
-  const bool due = !started || hypotheses.alive().empty() || search_now ||
-                   distance_m(T_odom_base_seed, T_odom_base) > options.seed_every_m ||
-                   angle_between_rad(T_odom_base_seed, T_odom_base) > options.seed_every_rad;
-  if (!due) return false;
-  T_odom_base_seed = T_odom_base;
-  if (++chances_passed < searched_every()) return false;
-  chances_passed = 0;
-  return true;
+bool Localizer::State::time_to_search() {
+  return schedule.time_to_search(T_odom_base, hypotheses.alive().empty() || search_now, searched_every());
 }
 
 /// How many chances to search make one search: the surer the robot is, the less there is to find.
@@ -372,7 +366,7 @@ void Localizer::reset() {
   s.search_now = false;
   s.status.reset();
   s.started = false;
-  s.chances_passed = 0;
+  s.schedule.reset();
   s.journal.reset();
 }
 
