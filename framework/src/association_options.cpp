@@ -33,6 +33,7 @@ const std::vector<Field>& fields() {
       {"seed_every_rad", &O::seed_every_rad, 0, 1000},
       {"seed_every_when_localized", &O::seed_every_when_localized, 1, kMany},
       {"seed_every_when_likely", &O::seed_every_when_likely, 1, kMany},
+      {"seed_places_per_chance", &O::seed_places_per_chance, 0, kMany},
       {"likely_probability", &O::likely_probability, 0, 1},
       {"loose_below_nat", &O::loose_below_nat, -kMany, kMany},
       {"loose_until_nat", &O::loose_until_nat, -kMany, kMany},

@@ -15,6 +15,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace opal {
 namespace {
@@ -325,6 +326,8 @@ void Localizer::State::seed(const Observation& observation, const Scan& scan) {
       candidates.resize(options.seed_hypotheses);
     hypotheses.adopt(std::move(candidates), observation, novelty(), hindsight);
   }
+  schedule.searched(std::transform_reduce(looked_up.begin(), looked_up.end(), std::size_t{0}, std::plus<>(),
+                                          [](const Seeder::LookedUp& pattern) { return pattern.expected; }));
   journal.searched(looked_up, places);
 }
 

@@ -13,9 +13,11 @@ class SearchSchedule {
  public:
   explicit SearchSchedule(const AssociationOptions& options) : options_(options) {}
 
-  /// @param at_once  a chance at this scan, however little the robot has moved
+  /// @param at_once  a chance at this scan, however little the robot has moved and whatever the last search cost
   /// @param every    chances that make one search, >= 1
   bool time_to_search(const Pose2& T_odom_base, bool at_once, int every);
+  /// @param expected_places  that the search made last had to look at
+  void searched(std::size_t expected_places);
   void reset();
 
  private:
@@ -24,6 +26,7 @@ class SearchSchedule {
   AssociationOptions options_;
   std::optional<Pose2> T_odom_base_;  ///< at the last chance; none before the first scan
   int chances_passed_ = 0;            ///< since the last search
+  int chances_owed_ = 0;              ///< to let pass for what the last search cost
 };
 
 }  // namespace opal

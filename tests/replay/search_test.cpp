@@ -47,3 +47,11 @@ TEST_CASE("while a place is likely, fewer searches are made") {
   CHECK(seldom < always);
   CHECK(searches_of(site, {{"seed_every_when_likely", 4}, {"likely_probability", 1}}).size() == always);
 }
+
+TEST_CASE("a search that had much to look at lets further chances pass") {
+  const RecordedSite site("malaga-demo");
+  const std::size_t always = searches_of(site, {{"seed_places_per_chance", 0}}).size();
+  const std::size_t seldom = searches_of(site, {{"seed_places_per_chance", 10}}).size();
+  CHECK(seldom < always);
+  CHECK(searches_of(site, {{"seed_places_per_chance", 1000}}).size() == always);  // a small building
+}

@@ -33,6 +33,8 @@ struct AssociationOptions {
   int seed_every_when_localized = 6; ///< only every n-th search while localized,
   int seed_every_when_likely = 2;   ///< or while a hypothesis has
   double likely_probability = 0.9;  ///< more than this
+  int seed_places_per_chance = 1000; ///< a search that expects more places lets a further chance pass for each so many:
+                                    ///< time per scan does not grow with the building; 0: it lets none pass
   int seed_loose_patterns = 3;      ///< the same for patterns with a free parameter
   double loose_below_nat = 1;       ///< patterns with a free parameter are tried if no candidate scores this
   double loose_until_nat = 3;       ///< and only while no hypothesis has gathered this much
