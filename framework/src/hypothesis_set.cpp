@@ -99,50 +99,79 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
   prune();
 }
 
+Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_local_base) {
+  const auto same_place = [&](const Live& live) {
+    const Pose2 T_map_base = live.hypothesis.T_map_local * T_local_base;
+    return distance_m(T_map_base, candidate.T_map_base) < options_.merge_m + 0.1 &&
+           angle_between_rad(T_map_base, candidate.T_map_base) < options_.merge_rad + 0.05;
+  };
+  const auto found = std::find_if(alive_.begin(), alive_.end(), same_place);
+  return found == alive_.end() ? nullptr : &*found;
+}
+
+void HypothesisSet::renew(Live& old, const Pose2& T_map_local, Judge::Verdict verdict, const Observation& observation) const {
+  Hypothesis newborn;  // both judged as if they had met nothing yet
+  newborn.T_map_local = old.hypothesis.T_map_local;
+  newborn.associations = old.hypothesis.associations;
+  const double gain = verdict.nat - judge_.decide(newborn, observation);
+  if (gain <= 0.3) return;
+  old.hypothesis.log_likelihood += gain;
+  old.hypothesis.T_map_local = T_map_local;
+  old.pose.reset();
+  old.scan_nat += gain;
+  old.scores = std::move(verdict.scores);
+}
+
+HypothesisSet::Newborn HypothesisSet::look_back(Hypothesis hypothesis, const Judge::Verdict& verdict,
+                                                const Observation& observation, double novelty,
+                                                const Hindsight& hindsight) const {
+  const double share = hindsight.since_newest(novelty);
+  hypothesis.encounters = {};
+  hypothesis.encounters.take(verdict.encounters, share, 1);
+  Hindsight::Verdict past = hindsight.look_back(hypothesis, observation.local_map);
+  const double nat = options_.birth_nat + share * verdict.nat + past.nat;
+  return {std::move(past), nat};
+}
+
+double HypothesisSet::surplus_of_looking_back(const Observation& observation, double novelty,
+                                              const Hindsight& hindsight) const {
+  if (alive_.empty() || alive_.front().carried_after >= 0) return 0;
+  Hypothesis best = alive_.front().hypothesis;
+  best.encounters = {};
+  const Newborn anew = look_back(best, judge_.judge(best, observation), observation, novelty, hindsight);
+  if (anew.past.scans == 0 || anew.past.hopeless || anew.past.carried_after >= 0) return 0;
+  return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
+}
+
 void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
                           const Hindsight& hindsight) {
-  const Pose2 T_base_local = observation.local_map.T_local_base().inverse();
+  const Pose2& T_local_base = observation.local_map.T_local_base();
+  std::optional<double> surplus;
   for (Candidate& candidate : candidates) {
     Live live;
-    live.hypothesis.T_map_local = candidate.T_map_base * T_base_local;
+    live.hypothesis.T_map_local = candidate.T_map_base * T_local_base.inverse();
     Judge::Verdict verdict =
         judge_.judges_associations() ? judge_.judge(live.hypothesis, observation) : std::move(candidate.verdict);
     if (!verdict.veto.empty()) {
       listener_.candidate_rejected(candidate, "veto by " + verdict.veto);
       continue;
     }
-    const auto same_place = [&](const Live& old) {
-      const Pose2 T_map_base = old.hypothesis.T_map_local * T_base_local.inverse();
-      return distance_m(T_map_base, candidate.T_map_base) < options_.merge_m + 0.1 &&
-             angle_between_rad(T_map_base, candidate.T_map_base) < options_.merge_rad + 0.05;
-    };
-    const auto old = std::find_if(alive_.begin(), alive_.end(), same_place);
-    if (old != alive_.end()) {
-      Hypothesis newborn;  // both judged as if they had met nothing yet
-      newborn.T_map_local = old->hypothesis.T_map_local;
-      newborn.associations = old->hypothesis.associations;
-      const double gain = verdict.nat - judge_.decide(newborn, observation);
-      if (gain > 0.3) {  // clearly better aligned: the old one moves over
-        old->hypothesis.log_likelihood += gain;
-        old->hypothesis.T_map_local = live.hypothesis.T_map_local;
-        old->pose.reset();
-        old->scan_nat += gain;
-        old->scores = std::move(verdict.scores);
-      }
+    if (Live* old = at_place_of(candidate, T_local_base)) {
+      renew(*old, live.hypothesis.T_map_local, std::move(verdict), observation);
       continue;
     }
-    live.hypothesis.encounters.take(verdict.encounters, hindsight.since_newest(novelty), 1);
-    Hindsight::Verdict past = hindsight.look_back(live.hypothesis, observation.local_map);
-    if (past.hopeless) {
-      listener_.candidate_rejected(candidate, "would be far behind after the " + std::to_string(past.scans) + " scans before");
+    Newborn newborn = look_back(live.hypothesis, verdict, observation, novelty, hindsight);
+    if (newborn.past.hopeless) {
+      listener_.candidate_rejected(candidate,
+                                   "would be far behind after the " + std::to_string(newborn.past.scans) + " scans before");
       continue;
     }
+    if (!surplus) surplus = surplus_of_looking_back(observation, novelty, hindsight);
     live.hypothesis.id = next_id_++;
-    live.hypothesis.log_likelihood =
-        options_.birth_nat + hindsight.since_newest(novelty) * verdict.nat + past.nat;
-    live.hypothesis.encounters = std::move(past.encounters);
-    live.carried_after = past.carried_after;
-    live.inherited_nat = past.inherited_nat;
+    live.hypothesis.log_likelihood = newborn.nat - (newborn.past.carried_after < 0 ? *surplus : 0);
+    live.hypothesis.encounters = std::move(newborn.past.encounters);
+    live.carried_after = newborn.past.carried_after;
+    live.inherited_nat = newborn.past.inherited_nat;
     live.hypothesis.associations = candidate.pairs;
     live.leaf = tree_.add(-1, std::move(candidate.pairs));
     live.scan_nat = verdict.nat;

@@ -90,6 +90,21 @@ class HypothesisSet {
   /// @return the worst error [m] if an association is an outlier under the new registration, else nothing.
   std::optional<double> register_anew(Live& live, const LocalMap& local_map) const;
   bool grow_child(const Live& parent, const Association& choice, bool first, const LocalMap& local_map, Live& child);
+  /// The hypothesis that is where the candidate is, or none.
+  Live* at_place_of(const Candidate& candidate, const Pose2& T_local_base);
+  /// Moves an old hypothesis to where a candidate at its place has it, if that is clearly better aligned.
+  void renew(Live& old, const Pose2& T_map_local, Judge::Verdict verdict, const Observation& observation) const;
+  /// What a hypothesis starts with that is born now.
+  struct Newborn {
+    Hindsight::Verdict past;
+    double nat = 0;  ///< of the scans before, the newest one, and being born
+  };
+  /// @param verdict  on the newest scan, as if nothing had been met before.
+  Newborn look_back(Hypothesis hypothesis, const Judge::Verdict& verdict, const Observation& observation, double novelty,
+                    const Hindsight& hindsight) const;
+  /// How much more the best hypothesis would have if it were born now [nat], >= 0. Looking back takes scans in larger pieces
+  /// than tracking did, and what is seen for the first time counts most: that is no merit of who comes late.
+  double surplus_of_looking_back(const Observation& observation, double novelty, const Hindsight& hindsight) const;
   Alignment align(const Pose2& predicted, const Observation& observation) const;
   Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
   void end(Live& live, const std::string& reason, int merged_into = -1);
