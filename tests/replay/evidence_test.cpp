@@ -125,6 +125,20 @@ TEST_CASE("late candidates that earlier scans contradict are rejected, and the a
   CHECK(without.error_m < 0.3);
 }
 
+TEST_CASE("who is born late beside the right place does not overtake it by what it is told of the scans before") {
+  const RecordedSite site("malaga", RecordedSite::Extent::whole_log);
+  Localizer localizer(site.parts());
+  int checked = 0;
+  for (const ReplayedScan& scan : replay(localizer, site.samples)) {
+    const auto truth = site.truth.T_map_laser_at(scan.stamp_s);
+    if (!truth) continue;
+    INFO(scan.stamp_s << " s, " << checked << " scans with recorded truth before");
+    CHECK(distance_m(*truth, scan.estimate.T_map_base * site.laser.T_base_laser) < 0.3);
+    ++checked;
+  }
+  CHECK(checked > 200);
+}
+
 TEST_CASE("glass that the map holds for solid walls does not mislead") {
   const RecordedSite site("malaga");
   const Outcome outcome = outcome_of(site, site.parts(with_glass(site, 12)));

@@ -22,14 +22,16 @@ std::string prefix_of(const std::string& name) { return std::string(OPAL_SOURCE_
 
 }  // namespace
 
-RecordedSite::RecordedSite(const std::string& name)
+RecordedSite::RecordedSite(const std::string& name, Extent extent)
     : map(registry().make<MapImporter>("opal:GridImporter")->import(prefix_of(name) + ".map.yaml").map),
       laser(read_site_laser(prefix_of(name) + ".info.json")),
       truth(GroundTruth::read(prefix_of(name) + ".gt.csv")) {
-  const Query query = read_queries(prefix_of(name) + ".queries.json").front();
   ReplayOptions window;
-  window.from_s = query.start_s;
-  window.to_s = query.end_s;
+  if (extent == Extent::first_query) {
+    const Query query = read_queries(prefix_of(name) + ".queries.json").front();
+    window.from_s = query.start_s;
+    window.to_s = query.end_s;
+  }
   Replay log(registry().make<LogSource>("opal:CarmenLog")->open(prefix_of(name) + ".log.gz"), laser, window);
   samples = read_all(log);
 }

@@ -13,11 +13,12 @@
 
 /// One recorded place below maps/malaga, with what every replay test needs of it.
 struct RecordedSite {
-  explicit RecordedSite(const std::string& name);
+  enum class Extent { first_query, whole_log };
+  explicit RecordedSite(const std::string& name, Extent extent = Extent::first_query);
 
   std::shared_ptr<const opal::SemanticMap> map;
   opal::LaserModel laser;
-  std::vector<opal::Sample> samples;  ///< of the first query
+  std::vector<opal::Sample> samples;  ///< of that extent
   opal::GroundTruth truth;
 
   /// Parts of configs/default.jsonld for another map of the place.
