@@ -143,6 +143,19 @@ double HypothesisSet::surplus_of_looking_back(const Observation& observation, do
   return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
 }
 
+void HypothesisSet::bear(Live live, Newborn newborn, Candidate candidate) {
+  live.hypothesis.id = next_id_++;
+  live.hypothesis.log_likelihood = newborn.nat;
+  live.hypothesis.encounters = std::move(newborn.past.encounters);
+  live.hypothesis.associations = candidate.pairs;
+  live.carried_after = newborn.past.carried_after;
+  live.inherited_nat = newborn.past.inherited_nat;
+  live.leaf = tree_.add(-1, std::move(candidate.pairs));
+  live.updates = 1;
+  listener_.born(live, -1, candidate.pattern);
+  alive_.push_back(std::move(live));
+}
+
 void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
                           const Hindsight& hindsight) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
@@ -167,18 +180,10 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
       continue;
     }
     if (!surplus) surplus = surplus_of_looking_back(observation, novelty, hindsight);
-    live.hypothesis.id = next_id_++;
-    live.hypothesis.log_likelihood = newborn.nat - (newborn.past.carried_after < 0 ? *surplus : 0);
-    live.hypothesis.encounters = std::move(newborn.past.encounters);
-    live.carried_after = newborn.past.carried_after;
-    live.inherited_nat = newborn.past.inherited_nat;
-    live.hypothesis.associations = candidate.pairs;
-    live.leaf = tree_.add(-1, std::move(candidate.pairs));
+    if (newborn.past.carried_after < 0) newborn.nat -= *surplus;
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
-    live.updates = 1;
-    listener_.born(live, -1, candidate.pattern);
-    alive_.push_back(std::move(live));
+    bear(std::move(live), std::move(newborn), std::move(candidate));
   }
   sort_best_first(alive_);
   prune();

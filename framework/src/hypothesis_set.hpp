@@ -102,6 +102,8 @@ class HypothesisSet {
   /// @param verdict  on the newest scan, as if nothing had been met before.
   Newborn look_back(Hypothesis hypothesis, const Judge::Verdict& verdict, const Observation& observation, double novelty,
                     const Hindsight& hindsight) const;
+  /// Adds it to those that are alive.
+  void bear(Live live, Newborn newborn, Candidate candidate);
   /// How much more the best hypothesis would have if it were born now [nat], >= 0. Looking back takes scans in larger pieces
   /// than tracking did, and what is seen for the first time counts most: that is no merit of who comes late.
   double surplus_of_looking_back(const Observation& observation, double novelty, const Hindsight& hindsight) const;
