@@ -20,6 +20,14 @@ void sort_best_first(std::vector<Live>& alive) { std::stable_sort(alive.begin(),
 
 bool ended(const Live& live) { return live.leaf < 0; }
 
+/// The same place and associations, as if it had met nothing yet.
+Hypothesis born_anew(const Hypothesis& old) {
+  Hypothesis newborn;
+  newborn.T_map_local = old.T_map_local;
+  newborn.associations = old.associations;
+  return newborn;
+}
+
 }  // namespace
 
 HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
@@ -110,10 +118,7 @@ Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_loca
 }
 
 void HypothesisSet::renew(Live& old, const Pose2& T_map_local, Judge::Verdict verdict, const Observation& observation) const {
-  Hypothesis newborn;  // both judged as if they had met nothing yet
-  newborn.T_map_local = old.hypothesis.T_map_local;
-  newborn.associations = old.hypothesis.associations;
-  const double gain = verdict.nat - judge_.decide(newborn, observation);
+  const double gain = verdict.nat - judge_.decide(born_anew(old.hypothesis), observation);
   if (gain <= 0.3) return;
   old.hypothesis.log_likelihood += gain;
   old.hypothesis.T_map_local = T_map_local;
@@ -126,7 +131,6 @@ HypothesisSet::Newborn HypothesisSet::look_back(Hypothesis hypothesis, const Jud
                                                 const Observation& observation, double novelty,
                                                 const Hindsight& hindsight) const {
   const double share = hindsight.since_newest(novelty);
-  hypothesis.encounters = {};
   hypothesis.encounters.take(verdict.encounters, share, 1);
   Hindsight::Verdict past = hindsight.look_back(hypothesis, observation.local_map);
   const double nat = options_.birth_nat + share * verdict.nat + past.nat;
@@ -136,8 +140,7 @@ HypothesisSet::Newborn HypothesisSet::look_back(Hypothesis hypothesis, const Jud
 double HypothesisSet::surplus_of_looking_back(const Observation& observation, double novelty,
                                               const Hindsight& hindsight) const {
   if (alive_.empty() || alive_.front().carried_after >= 0) return 0;
-  Hypothesis best = alive_.front().hypothesis;
-  best.encounters = {};
+  const Hypothesis best = born_anew(alive_.front().hypothesis);
   const Newborn anew = look_back(best, judge_.judge(best, observation), observation, novelty, hindsight);
   if (anew.past.scans == 0 || anew.past.hopeless || anew.past.carried_after >= 0) return 0;
   return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);

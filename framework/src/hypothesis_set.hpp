@@ -92,14 +92,15 @@ class HypothesisSet {
   bool grow_child(const Live& parent, const Association& choice, bool first, const LocalMap& local_map, Live& child);
   /// The hypothesis that is where the candidate is, or none.
   Live* at_place_of(const Candidate& candidate, const Pose2& T_local_base);
-  /// Moves an old hypothesis to where a candidate at its place has it, if that is clearly better aligned.
+  /// Moves an old hypothesis to where a candidate at its place has it, if that is clearly better aligned; both are judged
+  /// as if they had met nothing yet.
   void renew(Live& old, const Pose2& T_map_local, Judge::Verdict verdict, const Observation& observation) const;
   /// What a hypothesis starts with that is born now.
   struct Newborn {
     Hindsight::Verdict past;
     double nat = 0;  ///< of the scans before, the newest one, and being born
   };
-  /// @param verdict  on the newest scan, as if nothing had been met before.
+  /// @param hypothesis  that has met nothing yet. @param verdict  on the newest scan.
   Newborn look_back(Hypothesis hypothesis, const Judge::Verdict& verdict, const Observation& observation, double novelty,
                     const Hindsight& hindsight) const;
   /// Adds it to those that are alive.
