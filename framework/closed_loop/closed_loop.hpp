@@ -1,6 +1,6 @@
 #pragma once
 
-#include "behaviours/node.hpp"
+#include "navigation/node.hpp"
 #include "simulation/simulation.hpp"
 
 #include <functional>

@@ -23,6 +23,9 @@ function(opal_add_plugin name)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     INSTALL_RPATH "$ORIGIN/../.."
     CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  if(TARGET opal_headers)  # in Opal's own tree
+    target_precompile_headers(${name}_plugin REUSE_FROM opal_headers)
+  endif()
   # An undefined symbol shows when the plugin is linked, not when a robot loads it. clang does not link its sanitizer
   # runtime into shared libraries, so symbols stay open there.
   if(NOT (CMAKE_CXX_COMPILER_ID MATCHES Clang AND OPAL_SANITIZE))

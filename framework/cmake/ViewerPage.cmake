@@ -13,7 +13,7 @@ add_custom_command(OUTPUT ${page_script}
 set(page_assets ${CMAKE_CURRENT_BINARY_DIR}/page_assets.cpp)
 set(embed_script ${CMAKE_CURRENT_LIST_DIR}/EmbedFiles.cmake)
 add_custom_command(OUTPUT ${page_assets}
-  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${page_assets} -DHEADER=viewer/page_assets.hpp
+  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${page_assets} -DHEADER=viewer/html/page_assets.hpp
           "-DNAMES=kPageIndex$<SEMICOLON>kPageStyle$<SEMICOLON>kPageScript"
           "-DFILES=${page_folder}/index.html$<SEMICOLON>${page_folder}/style.css$<SEMICOLON>${page_script}" -P ${embed_script}
   DEPENDS ${page_folder}/index.html ${page_folder}/style.css ${page_script} ${embed_script}

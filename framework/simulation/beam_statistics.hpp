@@ -2,7 +2,7 @@
 
 #include "simulation/ray_caster.hpp"
 
-#include <opal/scan.hpp>
+#include <opal/sensing/scan.hpp>
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "simulation/building_suite.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "simulation/random.hpp"
+#include "common/random.hpp"
 #include "simulation/ray_caster.hpp"
 
-#include <opal/semantic_map.hpp>
+#include <opal/map/semantic_map.hpp>
 
 #include <functional>
 #include <vector>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "simulation/random.hpp"
+#include "common/random.hpp"
 #include "simulation/ray_caster.hpp"
 
-#include <opal/floor_grid.hpp>
-#include <opal/semantic_map.hpp>
+#include "map_tools/floor_grid.hpp"
+#include <opal/map/semantic_map.hpp>
 
 namespace opal::simulation {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "simulation/random.hpp"
+#include "common/random.hpp"
 #include "simulation/ray_caster.hpp"
 
-#include <opal/scan.hpp>
+#include <opal/sensing/scan.hpp>
 
 #include <span>
 

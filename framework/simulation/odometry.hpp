@@ -1,8 +1,8 @@
 #pragma once
 
-#include "simulation/random.hpp"
+#include "common/random.hpp"
 
-#include <opal/velocity.hpp>
+#include "common/velocity.hpp"
 
 namespace opal::simulation {
 

@@ -3,8 +3,8 @@
 #include "simulation/path_follower.hpp"
 #include "simulation/simulation.hpp"
 
-#include <opal/site.hpp>
-#include <opal/trajectory.hpp>
+#include "evaluation/site.hpp"
+#include "sensing/trajectory.hpp"
 
 #include <span>
 #include <string>

@@ -1,8 +1,9 @@
 #include "simulation/recording.hpp"
 
-#include <opal/error.hpp>
-#include <opal/map_raster.hpp>
-#include <opal/text_file.hpp>
+#include <opal/common/error.hpp>
+#include "map_tools/map_raster.hpp"
+#include "map/map_file.hpp"
+#include "common/text_file.hpp"
 
 #include <cstdio>
 #include <filesystem>

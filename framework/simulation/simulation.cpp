@@ -1,6 +1,6 @@
 #include "simulation/simulation.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 namespace opal::simulation {
 namespace {

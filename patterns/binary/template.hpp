@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/pattern_member.hpp>
-#include <opal/plugin/pattern_template.hpp>
+#include <opal/patterns/pattern_member.hpp>
+#include <opal/patterns/pattern_template.hpp>
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/plugin/pattern_template.hpp>
+#include <opal/patterns/pattern_template.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/pattern_member.hpp>
-#include <opal/plugin/pattern_template.hpp>
+#include <opal/patterns/pattern_member.hpp>
+#include <opal/patterns/pattern_template.hpp>
 
 /// Three features at a right angle (Hendrikx 2023, 4.3.3: eq. 4.1), in the order of the L-axis convention of 4.4.1: the
 /// lower right end of the L, its corner, its upper end. A mirrored L has its ends the other way round, so no L is

@@ -3,7 +3,7 @@
 #include "carmen_line.hpp"
 #include "gz_lines.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <set>

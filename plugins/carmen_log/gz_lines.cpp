@@ -1,6 +1,6 @@
 #include "gz_lines.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <zlib.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/line_extraction.hpp>
+#include <opal/sensing/line_extraction.hpp>
 
 #include <optional>
 

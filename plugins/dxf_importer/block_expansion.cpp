@@ -1,6 +1,6 @@
 #include "block_expansion.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include "dxf_scan.hpp"
 
-#include <opal/b_spline.hpp>
-#include <opal/geometry.hpp>
+#include <opal/import_kit/b_spline.hpp>
+#include <opal/common/geometry.hpp>
 
 #include <map>
 #include <string>

@@ -3,7 +3,7 @@
 #include "shapes.hpp"
 #include "unit.hpp"
 
-#include <opal/plan_import.hpp>
+#include <opal/import_kit/plan_import.hpp>
 
 namespace opal::dxf_importer {
 

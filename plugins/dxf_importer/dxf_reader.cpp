@@ -2,7 +2,7 @@
 #include "dxf_drawing.hpp"
 #include "dxf_record_check.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <dxflib/dl_creationadapter.h>
 #include <dxflib/dl_dxf.h>

@@ -1,6 +1,6 @@
 #include "dxf_scan.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <charconv>

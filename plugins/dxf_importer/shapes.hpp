@@ -2,7 +2,7 @@
 
 #include "block_expansion.hpp"
 
-#include <opal/plan_assembly.hpp>
+#include <opal/import_kit/plan_assembly.hpp>
 
 #include <string>
 

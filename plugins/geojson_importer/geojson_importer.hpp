@@ -3,7 +3,7 @@
 #include "geojson_reader.hpp"
 #include "local_projection.hpp"
 
-#include <opal/plan_import.hpp>
+#include <opal/import_kit/plan_import.hpp>
 
 #include <optional>
 #include <string>

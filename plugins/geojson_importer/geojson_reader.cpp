@@ -1,7 +1,7 @@
 #include "geojson_reader.hpp"
 
-#include <opal/error.hpp>
-#include <opal/strict_json.hpp>
+#include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
 
 #include <algorithm>
 #include <cmath>

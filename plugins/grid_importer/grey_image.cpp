@@ -1,6 +1,6 @@
 #include "grey_image.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <png.h>
 

@@ -1,6 +1,6 @@
 #include "grid.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <cmath>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "grid_description.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <yaml-cpp/yaml.h>
 

@@ -2,7 +2,7 @@
 
 #include "vectorizer_limits.hpp"
 
-#include <opal/plugin/map_importer.hpp>
+#include <opal/map/map_importer.hpp>
 
 namespace opal::grid_importer {
 

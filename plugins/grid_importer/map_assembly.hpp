@@ -2,7 +2,7 @@
 
 #include "vectorizer.hpp"
 
-#include <opal/semantic_map.hpp>
+#include <opal/map/semantic_map.hpp>
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "map_assembly.hpp"
 
-#include <opal/sentence.hpp>
+#include <opal/common/sentence.hpp>
 
 #include <algorithm>
 #include <cmath>

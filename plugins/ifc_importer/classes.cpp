@@ -1,6 +1,6 @@
 #include "classes.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "report.hpp"
 #include "trial.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 
 #include "import_options.hpp"
 
-#include <opal/plugin/map_importer.hpp>
+#include <opal/map/map_importer.hpp>
 
 namespace opal::ifc_importer {
 

@@ -4,7 +4,7 @@
 #include "ifcpp/elements.hpp"
 #include "ifcpp/units.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <ifcpp/IFC4/include/IfcBuildingStorey.h>
 #include <ifcpp/IFC4/include/IfcGeometricRepresentationContext.h>

@@ -2,8 +2,8 @@
 
 #include "body_cut.hpp"
 
-#include <opal/error.hpp>
-#include <opal/sentence.hpp>
+#include <opal/common/error.hpp>
+#include <opal/common/sentence.hpp>
 
 #include <algorithm>
 #include <set>

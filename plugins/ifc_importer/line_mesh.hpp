@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/geometry.hpp>
+#include <opal/common/geometry.hpp>
 
 #include <map>
 #include <utility>

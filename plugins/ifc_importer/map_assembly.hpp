@@ -5,7 +5,7 @@
 #include "plan.hpp"
 #include "storey_cut.hpp"
 
-#include <opal/semantic_map.hpp>
+#include <opal/map/semantic_map.hpp>
 
 namespace opal::ifc_importer {
 

@@ -1,6 +1,6 @@
 #include "reference_check.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <unordered_map>

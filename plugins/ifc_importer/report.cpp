@@ -1,6 +1,6 @@
 #include "report.hpp"
 
-#include <opal/sentence.hpp>
+#include <opal/common/sentence.hpp>
 
 #include <algorithm>
 #include <map>

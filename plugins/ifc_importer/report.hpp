@@ -3,7 +3,7 @@
 #include "level_choice.hpp"
 #include "map_assembly.hpp"
 
-#include <opal/plugin/map_importer.hpp>
+#include <opal/map/map_importer.hpp>
 
 namespace opal::ifc_importer {
 

@@ -3,7 +3,7 @@
 #include "reference_check.hpp"
 #include "step_arguments.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <cctype>

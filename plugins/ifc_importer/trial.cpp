@@ -1,6 +1,6 @@
 #include "trial.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <cerrno>
 #include <csignal>

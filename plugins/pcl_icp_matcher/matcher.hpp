@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/plugin/scan_matcher.hpp>
+#include <opal/local_map/scan_matcher.hpp>
 
 namespace opal::pcl_icp {
 

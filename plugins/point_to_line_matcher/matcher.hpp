@@ -2,7 +2,7 @@
 
 #include "refinement.hpp"
 
-#include <opal/plugin/scan_matcher.hpp>
+#include <opal/local_map/scan_matcher.hpp>
 
 namespace opal::point_to_line {
 

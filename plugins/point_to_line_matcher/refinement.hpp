@@ -2,7 +2,7 @@
 
 #include "reference_grid.hpp"
 
-#include <opal/plugin/scan_matcher.hpp>
+#include <opal/local_map/scan_matcher.hpp>
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/geometry.hpp>
-#include <opal/semantic_map.hpp>
+#include <opal/common/geometry.hpp>
+#include <opal/map/semantic_map.hpp>
 
 #include <string>
 #include <vector>

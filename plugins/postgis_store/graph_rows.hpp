@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/semantic_map.hpp>
+#include <opal/map/semantic_map.hpp>
 
 #include <string>
 #include <vector>

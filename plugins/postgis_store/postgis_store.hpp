@@ -2,7 +2,7 @@
 
 #include "server.hpp"
 
-#include <opal/plugin/map_store.hpp>
+#include <opal/map/map_store.hpp>
 
 namespace opal::postgis_store {
 

@@ -1,6 +1,6 @@
 #include "schema.hpp"
 
-#include <opal/plugin/map_store.hpp>
+#include <opal/map/map_store.hpp>
 
 namespace opal::postgis_store {
 namespace {

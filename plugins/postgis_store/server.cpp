@@ -3,7 +3,7 @@
 
 #include "secrets.hpp"
 
-#include <opal/plugin/map_store.hpp>
+#include <opal/map/map_store.hpp>
 
 #include <libpq-fe.h>
 #include <pqxx/pqxx>

@@ -1,6 +1,6 @@
 #include "bag_file.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <sqlite3.h>
 

@@ -3,7 +3,7 @@
 #include "bag_file.hpp"
 #include "bag_reader.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <filesystem>

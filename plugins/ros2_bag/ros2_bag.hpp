@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/plugin/log_source.hpp>
+#include <opal/sensing/log_source.hpp>
 
 #include <string>
 

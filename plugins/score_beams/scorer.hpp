@@ -2,7 +2,7 @@
 
 #include "tally.hpp"
 
-#include <opal/plugin/hypothesis_scorer.hpp>
+#include <opal/localization/scoring/hypothesis_scorer.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -2,8 +2,8 @@
 
 #include "free_room.hpp"
 
-#include <opal/free_space.hpp>
-#include <opal/plugin/hypothesis_scorer.hpp>
+#include <opal/sensing/free_space.hpp>
+#include <opal/localization/scoring/hypothesis_scorer.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/plugin/hypothesis_scorer.hpp>
+#include <opal/localization/scoring/hypothesis_scorer.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/map_view.hpp>
+#include <opal/map/view/map_view.hpp>
 #include <opal/plugin/plugin_registry.hpp>
 
 #include <catch2/catch.hpp>

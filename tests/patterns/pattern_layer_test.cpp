@@ -1,7 +1,7 @@
 #include "columns.hpp"
 
-#include <opal/error.hpp>
-#include <opal/pattern_layer.hpp>
+#include <opal/common/error.hpp>
+#include "patterns/pattern_layer.hpp"
 
 #include <algorithm>
 #include <set>

@@ -2,7 +2,7 @@
 // come, or on noise within the tolerance.
 #include "columns.hpp"
 
-#include <opal/pattern_index.hpp>
+#include "patterns/pattern_index.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,5 +1,5 @@
-#include <simulation/random.hpp>
-#include <simulation/ray_caster.hpp>
+#include "common/random.hpp"
+#include "simulation/ray_caster.hpp"
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>

@@ -1,8 +1,8 @@
-#include "../temporary_folder.hpp"
+#include "tests/kit/temporary_folder.hpp"
 
-#include <simulation/recording.hpp>
+#include "simulation/recording.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
-#include "building.hpp"
+#include "simulation/buildings/building.hpp"
 
-#include "kinds.hpp"
-#include "plan_map.hpp"
+#include "simulation/buildings/kinds.hpp"
+#include "simulation/buildings/plan_map.hpp"
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "kinds.hpp"
+#include "simulation/buildings/kinds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "floor_plan.hpp"
+#include "simulation/buildings/floor_plan.hpp"
 
 namespace opal::simulation {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "box.hpp"
+#include "simulation/buildings/box.hpp"
 
 #include <string>
 #include <vector>

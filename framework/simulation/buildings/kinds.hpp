@@ -1,7 +1,7 @@
 #pragma once
 
-#include "floor_plan.hpp"
-#include "variation.hpp"
+#include "simulation/buildings/floor_plan.hpp"
+#include "simulation/buildings/variation.hpp"
 
 namespace opal::simulation {
 

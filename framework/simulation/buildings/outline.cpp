@@ -1,4 +1,4 @@
-#include "outline.hpp"
+#include "simulation/buildings/outline.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plan_grid.hpp"
+#include "simulation/buildings/plan_grid.hpp"
 
 #include <array>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "plan_grid.hpp"
+#include "simulation/buildings/plan_grid.hpp"
 
 #include <algorithm>
 

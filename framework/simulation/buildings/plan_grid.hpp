@@ -1,6 +1,6 @@
 #pragma once
 
-#include "floor_plan.hpp"
+#include "simulation/buildings/floor_plan.hpp"
 
 #include <vector>
 

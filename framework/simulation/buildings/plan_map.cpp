@@ -1,6 +1,6 @@
-#include "plan_map.hpp"
+#include "simulation/buildings/plan_map.hpp"
 
-#include "outline.hpp"
+#include "simulation/buildings/outline.hpp"
 
 #include <algorithm>
 #include <cstdio>

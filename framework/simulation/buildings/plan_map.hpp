@@ -1,8 +1,8 @@
 #pragma once
 
-#include "floor_plan.hpp"
+#include "simulation/buildings/floor_plan.hpp"
 
-#include <opal/semantic_map.hpp>
+#include <opal/map/semantic_map.hpp>
 
 #include <memory>
 #include <string>

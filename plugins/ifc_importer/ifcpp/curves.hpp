@@ -6,8 +6,8 @@
 #include "../step_arguments.hpp"
 #include "placements.hpp"
 
-#include <opal/b_spline.hpp>
-#include <opal/plan_assembly.hpp>
+#include <opal/import_kit/b_spline.hpp>
+#include <opal/import_kit/plan_assembly.hpp>
 
 #include <ifcpp/IFC4/include/IfcBSplineCurveWithKnots.h>
 #include <ifcpp/IFC4/include/IfcCartesianPointList2D.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/error.hpp>
+#include <opal/common/error.hpp>
 #include <opal/plugin/registrar.hpp>
 
 #include <nlohmann/json.hpp>

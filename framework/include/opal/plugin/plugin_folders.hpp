@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/export.hpp>
+#include <opal/common/export.hpp>
 
 #include <string>
 #include <vector>

@@ -1,0 +1,160 @@
+#include "benchmark/cells/ab_report.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
+#include "common/text_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+namespace ab = opal::ab;
+namespace st = opal::statistics;
+using nlohmann::ordered_json;
+
+const std::vector<st::Metric>& known_metrics() {
+  using Kind = st::Metric::Kind;
+  static const std::vector<st::Metric> all{
+      {"success", Kind::proportion, true, "", "is right in", 0},
+      {"distance_to_success_m", Kind::distance_until, false, "m", "is right", 0},
+      {"localized", Kind::proportion, true, "", "localizes in", 0},
+      {"distance_to_localized_m", Kind::distance_until, false, "m", "calls itself localized", 0},
+      {"honest", Kind::proportion, true, "", "never vouches for a wrong pose in", 0},
+      {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
+      {"strict", Kind::proportion, true, "", "is right within 0.5 m and 10 degrees in", 0},
+      {"time_to_success_s", Kind::distance_until, false, "s", "is right", 0},
+      {"distance_to_strict_m", Kind::distance_until, false, "m", "is so right", 0},
+      {"error_m", Kind::cost, false, "m", "error", 0},
+      {"hypotheses", Kind::cost, false, "", "hypotheses", 0},
+      {"cpu_ms_p99", Kind::cost, false, "ms", "CPU in the slowest of 100 updates", 0},
+      {"peak_mb", Kind::cost, false, "MB", "memory", 0},
+  };
+  return all;
+}
+constexpr std::size_t kUsual = 6;  // of these
+
+/// Of arms that observe.
+const std::vector<st::Metric>& known_rankings() {
+  using Kind = st::Metric::Kind;
+  static const std::vector<st::Metric> all{
+      {"on_top", Kind::proportion, true, "", "mostly has the truth on top in", 0},
+      {"odds", Kind::cost, true, "", "odds for the truth", 0},
+      {"surprise", Kind::cost, false, "", "surprise by the truth", 0},
+      {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
+  };
+  return all;
+}
+
+std::vector<st::ReportPage::Version> versions_of(const ordered_json& manifest) {
+  std::vector<st::ReportPage::Version> versions{
+      {"opal", manifest["opal"]["version"], manifest["opal"]["program_sha256"]},
+      {"libopal.so", manifest["opal"]["version"], manifest["opal"]["library_sha256"]}};
+  for (const ordered_json& arm : manifest["arms"])
+    for (const ordered_json& plugin : arm["plugins"]) {
+      const st::ReportPage::Version version{plugin["name"], plugin["version"], plugin["sha256"]};
+      const auto same = [&](const st::ReportPage::Version& v) { return v.name == version.name && v.file_hash == version.file_hash; };
+      if (std::none_of(versions.begin(), versions.end(), same)) versions.push_back(version);
+    }
+  return versions;
+}
+
+/// Infinite ends become null.
+ordered_json json_of(const st::Interval& interval) { return {interval.low, interval.high}; }
+
+ordered_json json_of(const st::MetricResult& result) {
+  return {{"metric", result.metric.name},
+          {"baseline", result.effect.a},
+          {"arm", result.effect.b},
+          {"difference", result.effect.size},
+          {"interval", json_of(result.effect.interval)},
+          {"pairs", result.pairs},
+          {"better", result.better},
+          {"worse", result.worse},
+          {"between_clusters", result.between_clusters},
+          {"p", result.p},
+          {"p_corrected", result.p_corrected},
+          {"more_queries", result.more_queries}};
+}
+
+ordered_json json_of(const st::Verdict& verdict) {
+  ordered_json json{{"arm", verdict.arm},           {"baseline", verdict.baseline}, {"sentence", verdict.sentence},
+                    {"notes", verdict.notes},       {"queries", verdict.queries},   {"clusters", verdict.clusters},
+                    {"failures", verdict.failures}, {"level", verdict.level},       {"metrics", ordered_json::array()}};
+  for (const st::MetricResult& result : verdict.metrics) json["metrics"].push_back(json_of(result));
+  return json;
+}
+
+void print_failures(const st::ResultsTable& table) {
+  std::map<std::string, std::map<std::string, int>> by_arm;
+  for (const st::ResultRow& row : table)
+    if (!row.failure.empty()) ++by_arm[row.arm][row.failure];
+  for (const auto& [arm, failures] : by_arm)
+    for (const auto& [failure, count] : failures) std::cout << arm << ": " << count << " cells " << failure << '\n';
+}
+
+}  // namespace
+
+std::vector<st::Metric> metrics_of(const ab::Experiment& experiment) {
+  const auto& known = experiment.observes ? known_rankings() : known_metrics();
+  if (experiment.metrics.empty()) return {known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(kUsual, known.size()))};
+  std::vector<st::Metric> metrics;
+  std::string names;
+  for (const st::Metric& metric : known) names += (names.empty() ? "" : ", ") + metric.name;
+  for (const std::string& name : experiment.metrics) {
+    const auto found = std::find_if(known.begin(), known.end(), [&](const st::Metric& metric) { return metric.name == name; });
+    if (found == known.end()) throw opal::ConfigError(experiment.file + ": /metrics: \"" + name + "\", expected one of " + names);
+    metrics.push_back(*found);
+  }
+  return metrics;
+}
+
+st::ResultsTable table_of(const ab::MergedResults& results, const ab::CellPlan& plan) {
+  st::ResultsTable table;
+  results.for_each_complete_task([&](const ab::Cell& cell, const ab::CellResult& result) {
+    st::ResultRow row{plan.arm(cell), plan.scenario(cell.task), plan.query(cell.task), cell.task.seed, result.values, result.failure};
+    row.values.insert(result.costs.begin(), result.costs.end());
+    table.push_back(std::move(row));
+  });
+  return table;
+}
+
+int look_at(const ab::Experiment& experiment, const ab::ResultFolder& folder, const ab::MergedResults& results, const ab::CellPlan& plan) {
+  const auto looks = static_cast<std::size_t>(experiment.looks);
+  const int look = static_cast<int>(looks * results.finished() / plan.cells());
+  if (results.complete() || look == 0) return look;
+  const std::string file = folder.file("looks.json");
+  ordered_json before = std::filesystem::exists(file) ? ordered_json(opal::read_json(file)) : ordered_json::object();
+  const std::string key = std::to_string(look);
+  if (before.contains(key) && before[key] != results.finished()) return 0;
+  before[key] = results.finished();
+  opal::write_text(file, before.dump() + '\n');
+  return look;
+}
+
+void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab::ResultFolder& folder,
+            const ab::MergedResults& results, const ordered_json& manifest, int look, const ViewLinks& links) {
+  st::ReportPage page;
+  page.title = experiment.name;
+  page.table = table_of(results, plan);
+  st::ComparisonOptions options;
+  options.baseline = experiment.arms[experiment.baseline].name;
+  options.metrics = metrics_of(experiment);
+  options.look = look;
+  options.looks = experiment.looks;
+  page.verdicts = compare(page.table, options);
+  page.configuration = manifest.dump(1);
+  page.versions = versions_of(manifest);
+  page.link = links;
+  page.command = "opal ab " + experiment.file;
+  print_failures(page.table);
+  auto verdicts = ordered_json::array();
+  for (const st::Verdict& verdict : page.verdicts) {
+    std::cout << verdict.sentence << '\n';
+    for (const std::string& note : verdict.notes) std::cout << "  " << note << '\n';
+    verdicts.push_back(json_of(verdict));
+  }
+  opal::write_text(folder.file("verdict.json"), verdicts.dump(1) + '\n');
+  opal::write_text(folder.file("report.html"), to_html(page));
+}

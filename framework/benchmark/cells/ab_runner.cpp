@@ -1,0 +1,159 @@
+#include "benchmark/cells/ab_runner.hpp"
+
+#include "benchmark/runs/localize_run.hpp"
+#include "benchmark/runs/quantile.hpp"
+#include "session/session.hpp"
+
+#include "benchmark/ab/records/sha256.hpp"
+
+#include <opal/common/error.hpp>
+#include "evaluation/query_verdict.hpp"
+#include "localization/events/run_events.hpp"
+#include <opal/common/sentence.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <set>
+
+namespace {
+
+namespace ab = opal::ab;
+
+/// Every plugin once, by name.
+nlohmann::ordered_json files_of(const opal::PluginRegistry& registry) {
+  std::map<std::string, opal::RegisteredType> plugins;
+  for (const opal::RegisteredType& type : registry.types()) plugins.emplace(type.plugin, type);
+  auto files = nlohmann::ordered_json::array();
+  for (const auto& [name, type] : plugins)
+    files.push_back({{"name", name}, {"version", type.version}, {"sha256", ab::sha256_of_file(type.file)}});
+  return files;
+}
+
+/// An arm that observes runs beside what the baseline decides by.
+std::vector<std::string> folders_of(const ab::Arm& arm, const ab::Experiment& experiment) {
+  std::vector<std::string> folders = arm.plugin_folders;
+  if (!experiment.observes) return folders;
+  for (const std::string& folder : experiment.arms[experiment.baseline].plugin_folders)
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
+  return folders;
+}
+
+/// What was never reached is left out.
+void set_if_reached(std::map<std::string, double>& values, const std::string& name, double reached_after) {
+  if (reached_after >= 0) values[name] = reached_after;
+}
+
+std::map<std::string, double> values_of(const opal::QueryVerdict& verdict, const RunRecord& record) {
+  std::map<std::string, double> values{{"success", verdict.success},
+                                       {"strict", verdict.strict},
+                                       {"localized", verdict.localized_after_m >= 0},
+                                       {"honest", verdict.honest()},
+                                       {"rows", verdict.rows},
+                                       {"localized_rows", verdict.localized_rows},
+                                       {"false_rows", verdict.false_rows}};
+  set_if_reached(values, "distance_to_success_m", verdict.right_after_m);
+  set_if_reached(values, "time_to_success_s", verdict.right_after_s);
+  set_if_reached(values, "distance_to_strict_m", verdict.strict_after_m);
+  set_if_reached(values, "distance_to_localized_m", verdict.localized_after_m);
+  set_if_reached(values, "error_m", verdict.error_m);
+  if (!record.update_cpu_ms.empty()) values["hypotheses"] = record.hypotheses / static_cast<double>(record.update_cpu_ms.size());
+  return values;
+}
+
+std::map<std::string, double> costs_of(const RunRecord& record) {
+  std::vector<double> cpu_ms = record.update_cpu_ms;
+  if (cpu_ms.empty()) return {};
+  std::sort(cpu_ms.begin(), cpu_ms.end());
+  return {{"cpu_ms", std::accumulate(cpu_ms.begin(), cpu_ms.end(), 0.0) / static_cast<double>(cpu_ms.size())},
+          {"cpu_ms_p99", quantile(cpu_ms, 0.99)}};
+}
+
+std::string failure_of(const std::map<std::string, int>& plugin_failures) {
+  std::string failure;
+  for (const auto& [type, count] : plugin_failures)
+    failure += (failure.empty() ? "failed in a plugin: " : ", ") + type + " " + std::to_string(count) + " times";
+  return failure;
+}
+
+}  // namespace
+
+std::vector<ArmPlugins> load_arm_plugins(const ab::Experiment& experiment) {
+  std::map<std::vector<std::string>, ArmPlugins> by_folders;
+  std::vector<ArmPlugins> all;
+  for (const ab::Arm& arm : experiment.arms) {
+    const std::vector<std::string> folders = folders_of(arm, experiment);
+    ArmPlugins& plugins = by_folders[folders];
+    if (!plugins.registry) {
+      plugins.registry = std::make_shared<const opal::PluginRegistry>(load_plugins(folders));
+      plugins.files = files_of(*plugins.registry);
+    }
+    opal::check_parts(arm.deployment, *plugins.registry);
+    all.push_back(plugins);
+  }
+  return all;
+}
+
+void LocalizingRunner::enter(const ab::Task& task) {
+  if (world_ && entered_.same_world(task)) return;
+  world_.reset();
+  world_ = worlds_.make(experiment_.scenarios[task.scenario], task.seed);
+  entered_ = task;
+}
+
+std::string LocalizingRunner::input(const ab::Task& task) const {
+  constexpr std::size_t kDigits = 16;
+  const opal::Query& query = world_->query(task.query);
+  return ab::sha256_of(world_->digest + opal::sentence(" %.9f %.9f", query.start_s, query.end_s)).substr(0, kDigits);
+}
+
+void LocalizingRunner::set_up(std::size_t arm) {
+  const ab::Arm& chosen = experiment_.arms[arm];
+  opal::Deployment deployment = chosen.deployment;
+  if (experiment_.observes) {
+    deployment = experiment_.arms[experiment_.baseline].deployment;
+    observed_ = let_observe(deployment, chosen, arm == experiment_.baseline);
+  }
+  localizer_ = std::make_unique<opal::Localizer>(parts_of(std::move(deployment), arm));
+}
+
+/// In the world that is entered, with the plugins of an arm.
+opal::LocalizerParts LocalizingRunner::parts_of(opal::Deployment deployment, std::size_t arm) const {
+  deployment = with_laser(std::move(deployment), world_->place.deployment.laser);
+  if (world_->region)
+    deployment.association["region"] = {{"x_m", world_->region->center.x()},
+                                        {"y_m", world_->region->center.y()},
+                                        {"radius_m", world_->region->radius_m}};
+  return build_parts(deployment, *plugins_[arm].registry, world_->place.site.map);
+}
+
+void LocalizingRunner::record(const ab::Task& task, std::size_t arm, const std::string& folder) const {
+  std::filesystem::create_directories(folder);
+  std::ofstream file(folder + "/events.jsonl");
+  opal::JsonLinesSink events(file);
+  const opal::LocalizerParts parts = parts_of(experiment_.arms[arm].deployment, arm);
+  const opal::Query& query = world_->query(task.query);
+  events.write(opal::run_event({world_->place.site.name, experiment_.arms[arm].name, parts.map->map().name()}, parts.laser));
+  events.write(opal::map_event(*parts.map));
+  events.write(opal::start_event(query.id));
+  events.write(truth_event_of(world_->truth, query, parts.laser));
+  opal::Localizer localizer(parts, &events);
+  run_query(localizer, world_->place, query);
+  if (!file.flush()) throw opal::Error(folder + "/events.jsonl: cannot be written");
+}
+
+void LocalizingRunner::run(const ab::Task& task, ab::CellResult& result) {
+  const opal::Query& query = world_->query(task.query);
+  RankedRun ranked(*localizer_, world_->truth, world_->place.deployment.laser.T_base_laser, observed_);
+  RunObserver observer;
+  if (experiment_.observes) observer.updated = [&](const RunRecord& so_far) { ranked.look(so_far.last.stamp_s); };
+  const RunRecord record = run_query(*localizer_, world_->place, query, observer);
+  result.values = values_of(judge_query(record.rows, query, world_->truth), record);
+  if (experiment_.observes) {
+    result.values.merge(ranked.values());
+    result.input = "/" + ranked.digest();
+  }
+  result.costs = costs_of(record);
+  result.failure = failure_of(localizer_->plugin_failures());
+}

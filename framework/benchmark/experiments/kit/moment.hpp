@@ -1,0 +1,26 @@
+#pragma once
+
+#include <opal/localization/localizer.hpp>
+
+#include <vector>
+
+namespace opal::experiments {
+
+/// What was said about one scan, beside the truth.
+struct Moment {
+  double time_s = 0, driven_m = 0;  ///< since the start
+  Pose2 truth, estimate;            ///< T_map_base
+  bool has_pose = false;
+  Status status = Status::searching;
+  int hypotheses = 0;
+  double cpu_ms = 0;       ///< of the update; 0: the scan was none
+  bool under_way = false;  ///< to the goal, where there is one
+
+  double error_m() const { return distance_m(truth, estimate); }
+  bool localized() const { return has_pose && status == Status::localized; }
+};
+
+/// An estimate farther off is another place [m] (Hendrikx 2023, 3.5.5).
+constexpr double kRight_m = 1;
+
+}  // namespace opal::experiments

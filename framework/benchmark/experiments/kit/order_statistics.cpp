@@ -1,0 +1,40 @@
+#include "benchmark/experiments/kit/order_statistics.hpp"
+
+#include "benchmark/verdict/effect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace opal::experiments {
+
+double median(std::vector<double> values) {
+  return values.empty() ? kNever : statistics::median(std::move(values));
+}
+
+Interval median_interval(std::vector<double> values) {
+  if (values.empty()) return {kNever, kNever};
+  std::sort(values.begin(), values.end());
+  // As many values may be left out on either side as are below the median with 2.5 % at most.
+  const std::size_t n = values.size();
+  double term = std::pow(0.5, static_cast<double>(n)), below = 0;
+  std::size_t out = 0;
+  for (; below + term <= 0.025 && out < n; ++out) {
+    below += term;
+    term *= static_cast<double>(n - out) / static_cast<double>(out + 1);
+  }
+  const std::size_t rank = out == 0 ? 0 : out - 1;
+  return {values[rank], values[n - 1 - rank]};
+}
+
+std::string share_text(int part, std::size_t whole) {
+  if (whole == 0) return "none of 0";
+  const double share = static_cast<double>(part) / static_cast<double>(whole);
+  const Interval within = wilson_interval(share, static_cast<double>(whole));
+  char text[80];
+  std::snprintf(text, sizeof text, "%d of %zu, %.1f %% (95 %%: %.1f to %.1f)", part, whole, 100 * share,
+                100 * within.low, 100 * within.high);
+  return text;
+}
+
+}  // namespace opal::experiments

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "benchmark/experiments/kit/moment.hpp"
+
+#include <span>
+#include <string>
+
+namespace opal::experiments {
+
+/// A run over time: error of the best hypothesis, number of hypotheses, CPU time per update if any was
+/// measured, and in a bar whether it was localized (Hendrikx 2023, figure 3.10). SVG to be put into a page.
+std::string time_plot(std::span<const Moment> moments);
+
+}  // namespace opal::experiments

@@ -1,0 +1,59 @@
+#include "benchmark/runs/answer.hpp"
+
+#include "localization/alignment/registration.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+
+namespace {
+
+const opal::LocalFeature* find_local(const opal::LocalMap& map, int id) {
+  const auto it = std::find_if(map.features().begin(), map.features().end(),
+                               [&](const opal::LocalFeature& f) { return f.id == id; });
+  return it == map.features().end() ? nullptr : &*it;
+}
+
+}  // namespace
+
+std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer) {
+  std::vector<NamedAssociation> named;
+  if (localizer.hypotheses().empty()) return named;
+  const opal::Hypothesis& best = localizer.hypotheses().front();
+  const opal::SemanticMap& map = localizer.map().map();
+  for (const opal::Association& pair : best.associations) {
+    const opal::LocalFeature* local = find_local(localizer.local_map(), pair.local_feature);
+    if (!local || pair.map_feature < 0) continue;
+    const opal::MapFeature& mapped = map.features()[pair.map_feature];
+    const opal::Geometry placed = transformed(best.T_map_local, local->feature.geometry);
+    named.push_back({pair.local_feature, map.objects()[mapped.object].id, mapped.id, placed, mapped.geometry,
+                     mismatch(placed, mapped.geometry).position_m});
+  }
+  return named;
+}
+
+std::string pose_text(const opal::Pose2& pose) {
+  char text[96];
+  std::snprintf(text, sizeof text, "x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(),
+                pose.heading_rad() * 180 / std::numbers::pi);
+  return text;
+}
+
+void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer) {
+  std::printf("status: %s", opal::name_of(answer.status));
+  if (answer.has_pose) {
+    std::printf(" (probability %.3f, %d hypotheses)\n", answer.probability, answer.hypotheses);
+    std::printf("pose:   %s\n", pose_text(answer.T_map_base).c_str());
+  } else {
+    std::printf("\nno pose\n");
+  }
+  for (const auto& rival : answer.rivals)
+    std::printf("rival:  %s, probability %.3f\n", pose_text(rival.T_map_base).c_str(), rival.probability);
+  const auto associations = associations_of(localizer);
+  if (!associations.empty()) std::printf("it rests on:\n");
+  for (const NamedAssociation& named : associations)
+    std::printf("  local feature %d is %s of %s (%.2f m off)\n", named.local_feature, named.feature.c_str(),
+                named.object.c_str(), named.off_m);
+  for (const auto& [plugin, count] : localizer.plugin_failures())
+    std::printf("skipped: %s failed %d times\n", plugin.c_str(), count);
+}

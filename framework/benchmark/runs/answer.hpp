@@ -1,0 +1,22 @@
+#pragma once
+
+#include <opal/localization/localizer.hpp>
+
+#include <string>
+#include <vector>
+
+/// An association of the best hypothesis, by name and by geometry (map frame).
+struct NamedAssociation {
+  int local_feature = 0;
+  std::string object, feature;
+  opal::Geometry local, mapped;
+  double off_m = 0;  ///< of the local geometry from the mapped one
+};
+
+/// What the best hypothesis rests on; features that are not on the map are left out.
+std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer);
+
+std::string pose_text(const opal::Pose2& pose);
+
+/// Status, pose, rivals and associations, on stdout.
+void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer);

@@ -1,0 +1,99 @@
+#include "benchmark/runs/localize_run.hpp"
+
+#include "benchmark/runs/answer.hpp"
+#include "benchmark/runs/pace.hpp"
+#include "benchmark/runs/progress_bar.hpp"
+#include "benchmark/runs/run_picture.hpp"
+
+#include <opal/common/error.hpp>
+#include "localization/events/run_events.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::ofstream writable(const fs::path& path) {
+  std::ofstream file(path);
+  if (!file) throw opal::Error(path.string() + ": cannot be written");
+  return file;
+}
+
+void print_errors(const RunRecord& record, const opal::GroundTruth& truth) {
+  if (record.rows.empty()) return;
+  std::vector<double> errors;
+  for (const opal::ResultRow& row : record.rows)
+    if (const auto pose = truth.T_map_laser_at(row.stamp_s))
+      errors.push_back(distance_m(*pose, row.T_map_laser));
+  if (errors.empty()) return;
+  const double last = errors.back();
+  std::sort(errors.begin(), errors.end());
+  std::printf("error against the recorded truth: %.3f m now, median %.3f m, worst %.3f m over %zu scans\n",
+              last, errors[errors.size() / 2], errors.back(), errors.size());
+}
+
+}  // namespace
+
+nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal::Query& window,
+                                      const opal::LaserModel& laser) {
+  std::vector<opal::StampedPose> poses;
+  for (const opal::StampedPose& pose : truth.poses())
+    if (pose.stamp_s >= window.start_s - 1 && pose.stamp_s <= window.end_s + 1)
+      poses.push_back({pose.stamp_s, pose.pose * laser.T_base_laser.inverse()});
+  return opal::truth_event(poses);
+}
+
+void LocalizeRun::play(const std::vector<opal::LogRecord>& records, const std::vector<opal::Query>& windows,
+                       const Playing& playing, const fs::path& out) {
+  ProgressBar bar;
+  for (std::size_t k = 0; k < windows.size() && !playing.stop.stop_requested(); ++k) {
+    Pace pace(playing.speed, playing.stop);
+    RunObserver observer;
+    observer.ready = [&](double stamp_s) { return pace.wait_for(stamp_s); };
+    observer.progress = [&](double share) { bar.show((double(k) + share) / double(windows.size())); };
+    observer.updated = [&](const RunRecord& so_far) {
+      if (first_scan_drawn_ || so_far.last.hypotheses == 0) return;
+      draw("first scan", so_far, out / "first_scan");
+      first_scan_drawn_ = true;
+    };
+    opal::ReplayOptions window;
+    window.from_s = windows[k].start_s;
+    window.to_s = windows[k].end_s;
+    opal::Replay replay(records, laser_, window);
+    play_window(replay, windows[k], observer);
+  }
+}
+
+void LocalizeRun::play_window(opal::Replay& replay, const opal::Query& window, const RunObserver& observer) {
+  localizer_.reset();
+  events_.write(opal::start_event(window.id));
+  if (truth_) events_.write(truth_event_of(*truth_, window, laser_));
+  newest_ = run_log(localizer_, laser_, replay, window.id, observer);
+  for (const auto& [cause, count] : replay.counts()) oddities_[cause] += count;
+  all_.append(newest_);
+}
+
+void LocalizeRun::write(const fs::path& out) const {
+  auto tum = writable(out / "trajectory.tum");
+  opal::write_tum(tum, all_.trajectory);
+  auto results = writable(out / "results.csv");
+  opal::write_results(results, all_.rows);
+  draw("at the end", newest_, out / "picture");
+}
+
+void LocalizeRun::print() const {
+  print_answer(localizer_, all_.last);
+  for (const auto& [cause, count] : oddities_) std::printf("log: %s: %d times\n", cause.c_str(), count);
+  if (truth_) print_errors(all_, *truth_);
+}
+
+void LocalizeRun::draw(const std::string& moment, const RunRecord& record, const fs::path& without_extension) const {
+  opal::DrawingScene scene = scene_of(localizer_, laser_, record);
+  if (truth_) add_truth(scene, truth_->poses(), laser_);
+  scene.title = log_ + ": " + moment;
+  opal::write_svg(scene, without_extension.string() + ".svg");
+  opal::write_png(scene, without_extension.string() + ".png");
+}

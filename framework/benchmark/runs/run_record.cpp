@@ -1,0 +1,74 @@
+#include "benchmark/runs/run_record.hpp"
+
+#include "common/cpu_clock.hpp"
+
+namespace {
+
+void add(opal::StageTimes& sum, const opal::StageTimes& one) {
+  sum.detect_s += one.detect_s;
+  sum.local_map_s += one.local_map_s;
+  sum.associate_s += one.associate_s;
+  sum.verify_s += one.verify_s;
+  sum.track_s += one.track_s;
+  sum.status_s += one.status_s;
+}
+
+void add_rows(RunRecord& record, const std::string& query, const opal::LaserModel& laser) {
+  const opal::PoseEstimate& said = record.last;
+  record.rows.push_back(
+      {query, said.stamp_s, said.T_map_base * laser.T_base_laser, said.status, said.probability, said.none});
+  for (const auto& rival : said.rivals)
+    record.rivals.push_back({query, said.stamp_s, rival.T_map_base * laser.T_base_laser, rival.probability});
+  record.trajectory.push_back({said.stamp_s, said.T_map_base});
+}
+
+template <class T>
+void extend(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+void RunRecord::append(const RunRecord& other) {
+  extend(rows, other.rows);
+  extend(rivals, other.rivals);
+  extend(trajectory, other.trajectory);
+  extend(update_cpu_ms, other.update_cpu_ms);
+  add(stages, other.stages);
+  hypotheses += other.hypotheses;
+  last = other.last;
+  last_points = other.last_points;
+  last_T_odom_base = other.last_T_odom_base;
+}
+
+RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser, const SampleSource& next,
+                      const std::string& query, const RunObserver& observer) {
+  RunRecord record;
+  double before_s = opal::thread_cpu_s();  // the replay cleans the scan: that is part of an update's cost
+  while (const auto sample = next()) {
+    if (observer.ready && !observer.ready(sample->scan.stamp_s)) break;
+    const auto updated = localizer.update(sample->scan, sample->T_odom_base);
+    if (updated) {
+      record.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
+      add(record.stages, localizer.last_times());
+      record.hypotheses += updated->hypotheses;
+      record.last_points.clear();
+      for (const opal::ScanPoint& point : sample->scan.points) record.last_points.push_back(point.position);
+      record.last_T_odom_base = sample->T_odom_base;
+    }
+    record.last = localizer.estimate_at(sample->scan.stamp_s, sample->T_odom_base);
+    if (record.last.has_pose) add_rows(record, query, laser);
+    if (updated && observer.updated) observer.updated(record);
+    before_s = opal::thread_cpu_s();
+  }
+  return record;
+}
+
+RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opal::Replay& replay,
+                  const std::string& query, const RunObserver& observer) {
+  const SampleSource next = [&] {
+    if (observer.progress) observer.progress(replay.progress());
+    return replay.next();
+  };
+  return run_samples(localizer, laser, next, query, observer);
+}

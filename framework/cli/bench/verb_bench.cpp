@@ -1,0 +1,192 @@
+#include "cli/bench/bench_splices.hpp"
+#include "cli/options/join_options.hpp"
+#include "cli/options/overlay_options.hpp"
+#include "session/overlays.hpp"
+#include "benchmark/runs/quantile.hpp"
+#include "session/session.hpp"
+#include "cli/options/verbs.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <malloc.h>
+#include <numeric>
+#include <sys/resource.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchOptions {
+  std::vector<std::string> prefixes;
+  std::string out;
+  std::string config;
+  DamageOptions damage;
+  bool joined = false;
+  JoinOptions join;
+  std::optional<std::uint64_t> splice;  ///< seed
+  opal::SpliceOptions splices;
+  OverlayFiles overlays;
+};
+
+double peak_rss_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+double allocated_mb() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd) / (1 << 20);
+}
+
+/// What a run is measured by, besides its results.
+struct BenchCost {
+  std::size_t queries = 0;
+  double import_s = 0;
+  double localizer_mb = 0;  ///< what the map's indices take
+};
+
+nlohmann::ordered_json summarize(const RunRecord& all, const BenchCost& cost) {
+  std::vector<double> cpu = all.update_cpu_ms;
+  std::sort(cpu.begin(), cpu.end());
+  const double n = std::max<double>(1, static_cast<double>(cpu.size()));
+  const auto mean_ms = [&](double sum_s) { return 1e3 * sum_s / n; };
+  return {{"queries", cost.queries},
+          {"updates", cpu.size()},
+          {"cpu_ms_mean", std::accumulate(cpu.begin(), cpu.end(), 0.0) / n},
+          {"cpu_ms_median", quantile(cpu, 0.5)},
+          {"cpu_ms_p99", quantile(cpu, 0.99)},
+          {"cpu_ms_max", cpu.empty() ? 0 : cpu.back()},
+          {"peak_rss_mb", peak_rss_mb()},
+          {"localizer_mb", cost.localizer_mb},
+          {"import_s", cost.import_s},
+          {"hypotheses_mean", all.hypotheses / n},
+          {"stage_ms_mean",
+           {{"detect", mean_ms(all.stages.detect_s)},
+            {"local_map", mean_ms(all.stages.local_map_s)},
+            {"track", mean_ms(all.stages.track_s)},
+            {"associate", mean_ms(all.stages.associate_s)},
+            {"verify", mean_ms(all.stages.verify_s)},
+            {"status", mean_ms(all.stages.status_s)}}}};
+}
+
+std::ofstream writable(const fs::path& path) {
+  std::ofstream file(path);
+  if (!file) throw opal::Error(path.string() + ": cannot be written");
+  return file;
+}
+
+RunRecord run_queries(opal::Localizer& localizer, const BenchPlace& place) {
+  RunRecord all;
+  for (const opal::Query& query : place.queries) all.append(run_query(localizer, place, query));
+  return all;
+}
+
+SplicedRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options) {
+  opal::SpliceOptions splices = options.splices;
+  splices.seed = *options.splice;
+  return run_splices(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), splices);
+}
+
+/// Where the results of a place go.
+struct BenchFiles {
+  fs::path results;  ///< poses
+  fs::path folder;   ///< everything else
+};
+
+/// Results are told in the frame of the place's own map.
+void write_record(RunRecord& all, const BenchSite& site, const BenchFiles& files) {
+  const opal::Pose2 T_site_map = site.T_map_site.inverse();
+  for (opal::ResultRow& row : all.rows) row.T_map_laser = T_site_map * row.T_map_laser;
+  for (opal::RivalRow& row : all.rivals) row.T_map_laser = T_site_map * row.T_map_laser;
+  auto results = writable(files.results), rivals = writable(files.folder / "rivals.csv");
+  opal::write_results(results, all.rows);
+  opal::write_rivals(rivals, all.rivals);
+}
+
+/// All queries of a place, or as many kidnappings.
+nlohmann::ordered_json run_place(const BenchPlace& place, const opal::PluginRegistry& registry,
+                                 const BenchOptions& options, const BenchFiles& files) {
+  const double before_mb = allocated_mb();
+  opal::Localizer localizer(opal::build_parts(place.deployment, registry, place.site.map));
+  BenchCost cost{place.queries.size(), place.site.import_s, allocated_mb() - before_mb};
+  RunRecord all;
+  if (options.splice) {
+    SplicedRuns kidnapped = run_kidnappings(localizer, place, options);
+    auto splices = writable(files.folder / "splices.csv");
+    opal::write_kidnappings(splices, kidnapped.verdicts);
+    std::cout << opal::summary_of(kidnapped.verdicts);
+    cost.queries = kidnapped.verdicts.size();
+    all = std::move(kidnapped.all);
+  } else {
+    all = run_queries(localizer, place);
+  }
+  write_record(all, place.site, files);
+  auto summary = summarize(all, cost);
+  summary["site"] = fs::absolute(place.site.prefix).lexically_normal().string();
+  return summary;
+}
+
+/// Overlays speak of one building's ids, and of the map as it was imported.
+void lay_overlays(std::vector<BenchSite>& sites, const std::vector<std::string>& files, const DamageOptions& damage) {
+  if (files.empty()) return;
+  if (sites.size() > 1 || damage.any()) throw opal::ConfigError("bench: overlays with several places or with damage, expected one place as it is");
+  sites.front().map = with_overlays(sites.front().map, files);
+}
+
+int bench(const BenchOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const opal::Deployment deployment =
+      opal::read_deployment(options.config.empty() ? shipped_config("default.jsonld") : options.config);
+  opal::MapJoin join = options.join.join;
+  join.seed = options.damage.seed;
+  if (join.copies > 0 && !options.joined) throw opal::ConfigError("bench: --copies without --join");
+  if (options.splice && options.joined) throw opal::ConfigError("bench: --splice with --join, expected one of them");
+  std::vector<BenchSite> sites = load_sites(registry, options.prefixes, options.damage.asked());
+  std::vector<std::string> overlays = deployment.overlays;
+  overlays.insert(overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
+  lay_overlays(sites, overlays, options.damage);
+  if (options.joined) join_sites(sites, join);
+  const fs::path out = options.out;
+  const bool single = sites.size() == 1;
+  for (const BenchSite& site : sites) {
+    const fs::path folder = single ? out : out / site.name;
+    fs::create_directories(folder);
+    const BenchFiles files{single ? out / "results.csv" : out / (site.name + ".csv"), folder};
+    const auto summary = run_place(read_bench_place(registry, site, deployment), registry, options, files);
+    writable(folder / "summary.json") << summary.dump(2) << '\n';
+    std::cout << (single ? "" : site.name + ": ") << summary.dump(2) << '\n';
+  }
+  return 0;
+}
+
+}  // namespace
+
+void opal::add_bench_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* verb = app.add_subcommand("bench", "recorded places from end to end: import their maps, run their queries");
+  verb->add_option("PREFIX", options->prefixes,
+                   "PREFIX.map.jsonld (or PREFIX.map.yaml, a grid), PREFIX.info.json, PREFIX.queries.json and PREFIX.log.gz are read")
+      ->required();
+  verb->add_option("-o,--out", options->out,
+                   "folder for results.csv, rivals.csv and summary.json; for several places: NAME.csv and the rest in NAME/")
+      ->required();
+  options->damage.add_to(*verb);
+  options->overlays.add_to(*verb, ", beside those of the deployment; of a single place");
+  verb->add_flag("--join", options->joined,
+                 "run every query on the maps of all places side by side; results are in the frame of the place's own map");
+  options->join.add_to(*verb);
+  verb->add_option("--config", options->config, "deployment to run (default: configs/default.jsonld)");
+  verb->add_option("--splice", options->splice,
+                   "kidnap the robot instead: join windows with a cut that nothing tells, drawn by this seed; reads "
+                   "PREFIX.gt.csv to choose and to judge, and also writes splices.csv");
+  verb->add_option("--splices", options->splices.count, "so many (default: as many as there are queries)")
+      ->check(CLI::Range(1, 100000));
+  verb->callback([options, &exit_code] { exit_code = bench(*options); });
+}

@@ -1,0 +1,78 @@
+#include "cli/calibration/judged_runs.hpp"
+
+#include <opal/common/error.hpp>
+#include "evaluation/ground_truth.hpp"
+#include "evaluation/results.hpp"
+#include <opal/common/strict_json.hpp>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the truth of a run is.
+fs::path truth_of(const fs::path& run, const std::string& folder) {
+  const fs::path summary = run / "summary.json";
+  if (!fs::exists(summary)) throw opal::LogError(summary.string() + ": does not exist, expected a folder that opal bench wrote");
+  const nlohmann::json document = opal::read_json(summary.string());
+  if (!document.contains("site") || !document["site"].is_string())
+    throw opal::LogError(summary.string() + ": /site: missing, expected the prefix of the recording; run opal bench again");
+  const fs::path prefix(document["site"].get<std::string>());
+  fs::path truth = folder.empty() ? prefix : fs::path(folder) / prefix.filename();
+  truth += ".gt.csv";
+  if (!fs::exists(truth))
+    throw opal::LogError(truth.string() + ": does not exist, expected the recorded truth of " + run.string() +
+                         "; name its folder with --truth");
+  return truth;
+}
+
+using Moment = std::pair<std::string, double>;  // query and stamp
+std::map<Moment, std::vector<opal::RivalRow>> rivals_by_moment(const fs::path& run) {
+  std::map<Moment, std::vector<opal::RivalRow>> rivals;
+  for (opal::RivalRow& row : opal::read_rivals((run / "rivals.csv").string())) {
+    Moment moment{row.query, row.stamp_s};
+    rivals[std::move(moment)].push_back(std::move(row));
+  }
+  return rivals;
+}
+
+}  // namespace
+
+void JudgedRuns::add(const std::string& run, const std::string& folder, double within_m) {
+  const opal::GroundTruth truth = opal::GroundTruth::read(truth_of(run, folder).string());
+  const auto rivals = rivals_by_moment(run);
+  const std::string number = std::to_string(++runs);  // the same query in another run is another one
+  std::set<std::string> seen, flagged, falsely;
+  const std::size_t rows_before = rows;
+  for (const opal::ResultRow& row : opal::read_results((fs::path(run) / "results.csv").string())) {
+    const auto pose = truth.T_map_laser_at(row.stamp_s);
+    if (!pose) continue;
+    const std::string query = number + "/" + row.query;
+    const bool right = distance_m(*pose, row.T_map_laser) < within_m;
+    bool any_right = right;
+    seen.insert(query);
+    ++rows;
+    best.push_back({query, row.probability, right});
+    places.push_back(best.back());
+    if (const auto found = rivals.find({row.query, row.stamp_s}); found != rivals.end())
+      for (const opal::RivalRow& rival : found->second) {
+        const bool rival_right = distance_m(*pose, rival.T_map_laser) < within_m;
+        any_right = any_right || rival_right;
+        places.push_back({query, rival.probability, rival_right});
+      }
+    none.push_back({query, row.none, !any_right});
+    if (!row.localized()) continue;
+    ++flagged_rows;
+    false_rows += !right;
+    flagged.insert(query);
+    if (!right) falsely.insert(query);
+  }
+  if (rows == rows_before)
+    throw opal::LogError(run + "/results.csv: no row at a time of the recorded truth, expected at least one");
+  queries += seen.size();
+  flagged_queries += flagged.size();
+  false_queries += falsely.size();
+}

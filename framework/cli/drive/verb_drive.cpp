@@ -1,0 +1,162 @@
+#include "cli/drive/drive_report.hpp"
+#include "session/session.hpp"
+#include "cli/options/verbs.hpp"
+#include "cli/options/world_options.hpp"
+
+#include "navigation/node_registry.hpp"
+#include "ipc/remote/remote_localization.hpp"
+#include "simulation/recording.hpp"
+
+#include <opal/deployment/deployment.hpp>
+#include <opal/common/error.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+namespace sim = opal::simulation;
+namespace behaviours = opal::behaviours;
+
+struct DriveVerbOptions : WorldOptions {
+  std::string config, map, out = "out", behaviour, trees, localizer, record;
+  std::vector<double> goal, start;
+  std::uint64_t seed = 1;
+  int runs = 1;
+  opal::ClosedLoopOptions loop;
+};
+
+/// Draws what was not given, the same way for every behaviour.
+DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor, std::uint64_t seed) {
+  constexpr double kLeast_m = 3;
+  constexpr int kMostDraws = 100000;
+  sim::Random random(seed ^ 0x9e3779b97f4a7c15u);
+  if (!options.start.empty()) {
+    const opal::Pose2 start(options.start[0], options.start[1], options.start[2]);
+    if (!simulation.floor().holds(start.position()))
+      throw opal::ConfigError("--start: there is no room for the robot there, expected a place on the floor");
+    simulation.place(start);
+  }
+  DriveTask task{seed, simulation.T_map_base(), opal::Point::Zero()};
+  for (const sim::Solid& solid : simulation.clutter()) task.clutter.push_back(solid.shape);
+  if (!options.goal.empty()) {
+    task.goal = {options.goal[0], options.goal[1]};
+    if (!simulation.floor().nearest(task.goal))
+      throw opal::ConfigError("--goal: there is no room for the robot within 0.5 m, expected a place on the floor");
+    return task;
+  }
+  const bool is_large = simulation.floor().area_m2() > 40;
+  for (int draw = 0; draw < kMostDraws; ++draw) {
+    task.goal = simulation.floor().anywhere(random);
+    const bool is_far = !is_large || (task.goal - task.start.position()).norm() >= kLeast_m;
+    if (is_far && !floor.is_outside(task.goal)) return task;
+  }
+  throw opal::ConfigError("the simulated robot's floor lies outside the building, expected --goal, and --start inside");
+}
+
+/// Another program that localizes, in the building that is driven in.
+std::unique_ptr<behaviours::Localization> connected(const std::string& address, const opal::LaserModel& laser, const opal::SemanticMap& map) {
+  auto localization = std::make_unique<opal::remote::RemoteLocalization>(address, laser);
+  const opal::SemanticMap& theirs = localization->map().map();
+  if (theirs.to_json_ld() != map.to_json_ld())
+    throw opal::ConfigError("--localizer: " + address + " localizes in another map, '" + theirs.name() + "', expected the one that is driven in, '" + map.name() + "'");
+  return localization;
+}
+
+/// Localization in this process.
+class OwnLocalization : public behaviours::LocalizerQueries {
+ public:
+  OwnLocalization(std::unique_ptr<opal::Localizer> localizer, const opal::LaserModel& laser)
+      : LocalizerQueries(*localizer, laser), localizer_(std::move(localizer)) {}
+
+ private:
+  std::unique_ptr<opal::Localizer> localizer_;
+};
+
+/// Drives one after the other, as a recording: each begins a while after the one before.
+class DriveRecording {
+ public:
+  explicit DriveRecording(const opal::LaserModel& laser) { recording_.laser = laser; }
+
+  void witness(opal::RawScan scan, const opal::Pose2& T_map_base) {
+    scan.stamp_s += begin_s_;
+    end_s_ = scan.stamp_s;
+    recording_.scans.push_back({std::move(scan), T_map_base});
+  }
+  void end_drive(std::uint64_t seed, double driven_m) {
+    constexpr double kPause_s = 10;
+    recording_.queries.push_back({"s" + std::to_string(seed), begin_s_, end_s_});
+    recording_.distances_m.push_back(driven_m);
+    begin_s_ = end_s_ + kPause_s;
+  }
+  void write(const std::string& prefix, const opal::SemanticMap& map) const { sim::write_recorded_place(recording_, map, prefix); }
+
+ private:
+  sim::Recording recording_;
+  double begin_s_ = 0, end_s_ = 0;
+};
+
+int drive(DriveVerbOptions options) {
+  options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
+  options.loop.motion.radius_m = options.world.robot_radius_m;
+  const opal::PluginRegistry registry = load_plugins();
+  opal::Deployment deployment = opal::read_deployment(options.config);
+  options.world.laser.id = deployment.laser.id;
+  deployment.laser = options.world.laser;
+  deployment.map = options.map;
+  const auto map = load_map(registry, deployment);
+  options.furnish(registry, *map);
+  std::unique_ptr<behaviours::Localization> localization;
+  if (options.localizer.empty())
+    localization = std::make_unique<OwnLocalization>(std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.laser);
+  else
+    localization = connected(options.localizer, deployment.laser, *map);
+  const opal::FloorGrid floor = behaviours::mapped_floor(localization->map(), 0.8 * options.world.robot_radius_m);
+  const std::string trees = options.trees.empty() ? shipped_config("behaviours.jsonld") : options.trees;
+  const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
+  behaviours::read_tree(nodes, trees, options.behaviour);  // before anything is written
+  if (options.behaviour.empty()) options.behaviour = behaviours::first_tree(trees);
+
+  std::filesystem::create_directories(options.out);
+  DriveReport report(map, options.behaviour, options.out);
+  DriveRecording recording(deployment.laser);
+  if (!options.record.empty())
+    options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) { recording.witness(scan, T_map_base); };
+  for (int k = 0; k < options.runs; ++k) {
+    const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
+    sim::Simulation simulation(map, options.world, seed);
+    const DriveTask task = task_of(options, simulation, floor, seed);
+    const auto tree = behaviours::read_tree(nodes, trees, options.behaviour);
+    const opal::DriveRecord record = opal::drive_to_goal(simulation, *localization, floor, *tree, task.goal, options.loop);
+    report.add(task, record);
+    if (!options.record.empty()) recording.end_drive(seed, record.driven_m);
+    if (record.unanswered_scans > 0) std::cerr << "localization did not answer for " << record.unanswered_scans << " scans; the robot stood still\n";
+  }
+  report.write();
+  if (!options.record.empty()) recording.write(options.record, *map);
+  return report.all_reached() ? 0 : 1;
+}
+
+}  // namespace
+
+void opal::add_drive_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DriveVerbOptions>();
+  CLI::App* verb = app.add_subcommand("drive", "let a simulated robot find out where it is and drive to a goal");
+  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld); the laser is the simulator's")->required();
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("--goal", options->goal, "X,Y in the map frame [m]; drawn if not given")->delimiter(',')->expected(2);
+  verb->add_option("--start", options->start, "X,Y,THETA [m, rad], which the robot is not told; drawn if not given")
+      ->delimiter(',')->expected(3);
+  verb->add_option("--behaviour", options->behaviour, "a tree of the document: disambiguate, rotate_and_go, inspect, search")
+      ->default_str("the first one");
+  verb->add_option("--trees", options->trees, "document of behaviour trees")->default_str("configs/behaviours.jsonld");
+  verb->add_option("--localizer", options->localizer, "HOST:PORT of a program that localizes (opal serve), instead of this one");
+  verb->add_option("--seed", options->seed, "of everything: the same seed gives the same drive")->capture_default_str();
+  verb->add_option("--runs", options->runs, "drives, with this seed and those after it")->capture_default_str()->check(CLI::Range(1, 100000));
+  verb->add_option("--most", options->loop.most_s, "of each drive, before it is given up [s]")->capture_default_str();
+  verb->add_option("-o,--out", options->out, "folder for summary.json and pictures")->capture_default_str();
+  verb->add_option("--record", options->record, "PREFIX of a recording of all drives, with the truth, as opal bench and opal localize take it");
+  options->add_to(*verb);
+  verb->add_option("--speed", options->loop.motion.speed_mps, "the fastest [m/s]")->capture_default_str();
+  verb->callback([options, &exit_code] { exit_code = drive(*options); });
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "cli/experiment/experiments.hpp"
+#include "session/session.hpp"
+
+#include "benchmark/experiments/kit/contender.hpp"
+#include "simulation/buildings/building.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+/// Shipped configurations by name, others by file.
+inline std::vector<opal::experiments::Contender> contenders(const std::vector<std::string>& configs) {
+  std::vector<opal::experiments::Contender> all;
+  for (const std::string& config : configs) {
+    const bool is_file = config.ends_with(".jsonld");
+    all.push_back({is_file ? std::filesystem::path(config).stem().string() : config,
+                   opal::read_deployment(is_file ? config : shipped_config(config + ".jsonld")), ""});
+  }
+  return all;
+}
+
+/// The map that is asked for, or a building of our own.
+inline std::shared_ptr<const opal::SemanticMap> building(const opal::PluginRegistry& registry,
+                                                         const std::string& map, const std::string& kind) {
+  if (!map.empty()) return load_map(registry, map);
+  opal::simulation::BuildingRequest request;
+  request.kind = kind;
+  return opal::simulation::generate_building(request).map;
+}
+
+/// Those that are asked for. @throws opal::ConfigError naming what there is none of.
+template <class Named>
+std::vector<Named> chosen(std::vector<Named> all, const std::vector<std::string>& only) {
+  if (only.empty()) return all;
+  for (const std::string& id : only)
+    if (std::none_of(all.begin(), all.end(), [&](const Named& one) { return one.id == id; })) {
+      std::string there;
+      for (const Named& one : all) there += (there.empty() ? "" : ", ") + one.id;
+      throw opal::ConfigError("experiment: none is called '" + id + "', expected some of " + there);
+    }
+  std::erase_if(all,
+                [&](const Named& one) { return std::find(only.begin(), only.end(), one.id) == only.end(); });
+  return all;
+}

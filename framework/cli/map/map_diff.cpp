@@ -1,0 +1,35 @@
+#include "cli/map/map_fleet.hpp"
+#include "session/session.hpp"
+
+#include "map/check/map_diff.hpp"
+
+#include <iostream>
+
+namespace {
+
+struct DiffOptions {
+  std::string before, after;
+  bool summary = false;
+};
+
+int diff(const DiffOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const auto before = load_map(registry, options.before), after = load_map(registry, options.after);
+  const opal::MapDiff diff = opal::map_diff(*before, *after);
+  const std::vector<std::string> sentences = diff.sentences();
+  const std::size_t shown = options.summary ? sentences.size() - diff.changes.size() : sentences.size();
+  for (std::size_t k = 0; k < shown; ++k) std::cout << sentences[k] << '\n';
+  if (diff.empty()) std::cout << "no difference\n";
+  return diff.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_map_diff(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<DiffOptions>();
+  CLI::App* verb = map.add_subcommand("diff", "what was added, removed, moved or re-typed from one map to another");
+  verb->add_option("BEFORE", options->before, "map document, a source to import, or store:BUILDING[@VERSION]")->required();
+  verb->add_option("AFTER", options->after, "the same")->required();
+  verb->add_flag("--summary", options->summary, "counts only");
+  verb->callback([options, &exit_code] { exit_code = diff(*options); });
+}

@@ -1,0 +1,114 @@
+#include "cli/map/map_import.hpp"
+
+#include "session/session.hpp"
+
+#include "drawing/drawing.hpp"
+#include <opal/common/error.hpp>
+#include "map/map_file.hpp"
+#include "common/text_file.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+struct ImportOptions {
+  std::string source, out, svg, png, report, config, storey;
+  std::optional<double> z_m;
+  std::vector<std::string> words;
+  double thicken_m = 0;
+};
+
+/// All that was said about options: by the deployment first, then on the command line.
+nlohmann::json options_for(const opal::RegisteredType& importer, const opal::PluginRegistry& registry,
+                           const ImportOptions& options) {
+  nlohmann::json chosen = nlohmann::json::object();
+  if (!options.config.empty())
+    chosen = opal::importer_options(opal::read_deployment(options.config), registry, importer.info.name);
+  chosen.merge_patch(opal::parse_options(importer.info.name, importer.options, options.words));
+  if (!options.storey.empty()) chosen["storey"] = options.storey;
+  if (options.z_m) chosen["z_m"] = *options.z_m;
+  if (options.thicken_m > 0) chosen["thicken_m"] = options.thicken_m;
+  return chosen;
+}
+
+std::string text_of(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += sentence + '\n';
+  return text;
+}
+
+void write_report(const opal::MapImport& imported, const std::string& path) {
+  const bool is_json = std::filesystem::path(path).extension() == ".json";
+  opal::write_text(path, is_json ? opal::import_report(imported).dump(1) + '\n' : text_of(imported.report));
+}
+
+void draw(const opal::MapImport& imported, const ImportOptions& options) {
+  opal::DrawingScene scene;
+  scene.title = imported.map->name();
+  scene.map = imported.map;
+  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
+  if (!options.png.empty()) opal::write_png(scene, options.png);
+}
+
+int import(const ImportOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const opal::RegisteredType& importer = importer_of(registry, options.source);
+  const opal::MapImport imported = import_map(registry, options.source, options_for(importer, registry, options));
+  opal::write_map(*imported.map, options.out);
+  std::cout << text_of(imported.report) << "written: " << options.out << '\n';
+  if (!options.report.empty()) write_report(imported, options.report);
+  draw(imported, options);
+  return 0;
+}
+
+void print(const opal::Storey& storey) {
+  std::printf("%-24s  level %8.3f m  cut %8.3f m  ", ("'" + storey.name + "'").c_str(), storey.elevation_m, storey.height_m);
+  std::string gives;
+  for (const auto& [source_class, count] : storey.gives)
+    gives += (gives.empty() ? "" : ", ") + std::to_string(count) + " " + source_class;
+  std::printf("%s\n", gives.empty() ? "nothing" : gives.c_str());
+}
+
+int storeys(const std::string& source, const ImportOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const opal::RegisteredType& type = importer_of(registry, source);
+  const auto importer = registry.make<opal::MapImporter>(type.info.name, options_for(type, registry, options));
+  const std::vector<opal::Storey> levels = importer->storeys(source);
+  if (levels.empty()) std::cout << source << ": has no storeys\n";
+  for (const opal::Storey& level : levels) print(level);
+  return levels.empty() ? 1 : 0;
+}
+
+void add_choices(CLI::App& verb, ImportOptions& options) {
+  verb.add_option("--set", options.words,
+                  "an option of the importer, NAME=VALUE or NAME.KEY=TEXT; `opal plugins` lists them; may be repeated")
+      ->allow_extra_args(false);
+  verb.add_option("--config", options.config, "a deployment whose importers give options (.jsonld)");
+}
+
+}  // namespace
+
+void add_map_import(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<ImportOptions>();
+  CLI::App* verb = map.add_subcommand("import", "make a semantic map of a grid, a building model or a drawing");
+  verb->add_option("SOURCE", options->source, "what to import")->required();
+  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
+  verb->add_option("--svg", options->svg, "also draw the map into this file");
+  verb->add_option("--png", options->png, "the same as a PNG");
+  verb->add_option("--report", options->report, "also write the report: thing by thing as JSON (.json), or its sentences");
+  CLI::Option* storey = verb->add_option("--storey", options->storey, "name of the storey to import (`opal map storeys`)");
+  verb->add_option("--z", options->z_m, "height of the cut in the building's coordinates [m], instead of a storey")->excludes(storey);
+  add_choices(*verb, *options);
+  verb->add_option("--thicken", options->thicken_m,
+                   "for experiments: make walls of a grid so much thicker first, and its cells 0.1 m [m]");
+  verb->callback([options, &exit_code] { exit_code = import(*options); });
+}
+
+void add_map_storeys(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<ImportOptions>();
+  CLI::App* verb = map.add_subcommand("storeys", "the levels of a building model, and what an import of each would give");
+  verb->add_option("FILE", options->source, "building model")->required();
+  add_choices(*verb, *options);
+  verb->callback([options, &exit_code] { exit_code = storeys(options->source, *options); });
+}

@@ -1,0 +1,54 @@
+#include "cli/map/map_overlay.hpp"
+
+#include "session/session.hpp"
+
+#include "drawing/drawing.hpp"
+#include <opal/common/error.hpp>
+#include "map/overlay/map_overlay.hpp"
+#include "map/map_file.hpp"
+
+#include <iostream>
+#include <memory>
+
+namespace {
+
+struct OverlayVerbOptions {
+  std::string map, out, svg, png;
+  std::vector<std::string> overlays;
+  opal::OverlayOptions overlay;
+};
+
+void draw(const std::shared_ptr<const opal::SemanticMap>& map, const OverlayVerbOptions& options) {
+  opal::DrawingScene scene;
+  scene.title = map->name();
+  scene.map = map;
+  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
+  if (!options.png.empty()) opal::write_png(scene, options.png);
+}
+
+int overlay(const OverlayVerbOptions& options) {
+  std::vector<opal::MapOverlay> overlays;
+  for (const std::string& file : options.overlays) overlays.push_back(opal::read_overlay(file));
+  const opal::OverlaidMap overlaid = opal::overlaid_map(*load_map(load_plugins(), options.map), overlays, options.overlay);
+  for (const std::string& sentence : overlaid.changes) std::cout << sentence << '\n';
+  for (const std::string& doubt : overlaid.doubts) std::cout << "does not fit: " << doubt << '\n';
+  opal::write_map(*overlaid.map, options.out);
+  std::cout << "written: " << options.out << '\n';
+  draw(overlaid.map, options);
+  return overlaid.doubts.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_map_overlay(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<OverlayVerbOptions>();
+  CLI::App* verb = map.add_subcommand("overlay", "change a map by overlay documents, and leave what was imported as it is");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("OVERLAY", options->overlays, "overlay documents (.jsonld); their order means nothing")->required();
+  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
+  verb->add_option("--svg", options->svg, "also draw the map into this file");
+  verb->add_option("--png", options->png, "the same as a PNG");
+  verb->add_flag("--report-missing", options->overlay.report_missing,
+                 "after a new import: tell all changes whose target is gone, and make the others");
+  verb->callback([options, &exit_code] { exit_code = overlay(*options); });
+}

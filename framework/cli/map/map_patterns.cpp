@@ -1,0 +1,118 @@
+#include "cli/map/map_patterns.hpp"
+
+#include "session/session.hpp"
+
+#include "drawing/drawing.hpp"
+#include <opal/common/error.hpp>
+#include "deployment/pipeline_plan.hpp"
+#include "patterns/pattern_layer.hpp"
+#include "map/map_file.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace {
+
+using Templates = std::vector<opal::Named<opal::PatternTemplate>>;
+using Map = std::shared_ptr<const opal::SemanticMap>;
+
+struct PatternsOptions {
+  std::string map, out, svg, png, sensor = "PlanarLidar2D";
+  std::vector<std::string> templates;
+  opal::PatternLayerOptions layer;
+  bool summary = false;
+};
+
+/// Several features, of which one at least has a place: lines alone do better without a layer, joined to whole walls.
+bool is_usual(const opal::PatternTemplate& pattern_template) {
+  const auto slots = pattern_template.shape().slots;
+  const bool placed = std::any_of(slots.begin(), slots.end(), [](auto kind) { return kind != opal::GeometryKind::segment; });
+  return slots.size() > 1 && placed;
+}
+
+/// What the map has features for: all usual templates, or the ones named.
+Templates chosen_templates(const opal::PluginRegistry& registry, const opal::SemanticMap& map, const PatternsOptions& options) {
+  const opal::PipelinePlan plan = plan_pipeline(*map.with_patterns({}), options.sensor, registry.types());
+  std::vector<std::string> usable = plan.patterns;
+  usable.insert(usable.end(), plan.on_request.begin(), plan.on_request.end());
+  const std::vector<std::string>& asked = options.templates.empty() ? usable : options.templates;
+  Templates chosen;
+  for (const std::string& name : asked) {
+    if (std::find(usable.begin(), usable.end(), name) == usable.end()) {
+      std::string message = name + " cannot be used with " + options.map;
+      for (const std::string& reason : plan.reasons)
+        if (reason.rfind(name + ":", 0) == 0) message += "\n  " + reason;
+      throw opal::ConfigError(message);
+    }
+    auto part = registry.make<opal::PatternTemplate>(name);
+    if (!options.templates.empty() || is_usual(*part)) chosen.push_back({name, std::move(part)});
+  }
+  if (chosen.empty()) throw opal::ConfigError(options.map + ": no pattern template has the features that it needs");
+  return chosen;
+}
+
+void print(const opal::SemanticMap& map, const opal::PatternLayer& layer, bool each) {
+  for (std::size_t k = 0; each && k < layer.patterns.size(); ++k) {
+    const opal::MapPattern& pattern = layer.patterns[k];
+    std::cout << pattern.id << ": ";
+    if (layer.alike[k] == 0) std::cout << "unique;";
+    if (layer.alike[k] > 0) std::cout << layer.alike[k] << (layer.alike[k] == 1 ? " look-alike;" : " look-alikes;");
+    for (const int member : pattern.features) std::cout << ' ' << map.features()[member].id;
+    std::cout << '\n';
+  }
+  for (const opal::PatternSummary& summary : layer.summaries) std::cout << sentence_of(summary) << '\n';
+}
+
+void draw(const Map& map, const opal::PatternLayer& layer, const PatternsOptions& options) {
+  opal::DrawingScene scene;
+  scene.title = map->name();
+  scene.map = map;
+  for (const opal::MapPattern& pattern : layer.patterns) {
+    scene.patterns.emplace_back();
+    for (const int member : pattern.features) scene.patterns.back().push_back(anchor_of(map->features()[member].geometry));
+  }
+  for (const opal::PatternSummary& summary : layer.summaries) scene.notes.push_back(sentence_of(summary));
+  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
+  if (!options.png.empty()) opal::write_png(scene, options.png);
+}
+
+int patterns(const PatternsOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const Map map = load_map(registry, options.map);
+  const opal::MapView view(map, options.sensor);
+  const opal::PatternLayer layer = find_pattern_layer(view, chosen_templates(registry, *map, options), options.layer);
+  print(*map, layer, !options.summary);
+  draw(map, layer, options);
+  if (!options.out.empty()) {
+    opal::write_map(*map->with_patterns(layer.patterns), options.out);
+    std::cout << "written: " << options.out << '\n';
+  }
+  return layer.patterns.empty() ? 1 : 0;
+}
+
+}  // namespace
+
+void add_map_patterns(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<PatternsOptions>();
+  CLI::App* verb = map.add_subcommand("patterns", "find patterns of features, say how unique they are, add them to the map");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)");
+  verb->add_option("--template", options->templates, "type name of a pattern template; all that the map has features for");
+  verb->add_option("--size", options->layer.size_m, "how far neighbours in a pattern may be apart [m]")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  verb->add_option("--sensor", options->sensor, "id of the sensor that perceives them")->capture_default_str();
+  verb->add_option("--svg", options->svg, "also draw map and patterns into this file");
+  verb->add_option("--png", options->png, "the same as a PNG");
+  verb->add_flag("--summary", options->summary, "say only what holds per template, not of each pattern");
+  verb->callback([options, &exit_code] { exit_code = patterns(*options); });
+}
+
+void check_layer(const opal::PluginRegistry& registry, const Map& map, const std::string& sensor) {
+  if (map->patterns().empty()) return;
+  const opal::PipelinePlan plan = plan_pipeline(*map, sensor, registry.types());
+  Templates templates;
+  for (const std::string& name : plan.patterns) templates.push_back({name, registry.make<opal::PatternTemplate>(name)});
+  for (const opal::PatternSummary& summary : read_pattern_layer(opal::MapView(map, sensor), templates).summaries)
+    std::cout << sentence_of(summary) << '\n';
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <opal/plugin/plugin_registry.hpp>
+#include <opal/map/semantic_map.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+
+/// `opal map patterns`.
+void add_map_patterns(CLI::App& map, int& exit_code);
+
+/// Says how unique the patterns of a map's layer are, if it has one. @throws opal::MapError if the layer contradicts its
+/// templates.
+void check_layer(const opal::PluginRegistry& registry, const std::shared_ptr<const opal::SemanticMap>& map,
+                 const std::string& sensor);

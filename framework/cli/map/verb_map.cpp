@@ -1,0 +1,155 @@
+#include "cli/options/damage_options.hpp"
+#include "cli/options/join_options.hpp"
+#include "cli/map/map_fleet.hpp"
+#include "cli/map/map_frame.hpp"
+#include "cli/map/map_overlay.hpp"
+#include "cli/map/map_import.hpp"
+#include "cli/map/map_generate.hpp"
+#include "cli/map/map_patterns.hpp"
+#include "cli/options/overlay_options.hpp"
+#include "session/overlays.hpp"
+#include "session/session.hpp"
+#include "cli/options/verbs.hpp"
+
+#include <opal/common/error.hpp>
+#include "map/check/map_check.hpp"
+#include "deployment/pipeline_plan.hpp"
+#include "map_tools/map_raster.hpp"
+#include "map/map_file.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+struct CheckOptions {
+  std::string map, sensor = "PlanarLidar2D";
+  OverlayFiles overlays;
+};
+
+int check(const CheckOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const auto map = with_overlays(load_map(registry, options.map), options.overlays.files);
+  for (const std::string& sentence : opal::check_map(*map).sentences()) std::cout << sentence << '\n';
+  const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
+  for (const std::string& reason : plan.reasons) std::cout << reason << '\n';
+  check_layer(registry, map, options.sensor);
+  return plan.detectors.empty() || plan.patterns.empty() ? 1 : 0;
+}
+
+void add_check(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* verb = map.add_subcommand("check", "what is in a map, what is odd about it, and what it makes run");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("--sensor", options->sensor, "id of the sensor that is asked about")->capture_default_str();
+  options->overlays.add_to(*verb);
+  verb->callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+struct DamageVerbOptions {
+  std::string map, out;
+  DamageOptions damage;
+};
+
+int damage(const DamageVerbOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const auto worse = load_map(registry, options.map, options.damage.damage());
+  opal::write_map(*worse, options.out);
+  std::cout << "written: " << options.out << ", " << worse->features().size() << " features of "
+            << load_map(registry, options.map)->features().size() << '\n';
+  return 0;
+}
+
+void add_damage(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<DamageVerbOptions>();
+  CLI::App* verb = map.add_subcommand("damage", "make a map worse in a known way, to see what localization makes of it");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
+  options->damage.add_to(*verb);
+  verb->callback([options, &exit_code] { exit_code = damage(*options); });
+}
+
+struct JoinVerbOptions {
+  std::vector<std::string> maps;
+  std::string out;
+  JoinOptions join;
+};
+
+/// "maps/acapulco.map.yaml" is called "acapulco".
+std::string name_of(const std::string& path) {
+  const std::string file = std::filesystem::path(path).filename().string();
+  return file.substr(0, file.find('.'));
+}
+
+int join(const JoinVerbOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  std::vector<opal::MapSourcePart> sources;
+  for (const std::string& map : options.maps) sources.push_back({name_of(map), load_map(registry, map)});
+  const auto joined = opal::joined_map(sources, options.join.join);
+  opal::write_map(*joined, options.out);
+  for (const opal::MapPlacement& placement : joined->origin().placements)
+    std::printf("%s: moved by %.0f m, %.0f m; scale %.3f, %.3f\n", placement.id.c_str(), placement.T_map_source.x(),
+                placement.T_map_source.y(), placement.scale.x(), placement.scale.y());
+  for (const opal::MapSourcePart& source : sources)
+    if (!source.map->unused().empty())
+      std::printf("left out of %s: what other vocabularies say about %zu things\n", source.prefix.c_str(),
+                  source.map->unused().size());
+  std::cout << "written: " << options.out << ", " << joined->features().size() << " features\n";
+  return 0;
+}
+
+void add_join(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<JoinVerbOptions>();
+  CLI::App* verb = map.add_subcommand("join", "put maps side by side in one map, with look-alikes if wanted");
+  verb->add_option("MAP", options->maps, "map documents, or sources to import; named after their files")->required();
+  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
+  options->join.add_to(*verb);
+  verb->add_option("--seed", options->join.join.seed, "of the copies: the same seed gives the same map")
+      ->capture_default_str();
+  verb->callback([options, &exit_code] { exit_code = join(*options); });
+}
+
+struct RasterVerbOptions {
+  std::string map, out;
+  opal::RasterOptions raster;
+};
+
+int raster(const RasterVerbOptions& options) {
+  const auto map = load_map(load_plugins(), options.map);
+  const opal::MapRaster raster = opal::rasterized(*map, options.raster);
+  opal::write_raster(raster, options.out);
+  std::cout << "written: " << options.out << ", " << raster.columns << " x " << raster.rows << " cells of "
+            << raster.resolution_m << " m\n";
+  return 0;
+}
+
+void add_raster(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<RasterVerbOptions>();
+  CLI::App* verb = map.add_subcommand("raster", "make a ROS map_server grid (yaml and pgm) of a semantic map");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("-o,--out", options->out, "grid to write (.yaml); the image goes beside it (.pgm)")->required();
+  verb->add_option("--resolution", options->raster.resolution_m, "side of a cell [m]")->capture_default_str();
+  verb->add_option("--border", options->raster.border_m, "around everything that is mapped [m]")->capture_default_str();
+  verb->callback([options, &exit_code] { exit_code = raster(*options); });
+}
+
+}  // namespace
+
+void opal::add_map_verb(CLI::App& app, int& exit_code) {
+  CLI::App* map = app.add_subcommand(
+      "map", "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, raster, push, pull, list, diff, generate");
+  map->require_subcommand(1);
+  add_map_import(*map, exit_code);
+  add_map_storeys(*map, exit_code);
+  add_check(*map, exit_code);
+  add_map_patterns(*map, exit_code);
+  add_map_frame(*map, exit_code);
+  add_map_overlay(*map, exit_code);
+  add_damage(*map, exit_code);
+  add_join(*map, exit_code);
+  add_raster(*map, exit_code);
+  add_map_fleet(*map, exit_code);
+  add_map_diff(*map, exit_code);
+  add_map_generate(*map, exit_code);
+}

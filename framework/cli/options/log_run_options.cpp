@@ -1,0 +1,33 @@
+#include "cli/options/log_run_options.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <limits>
+
+void LogRunOptions::add_to(CLI::App& verb, const std::string& written) {
+  verb.add_option("CONFIG", config, "deployment document (configs/*.jsonld)")->required();
+  verb.add_option("LOG", log, "recorded log (CARMEN text, .gz too; ROS 2 bag .db3)")->required();
+  verb.add_option("-o,--out", out, "folder for " + written)->capture_default_str();
+  verb.add_option("--map", map, "map document, or a source to import; overrides the deployment's");
+  overlays.add_to(verb, ", beside those of the deployment");
+  verb.add_option("--info", info, "SITE.info.json that describes the laser; overrides the deployment's");
+}
+
+opal::Deployment LogRunOptions::deployment() const {
+  opal::Deployment deployment = opal::read_deployment(config);
+  if (!map.empty()) deployment.map = map;
+  deployment.overlays.insert(deployment.overlays.end(), overlays.files.begin(), overlays.files.end());
+  if (deployment.map.empty()) throw opal::ConfigError(config + ": /map: missing; name a map here or with --map");
+  if (!info.empty()) {
+    const std::string sensor = deployment.laser.id;
+    deployment.laser = opal::read_site_laser(info);
+    deployment.laser.id = sensor;
+  }
+  return deployment;
+}
+
+std::vector<opal::Query> LogRunOptions::windows() const {
+  if (!queries.empty()) return opal::read_queries(queries);
+  const double forever = std::numeric_limits<double>::infinity();
+  return {{"run", -forever, forever}};
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "cli/options/overlay_options.hpp"
+
+#include <opal/deployment/deployment.hpp>
+#include "evaluation/site.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+/// The options of every verb that plays a recorded log.
+struct LogRunOptions {
+  std::string config, log, out = "out", map, info, queries, truth;
+  OverlayFiles overlays;
+
+  /// Adds what all these verbs say alike: CONFIG, LOG, --out, --map, --overlay and --info.
+  /// @param written  what goes into the folder.
+  void add_to(CLI::App& verb, const std::string& written);
+  /// The deployment with what was said instead or besides. @throws opal::ConfigError if it has no map.
+  opal::Deployment deployment() const;
+  /// What to play: the queries, or the whole log.
+  std::vector<opal::Query> windows() const;
+};

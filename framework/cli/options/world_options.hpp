@@ -1,0 +1,34 @@
+#pragma once
+
+#include "session/session.hpp"
+
+#include "simulation/simulation.hpp"
+
+#include <CLI/CLI.hpp>
+
+/// The options of every verb that simulates: what is in the building, and how the robot moves.
+struct WorldOptions {
+  opal::simulation::SimulationOptions world;
+  std::string furnished;
+
+  /// Reads what is to be read, when the building is known.
+  void furnish(const opal::PluginRegistry& registry, const opal::SemanticMap& building) {
+    if (!furnished.empty())
+      world.furniture = opal::simulation::furniture_solids(*load_map(registry, furnished), building);
+  }
+
+  void add_to(CLI::App& verb) {
+    const auto flag = [&](const char* name, auto& value, const char* help) {
+      verb.add_option(name, value, help)->capture_default_str();
+    };
+    flag("--clutter", world.clutter.level, "how much stands about that the map does not hold; 1: everyday, 0: nothing");
+    flag("--lookalikes", world.clutter.lookalikes, "round things like the building's columns, per 100 m2, times --clutter");
+    flag("--hidden", world.clutter.hidden_share, "share of columns and corners behind a board");
+    verb.add_option("--furniture", furnished, "another map of the building: what only that one holds stands there, too");
+    flag("--people", world.people, "who walk about");
+    flag("--doors-open", world.doors_open_share, "share of doors that are open");
+    flag("--robot-radius", world.robot_radius_m, "[m]");
+    verb.add_flag_callback("--omnidirectional", [this] { world.drive = opal::simulation::Drive::omnidirectional; },
+                           "mecanum wheels instead of two wheels");
+  }
+};

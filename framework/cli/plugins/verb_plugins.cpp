@@ -1,0 +1,151 @@
+#include "cli/options/verbs.hpp"
+
+#include <opal/plugin/plugin_folders.hpp>
+#include <opal/plugin/plugin_registry.hpp>
+#include <opal/plugin/testing/plugin_contract.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <set>
+
+namespace opal {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct PluginsRequest {
+  std::vector<std::string> places;  ///< folders and files
+  bool as_json = false;
+  bool check = false;
+};
+
+/// What was found, and what was wrong with it: one sentence each.
+struct Inventory {
+  std::vector<RegisteredType> types;
+  std::vector<std::string> refused;
+  std::vector<std::string> violations;
+};
+
+/// @return the refusals
+std::vector<std::string> load(PluginRegistry& registry, const std::string& place) {
+  if (!std::filesystem::is_regular_file(place)) return registry.load_all(place);
+  try {
+    registry.load(place);
+    return {};
+  } catch (const PluginError& refusal) {
+    return {refusal.what()};
+  }
+}
+
+Inventory look_into(const PluginsRequest& request) {
+  Inventory inventory;
+  PluginRegistry registry;
+  for (const std::string& place : request.places.empty() ? plugin_folders() : request.places)
+    for (std::string& refusal : load(registry, place)) inventory.refused.push_back(std::move(refusal));
+  inventory.types = registry.types();
+  if (!request.check) return inventory;
+  std::set<std::string> files;
+  for (const RegisteredType& type : inventory.types) files.insert(type.file);
+  for (const std::string& file : files)
+    for (std::string& violation : testing::plugin_violations(file))
+      inventory.violations.push_back(std::move(violation));
+  return inventory;
+}
+
+ordered_json to_json(const OptionInfo& option) {
+  return {{"name", option.name},
+          {"type", option.type},
+          {"unit", option.unit},
+          {"default", option.default_value},
+          {"minimum", option.minimum},
+          {"maximum", option.maximum},
+          {"description", option.description}};
+}
+
+ordered_json to_json(const RegisteredType& type) {
+  ordered_json options = ordered_json::array();
+  for (const OptionInfo& option : type.options) options.push_back(to_json(option));
+  return {
+      {"type", type.info.name},         {"kind", name_of(type.kind)},     {"description", type.description},
+      {"plugin", type.plugin},          {"version", type.version},        {"file", type.file},
+      {"consumes", type.info.consumes}, {"produces", type.info.produces}, {"on_request", type.on_request}, {"options", options}};
+}
+
+void print_json(std::ostream& out, const Inventory& inventory) {
+  ordered_json types = ordered_json::array();
+  for (const RegisteredType& type : inventory.types) types.push_back(to_json(type));
+  out << ordered_json{{"types", types}, {"refused", inventory.refused}, {"violations", inventory.violations}}
+             .dump(2)
+      << "\n";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+void print(std::ostream& out, const OptionInfo& option) {
+  out << "    " << option.name << " = " << option.default_value.dump();
+  if (!option.unit.empty()) out << " " << option.unit;
+  out << "  (" << accepted_values(option) << ")  " << option.description << "\n";
+}
+
+void print(std::ostream& out, const RegisteredType& type) {
+  out << "  " << type.info.name << "  from " << type.plugin << " " << type.version << "\n    "
+      << type.description << "\n";
+  if (!type.info.consumes.empty()) out << "    consumes " << listed(type.info.consumes) << "\n";
+  if (!type.info.produces.empty()) out << "    produces " << listed(type.info.produces) << "\n";
+  if (type.on_request) out << "    on request: runs where a map's patterns or a deployment name it\n";
+  for (const OptionInfo& option : type.options) print(out, option);
+}
+
+void print_kind(std::ostream& out, const std::vector<RegisteredType>& types, PluginKind kind) {
+  bool first = true;
+  for (const RegisteredType& type : types) {
+    if (type.kind != kind) continue;
+    if (first) out << name_of(kind) << "\n";
+    first = false;
+    print(out, type);
+  }
+  if (!first) out << "\n";
+}
+
+void print_sentences(std::ostream& out, const std::string& title, const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return;
+  out << title << "\n";
+  for (const std::string& sentence : sentences) out << "  " << sentence << "\n";
+}
+
+void print_text(std::ostream& out, const Inventory& inventory) {
+  for (const PluginKind kind :
+       {PluginKind::log_source, PluginKind::map_importer, PluginKind::scan_matcher,
+        PluginKind::feature_detector, PluginKind::pattern_template, PluginKind::hypothesis_scorer,
+        PluginKind::map_store})
+    print_kind(out, inventory.types, kind);
+  print_sentences(out, "Refused", inventory.refused);
+  print_sentences(out, "Broken contracts", inventory.violations);
+}
+
+}  // namespace
+
+void add_plugins_verb(CLI::App& app, int& exit_code) {
+  const auto request = std::make_shared<PluginsRequest>();
+  CLI::App* verb =
+      app.add_subcommand("plugins", "list what plugins offer: types, options, and files that were refused");
+  verb->add_option(
+      "place", request->places,
+      "folders of plugins, or single files; default: the program's own and those in OPAL_PLUGIN_PATH");
+  verb->add_flag("--json", request->as_json, "print JSON");
+  verb->add_flag("--check", request->check, "put each plugin through the contract of its kind as well");
+  verb->callback([request, &exit_code] {
+    const Inventory inventory = look_into(*request);
+    request->as_json ? print_json(std::cout, inventory) : print_text(std::cout, inventory);
+    exit_code = inventory.refused.empty() && inventory.violations.empty() ? 0 : 1;
+  });
+}
+
+}  // namespace opal

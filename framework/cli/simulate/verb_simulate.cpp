@@ -1,0 +1,122 @@
+#include "cli/options/damage_options.hpp"
+#include "session/session.hpp"
+#include "cli/options/verbs.hpp"
+#include "cli/options/world_options.hpp"
+
+#include "simulation/beam_statistics.hpp"
+#include "simulation/recording.hpp"
+
+#include "common/cpu_clock.hpp"
+#include "drawing/drawing.hpp"
+#include <opal/common/error.hpp>
+#include "evaluation/ground_truth.hpp"
+#include <opal/sensing/replay.hpp>
+
+#include <iostream>
+
+namespace {
+
+namespace sim = opal::simulation;
+
+struct SimulateOptions : WorldOptions {
+  std::string map, out, along;
+  sim::DriveOptions drives;
+  double fov_deg = 270, mount_x_m = 0.2;
+  DamageOptions damage;
+};
+
+void set_laser(SimulateOptions& options) {
+  if (!options.along.empty()) {
+    options.world.laser = opal::read_site_laser(options.along + ".info.json");
+    return;
+  }
+  opal::LaserModel& laser = options.world.laser;
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double fov_deg = laser.beams > 1 ? options.fov_deg : 0;  // one beam looks straight ahead
+  laser.angle_min_rad = -fov_deg / 2 * kDegree;
+  laser.angle_increment_rad = laser.beams > 1 ? fov_deg * kDegree / (laser.beams - 1) : kDegree;
+  laser.T_base_laser = opal::Pose2(options.mount_x_m, 0, 0);
+  laser.range_sigma_m = std::max(0.005, options.world.laser_errors.range_sigma_m);
+}
+
+/// Drives as somebody did who recorded it, and says how alike the beams are.
+sim::Recording record_along(const opal::PluginRegistry& registry, const SimulateOptions& options,
+                            const opal::SemanticMap& map, sim::Simulation& simulation) {
+  const opal::GroundTruth truth = opal::GroundTruth::read(options.along + ".gt.csv");
+  const sim::Recording made = sim::record_along(simulation, truth.poses());
+  const opal::LaserModel laser = opal::read_site_laser(options.along + ".info.json");
+  sim::Random closed(1);
+  const sim::RayCaster mapped(sim::building_solids(map, 0, closed));
+  sim::BeamStatistics recorded, simulated;
+  for (const opal::LogRecord& record : opal::read_all(*open_log(registry, options.along + ".log.gz")))
+    if (const auto* scan = std::get_if<opal::RawScan>(&record))
+      if (const auto pose = truth.T_map_laser_at(scan->stamp_s)) sim::count_beams(*scan, *pose, laser, mapped, recorded);
+  for (const sim::RecordedScan& scan : made.scans)
+    sim::count_beams(scan.scan, scan.T_map_base * made.laser.T_base_laser, made.laser, mapped, simulated);
+  std::cout << sim::side_by_side("recorded", recorded, "simulated", simulated);
+  return made;
+}
+
+int simulate(SimulateOptions options) {
+  set_laser(options);
+  const opal::PluginRegistry registry = load_plugins();
+  const auto map = load_map(registry, options.map);
+  options.furnish(registry, *map);
+  const auto building = options.damage.any() ? opal::damaged_map(*map, options.damage.damage()) : map;
+  const double start_s = opal::process_cpu_s();
+  sim::Simulation simulation(building, options.world, options.damage.seed);
+  const double ready_s = opal::process_cpu_s();
+  const sim::Recording recording = options.along.empty()
+                                       ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
+                                       : record_along(registry, options, *map, simulation);
+  const double recorded_s = opal::process_cpu_s();
+  sim::write_recorded_place(recording, *map, options.out);
+  double driven_m = 0;
+  for (double distance_m : recording.distances_m) driven_m += distance_m;
+  std::printf("%.0f m2 of floor, %zu things that a beam can meet, %d people\n", simulation.floor().area_m2(),
+              simulation.solids().solids().size(), options.world.people);
+  std::printf("%zu drives, %.0f m, %zu scans; %d steps in which somebody or something was in the way\n",
+              recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
+  std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
+  std::cout << "written: " << options.out << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
+  return 0;
+}
+
+void add_sensing(CLI::App& verb, SimulateOptions& o) {
+  const auto flag = [&](const char* name, auto& value, const char* help) {
+    verb.add_option(name, value, help)->capture_default_str();
+  };
+  flag("--fov", o.fov_deg, "of the laser [deg]");
+  flag("--beams", o.world.laser.beams, "of the laser");
+  verb.get_option("--fov")->check(CLI::Range(1.0, 360.0));
+  verb.get_option("--beams")->check(CLI::Range(1, 100000));
+  flag("--range", o.world.laser.range_max_m, "of the laser [m]");
+  flag("--mount-x", o.mount_x_m, "laser before the robot's centre [m]");
+  flag("--range-sigma", o.world.laser_errors.range_sigma_m, "of a reading [m]");
+  flag("--missed", o.world.laser_errors.missed_share, "share of beams that are lost");
+  flag("--mixed", o.world.laser_errors.mixed_share, "share of beams at an edge that report something in between");
+  flag("--glass", o.world.laser_errors.glass_share, "share of beams that glass sends back");
+  flag("--slips", o.world.odometry_errors.slips_per_m, "of a wheel, per metre");
+  flag("--odometry-sigma", o.world.odometry_errors.sigma_m_per_sqrt_m, "along the way [m per square root of m]");
+  flag("--heading-sigma", o.world.odometry_errors.sigma_rad_per_sqrt_m, "[rad per square root of m]");
+}
+
+}  // namespace
+
+void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* verb = app.add_subcommand("simulate", "drive through a building that does not exist: a recording with ground truth");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("-o,--out", options->out, "PREFIX of the files to write, as opal bench takes it")->required();
+  verb->add_option("--drives", options->drives.drives, "each from a place of its own")->capture_default_str();
+  verb->add_option("--distance", options->drives.distance_m, "of each drive [m]")->capture_default_str();
+  verb->add_option("--along", options->along,
+                   "PREFIX of a recording (.gt.csv, .info.json, .log.gz): the same laser on the same way, and its beams side by side");
+  verb->add_option("--speed", options->drives.follower.speed_mps, "[m/s]")->capture_default_str();
+  verb->add_option("--scan-every", options->drives.scan_every_s, "[s]")->capture_default_str();
+  options->add_to(*verb);
+  options->damage.add_to(*verb);  // of what stands: the map that is written is the undamaged one
+  verb->get_option("--seed")->description("of everything: the same seed gives the same files");
+  add_sensing(*verb, *options);
+  verb->callback([options, &exit_code] { exit_code = simulate(*options); });
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "cli/terminal/stop_signals.hpp"
+
+#include "viewer/serving/live_feed.hpp"
+#include "viewer/serving/live_server.hpp"
+
+#include <string>
+
+/// A run that people watch in a browser while it goes on, until Ctrl-C.
+class LiveView {
+ public:
+  /// Serves at once. @throws opal::Error if the port cannot be had.
+  explicit LiveView(int port);
+
+  opal::EventSink& events() { return feed_; }
+  std::stop_token stop() const { return signals_.token(); }  ///< Ctrl-C
+  std::string url() const { return server_.url(); }
+
+  /// No more events come: the page is told, and stays until Ctrl-C.
+  void end();
+
+ private:
+  StopSignals signals_;  // first: all threads leave the signals to it
+  opal::RecordLog records_;
+  opal::LiveFeed feed_{records_};
+  opal::LiveServer server_;
+};
+
+/// Every event to two listeners.
+class EventSplitter final : public opal::EventSink {
+ public:
+  EventSplitter(opal::EventSink& one, opal::EventSink& other) : one_(one), other_(other) {}
+  bool listening() const override { return one_.listening() || other_.listening(); }
+  void write(const nlohmann::ordered_json& event) override {
+    one_.write(event);
+    other_.write(event);
+  }
+
+ private:
+  opal::EventSink &one_, &other_;
+};

@@ -1,0 +1,46 @@
+#include "cli/track/track_run.hpp"
+
+#include "benchmark/runs/quantile.hpp"
+
+#include "common/cpu_clock.hpp"
+
+#include <algorithm>
+
+TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& laser, opal::Replay& replay,
+                           const std::string& id, const StartAt& start_at) {
+  TrackedWindow window;
+  window.id = id;
+  std::optional<opal::Pose2> T_map_odom;
+  double before_s = opal::thread_cpu_s();
+  while (const auto sample = replay.next()) {
+    const double stamp_s = sample->scan.stamp_s;
+    if (!T_map_odom) {
+      const auto start = start_at(stamp_s);
+      if (!start) continue;
+      tracker.start(start->T_map_base, start->sigma);
+      T_map_odom = start->T_map_base * sample->T_odom_base.inverse();
+    }
+    if (tracker.update(sample->scan, sample->T_odom_base)) window.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
+    const opal::Pose2 T_map_base = tracker.T_map_base_at(sample->T_odom_base);
+    window.trajectory.push_back({stamp_s, T_map_base});
+    window.rows.push_back({id, stamp_s, T_map_base * laser.T_base_laser,
+                           tracker.last().lost ? opal::Status::lost : opal::Status::localized});
+    window.dead_reckoned.push_back({id, stamp_s, *T_map_odom * sample->T_odom_base * laser.T_base_laser});
+    window.last_points.clear();
+    for (const opal::ScanPoint& point : sample->scan.points)
+      window.last_points.push_back(window.rows.back().T_map_laser * point.position);
+    before_s = opal::thread_cpu_s();
+  }
+  window.track = tracker.track();
+  window.last = tracker.last();
+  return window;
+}
+
+TrackErrors errors_of(const std::vector<opal::ResultRow>& rows, const opal::GroundTruth& truth) {
+  std::vector<double> errors_m;
+  for (const opal::ResultRow& row : rows)
+    if (const auto pose = truth.T_map_laser_at(row.stamp_s)) errors_m.push_back(distance_m(*pose, row.T_map_laser));
+  if (errors_m.empty()) return {};
+  std::sort(errors_m.begin(), errors_m.end());
+  return {errors_m.size(), errors_m.back(), quantile(errors_m, 0.95), quantile(errors_m, 0.5)};
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "evaluation/ground_truth.hpp"
+#include "survey/pose_tracker.hpp"
+#include <opal/sensing/replay.hpp>
+#include "evaluation/results.hpp"
+#include "sensing/trajectory.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Where a track begins.
+struct StartPose {
+  opal::Pose2 T_map_base;
+  Eigen::Vector3d sigma = Eigen::Vector3d::Zero();  ///< one-sigma (x, y, heading) [m, m, rad]
+};
+/// The pose of the first scan, asked by its stamp; nullopt: not known for this one, ask for the next.
+using StartAt = std::function<std::optional<StartPose>(double stamp_s)>;
+
+/// One window of a log, tracked from a given pose.
+struct TrackedWindow {
+  std::string id;
+  std::vector<opal::ResultRow> rows;            ///< one per scan
+  std::vector<opal::ResultRow> dead_reckoned;   ///< the same scans from the same pose by odometry alone
+  std::vector<opal::StampedPose> trajectory;    ///< T_map_base, the same scans
+  std::vector<double> update_cpu_ms;            ///< per keyframe, cleaning of the scan included
+  std::vector<opal::TrackedKeyframe> track;
+  std::vector<opal::Point> last_points;         ///< of the last scan, map frame [m]
+  opal::TrackedPose last;
+};
+
+/// Plays a window through a tracker that starts anew.
+TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& laser, opal::Replay& replay,
+                           const std::string& id, const StartAt& start_at);
+
+/// Position errors against recorded truth [m], over the scans for which there is some.
+struct TrackErrors {
+  std::size_t scans = 0;
+  double max_m = 0, p95_m = 0, median_m = 0;
+};
+TrackErrors errors_of(const std::vector<opal::ResultRow>& rows, const opal::GroundTruth& truth);

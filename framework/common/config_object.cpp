@@ -1,0 +1,146 @@
+#include "common/config_object.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
+
+#include <cmath>
+
+namespace opal {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestExcerpt = 80;
+
+std::string excerpt(const json& value) {
+  std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (text.size() > kLongestExcerpt) text = text.substr(0, kLongestExcerpt) + "...";
+  return text;
+}
+
+std::string number_text(double value) {
+  return value == std::floor(value) && std::abs(value) < 1e9 ? std::to_string(static_cast<long>(value))
+                                                             : json(value).dump();
+}
+
+std::string in_words(const std::string& type, const NumberRange& range) {
+  const bool from = range.minimum != NumberRange{}.minimum, to = range.maximum != NumberRange{}.maximum;
+  if (from && to) return type + " from " + number_text(range.minimum) + " to " + number_text(range.maximum);
+  if (from) return type + " >= " + number_text(range.minimum);
+  if (to) return type + " <= " + number_text(range.maximum);
+  return type;
+}
+
+bool holds(const NumberRange& range, const json& value) {
+  const double number = value.get<double>();
+  return number >= range.minimum && number <= range.maximum;  // false for NaN
+}
+
+}  // namespace
+
+ConfigObject::ConfigObject(const json& value, std::string file, std::string place)
+    : value_(&value), file_(std::move(file)), place_(std::move(place)) {
+  if (!value.is_object()) throw ConfigError(where() + ": " + excerpt(value) + ", expected an object");
+}
+
+const json* ConfigObject::find(const std::string& key) {
+  asked_.insert(key);
+  const auto found = value_->find(key);
+  return found == value_->end() ? nullptr : &*found;
+}
+
+double ConfigObject::number(const std::string& key, double fallback, NumberRange range) {
+  const json* value = find(key);
+  if (!value) return fallback;
+  if (!value->is_number() || !holds(range, *value)) refuse(key, in_words("a number", range));
+  return value->get<double>();
+}
+
+int ConfigObject::integer(const std::string& key, int fallback, NumberRange range) {
+  const json* value = find(key);
+  if (!value) return fallback;
+  if (!value->is_number_integer() || !holds(range, *value)) refuse(key, in_words("an integer", range));
+  return value->get<int>();
+}
+
+bool ConfigObject::boolean(const std::string& key, bool fallback) {
+  const json* value = find(key);
+  if (!value) return fallback;
+  if (!value->is_boolean()) refuse(key, "true or false");
+  return value->get<bool>();
+}
+
+std::string ConfigObject::text(const std::string& key, const std::string& fallback) {
+  const json* value = find(key);
+  if (!value) return fallback;
+  if (!value->is_string() || value->get_ref<const std::string&>().empty()) refuse(key, "a text");
+  return value->get<std::string>();
+}
+
+std::string ConfigObject::required_text(const std::string& key) {
+  if (!find(key)) refuse(key, "a text");
+  return text(key, "");
+}
+
+std::vector<std::string> ConfigObject::texts(const std::string& key) {
+  const json* value = find(key);
+  if (!value) return {};
+  std::vector<std::string> texts;
+  for (const json& item : value->is_array() ? *value : json::array({*value})) {
+    if (!item.is_string() || item.get_ref<const std::string&>().empty()) refuse(key, "a list of texts");
+    texts.push_back(item.get<std::string>());
+  }
+  return texts;
+}
+
+const json& ConfigObject::any(const std::string& key) {
+  static const json none;
+  const json* value = find(key);
+  return value ? *value : none;
+}
+
+std::optional<ConfigObject> ConfigObject::object(const std::string& key) {
+  const json* value = find(key);
+  if (!value) return std::nullopt;
+  return ConfigObject(*value, file_, place_ + "/" + escape_pointer_step(key));
+}
+
+std::optional<std::vector<ConfigObject>> ConfigObject::list(const std::string& key) {
+  const json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_array()) refuse(key, "a list");
+  std::vector<ConfigObject> items;
+  for (std::size_t k = 0; k < value->size(); ++k)
+    items.emplace_back((*value)[k], file_, place_ + "/" + escape_pointer_step(key) + "/" + std::to_string(k));
+  return items;
+}
+
+void ConfigObject::expect_type(const std::string& type) {
+  const auto is = [&](const char* key, const std::string& value) {
+    if (required_text(key) != value) refuse(key, json(value).dump());
+  };
+  is("@context", "urn:opal:v1");
+  is("@type", type);
+}
+
+void ConfigObject::expect_no_more() const {
+  for (const auto& [key, ignored] : value_->items()) {
+    if (asked_.count(key)) continue;
+    std::string names;
+    for (const std::string& name : asked_) names += (names.empty() ? "" : ", ") + name;
+    throw ConfigError(where(key) + ": unknown key, expected one of: " + names);
+  }
+}
+
+std::string ConfigObject::where(const std::string& key) const {
+  return file_ + ": " + place_ + "/" + escape_pointer_step(key);
+}
+
+std::string ConfigObject::where() const { return file_ + ": " + (place_.empty() ? "/" : place_); }
+
+void ConfigObject::refuse(const std::string& key, const std::string& expected) const {
+  const auto found = value_->find(key);
+  throw ConfigError(where(key) + ": " + (found == value_->end() ? "absent" : excerpt(*found)) + ", expected " + expected);
+}
+
+}  // namespace opal

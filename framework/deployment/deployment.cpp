@@ -1,0 +1,179 @@
+#include <opal/deployment/deployment.hpp>
+
+#include "common/config_object.hpp"
+
+#include "localization/options/association_options.hpp"
+#include <opal/common/error.hpp>
+#include "deployment/store_source.hpp"
+#include <opal/common/strict_json.hpp>
+
+#include <filesystem>
+#include <numbers>
+
+namespace opal {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr NumberRange kLength_m{0, 1000};
+constexpr NumberRange kSomeLength_m{1e-4, 1000};
+constexpr NumberRange kAngle_rad{0, 2 * kPi};
+constexpr NumberRange kSigma{0, 100};
+
+Pose2 read_mount(ConfigObject mount) {
+  const NumberRange place_m{-100, 100}, heading_rad{-2 * kPi, 2 * kPi};
+  const double x_m = mount.number("x_m", 0, place_m), y_m = mount.number("y_m", 0, place_m);
+  const Pose2 T_base_laser(x_m, y_m, mount.number("heading_rad", 0, heading_rad));
+  mount.expect_no_more();
+  return T_base_laser;
+}
+
+LaserModel read_sensor(ConfigObject sensor) {
+  LaserModel laser;
+  laser.id = sensor.text("id", laser.id);
+  laser.angle_min_rad = sensor.number("angle_min_rad", laser.angle_min_rad, {-2 * kPi, 2 * kPi});
+  laser.angle_increment_rad = sensor.number("angle_increment_rad", laser.angle_increment_rad, {1e-5, kPi});
+  laser.beams = sensor.integer("beams", laser.beams, {1, 100000});
+  laser.range_min_m = sensor.number("range_min_m", laser.range_min_m, kLength_m);
+  laser.range_max_m = sensor.number("range_max_m", laser.range_max_m, kSomeLength_m);
+  laser.no_return_m = sensor.number("no_return_m", laser.no_return_m, {1e-4, 1e9});
+  laser.range_sigma_m = sensor.number("range_sigma_m", laser.range_sigma_m, {1e-4, 10});
+  laser.geometry_from_log = sensor.boolean("geometry_from_log", laser.geometry_from_log);
+  if (auto mount = sensor.object("T_base_laser")) laser.T_base_laser = read_mount(*mount);
+  sensor.expect_no_more();
+  if (laser.range_max_m <= laser.range_min_m) sensor.refuse("range_max_m", "more than range_min_m");
+  return laser;
+}
+
+KeyframeOptions read_keyframes(ConfigObject object) {
+  KeyframeOptions keyframes;
+  keyframes.distance_m = object.number("distance_m", keyframes.distance_m, kLength_m);
+  keyframes.angle_rad = object.number("angle_rad", keyframes.angle_rad, kAngle_rad);
+  object.expect_no_more();
+  return keyframes;
+}
+
+struct LocalMapField {
+  const char* name;
+  double LocalMapOptions::*member;
+  NumberRange range;
+};
+
+LocalMapOptions read_local_map(ConfigObject object) {
+  using O = LocalMapOptions;
+  static const LocalMapField fields[] = {
+      {"horizon_m", &O::horizon_m, {0.1, 1000}},
+      {"horizon_m_per_rad", &O::horizon_m_per_rad, {0, 1000}},
+      {"association_offset_m", &O::association_offset_m, kLength_m},
+      {"association_distance_m", &O::association_distance_m, kLength_m},
+      {"association_angle_rad", &O::association_angle_rad, kAngle_rad},
+      {"association_radius_m", &O::association_radius_m, kLength_m},
+      {"pose_change_m", &O::pose_change_m, kLength_m},
+      {"pose_change_rad", &O::pose_change_rad, kAngle_rad},
+      {"robust_scale", &O::robust_scale, {1e-3, 1000}},
+      {"odometry_sigma_per_m", &O::odometry_sigma_per_m, kSigma},
+      {"odometry_heading_sigma_per_rad", &O::odometry_heading_sigma_per_rad, kSigma},
+      {"odometry_heading_sigma_per_m", &O::odometry_heading_sigma_per_m, kSigma},
+  };
+  LocalMapOptions options;
+  for (const LocalMapField& field : fields)
+    options.*field.member = object.number(field.name, options.*field.member, field.range);
+  options.stable_after = object.integer("stable_after", options.stable_after, {1, 1000});
+  options.optimize_every = object.integer("optimize_every", options.optimize_every, {0, 1000});
+  object.expect_no_more();
+  return options;
+}
+
+/// The members that every part has; the caller may ask for more before `expect_no_more`.
+PartConfig read_part(ConfigObject& object) {
+  PartConfig part{object.required_text("@type"), nlohmann::json::object(), object.where()};
+  if (object.object("options")) part.options = object.any("options");
+  return part;
+}
+
+PartConfig read_whole_part(ConfigObject object) {
+  PartConfig part = read_part(object);
+  object.expect_no_more();
+  return part;
+}
+
+/// A type named twice would shadow its first options.
+std::vector<PartConfig> read_parts(const std::vector<ConfigObject>& objects) {
+  std::vector<PartConfig> parts;
+  for (const ConfigObject& object : objects) {
+    PartConfig part = read_whole_part(object);
+    for (const PartConfig& other : parts)
+      if (other.type == part.type) object.refuse("@type", "a type that is not in the list already");
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+ScorerConfig read_scorer(ConfigObject object) {
+  ScorerConfig scorer;
+  scorer.part = read_part(object);
+  const std::string role = object.text("role", "decides");
+  if (role != "decides" && role != "observes") object.refuse("role", "\"decides\" or \"observes\"");
+  scorer.decides = role == "decides";
+  scorer.weight = object.number("weight", 1, {0, 1000});
+  object.expect_no_more();
+  return scorer;
+}
+
+std::vector<ScorerConfig> read_scorers(ConfigObject& document) {
+  const auto objects = document.list("scorers");
+  std::vector<ScorerConfig> scorers;
+  bool decided = false;
+  if (objects)
+    for (const ConfigObject& object : *objects) {
+      scorers.push_back(read_scorer(object));
+      decided = decided || scorers.back().decides;
+    }
+  if (!decided)
+    throw ConfigError(document.where("scorers") + ": no scorer decides, expected at least one with role \"decides\"");
+  return scorers;
+}
+
+std::string resolve(const std::string& path, const std::string& document) {
+  if (path.empty() || read_store_source(path)) return path;
+  return (std::filesystem::path(document).parent_path() / path).lexically_normal().string();
+}
+
+Deployment read(const nlohmann::json& json, const std::string& file) {
+  ConfigObject document(json, file);
+  document.expect_type("opal:Deployment");
+  Deployment deployment;
+  deployment.file = file;
+  document.text("name", "");
+  document.text("comment", "");
+  deployment.map = resolve(document.text("map", ""), file);
+  for (const std::string& path : document.texts("overlays")) deployment.overlays.push_back(resolve(path, file));
+  if (auto sensor = document.object("sensor")) deployment.laser = read_sensor(*sensor);
+  if (auto keyframes = document.object("keyframes")) deployment.keyframes = read_keyframes(*keyframes);
+  if (auto local_map = document.object("local_map")) deployment.local_map = read_local_map(*local_map);
+  if (auto matcher = document.object("matcher")) deployment.matcher = read_whole_part(*matcher);
+  if (auto detectors = document.list("detectors")) deployment.detectors = read_parts(*detectors);
+  if (auto patterns = document.list("patterns")) deployment.patterns = read_parts(*patterns);
+  if (auto importers = document.list("importers")) deployment.importers = read_parts(*importers);
+  deployment.scorers = read_scorers(document);
+  if (document.object("association")) deployment.association = document.any("association");
+  read_association_options(deployment.association, document.where("association"));  // throws if it is unusable
+  document.expect_no_more();
+  return deployment;
+}
+
+}  // namespace
+
+Deployment read_deployment(const std::string& path) { return read(read_json(path), path); }
+
+Deployment parse_deployment(const std::string& text, const std::string& file) {
+  return read(parse_json(text, file), file);
+}
+
+Deployment with_laser(Deployment deployment, const LaserModel& laser) {
+  const std::string sensor = deployment.laser.id;
+  deployment.laser = laser;
+  deployment.laser.id = sensor;
+  return deployment;
+}
+
+}  // namespace opal

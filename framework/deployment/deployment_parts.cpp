@@ -1,0 +1,150 @@
+#include <opal/deployment/deployment.hpp>
+#include <opal/common/error.hpp>
+#include "deployment/pipeline_plan.hpp"
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+std::string names_of(const std::vector<RegisteredType>& types, PluginKind kind) {
+  std::string names;
+  for (const RegisteredType& type : types)
+    if (type.kind == kind) names += (names.empty() ? "" : ", ") + type.info.name;
+  return names.empty() ? "none is loaded" : names;
+}
+
+void expect_type(const PartConfig& part, PluginKind kind, const PluginRegistry& registry) {
+  const std::string place = part.where + "/@type: \"" + part.type + "\"";
+  const std::string expected =
+      std::string(", expected a ") + name_of(kind) + " (" + names_of(registry.types(), kind) + ")";
+  if (!registry.has(part.type)) throw ConfigError(place + ", which no plugin offers" + expected);
+  if (const PluginKind found = registry.type(part.type).kind; found != kind)
+    throw ConfigError(place + ", which is a " + name_of(found) + expected);
+}
+
+/// A plugin names the option that it does not accept; the deployment adds the file and the place.
+[[noreturn]] void refuse_options(const PartConfig& part, const std::string& complaint) {
+  const std::string prefix = part.type + ": option ";
+  if (complaint.rfind(prefix, 0) != 0) throw ConfigError(part.where + ": " + complaint);
+  throw ConfigError(part.where + "/options/" + complaint.substr(prefix.size()));
+}
+
+void expect_options(const PartConfig& part, const PluginRegistry& registry) {
+  std::string complaint;
+  try {
+    complete_options(part.type, registry.type(part.type).options, part.options);
+    return;
+  } catch (const PluginError& error) {
+    complaint = error.what();
+  }
+  refuse_options(part, complaint);
+}
+
+void expect_usable(const PartConfig& part, PluginKind kind, const PluginRegistry& registry) {
+  expect_type(part, kind, registry);
+  expect_options(part, registry);
+}
+
+using MaybeParts = std::optional<std::vector<PartConfig>>;
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Of what the map calls for: all of it with default options, or what the deployment lists, in its order.
+std::vector<PartConfig> narrowed(const std::vector<std::string>& called_for, const MaybeParts& listed) {
+  std::vector<PartConfig> chosen;
+  if (listed) {
+    for (const PartConfig& part : *listed)
+      if (holds(called_for, part.type)) chosen.push_back(part);
+  } else {
+    for (const std::string& name : called_for) chosen.push_back({name, nlohmann::json::object(), ""});
+  }
+  return chosen;
+}
+
+/// What the map calls for, and what it leaves to the deployment to ask for.
+std::vector<std::string> allowed_patterns(const PipelinePlan& plan, const MaybeParts& listed) {
+  std::vector<std::string> allowed = plan.patterns;
+  if (listed) allowed.insert(allowed.end(), plan.on_request.begin(), plan.on_request.end());
+  return allowed;
+}
+
+/// A pattern cannot be seen if the deployment has left out a detector that its features need.
+std::vector<PartConfig> observable(std::vector<PartConfig> patterns, const std::vector<PartConfig>& detectors,
+                                   const PluginRegistry& registry) {
+  std::vector<std::string> produced;
+  for (const PartConfig& detector : detectors)
+    for (const std::string& type : registry.type(detector.type).info.produces) produced.push_back(type);
+  const auto unseen = [&](const std::string& type) { return !holds(produced, type); };
+  std::erase_if(patterns, [&](const PartConfig& pattern) {
+    const auto& consumes = registry.type(pattern.type).info.consumes;
+    return std::any_of(consumes.begin(), consumes.end(), unseen);
+  });
+  return patterns;
+}
+
+template <class T>
+std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, const PluginRegistry& registry) {
+  std::vector<Named<T>> made;
+  for (const PartConfig& part : parts) made.push_back({part.type, registry.make<T>(part.type, part.options)});
+  return made;
+}
+
+[[noreturn]] void refuse_empty(const Deployment& deployment, const char* key, const PipelinePlan& plan) {
+  std::string message = deployment.file + ": /" + key + ": nothing is left to run with this map";
+  for (const std::string& reason : plan.reasons) message += "\n  " + reason;
+  throw ConfigError(message);
+}
+
+}  // namespace
+
+nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
+                                const std::string& importer) {
+  for (const PartConfig& part : deployment.importers) expect_usable(part, PluginKind::map_importer, registry);
+  for (const PartConfig& part : deployment.importers)
+    if (part.type == importer) return part.options;
+  return nlohmann::json::object();
+}
+
+void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
+  const auto expect_all = [&](const MaybeParts& parts, PluginKind kind) {
+    if (!parts) return;
+    for (const PartConfig& part : *parts) expect_usable(part, kind, registry);
+  };
+  expect_all(deployment.detectors, PluginKind::feature_detector);
+  expect_all(deployment.patterns, PluginKind::pattern_template);
+  expect_all(deployment.importers, PluginKind::map_importer);
+  if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, registry);
+  for (const ScorerConfig& scorer : deployment.scorers)
+    expect_usable(scorer.part, PluginKind::hypothesis_scorer, registry);
+}
+
+LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
+                           std::shared_ptr<const SemanticMap> map) {
+  check_parts(deployment, registry);
+  const PipelinePlan plan = plan_pipeline(*map, deployment.laser.id, registry.types());
+  const auto detectors = narrowed(plan.detectors, deployment.detectors);
+  const auto patterns = observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, registry);
+  if (detectors.empty()) refuse_empty(deployment, "detectors", plan);
+  if (patterns.empty()) refuse_empty(deployment, "patterns", plan);
+
+  LocalizerParts parts;
+  parts.map = std::make_shared<const MapView>(std::move(map), deployment.laser.id);
+  parts.laser = deployment.laser;
+  parts.keyframes = deployment.keyframes;
+  parts.local_map = deployment.local_map;
+  if (deployment.matcher)
+    parts.matcher = registry.make<ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
+  parts.detectors = make_all<FeatureDetector>(detectors, registry);
+  parts.patterns = make_all<PatternTemplate>(patterns, registry);
+  for (const ScorerConfig& scorer : deployment.scorers)
+    parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
+                             registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options),
+                             scorer.decides, scorer.weight});
+  parts.association = deployment.association;
+  return parts;
+}
+
+}  // namespace opal

@@ -1,0 +1,72 @@
+#include "import_kit/plan_material.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace opal {
+namespace {
+
+/// Whether a ray to the right crosses the ring an odd number of times.
+bool crosses_oddly(const std::vector<Point>& ring, const Point& p) {
+  bool odd = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point& a = ring[k];
+    const Point& b = ring[(k + 1) % ring.size()];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    odd ^= p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+  }
+  return odd;
+}
+
+PlanBoxes::Box box_of(const std::vector<std::vector<Point>>& rings) {
+  Point low = rings.front().front(), high = low;
+  for (const std::vector<Point>& ring : rings)
+    for (const Point& p : ring) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  return PlanBoxes::around(low, high, 0);
+}
+
+}  // namespace
+
+bool PlanMaterial::Region::contains(const Point& p) const {
+  if (rings.empty()) return (p - disc.center).norm() < disc.radius_m;
+  return std::count_if(rings.begin(), rings.end(), [&](const auto& ring) { return crosses_oddly(ring, p); }) % 2 == 1;
+}
+
+void PlanMaterial::add(std::vector<std::vector<Point>> rings, Reason reason, int element) {
+  std::erase_if(rings, [](const std::vector<Point>& ring) { return ring.size() < 3; });
+  if (rings.empty()) return;
+  boxes_.push_back(box_of(rings));
+  regions_.push_back({std::move(rings), {}, reason, element});
+}
+
+void PlanMaterial::add(const Circle& disc, int element) {
+  boxes_.push_back(PlanBoxes::around(disc.center, disc.center, disc.radius_m));
+  regions_.push_back({{}, disc, outline, element});
+}
+
+void PlanMaterial::finish() { index_.emplace(boxes_); }
+
+unsigned PlanMaterial::at(const Point& p, int except_element) const {
+  unsigned reasons = none;
+  index_->visit(PlanBoxes::around(p, p, 0), [&](int number) {
+    const Region& region = regions_[static_cast<std::size_t>(number)];
+    const bool is_excepted = except_element >= 0 && region.element == except_element;
+    if (!is_excepted && (reasons & region.reason) == 0 && region.contains(p)) reasons |= region.reason;
+  });
+  return reasons;
+}
+
+double mean_thickness_m(const std::vector<Point>& ring) {
+  double twice_area = 0, perimeter = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point& next = ring[(k + 1) % ring.size()];
+    twice_area += cross(ring[k] - ring.front(), next - ring.front());
+    perimeter += (next - ring[k]).norm();
+  }
+  return perimeter > 0 ? std::abs(twice_area) / perimeter : 0;
+}
+
+}  // namespace opal

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <opal/common/export.hpp>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+namespace opal {
+
+/// Position in a plane [m]; the frame is that of the thing that holds it.
+using Point = Eigen::Vector2d;
+
+/// The equivalent angle in [-pi, pi).
+inline double wrap_angle(double angle_rad) {
+  const double two_pi = 2 * std::numbers::pi;
+  const double wrapped = std::fmod(angle_rad + std::numbers::pi, two_pi);
+  return wrapped < 0 ? wrapped + std::numbers::pi : wrapped - std::numbers::pi;
+}
+
+inline Point unit_vector(double heading_rad) { return {std::cos(heading_rad), std::sin(heading_rad)}; }
+/// `v` turned by +90 degrees.
+inline Point left_of(const Point& v) { return {-v.y(), v.x()}; }
+inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// A rigid motion of the plane, SE(2). A variable `T_a_b` maps coordinates in frame b to frame a:
+/// p_a = T_a_b * p_b. It is also the pose of frame b in frame a.
+class Pose2 {
+ public:
+  Pose2() = default;
+  /// @param x_m, y_m position [m]; heading_rad counter-clockwise from the x axis.
+  Pose2(double x_m, double y_m, double heading_rad) : Pose2(Point(x_m, y_m), heading_rad) {}
+  Pose2(const Point& position, double heading_rad)
+      : position_(position),
+        heading_rad_(wrap_angle(heading_rad)),
+        cos_(std::cos(heading_rad)),
+        sin_(std::sin(heading_rad)) {}
+
+  const Point& position() const { return position_; }
+  double x() const { return position_.x(); }
+  double y() const { return position_.y(); }
+  double heading_rad() const { return heading_rad_; }  ///< in [-pi, pi)
+
+  /// Turns a direction, without moving it.
+  Point rotate(const Point& v) const { return {cos_ * v.x() - sin_ * v.y(), sin_ * v.x() + cos_ * v.y()}; }
+  Point operator*(const Point& p) const { return position_ + rotate(p); }
+  Pose2 operator*(const Pose2& other) const {
+    return {*this * other.position_, heading_rad_ + other.heading_rad_};
+  }
+  Pose2 inverse() const {
+    return {Point(-(cos_ * x() + sin_ * y()), sin_ * x() - cos_ * y()), -heading_rad_};
+  }
+
+ private:
+  Point position_ = Point::Zero();
+  double heading_rad_ = 0;
+  double cos_ = 1;
+  double sin_ = 0;
+};
+
+inline double distance_m(const Pose2& a, const Pose2& b) { return (a.position() - b.position()).norm(); }
+inline double angle_between_rad(const Pose2& a, const Pose2& b) {
+  return std::abs(wrap_angle(a.heading_rad() - b.heading_rad()));
+}
+
+/// A point with a direction: a corner, a door post. `heading_rad` is the bisector of the angle that is open to
+/// view; `opening_rad` in (0, 2 pi) is that angle: below pi for a concave corner (seen from inside a room), above
+/// pi for a convex one (a pillar's edge).
+struct OrientedPoint {
+  Point position = Point::Zero();
+  double heading_rad = 0;
+  double opening_rad = std::numbers::pi;
+};
+
+/// A straight face, seen from one side only: the visible side is to the left of begin -> end. A wall that can be
+/// seen from both sides is two segments.
+struct Segment {
+  Point begin = Point::Zero();
+  Point end = Point::Zero();
+
+  double length_m() const { return (end - begin).norm(); }
+  Point direction() const { return (end - begin).normalized(); }
+  Point normal() const { return left_of(direction()); }  ///< unit, towards the visible side
+  double heading_rad() const { return std::atan2(end.y() - begin.y(), end.x() - begin.x()); }
+  Point midpoint() const { return 0.5 * (begin + end); }
+};
+
+struct Circle {
+  Point center = Point::Zero();
+  double radius_m = 0;
+};
+
+/// The closed set of shapes. Local map, registration, gates and drawing work on these; feature *types* are open.
+using Geometry = std::variant<Point, OrientedPoint, Segment, Circle>;
+enum class GeometryKind { point, oriented_point, segment, circle };  // order of Geometry's alternatives
+
+inline GeometryKind kind_of(const Geometry& geometry) { return static_cast<GeometryKind>(geometry.index()); }
+
+/// The geometry moved by a rigid motion: T_a_b applied to a geometry in frame b gives it in frame a.
+OPAL_EXPORT Geometry transformed(const Pose2& T_a_b, const Geometry& geometry_b);
+OPAL_EXPORT Segment transformed(const Pose2& T_a_b, const Segment& segment_b);
+
+/// The point itself, a circle's centre, a segment's midpoint.
+OPAL_EXPORT Point anchor_of(const Geometry& geometry);
+
+/// Shortest distance [m] from a point to a geometry; 0 on it. A circle is its rim.
+OPAL_EXPORT double distance_m(const Geometry& geometry, const Point& point);
+OPAL_EXPORT double distance_m(const Segment& segment, const Point& point);
+
+}  // namespace opal

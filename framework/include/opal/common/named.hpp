@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace opal {
+
+/// A replaceable part with its name, so that errors, counts and scores can name it.
+template <class T>
+struct Named {
+  std::string name;
+  std::shared_ptr<const T> part;
+};
+
+}  // namespace opal

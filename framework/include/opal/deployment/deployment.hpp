@@ -1,0 +1,76 @@
+#pragma once
+
+#include <opal/localization/localizer.hpp>
+#include <opal/plugin/plugin_registry.hpp>
+#include <opal/sensing/scan.hpp>
+#include <opal/map/semantic_map.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// One replaceable part that a deployment asks for.
+struct PartConfig {
+  std::string type;                                   ///< "opal:LineDetector"
+  nlohmann::json options = nlohmann::json::object();  ///< as written; the plugin's description checks them
+  std::string where;                                  ///< file and JSON pointer, for messages
+};
+
+struct ScorerConfig {
+  PartConfig part;
+  bool decides = true;  ///< "role": "decides" or "observes"
+  double weight = 1;    ///< of its scores in the decision
+  std::string name = {};  ///< by which its scores are known; empty: its type
+};
+
+/// How Opal runs in one building with one robot: a document of configs/. Every field has a default except the
+/// scorers; docs/deploy_a_building.md explains the document.
+struct Deployment {
+  std::string file;
+  std::string map;  ///< path of the map, resolved against the document's folder; empty: the caller says
+  std::vector<std::string> overlays;  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
+  LaserModel laser;
+  KeyframeOptions keyframes;
+  LocalMapOptions local_map;
+  std::optional<PartConfig> matcher;  ///< none: odometry as it is
+  /// Absent: all that the map calls for (see plan_pipeline). Present: of these, the ones the map calls for.
+  std::optional<std::vector<PartConfig>> detectors;
+  std::optional<std::vector<PartConfig>> patterns;
+  std::vector<ScorerConfig> scorers;
+  nlohmann::json association = nlohmann::json::object();
+  std::vector<PartConfig> importers;  ///< options for those that make the map, if it is made of a source
+};
+
+/// Reads a deployment strictly: unknown keys, wrong types and values out of range are errors, and lists keep
+/// their order.
+/// @throws ConfigError "configs/hall.jsonld: /sensor/beams: 0, expected an integer from 1 to 100000";
+/// JsonError for text that is no JSON.
+OPAL_EXPORT Deployment read_deployment(const std::string& path);
+/// @param file  what messages call the document, and what a relative map path starts from.
+OPAL_EXPORT Deployment parse_deployment(const std::string& text, const std::string& file);
+
+/// The same with the laser that was recorded or simulated, under the name that the deployment gives its own.
+OPAL_EXPORT Deployment with_laser(Deployment deployment, const LaserModel& laser);
+
+/// The options that a deployment gives to an importer; an empty object if it gives none.
+/// @throws ConfigError as `build_parts` does, for any of its importers.
+OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
+                                            const std::string& importer);
+
+/// What `build_parts` checks before it makes anything: types that no plugin offers, types of another kind, and options that
+/// the plugin does not accept. @throws ConfigError naming file and JSON pointer.
+OPAL_EXPORT void check_parts(const Deployment& deployment, const PluginRegistry& registry);
+
+/// Makes the parts of a localizer. Detectors and pattern templates are those that the map calls for, narrowed
+/// and parametrised by the deployment.
+/// @throws ConfigError naming file and JSON pointer for types that no plugin offers, types of another kind,
+/// and options that the plugin does not accept; also if the map leaves no detector or no pattern.
+OPAL_EXPORT LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
+                                       std::shared_ptr<const SemanticMap> map);
+
+}  // namespace opal

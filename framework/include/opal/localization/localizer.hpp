@@ -1,0 +1,86 @@
+#pragma once
+
+#include <opal/common/named.hpp>
+#include <opal/localization/decision/pose_estimate.hpp>
+#include <opal/localization/events/event_stream.hpp>
+#include <opal/localization/scoring/active_scorer.hpp>
+#include <opal/localization/scoring/hypothesis.hpp>
+#include <opal/local_map/local_map.hpp>
+#include <opal/map/view/map_view.hpp>
+#include <opal/sensing/feature_detector.hpp>
+#include <opal/localization/scoring/hypothesis_scorer.hpp>
+#include <opal/patterns/pattern_template.hpp>
+#include <opal/localization/scoring/score.hpp>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// CPU time per stage of one update [s], in pipeline order.
+struct StageTimes {
+  double detect_s = 0, local_map_s = 0, associate_s = 0, verify_s = 0, track_s = 0, status_s = 0;
+  double total_s() const { return detect_s + local_map_s + associate_s + verify_s + track_s + status_s; }
+};
+
+struct KeyframeOptions {
+  double distance_m = 0.1;
+  double angle_rad = 0.2;
+};
+
+/// Everything a localizer is made of. `Deployment` (deployment.hpp) builds it from files.
+struct LocalizerParts {
+  std::shared_ptr<const MapView> map;
+  LaserModel laser;
+  KeyframeOptions keyframes;
+  LocalMapOptions local_map;
+  std::shared_ptr<const ScanMatcher> matcher;                ///< may be null: odometry alone
+  std::vector<Named<FeatureDetector>> detectors;
+  std::vector<Named<PatternTemplate>> patterns;
+  std::vector<ActiveScorer> scorers;
+  nlohmann::json association = nlohmann::json::object();     ///< options of association_options.hpp, by name
+};
+
+/// The pipeline: scan -> features -> local map -> patterns -> association tree -> scores -> pose. One object per
+/// robot and run; `update` is called in time order from one thread.
+class OPAL_EXPORT Localizer {
+ public:
+  explicit Localizer(LocalizerParts parts, EventSink* events = nullptr);
+  ~Localizer();
+
+  /// Takes one scan. Never throws for a poor scan: that is a status.
+  /// @param scan  in the sensor frame.
+  /// @param T_odom_base  odometry at the scan's stamp.
+  /// @return the estimate if the scan became a keyframe (the robot has moved or turned enough), else nullopt.
+  std::optional<PoseEstimate> update(const Scan& scan, const Pose2& T_odom_base);
+
+  /// The newest estimate carried on by odometry to now.
+  PoseEstimate estimate_at(double stamp_s, const Pose2& T_odom_base) const;
+
+  /// Forgets hypotheses and local map: the next scan is the first one.
+  void reset();
+
+  /// Reduces the local map to what the best hypothesis began with, its pattern, before the robot looks round there (Hendrikx
+  /// 2023, 4.3.5, 4.4.2). What hypotheses say of other features they forget with the next keyframe, and say anew of those seen
+  /// from then on. Nothing changes while there is no hypothesis.
+  void keep_pattern();
+
+  const LocalMap& local_map() const;
+  const MapView& map() const;
+  /// Alive, best first.
+  const std::vector<Hypothesis>& hypotheses() const;
+  /// Latest opinions on a hypothesis, by scorer name; empty if there is no such hypothesis.
+  std::map<std::string, Score> scores_of(int hypothesis) const;
+  const StageTimes& last_times() const;
+  /// Calls into plugins that threw and were skipped, by type name.
+  const std::map<std::string, int>& plugin_failures() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace opal

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <opal/map/semantic_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace opal {
+
+/// A face or a round column, prepared for fast geometry: the numbers that every beam needs, computed once.
+struct Surface {
+  Point origin = Point::Zero();     ///< a face's begin; a circle's centre
+  Point direction = Point::Zero();  ///< a face's unit direction, visible side on the left; zero for a circle
+  double size_m = 0;                ///< a face's length; a circle's radius
+  int object = -1;                  ///< position in SemanticMap::objects()
+  /// Faces that lie on one straight line, look to the same side and are at most 30 m apart share a number, however a map
+  /// cuts them up; a circle has its own.
+  int line = -1;
+
+  bool is_circle() const { return direction.x() == 0 && direction.y() == 0; }
+  Point normal() const { return left_of(direction); }
+  double distance_m(const Point& p) const {
+    const Point from = p - origin;
+    if (is_circle()) return std::abs(from.norm() - size_m);
+    return (from - std::clamp(direction.dot(from), 0.0, size_m) * direction).norm();
+  }
+};
+
+/// Which of a face's two ends, seen with the visible side on the left of begin -> end.
+enum class Tip { begin, end };
+
+/// How far an end that was seen may be from the mapped one, along its face and across it, and how far the two faces may be
+/// turned against each other. A wall that is not quite where the map says still ends where it ends: more across than along.
+struct EndGate {
+  double along_m = 0.3, across_m = 0.4, angle_rad = 0.2;
+};
+
+/// An end of a mapped face.
+struct FaceEnd {
+  int face = -1;  ///< feature number; -1: there is none
+  Tip tip = Tip::begin;
+  double gates = 1;  ///< how far off, in the gate's semi-axes, 0 to 1
+
+  /// No two ends of a map have the same.
+  int number() const { return 2 * face + (tip == Tip::end ? 1 : 0); }
+};
+
+/// What one sensor can perceive of a map, with indices that answer spatial questions in microseconds. Immutable and
+/// shared. Frame: `map`. Feature numbers are positions in SemanticMap::features().
+class OPAL_EXPORT MapView {
+ public:
+  /// @throws ConfigError if the map holds nothing that this sensor can perceive.
+  MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor);
+  ~MapView();
+  MapView(const MapView&) = delete;
+  MapView& operator=(const MapView&) = delete;
+
+  const SemanticMap& map() const;
+  const MapFeature& feature(int number) const;
+  /// All perceivable features.
+  std::span<const int> features() const;
+  /// The surface of a feature that is a segment or a circle.
+  const Surface& surface(int number) const;
+  /// Features with some point within radius_m of p, in no order (R-tree, exact).
+  std::vector<int> within(const Point& p, double radius_m) const;
+
+  /// The surface (segment or circle) nearest to `p` that faces a viewer who looks along `view_direction`, among those
+  /// within reach_m(). A lookup in a grid of 0.1 m cells, so a surface up to one cell farther may be named.
+  /// @param view_direction  any length; from the viewer to p.
+  /// @return feature number, or -1.
+  int nearest_facing(const Point& p, const Point& view_direction) const;
+  /// The end of a mapped face that an end seen at `p` may be, the nearest one within the gate. Only where a wall stops is an
+  /// end: where a face goes on as another one that looks to the same side, there is none. A lookup in cells, O(1).
+  /// @param direction  of the face that was seen, unit.
+  FaceEnd face_end_near(const Point& p, const Point& direction, Tip tip, const EndGate& gate) const;
+  /// Distance [m] from p to the nearest surface whatever its side, by grid lookup (within one cell's diagonal), capped
+  /// at clearance_cap_m().
+  double clearance_m(const Point& p) const;
+  static constexpr double reach_m() { return 0.8; }
+  static constexpr double clearance_cap_m() { return 2.5; }
+  static constexpr double cell_m() { return 0.1; }
+
+  /// exp(-d^2 / (2 * 0.2^2)) of the distance d to the nearest surface, by grid lookup: for coarse, fast judgements.
+  float nearness(const Point& p) const;
+  /// Sum of the nearness of `position + point`, over all points.
+  /// @param slack_m  0 to 0.5: every surface counts as nearer by that, so that this is the most that any position within
+  ///                 slack_m can have.
+  float nearness_sum(std::span<const Point> points, const Point& position, double slack_m = 0) const;
+  /// The same by the least distance in cells of 0.4 m: about the most that positions 0.2 m around can have. Far cheaper in
+  /// a large map, where every lookup waits for memory.
+  float coarse_nearness_sum(std::span<const Point> points, const Point& position) const;
+
+  /// First surface that a ray from `origin` crosses on its way to `target`.
+  struct Crossing {
+    int feature = -1;         ///< -1: the way is free
+    double range_m = 0;       ///< from origin
+    bool from_behind = false; ///< crossed from the side on which it is not visible
+  };
+  /// @param min_penetration_m  surfaces that the target overshoots by less, measured perpendicular to them, do not
+  ///                           count.
+  Crossing first_crossing(const Point& origin, const Point& target, double min_penetration_m) const;
+
+  /// Smallest rectangle around all features, min and max corner [m].
+  std::array<Point, 2> bounds() const;
+
+ private:
+  struct Index;
+  std::shared_ptr<const SemanticMap> map_;
+  std::unique_ptr<const Index> index_;
+};
+
+}  // namespace opal

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <opal/localization/scoring/hypothesis_scorer.hpp>
+#include <opal/plugin/registrar.hpp>
+#include <opal/map/semantic_map.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace opal::testing {
+
+/// A made-up building of two rooms with a doorway and columns, 14 m by 8 m, perceivable by "PlanarLidar2D".
+OPAL_EXPORT std::shared_ptr<const SemanticMap> example_map();
+
+/// What a scorer is tried on.
+struct ScorerTrial {
+  std::shared_ptr<const SemanticMap> map;  ///< null: example_map()
+  std::string sensor = "PlanarLidar2D";
+  std::vector<Pose2> T_map_base;  ///< where the robot stands in turn; empty: places in example_map()
+  /// How much a score may change when map and registration are moved together: maps are looked up in grids,
+  /// which do not turn with them [nat].
+  double rigid_tolerance_nat = 0.5;
+};
+
+/// What every scorer promises (hypothesis_scorer.hpp): finite scores with a named breakdown, whether the
+/// hypothesis is right, wrong or far outside the map, and whether the observation is rich or empty; the same
+/// arguments give the same score; map and registration moved together give that score too.
+/// @return violations, one sentence each; empty for a good citizen.
+OPAL_EXPORT std::vector<std::string> scorer_violations(const HypothesisScorer& scorer, const TypeInfo& type,
+                                                       const ScorerTrial& trial = {});
+
+}  // namespace opal::testing

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <opal/common/export.hpp>
+#include <opal/sensing/scan.hpp>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace opal {
+
+struct OdometryRecord {
+  double stamp_s = 0;
+  Pose2 T_odom_base;
+};
+/// A static transform that the log itself states, e.g. from tf_static.
+struct MountRecord {
+  std::string parent;
+  std::string child;
+  Pose2 T_parent_child;
+};
+using LogRecord = std::variant<OdometryRecord, RawScan, MountRecord>;
+
+/// Walks one recorded log in file order.
+class OPAL_EXPORT LogReader {
+ public:
+  virtual ~LogReader();
+  /// @return the next readable record, or nullopt at the end. Damaged records are skipped and counted.
+  virtual std::optional<LogRecord> next() = 0;
+  /// What was skipped, by cause ("malformed line", "truncated last line"); empty for a clean log.
+  virtual std::map<std::string, int> defects() const = 0;
+  /// Share of the file already walked, in [0, 1]; for progress bars.
+  virtual double progress() const = 0;
+};
+
+/// Opens one format of recorded logs.
+class OPAL_EXPORT LogSource {
+ public:
+  virtual ~LogSource();
+  /// True if the file looks like this format (by name and first bytes); must not throw.
+  virtual bool recognizes(const std::string& path) const = 0;
+  /// @throws LogError if the file cannot be opened or is no such log.
+  virtual std::unique_ptr<LogReader> open(const std::string& path) const = 0;
+};
+
+}  // namespace opal

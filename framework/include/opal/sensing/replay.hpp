@@ -1,0 +1,70 @@
+#pragma once
+
+#include <opal/sensing/log_source.hpp>
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// What the localizer takes: one scan with the odometry at its stamp.
+struct Sample {
+  Scan scan;          ///< in the sensor frame
+  Pose2 T_odom_base;  ///< free of the jumps of the recorded odometry if ReplayOptions::bridge_jumps
+};
+
+struct ReplayOptions {
+  double from_s = -std::numeric_limits<double>::infinity();  ///< records outside [from_s, to_s] are not looked at
+  double to_s = std::numeric_limits<double>::infinity();
+  double gap_s = 2.0;              ///< records farther apart than this are counted as a gap
+  double odometry_wait_s = 1.0;    ///< a scan takes odometry that is at most this much older or newer, if it is
+                                   ///< not between two odometry records of the log
+  double clock_reset_s = 1.0;      ///< a stamp that steps back by more than this starts a new timeline
+  double max_speed_mps = 3.0;      ///< odometry that moves farther than this speed makes plausible,
+  double max_turn_radps = 6.0;     ///< or turns more,
+  double jump_m = 1.0;             ///< by more than this, has jumped. Lost records and coarse stamps look like jumps:
+  double jump_rad = 1.5;           ///< in the csail and belgioioso logs true motion exceeds the speeds by 0.4 m, 0.6 rad
+  bool bridge_jumps = true;        ///< a jump is taken for a new odometry frame in which the robot stands still
+};
+
+/// Turns the records of a log into samples, by increasing stamp within a timeline. Nothing in a log makes it fail:
+/// what was odd is counted, and the next good record goes on.
+class OPAL_EXPORT Replay {
+ public:
+  Replay(std::unique_ptr<LogReader> reader, const LaserModel& laser, const ReplayOptions& options = {});
+  /// Plays records that were read before, e.g. many windows of one log. They must outlive the replay.
+  Replay(std::span<const LogRecord> records, const LaserModel& laser, const ReplayOptions& options = {});
+  ~Replay();
+  Replay(Replay&&) noexcept;
+  Replay& operator=(Replay&&) noexcept;
+
+  /// @return the next sample, or nullopt at the end. A scan waits until the odometry has passed it.
+  std::optional<Sample> next();
+
+  /// How often something odd was met so far, by cause, the reader's own defects included: "clock reset",
+  /// "odometry stamp steps back", "scan stamp steps back", "repeated odometry stamp", "repeated scan stamp", "gap",
+  /// "odometry jump", "scan without odometry" (left out), "scan without a valid beam" (passed on).
+  std::map<std::string, int> counts() const;
+  /// Share of the log already walked, in [0, 1].
+  double progress() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// All remaining samples.
+OPAL_EXPORT std::vector<Sample> read_all(Replay& replay);
+/// All remaining records, in file order.
+OPAL_EXPORT std::vector<LogRecord> read_all(LogReader& reader);
+
+/// `laser` with the beam geometry of the first scan that states one, and with the mount of that scan's laser; unchanged
+/// unless `laser.geometry_from_log`, and as far as the log states neither.
+OPAL_EXPORT LaserModel with_log_geometry(const LaserModel& laser, std::span<const LogRecord> records);
+
+}  // namespace opal

@@ -1,0 +1,49 @@
+#include "ipc/loopback/loopback_http.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <random>
+
+namespace opal {
+namespace {
+
+/// The library's own choice, SO_REUSEPORT, would let two programs share one port.
+void reuse_address_only(socket_t socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+}  // namespace
+
+int bind_to_loopback(httplib::Server& server, int port, const std::string& advice) {
+  server.set_socket_options(reuse_address_only);
+  if (port == 0)
+    port = server.bind_to_any_port(kLoopback);
+  else if (!server.bind_to_port(kLoopback, port))
+    throw Error(std::string(kLoopback) + ":" + std::to_string(port) +
+                ": cannot be listened on, most likely another program does; " + advice);
+  if (port < 0) throw Error(std::string(kLoopback) + ": no port is free");
+  return port;
+}
+
+bool is_from_here(const httplib::Request& request, int port) {
+  if (request.get_header_value_count("Host") != 1) return false;
+  const std::string host = request.get_header_value("Host"), suffix = ":" + std::to_string(port);
+  for (const char* name : {kLoopback, "localhost", "[::1]"}) {
+    if (host != name + suffix) continue;
+    return !request.has_header("Origin") || request.get_header_value("Origin") == "http://" + host;
+  }
+  return false;
+}
+
+std::string run_token() {
+  std::random_device device;
+  return std::to_string(device()) + "-" + std::to_string(device());
+}
+
+void answer(httplib::Response& response, int status, const std::string& sentence) {
+  response.status = status;
+  response.set_content(sentence + "\n", "text/plain; charset=utf-8");
+}
+
+}  // namespace opal

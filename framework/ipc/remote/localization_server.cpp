@@ -1,0 +1,135 @@
+#include "ipc/remote/localization_server.hpp"
+
+#include "ipc/loopback/loopback_http.hpp"
+#include "ipc/remote/localization_drives.hpp"
+#include "ipc/remote/localization_messages.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
+
+#include <thread>
+
+namespace opal::remote {
+namespace {
+
+using namespace std::chrono_literals;
+using httplib::Request;
+using httplib::Response;
+using nlohmann::json;
+using Verdict = httplib::Server::HandlerResponse;
+
+constexpr const char* kJson = "application/json";
+constexpr auto kPatience = 2s;  ///< with a peer that does not go on
+
+json parsed(const Request& request) {
+  JsonLimits limits;
+  limits.bytes = kMostBytes;
+  limits.depth = 8;
+  return parse_json(request.body, request.path, limits);
+}
+
+}  // namespace
+
+struct LocalizationServer::Implementation {
+  Implementation(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make)
+      : map_message(
+            json{{"protocol", kProtocol}, {"sensor", std::move(sensor)}, {"map", map->to_json_ld()}}.dump()),
+        drives(std::move(make)) {}
+
+  void configure();
+  Verdict refuse_strangers(const Request& request, Response& response) const;
+  void answer_scan(const Request& request, Response& response);
+  void answer_trouble(Response& response, const std::exception_ptr& trouble) const;
+
+  const std::string map_message;
+  LocalizationDrives drives;
+  int port = 0;
+  httplib::Server server;
+  std::thread thread;
+};
+
+void LocalizationServer::Implementation::configure() {
+  constexpr int kThreads = 16;  // a peer that is silent holds one for as long as kPatience
+  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+  server.set_payload_max_length(kMostBytes);
+  server.set_read_timeout(kPatience);
+  server.set_write_timeout(kPatience);
+  server.set_keep_alive_timeout(5);
+  server.set_keep_alive_max_count(1'000'000);
+  server.set_tcp_nodelay(true);
+  server.set_pre_routing_handler(
+      [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
+  server.set_exception_handler([this](const Request&, Response& response, std::exception_ptr trouble) {
+    answer_trouble(response, trouble);
+  });
+  server.Get("/v1/map",
+             [this](const Request&, Response& response) { response.set_content(map_message, kJson); });
+  server.Post("/v1/begin", [this](const Request& request, Response& response) {
+    response.set_content(json{{"session", drives.begin(laser_from(parsed(request)))}}.dump(), kJson);
+  });
+  server.Post("/v1/scans",
+              [this](const Request& request, Response& response) { answer_scan(request, response); });
+}
+
+void LocalizationServer::Implementation::answer_scan(const Request& request, Response& response) {
+  const auto said = drives.take(scan_from(parsed(request)));
+  if (said) return response.set_content(to_json(*said).dump(), kJson);
+  response.set_header("Opal-Run", drives.run());
+  answer(response, 409, "scan: /session: it is not the drive that was begun last, expected a begin first");
+}
+
+/// A page of some web site can send plain text here without asking; JSON it cannot.
+Verdict LocalizationServer::Implementation::refuse_strangers(const Request& request,
+                                                             Response& response) const {
+  if (!is_from_here(request, port)) {
+    answer(response, 403,
+           "This server answers to " + std::string(kLoopback) + ":" + std::to_string(port) + " only.");
+    return Verdict::Handled;
+  }
+  if (!request.path.starts_with("/v1/")) {
+    answer(response, 404,
+           request.path.substr(0, 80) +
+               ": unknown, this program speaks version 1: /v1/map, /v1/begin, /v1/scans");
+    return Verdict::Handled;
+  }
+  if (request.method == "POST" && request.get_header_value("Content-Type") != kJson) {
+    answer(response, 415,
+           std::string("Content-Type: '") + request.get_header_value("Content-Type").substr(0, 80) +
+               "', expected " + kJson);
+    return Verdict::Handled;
+  }
+  return Verdict::Unhandled;
+}
+
+void LocalizationServer::Implementation::answer_trouble(Response& response,
+                                                        const std::exception_ptr& trouble) const {
+  try {
+    std::rethrow_exception(trouble);
+  } catch (const Error& error) {
+    answer(response, 400, error.what());
+  } catch (const std::exception& error) {
+    answer(response, 500, error.what());
+  }
+}
+
+LocalizationServer::LocalizationServer(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make,
+                                       int port)
+    : implementation_(std::make_unique<Implementation>(std::move(map), std::move(sensor), std::move(make))) {
+  implementation_->configure();
+  implementation_->port = bind_to_loopback(implementation_->server, port, "choose another port with --port");
+  implementation_->thread = std::thread([this] { implementation_->server.listen_after_bind(); });
+  while (!implementation_->server.is_running())
+    std::this_thread::sleep_for(1ms);  // until then it would not hear `stop`
+}
+
+LocalizationServer::~LocalizationServer() {
+  implementation_->server.stop();
+  implementation_->thread.join();
+}
+
+int LocalizationServer::port() const { return implementation_->port; }
+std::string LocalizationServer::address() const {
+  return std::string(kLoopback) + ":" + std::to_string(port());
+}
+
+}  // namespace opal::remote

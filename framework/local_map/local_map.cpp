@@ -1,0 +1,241 @@
+#include <opal/local_map/local_map.hpp>
+
+#include "local_map/local_map_association.hpp"
+#include "local_map/local_map_graph.hpp"
+#include "local_map/local_map_horizon.hpp"
+#include "local_map/local_map_merging.hpp"
+#include "local_map/local_map_odometry.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace opal {
+namespace {
+
+constexpr double kShortestSegment_m = 1e-3;
+
+// A pose farther out than this is damage, not driving; it would also spoil the arithmetic.
+constexpr double kFarthest_m = 1e7;
+
+bool is_usable(const Pose2& pose) {
+  return pose.position().cwiseAbs().maxCoeff() < kFarthest_m && pose.position().allFinite() &&
+         std::isfinite(pose.heading_rad());
+}
+
+struct IsUsable {
+  bool operator()(const Point& p) const { return p.allFinite(); }
+  bool operator()(const OrientedPoint& p) const {
+    return p.position.allFinite() && std::isfinite(p.heading_rad) && std::isfinite(p.opening_rad);
+  }
+  bool operator()(const Segment& s) const {
+    return s.begin.allFinite() && s.end.allFinite() && s.length_m() > kShortestSegment_m;
+  }
+  bool operator()(const Circle& c) const { return c.center.allFinite() && std::isfinite(c.radius_m); }
+};
+
+bool is_usable(const Feature& feature) {
+  return feature.covariance.allFinite() && std::isfinite(feature.support_m) &&
+         std::visit(IsUsable{}, feature.geometry);
+}
+
+/// The feature with a covariance that is one: symmetric, without negative variances.
+Feature with_sound_covariance(Feature feature) {
+  Eigen::Matrix3d& c = feature.covariance;
+  c = (0.5 * (c + c.transpose())).eval();
+  const Eigen::Matrix3d padded = c + 1e-9 * Eigen::Matrix3d::Identity();
+  if (padded.llt().info() != Eigen::Success) c = c.diagonal().cwiseAbs().eval().asDiagonal();
+  return feature;
+}
+
+std::vector<Point> points_in_base(const Scan& scan, const Pose2& T_base_laser) {
+  std::vector<Point> points;
+  points.reserve(scan.points.size());
+  for (const ScanPoint& point : scan.points)
+    if (point.position.allFinite()) points.push_back(T_base_laser * point.position);
+  return points;
+}
+
+}  // namespace
+
+struct LocalMap::State {
+  LocalMapOptions options;
+  std::shared_ptr<const ScanMatcher> matcher;
+  std::vector<LocalFeature> features;
+  std::deque<Keyframe> keyframes;
+  std::vector<RelativePose> motions;  ///< motions[i].to is a keyframe, increasing
+  std::vector<int> associations;
+  ScanMatch last_match;
+  Pose2 T_local_base;
+  std::optional<Pose2> T_odom_base;  ///< last usable reading
+  int next_feature_id = 0;
+  int next_keyframe_id = 0;
+  int not_optimized = 0;
+
+  Pose2 predict(const Pose2& T_odom_now) const;
+  Pose2 improve(const Pose2& predicted, const std::vector<Point>& points);
+  void append_keyframe(Keyframe keyframe, bool superseding);
+  RelativePose motion_to_newest(const Keyframe& from) const;
+  void take_in(const std::vector<Feature>& detected, const Pose2& T_base_laser);
+  void measure(int index, const Feature& in_base, int& id);
+  void estimate_newly_seen();
+  void forget_old(bool superseded);
+  void optimize();
+};
+
+/// Algorithm 1, line 1. Before the first reading there is nothing to compare with.
+Pose2 LocalMap::State::predict(const Pose2& T_odom_now) const {
+  if (!T_odom_base || !is_usable(T_odom_now)) return T_local_base;
+  return T_local_base * (T_odom_base->inverse() * T_odom_now);
+}
+
+/// The predicted pose laid over the points seen lately, as far as they tell (thesis A.1.2).
+Pose2 LocalMap::State::improve(const Pose2& predicted, const std::vector<Point>& points) {
+  last_match = {};
+  last_match.T_reference_scan = predicted;
+  if (!matcher || keyframes.empty() || points.empty()) return predicted;
+  const std::vector<Point> reference = points_around(predicted.position(), keyframes);
+  const Eigen::Vector3d sigma = odometry_sigma(T_local_base.inverse() * predicted, options);
+  last_match = matcher->match(reference, points, predicted, sigma);
+  last_match.converged = last_match.converged && is_usable(last_match.T_reference_scan);
+  return last_match.converged ? last_match.T_reference_scan : predicted;
+}
+
+/// The newest keyframe's way is measured from the one that stays before it.
+void LocalMap::State::append_keyframe(Keyframe keyframe, bool superseding) {
+  keyframe.id = next_keyframe_id++;
+  keyframe.T_odom_base = T_odom_base.value_or(Pose2());
+  T_local_base = keyframe.T_local_base;
+  keyframes.push_back(std::move(keyframe));
+  const std::size_t back = superseding ? 3 : 2;
+  if (keyframes.size() < back) return;
+  const Keyframe& before = keyframes[keyframes.size() - back];
+  keyframes.back().driven_m =
+      before.driven_m + driven_between_m(before.T_local_base, T_local_base, options);
+  if (superseding) motions.pop_back();
+  motions.push_back(motion_to_newest(before));
+}
+
+RelativePose LocalMap::State::motion_to_newest(const Keyframe& from) const {
+  const Keyframe& to = keyframes.back();
+  RelativePose motion{from.id, to.id, from.T_local_base.inverse() * to.T_local_base, {}};
+  if (last_match.converged) {
+    Eigen::Matrix3d to_frame = Eigen::Matrix3d::Identity();  // the match's covariance is in axes of `local`
+    const Pose2 T_from_local = from.T_local_base.inverse();
+    to_frame.col(0).head<2>() = T_from_local.rotate(Point::UnitX());
+    to_frame.col(1).head<2>() = T_from_local.rotate(Point::UnitY());
+    motion.covariance = to_frame * last_match.covariance * to_frame.transpose();
+  } else {
+    motion.covariance = odometry_sigma(motion.T_from_to, options).cwiseAbs2().asDiagonal();
+  }
+  return motion;
+}
+
+/// Algorithm 1, lines 3 to 21: each detection joins a local feature or begins one.
+void LocalMap::State::take_in(const std::vector<Feature>& detected, const Pose2& T_base_laser) {
+  associations.assign(detected.size(), -1);
+  std::vector<std::size_t> usable;
+  std::vector<Feature> in_base, in_local;
+  for (std::size_t i = 0; i < detected.size(); ++i) {
+    if (!is_usable(detected[i])) continue;
+    usable.push_back(i);
+    in_base.push_back(with_sound_covariance(transformed(T_base_laser, detected[i])));
+    in_local.push_back(transformed(T_local_base, in_base.back()));
+  }
+  const std::vector<int> partners = associate(in_local, features, options);
+  for (std::size_t k = 0; k < usable.size(); ++k) measure(partners[k], in_base[k], associations[usable[k]]);
+  estimate_newly_seen();
+  merge_pieces(features, associations, keyframes, options);
+}
+
+void LocalMap::State::measure(int index, const Feature& in_base, int& id) {
+  if (index < 0) {
+    index = static_cast<int>(features.size());
+    features.emplace_back().id = next_feature_id++;
+  }
+  LocalFeature& local = features[static_cast<std::size_t>(index)];
+  local.measurements.push_back({keyframes.back().id, in_base});
+  id = local.id;
+}
+
+void LocalMap::State::estimate_newly_seen() {
+  for (LocalFeature& local : features)
+    if (local.measurements.back().keyframe == keyframes.back().id) refresh(local, keyframes, options);
+}
+
+void LocalMap::State::forget_old(bool superseded) {
+  forget(keyframes, features, superseded, options);
+  const int oldest = keyframes.front().id;
+  std::erase_if(motions, [&](const RelativePose& motion) { return motion.from < oldest; });
+}
+
+void LocalMap::State::optimize() {
+  if (options.optimize_every <= 0 || ++not_optimized < options.optimize_every) return;
+  not_optimized = 0;
+  if (!optimize_poses(keyframes, features, motions, options)) return;
+  T_local_base = keyframes.back().T_local_base;
+  for (LocalFeature& local : features) refresh(local, keyframes, options);
+}
+
+LocalMap::LocalMap(LocalMapOptions options, std::shared_ptr<const ScanMatcher> matcher)
+    : state_(std::make_unique<State>()) {
+  state_->options = options;
+  state_->matcher = std::move(matcher);
+}
+LocalMap::~LocalMap() = default;
+LocalMap::LocalMap(LocalMap&&) noexcept = default;
+LocalMap& LocalMap::operator=(LocalMap&&) noexcept = default;
+
+void LocalMap::add(const Scan& scan, const std::vector<Feature>& features, const Pose2& T_odom_base,
+                   const Pose2& T_base_laser) {
+  State& s = *state_;
+  const bool superseding = !newest_is_distinct(s.keyframes, s.options);
+  Keyframe keyframe;
+  keyframe.stamp_s = scan.stamp_s;
+  keyframe.points = points_in_base(scan, T_base_laser);
+  keyframe.T_local_base = s.improve(s.predict(T_odom_base), keyframe.points);
+  if (is_usable(T_odom_base)) s.T_odom_base = T_odom_base;
+  s.append_keyframe(std::move(keyframe), superseding);
+  s.take_in(features, T_base_laser);
+  s.forget_old(superseding);
+  s.optimize();
+}
+
+void LocalMap::clear() {
+  State fresh;
+  fresh.options = state_->options;
+  fresh.matcher = state_->matcher;
+  fresh.next_feature_id = state_->next_feature_id;
+  fresh.next_keyframe_id = state_->next_keyframe_id;
+  *state_ = std::move(fresh);
+}
+
+void LocalMap::keep_only(const std::vector<int>& ids) {
+  std::erase_if(state_->features, [&](const LocalFeature& local) {
+    return std::find(ids.begin(), ids.end(), local.id) == ids.end();
+  });
+}
+
+const std::vector<LocalFeature>& LocalMap::features() const { return state_->features; }
+const std::deque<Keyframe>& LocalMap::keyframes() const { return state_->keyframes; }
+const Pose2& LocalMap::T_local_base() const { return state_->T_local_base; }
+Pose2 LocalMap::T_local_base_at(const Pose2& T_odom_base) const { return state_->predict(T_odom_base); }
+const std::vector<int>& LocalMap::last_associations() const { return state_->associations; }
+const ScanMatch& LocalMap::last_match() const { return state_->last_match; }
+
+std::vector<int> LocalMap::patches(const std::vector<Point>& points) const {
+  constexpr double kSide_m = 1;
+  constexpr int kBits = 15, kMask = (1 << kBits) - 1;  // they come again after 33 km
+  const auto step = [](double at_m) { return static_cast<int>(std::floor(at_m / kSide_m)) & kMask; };
+  std::vector<int> patches;
+  patches.reserve(points.size());
+  for (const Point& point : points) {
+    const Point placed = T_local_base() * point;
+    patches.push_back(step(placed.x()) << kBits | step(placed.y()));
+  }
+  return patches;
+}
+
+}  // namespace opal

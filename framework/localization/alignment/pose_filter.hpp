@@ -1,0 +1,38 @@
+#pragma once
+
+#include "localization/alignment/registration.hpp"
+
+#include <Eigen/Core>
+
+namespace opal {
+
+struct PoseFilterOptions {
+  double memory = 0.9;  ///< share of what is known that is kept per whole piece of evidence; 0: each scan stands alone
+  double jump_m = 0.2;  ///< scale of the robust weight of what is known: an alignment further from where dead reckoning
+                        ///< predicts it means that dead reckoning failed, and what was known with it
+};
+
+/// What the scans of the last metres say together about a pose: an information filter on (x, y, heading) of `base_link`
+/// in frame `map` (Thrun, Burgard and Fox 2005, 3.5) that forgets exponentially. One scan may lie on a wall that is not
+/// where the map says, or slide along the only wall in view: it moves the pose no further than it knows better.
+class OPAL_EXPORT PoseFilter {
+ public:
+  /// @param predicted     T_map_base by dead reckoning from the pose of the update before.
+  /// @param scan          the newest scan, aligned with the map from there.
+  /// @param novelty       how much of a new piece of evidence it is, in (0, 1].
+  /// @param T_local_base  where the robot is in a frame in which dead reckoning has it drive.
+  /// @return T_map_base by all of them; the scan's own, as long as nothing is known.
+  Pose2 update(const Pose2& predicted, const Alignment& scan, double novelty, const Pose2& T_local_base,
+               const PoseFilterOptions& options);
+
+  /// Nothing is known any more.
+  void reset() { known_.setZero(); }
+
+ private:
+  Eigen::Matrix3d known_here(const Pose2& predicted, const Pose2& T_local_base) const;
+
+  Eigen::Matrix3d known_ = Eigen::Matrix3d::Zero();  ///< information about the pose of the newest update
+  Pose2 T_local_base_;                               ///< then
+};
+
+}  // namespace opal

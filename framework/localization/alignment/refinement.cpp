@@ -1,0 +1,98 @@
+#include "localization/alignment/registration.hpp"
+
+#include "localization/alignment/pose_step.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+/// Normal equations of one Gauss-Newton step in (x, y, heading) about the current pose.
+struct NormalEquations {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+
+  void add(const Point& normal, const Point& lever, double error, double weight) {
+    const Eigen::Vector3d J(normal.x(), normal.y(), cross(lever, normal));
+    H += weight * J * J.transpose();
+    g += weight * error * J;
+  }
+};
+
+/// Signed distance to a surface, and its normal there.
+struct Residual {
+  double error = 0;
+  Point normal = Point::Zero();
+  bool valid = false;
+};
+
+Residual residual_to(const Surface& surface, const Point& p) {
+  const Point from = p - surface.origin;
+  if (surface.is_circle()) {
+    const double distance = from.norm();
+    if (distance < 1e-6) return {};
+    return {distance - surface.size_m, from / distance, true};
+  }
+  constexpr double kOverhang_m = 0.2;
+  const double along = surface.direction.dot(from);
+  return {surface.normal().dot(from), surface.normal(),
+          along > -kOverhang_m && along < surface.size_m + kOverhang_m};
+}
+
+NormalEquations linearize(const MapView& map, std::span<const Point> points, const Point& laser,
+                          const Pose2& pose, double sigma_m) {
+  NormalEquations equations;
+  const Point eye = pose * laser;
+  for (const Point& point : points) {
+    const Point lever = pose.rotate(point), p = pose.position() + lever;
+    const int number = map.nearest_facing(p, p - eye);
+    if (number < 0) continue;
+    const Residual residual = residual_to(map.surface(number), p);
+    if (residual.valid)
+      equations.add(residual.normal, lever, residual.error, robust_weight(residual.error, sigma_m));
+  }
+  return equations;
+}
+
+}  // namespace
+
+Alignment align_with_map(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& guess,
+                         const RefinementOptions& options) {
+  Alignment aligned{guess};
+  Pose2& pose = aligned.T_map_base;
+  const double n = static_cast<double>(points.size());
+  const Eigen::Vector3d prior(options.prior_position * n, options.prior_position * n, options.prior_heading * n);
+  aligned.by_guess = prior.asDiagonal();
+  for (int iteration = 0; iteration < options.iterations; ++iteration) {
+    // The first step looks twice as far, so that a poor guess is not stuck.
+    const double sigma = iteration == 0 ? 2 * options.sigma_m : options.sigma_m;
+    NormalEquations equations = linearize(map, points, laser, pose, sigma);
+    aligned.by_points = equations.H;
+    equations.H.diagonal() += prior + Eigen::Vector3d(1e-3, 1e-3, 1e-2);
+    equations.g += prior.cwiseProduct(step_between(guess, pose));
+    Eigen::Vector3d step = -equations.H.ldlt().solve(equations.g);
+    constexpr double kLongest_m = 0.4, kWidest_rad = 0.15;
+    const double length = step.head<2>().norm();
+    if (!std::isfinite(length)) break;
+    if (length > kLongest_m) step.head<2>() *= kLongest_m / length;
+    step.z() = std::clamp(step.z(), -kWidest_rad, kWidest_rad);
+    pose = stepped(pose, step);
+    if (length < 0.003 && std::abs(step.z()) < 0.0007) break;
+  }
+  return aligned;
+}
+
+Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& guess,
+                    const RefinementOptions& options) {
+  return align_with_map(map, points, laser, guess, options).T_map_base;
+}
+
+double mean_nearness(const MapView& map, std::span<const Point> points, const Pose2& T_map_base) {
+  float sum = 0;
+  for (const Point& point : points) sum += map.nearness(T_map_base * point);
+  return points.empty() ? 0 : sum / static_cast<double>(points.size());
+}
+
+}  // namespace opal

@@ -1,0 +1,160 @@
+#include "localization/decision/status.hpp"
+
+#include <opal/common/sentence.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace opal {
+namespace {
+
+constexpr double kSamePlace_m = 0.7, kSamePlace_rad = 0.2;
+constexpr double kRivalProbability = 0.01;
+
+bool same_place(const Pose2& a, const Pose2& b) {
+  return distance_m(a, b) < kSamePlace_m && angle_between_rad(a, b) < kSamePlace_rad;
+}
+
+}  // namespace
+
+const char* name_of(Status status) {
+  switch (status) {
+    case Status::searching: return "searching";
+    case Status::ambiguous: return "ambiguous";
+    case Status::localized: return "localized";
+    case Status::lost: return "lost";
+  }
+  return "";
+}
+
+void StatusEstimator::reset() {
+  last_ = {};
+  belief_ = {};
+  sure_ = 0;
+  none_nat_ = options_.none_nat;
+  was_localized_ = false;
+  mean_scan_nat_ = 0;
+}
+
+void StatusEstimator::believe(const std::vector<Live>& alive) {
+  double top = none_nat_;
+  for (const Live& live : alive) top = std::max(top, live.hypothesis.log_likelihood);
+  double total = std::exp(none_nat_ - top);
+  for (const Live& live : alive) total += std::exp(live.hypothesis.log_likelihood - top);
+  belief_.none = std::exp(none_nat_ - top) / total;
+  belief_.hypotheses.clear();
+  for (const Live& live : alive) belief_.hypotheses.push_back(std::exp(live.hypothesis.log_likelihood - top) / total);
+}
+
+void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base,
+                            PoseEstimate& estimate) const {
+  for (std::size_t k = 0; k < alive.size(); ++k) {
+    const Live& live = alive[k];
+    const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
+    const double probability = belief_.hypotheses[k];
+    if (same_place(pose, estimate.T_map_base)) {
+      estimate.probability += probability;
+      continue;
+    }
+    const auto rival = std::find_if(estimate.rivals.begin(), estimate.rivals.end(),
+                                    [&](const auto& r) { return same_place(r.T_map_base, pose); });
+    if (rival != estimate.rivals.end())
+      rival->probability += probability;
+    else if (probability > kRivalProbability)
+      estimate.rivals.push_back({live.hypothesis.id, pose, probability});
+  }
+}
+
+double StatusEstimator::novelty_asked(double unmapped_walls_m) const {
+  const double beyond_m = std::max(0.0, unmapped_walls_m - options_.localized_unmapped_m);
+  const double asked = options_.localized_novelty + options_.localized_novelty_per_m * beyond_m;
+  return std::max(options_.localized_novelty, std::min(asked, options_.localized_most_novelty));
+}
+
+Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,
+                              const PoseEstimate& estimate, const Circumstances& now) {
+  const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
+  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.novelty : 0;
+  constexpr double kMemory = 0.8;
+  mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
+                        : alive.front().scan_nat;
+  if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
+    return because(Status::lost, sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
+                                          options_.lost_scan_nat));
+  const bool doubt = estimate.probability * (1 - now.carried) <= options_.localized_probability;
+  if (was_localized_ && same && doubt && sure_ > 0)
+    return because(Status::lost,
+                   sentence("the newest scans do not fit here: carried away with probability %.3f, not below %.3f",
+                            now.carried, 1 - options_.localized_probability));
+  const double asked = novelty_asked(now.unmapped_walls_m);
+  const Status status = sure_ >= asked && !doubt   ? Status::localized
+                        : estimate.rivals.empty() ? Status::searching
+                                                  : Status::ambiguous;
+  if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
+  if (same || estimate.probability <= options_.localized_probability)
+    return because(status, sentence("the probability is %.3f, not above %.3f", estimate.probability,
+                                    options_.localized_probability));
+  return because(status, "the best place has just changed");
+}
+
+Status StatusEstimator::because_held(Status status, double asked, double unmapped_walls_m) {
+  const std::string held = sentence(
+      "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence", sure_, asked);
+  if (asked <= options_.localized_novelty) return because(status, held);
+  return because(status, held + sentence(", so many since %.1f m of straight walls that were seen are not on the map",
+                                         unmapped_walls_m));
+}
+
+Status StatusEstimator::because(Status status, std::string why) {
+  belief_.why = std::move(why);
+  return status;
+}
+
+PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base,
+                                       double stamp_s, const Circumstances& now) {
+  PoseEstimate estimate;
+  estimate.stamp_s = stamp_s;
+  estimate.hypotheses = static_cast<int>(alive.size());
+  none_nat_ = (1 - now.novelty * (1 - options_.memory)) * none_nat_ + now.novelty * options_.none_scan_nat;
+  believe(alive);
+  estimate.none = belief_.none;
+  if (alive.empty()) {
+    sure_ = 0;
+    estimate.status = was_localized_ ? Status::lost : Status::searching;
+    belief_.why = "no hypothesis is left";
+    last_ = estimate;
+    return estimate;
+  }
+  estimate.has_pose = true;
+  estimate.best = alive.front().hypothesis.id;
+  estimate.T_map_base = alive.front().hypothesis.T_map_local * T_local_base;
+  weigh(alive, T_local_base, estimate);
+  estimate.status = judge(alive, T_local_base, estimate, now);
+  reckon_with(now.carried, estimate);
+  was_localized_ = was_localized_ || estimate.status == Status::localized;
+  T_map_local_ = alive.front().hypothesis.T_map_local;
+  last_ = estimate;
+  return estimate;
+}
+
+/// All of them are wrong, too, if the robot was carried away.
+void StatusEstimator::reckon_with(double carried, PoseEstimate& estimate) {
+  for (double& probability : belief_.hypotheses) probability *= 1 - carried;
+  belief_.none = carried + (1 - carried) * belief_.none;
+  estimate.none = belief_.none;
+  estimate.probability *= 1 - carried;
+  for (auto& rival : estimate.rivals) rival.probability *= 1 - carried;
+}
+
+PoseEstimate StatusEstimator::at(double stamp_s, const Pose2& T_local_base) const {
+  PoseEstimate estimate = last_;
+  estimate.stamp_s = stamp_s;
+  if (!last_.has_pose) return estimate;
+  const Pose2 move = T_map_local_ * T_local_base * last_.T_map_base.inverse();
+  estimate.T_map_base = T_map_local_ * T_local_base;
+  for (auto& rival : estimate.rivals) rival.T_map_base = move * rival.T_map_base;
+  return estimate;
+}
+
+}  // namespace opal

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "localization/tree/hypothesis_set.hpp"
+
+#include <opal/localization/decision/pose_estimate.hpp>
+
+#include <algorithm>
+
+namespace opal {
+
+/// What the newest scan tells beside the hypotheses' evidence.
+struct Circumstances {
+  double novelty = 1;          ///< how much of a new piece of evidence the scan was, in (0, 1]
+  double carried = 0;          ///< probability that the robot has been carried away from all hypotheses
+  double unmapped_walls_m = 0; ///< straight walls around the robot that the best hypothesis does not find on the map
+};
+
+/// Turns hypotheses into one answer with a status.
+class StatusEstimator {
+ public:
+  explicit StatusEstimator(const AssociationOptions& options) : options_(options), none_nat_(options.none_nat) {}
+
+  /// @param alive         best first.
+  /// @param T_local_base  newest pose in the local frame.
+  PoseEstimate estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s,
+                        const Circumstances& now);
+  /// The newest estimate, carried on to another pose in the local frame.
+  PoseEstimate at(double stamp_s, const Pose2& T_local_base) const;
+
+  /// Probabilities behind the newest estimate.
+  struct Belief {
+    std::vector<double> hypotheses;  ///< in the order of `alive`
+    double none = 1;                 ///< that it is none of these
+    std::string why;                 ///< the status is what it is, in words
+  };
+  const Belief& belief() const { return belief_; }
+
+  /// Takes this much off what "none of these" has gathered: hypotheses begin anew.
+  void settle(double nat) { none_nat_ = std::max(none_nat_ - nat, options_.carried_nat); }
+
+  double probability() const { return last_.probability; }  ///< of the best place
+  bool localized() const { return last_.status == Status::localized; }
+  /// The best place has the probability that `localized` asks for, if not for long enough yet.
+  bool believed() const { return localized() || sure_ > 0; }
+  void reset();
+
+ private:
+  void believe(const std::vector<Live>& alive);
+  void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const;
+  Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
+               const Circumstances& now);
+  /// @return for how many pieces of new evidence the required probability has to hold.
+  double novelty_asked(double unmapped_walls_m) const;
+  void reckon_with(double carried, PoseEstimate& estimate);
+  /// The status is what it is since the required probability has held for so long, and no longer.
+  Status because_held(Status status, double asked, double unmapped_walls_m);
+  Status because(Status status, std::string why);
+
+  AssociationOptions options_;
+  PoseEstimate last_;
+  Belief belief_;
+  Pose2 T_map_local_;
+  double none_nat_ = 0;      ///< log weight of "none of these"
+  double sure_ = 0;          ///< novelty since the required probability holds at one place
+  bool was_localized_ = false;
+  double mean_scan_nat_ = 0; ///< of the best hypothesis, over the newest scans
+};
+
+}  // namespace opal

@@ -1,0 +1,265 @@
+#include "localization/events/run_journal.hpp"
+
+#include "localization/scoring/observation.hpp"
+
+#include "common/event_json.hpp"
+#include <opal/sensing/free_space.hpp>
+#include "localization/alignment/registration.hpp"
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+constexpr double kScanSpacing_m = 0.03;
+constexpr std::size_t kMostScanPoints = 400;
+
+/// A local feature is written again when it has moved or turned by this.
+constexpr double kMoved_m = 0.01, kTurned_rad = 0.005;
+
+bool has_moved(const Geometry& now, const Geometry& before) {
+  const auto* a = std::get_if<Segment>(&now);
+  const auto* b = std::get_if<Segment>(&before);
+  if (a && b) return (a->begin - b->begin).norm() > kMoved_m || (a->end - b->end).norm() > kMoved_m;
+  const Mismatch off = mismatch(now, before);
+  return off.position_m > kMoved_m || off.heading_rad > kTurned_rad;
+}
+
+double milliseconds(double seconds) { return std::round(1e6 * seconds) / 1e3; }
+
+}  // namespace
+
+RunJournal::Json RunJournal::event(const char* kind) const {
+  return {{"event", kind}, {"stamp_s", stamp_s_}, {"keyframe", keyframe_}};
+}
+
+Pose2 RunJournal::T_map_base(const Live& live) const {
+  return live.hypothesis.T_map_local * observation_->local_map.T_local_base();
+}
+
+void RunJournal::reset() {
+  written_.clear();
+  reported_.reset();
+}
+
+// ---------------------------------------------------------------------------------------------- what is seen
+
+void RunJournal::keyframe(double stamp_s, int keyframe, const Scan& scan, const Pose2& T_base_laser,
+                          const Observation& observation) {
+  stamp_s_ = stamp_s;
+  keyframe_ = keyframe;
+  observation_ = &observation;
+  rejected_ = Json::array();
+  if (!listening()) return;
+  const LocalMap& local_map = observation.local_map;
+  auto e = event("keyframe");
+  e["T_local_base"] = pose_json(local_map.T_local_base());
+  e["points"] = scan.points.size();
+  e["features"] = observation.features.size();
+  e["local_features"] = local_map.features().size();
+  e["scan_match"] = local_map.last_match().converged;
+  e["scan"] = points_json(thinned(scan.points, T_base_laser, kScanSpacing_m, kMostScanPoints).points);
+  e["free_space"] = points_json(free_space_outline(scan, T_base_laser));
+  events_.write(e);
+  local_features(local_map);
+}
+
+void RunJournal::local_features(const LocalMap& local_map) {
+  auto changed = Json::array(), gone = Json::array();
+  std::vector<std::pair<int, std::string>> stable;
+  for (auto& [id, written] : written_) written.alive = false;
+  for (const LocalFeature& local : local_map.features()) {
+    const auto [it, fresh] = written_.try_emplace(local.id);
+    Written& written = it->second;
+    written.alive = true;
+    if (local.stable && !written.stable) stable.emplace_back(local.id, local.feature.type);
+    // Every detection adds a measurement: the count alone is written when it has grown by half.
+    const bool same = !fresh && written.stable == local.stable &&
+                      2 * local.measurements.size() < 3 * written.measurements &&
+                      !has_moved(local.feature.geometry, written.geometry);
+    if (same) continue;
+    written = {local.feature.geometry, local.stable, local.measurements.size(), true};
+    Json json{{"id", local.id},
+              {"type", local.feature.type},
+              {"stable", local.stable},
+              {"measurements", local.measurements.size()}};
+    add_geometry(json, local.feature.geometry);
+    changed.push_back(std::move(json));
+  }
+  std::vector<int> forgotten;
+  for (const auto& [id, written] : written_)
+    if (!written.alive) forgotten.push_back(id);
+  std::sort(forgotten.begin(), forgotten.end());
+  for (int id : forgotten) {
+    gone.push_back(id);
+    written_.erase(id);
+  }
+  if (!changed.empty() || !gone.empty()) {
+    auto e = event("local_features");
+    e["changed"] = std::move(changed);
+    e["gone"] = std::move(gone);
+    events_.write(e);
+  }
+  for (const auto& [id, type] : stable) {
+    auto s = event("stable");
+    s["local_feature"] = id;
+    s["type"] = type;
+    events_.write(s);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------- hypotheses
+
+RunJournal::Json RunJournal::pairs_json(std::span<const Association> pairs) const {
+  auto json = Json::array();
+  for (const Association& pair : pairs)
+    json.push_back({pair.local_feature, pair.map_feature < 0 ? Json(nullptr) : Json(map_->feature(pair.map_feature).id)});
+  return json;
+}
+
+RunJournal::Json RunJournal::scores_json(const Live& live) const {
+  auto json = Json::object();
+  for (std::size_t k = 0; k < live.scores.size(); ++k)
+    for (const Score::Term& term : live.scores[k].breakdown) json[judge_.scorers()[k].name][term.name] = term.value;
+  return json;
+}
+
+RunJournal::Json RunJournal::findings_json(const Live& live) const {
+  auto json = Json::array();
+  for (const auto& [scorer, finding] : judge_.explain(live.hypothesis, *observation_)) {
+    Json one{{"scorer", scorer}, {"words", finding.words}};
+    if (finding.map_feature >= 0) one["map_feature"] = map_->feature(finding.map_feature).id;
+    if (!finding.line.empty()) one["line"] = points_json(finding.line);
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+void RunJournal::born(const Live& live, int parent, int pattern) {
+  if (!listening()) return;
+  auto e = event("born");
+  e["hypothesis"] = live.hypothesis.id;
+  if (parent >= 0) e["parent"] = parent;
+  if (pattern >= 0) e["template"] = seeder_.pattern_name(pattern);
+  e["T_map_base"] = pose_json(T_map_base(live));
+  e["log_likelihood"] = live.hypothesis.log_likelihood;
+  e["pairs"] = pairs_json(live.hypothesis.associations);
+  events_.write(e);
+}
+
+void RunJournal::ended(const Live& live, const Ending& ending) {
+  if (!listening()) return;
+  auto e = event("pruned");
+  e["hypothesis"] = live.hypothesis.id;
+  e["reason"] = ending.reason;
+  const bool merged = ending.merged_into >= 0;
+  if (merged) e["merged_into"] = ending.merged_into;
+  e["T_map_base"] = pose_json(T_map_base(live));
+  e["log_likelihood"] = live.hypothesis.log_likelihood;
+  e["scan_nat"] = live.scan_nat;
+  e["scores"] = scores_json(live);
+  e["findings"] = merged ? Json::array() : findings_json(live);
+  events_.write(e);
+}
+
+void RunJournal::associated(const Live& live, std::span<const Association> pairs) {
+  if (!listening()) return;
+  auto e = event("associated");
+  e["hypothesis"] = live.hypothesis.id;
+  e["pairs"] = pairs_json(pairs);
+  events_.write(e);
+}
+
+void RunJournal::dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) {
+  if (!listening()) return;
+  auto e = event("dissociated");
+  e["hypothesis"] = live.hypothesis.id;
+  e["local_features"] = local_features;
+  e["reason"] = reason;
+  events_.write(e);
+}
+
+void RunJournal::branch_rejected(const Live& parent, const Association& pair, const std::string& reason) {
+  if (!listening()) return;
+  auto e = event("rejected");
+  e["hypothesis"] = parent.hypothesis.id;
+  e["pairs"] = pairs_json(std::span(&pair, 1));
+  e["reason"] = reason;
+  events_.write(e);
+}
+
+void RunJournal::candidate_rejected(const Candidate& candidate, const std::string& reason) {
+  if (!listening()) return;
+  rejected_.push_back({{"template", seeder_.pattern_name(candidate.pattern)},
+                       {"T_map_base", pose_json(candidate.T_map_base)},
+                       {"pairs", pairs_json(candidate.pairs)},
+                       {"nat", candidate.score},
+                       {"reason", reason}});
+}
+
+void RunJournal::searched(std::span<const Seeder::LookedUp> looked_up, std::size_t proposed) {
+  if (!listening()) return;
+  auto e = event("searched");
+  e["patterns"] = Json::array();
+  for (const Seeder::LookedUp& each : looked_up)
+    e["patterns"].push_back({{"template", seeder_.pattern_name(each.pattern)},
+                             {"local_features", each.local_features},
+                             {"candidates", each.expected}});
+  e["proposed"] = proposed;
+  e["rejected"] = std::exchange(rejected_, Json::array());
+  events_.write(e);
+}
+
+// ---------------------------------------------------------------------------------------------- the answer
+
+RunJournal::Json RunJournal::hypothesis_json(const Live& live, double probability) const {
+  return {{"hypothesis", live.hypothesis.id},
+          {"T_map_base", pose_json(T_map_base(live))},
+          {"log_likelihood", live.hypothesis.log_likelihood},
+          {"scan_nat", live.scan_nat},
+          {"probability", probability},
+          {"scores", scores_json(live)}};
+}
+
+void RunJournal::estimate(const PoseEstimate& estimate, const std::vector<Live>& alive,
+                          const StatusEstimator::Belief& belief) {
+  if (!listening()) return;
+  auto e = event("estimate");
+  e["status"] = name_of(estimate.status);
+  e["probability"] = estimate.probability;
+  e["none"] = belief.none;
+  e["why"] = belief.why;
+  if (estimate.has_pose) {
+    e["hypothesis"] = estimate.best;
+    e["T_map_base"] = pose_json(estimate.T_map_base);
+  }
+  auto rows = Json::array();
+  for (std::size_t k = 0; k < alive.size(); ++k) rows.push_back(hypothesis_json(alive[k], belief.hypotheses[k]));
+  e["hypotheses"] = std::move(rows);
+  e["findings"] = alive.empty() ? Json::array() : findings_json(alive.front());
+  events_.write(e);
+  status_change(estimate);
+}
+
+void RunJournal::status_change(const PoseEstimate& estimate) {
+  if (reported_ == estimate.status) return;
+  reported_ = estimate.status;
+  auto e = event("status");
+  e["status"] = name_of(estimate.status);
+  e["probability"] = estimate.probability;
+  e["hypothesis"] = estimate.best;
+  events_.write(e);
+}
+
+void RunJournal::cost(const StageTimes& times, double total_s) {
+  observation_ = nullptr;
+  if (!listening()) return;
+  auto e = event("cost");
+  e["cpu_ms"] = {{"detect", milliseconds(times.detect_s)},       {"local_map", milliseconds(times.local_map_s)},
+                 {"track", milliseconds(times.track_s)},         {"associate", milliseconds(times.associate_s)},
+                 {"verify", milliseconds(times.verify_s)},       {"status", milliseconds(times.status_s)},
+                 {"total", milliseconds(total_s)}};
+  events_.write(e);
+}
+
+}  // namespace opal

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "localization/tree/hypothesis_set.hpp"
+#include "localization/decision/status.hpp"
+
+#include <opal/localization/events/event_stream.hpp>
+
+#include <unordered_map>
+
+namespace opal {
+
+/// Writes the event stream of a localizer (docs/events.md). Where nobody listens, every call returns at once.
+class RunJournal final : public HypothesisListener {
+ public:
+  RunJournal(EventSink& events, std::shared_ptr<const MapView> map, const Judge& judge, const Seeder& seeder)
+      : events_(events), map_(std::move(map)), judge_(judge), seeder_(seeder) {}
+
+  bool listening() const { return events_.listening(); }
+
+  /// Begins an update.
+  /// @param observation  what hypotheses are judged by; must outlive the update.
+  void keyframe(double stamp_s, int keyframe, const Scan& scan, const Pose2& T_base_laser,
+                const Observation& observation);
+  void searched(std::span<const Seeder::LookedUp> looked_up, std::size_t proposed);
+  void estimate(const PoseEstimate& estimate, const std::vector<Live>& alive, const StatusEstimator::Belief& belief);
+  /// Ends an update.
+  void cost(const StageTimes& times, double total_s);
+  /// The localizer was reset.
+  void reset();
+
+  void born(const Live& live, int parent, int pattern) override;
+  void ended(const Live& live, const Ending& ending) override;
+  void associated(const Live& live, std::span<const Association> pairs) override;
+  void dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) override;
+  void branch_rejected(const Live& parent, const Association& pair, const std::string& reason) override;
+  void candidate_rejected(const Candidate& candidate, const std::string& reason) override;
+
+ private:
+  using Json = nlohmann::ordered_json;
+  /// A local feature as it was last written.
+  struct Written {
+    Geometry geometry;
+    bool stable = false;
+    std::size_t measurements = 0;
+    bool alive = true;
+  };
+
+  Json event(const char* kind) const;
+  void local_features(const LocalMap& local_map);
+  void status_change(const PoseEstimate& estimate);
+  Json pairs_json(std::span<const Association> pairs) const;
+  Json scores_json(const Live& live) const;
+  Json findings_json(const Live& live) const;
+  Json hypothesis_json(const Live& live, double probability) const;
+  Pose2 T_map_base(const Live& live) const;
+
+  EventSink& events_;
+  std::shared_ptr<const MapView> map_;
+  const Judge& judge_;
+  const Seeder& seeder_;
+  double stamp_s_ = 0;
+  int keyframe_ = 0;
+  const Observation* observation_ = nullptr;  ///< of the update that is under way
+  std::unordered_map<int, Written> written_;
+  std::optional<Status> reported_;
+  Json rejected_;  ///< candidates of the search that is under way
+};
+
+}  // namespace opal

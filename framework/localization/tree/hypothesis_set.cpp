@@ -1,0 +1,268 @@
+#include "localization/tree/hypothesis_set.hpp"
+
+#include "localization/alignment/registration.hpp"
+#include <opal/common/sentence.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace opal {
+namespace {
+
+/// Siblings that no scan has judged yet are alike but for what they leave unexplained (3.4.5).
+bool better(const Live& a, const Live& b) {
+  if (a.hypothesis.log_likelihood != b.hypothesis.log_likelihood)
+    return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood;
+  return a.not_on_map < b.not_on_map;
+}
+
+void sort_best_first(std::vector<Live>& alive) { std::stable_sort(alive.begin(), alive.end(), better); }
+
+bool ended(const Live& live) { return live.leaf < 0; }
+
+/// The same place and associations, as if it had met nothing yet.
+Hypothesis born_anew(const Hypothesis& old) {
+  Hypothesis newborn;
+  newborn.T_map_local = old.T_map_local;
+  newborn.associations = old.associations;
+  return newborn;
+}
+
+}  // namespace
+
+HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
+                             const AssociationOptions& options, HypothesisListener& listener)
+    : map_(std::move(map)), index_(*map_), judge_(judge), options_(options), listener_(listener) {}
+
+void HypothesisSet::clear() {
+  alive_.clear();
+  tree_.clear();
+}
+
+void HypothesisSet::end(Live& live, const std::string& reason, int merged_into) {
+  listener_.ended(live, {reason, merged_into});
+  tree_.release(live.leaf);
+  live.leaf = -1;
+}
+
+Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Point> coarse,
+                                      const Eigen::Vector2d& window) const {
+  constexpr double kStep_m = 0.1, kStep_rad = 0.03, kCostOfDistance = 0.02;
+  const int steps = static_cast<int>(std::ceil(window.x() / kStep_m));
+  const int turns = static_cast<int>(std::ceil(window.y() / kStep_rad));
+  Pose2 best = predicted;
+  double best_value = -1;
+  for (int turn = -turns; turn <= turns; ++turn)
+    for (int i = -steps; i <= steps; ++i)
+      for (int j = -steps; j <= steps; ++j) {
+        const Pose2 pose(predicted.x() + i * kStep_m, predicted.y() + j * kStep_m,
+                         predicted.heading_rad() + turn * kStep_rad);
+        const double far = std::hypot(i, j) * kStep_m / window.x() + std::abs(turn) * kStep_rad / window.y();
+        const double value = mean_nearness(*map_, coarse, pose) - kCostOfDistance * far;
+        if (value > best_value) {
+          best_value = value;
+          best = pose;
+        }
+      }
+  return best;
+}
+
+Alignment HypothesisSet::align(const Pose2& predicted, const Observation& observation) const {
+  if (options_.register_by_associations || observation.points.empty()) return {predicted};
+  RefinementOptions refinement;
+  refinement.prior_position = options_.track_prior_position;
+  refinement.prior_heading = options_.track_prior_heading;
+  return align_with_map(*map_, observation.points, observation.laser_position, predicted, refinement);
+}
+
+void HypothesisSet::track(const Observation& observation, double novelty, std::span<const Point> coarse,
+                          const Eigen::Vector2d& window) {
+  const Pose2& T_local_base = observation.local_map.T_local_base();
+  int rank = 0;
+  for (Live& live : alive_) {
+    Hypothesis& hypothesis = live.hypothesis;
+    Pose2 predicted = hypothesis.T_map_local * T_local_base;
+    if (!observation.points.empty() && window.x() > 0 && rank++ < options_.track_search) {
+      predicted = search_alignment(predicted, coarse, window);
+      live.pose.reset();  // dead reckoning has failed, and what was known goes with it
+    }
+    const Alignment scan = align(predicted, observation);
+    // The scan is judged where it fits best: a wall that is not where the map says is the map's error, not its own.
+    hypothesis.T_map_local = scan.T_map_base * T_local_base.inverse();
+    Judge::Verdict verdict = judge_.judge(hypothesis, observation);
+    hypothesis.T_map_local = live.pose.update(predicted, scan, novelty, T_local_base,
+                                              {options_.track_memory, options_.track_jump_m}) *
+                             T_local_base.inverse();
+    live.scan_nat = verdict.nat;
+    live.scores = std::move(verdict.scores);
+    ++live.updates;
+    const double kept = 1 - novelty * (1 - options_.memory);
+    hypothesis.log_likelihood = kept * hypothesis.log_likelihood + novelty * verdict.nat;
+    hypothesis.encounters.take(verdict.encounters, novelty, 1 - novelty * (1 - options_.encounter_memory));
+    live.inherited_nat *= kept;
+    if (!verdict.veto.empty()) end(live, "veto by " + verdict.veto);
+  }
+  std::erase_if(alive_, ended);
+  merge(T_local_base);
+  prune();
+}
+
+Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_local_base) {
+  const auto same_place = [&](const Live& live) {
+    const Pose2 T_map_base = live.hypothesis.T_map_local * T_local_base;
+    return distance_m(T_map_base, candidate.T_map_base) < options_.merge_m + 0.1 &&
+           angle_between_rad(T_map_base, candidate.T_map_base) < options_.merge_rad + 0.05;
+  };
+  const auto found = std::find_if(alive_.begin(), alive_.end(), same_place);
+  return found == alive_.end() ? nullptr : &*found;
+}
+
+void HypothesisSet::renew(Live& old, const Pose2& T_map_local, Judge::Verdict verdict, const Observation& observation) const {
+  const double gain = verdict.nat - judge_.decide(born_anew(old.hypothesis), observation);
+  if (gain <= 0.3) return;
+  old.hypothesis.log_likelihood += gain;
+  old.hypothesis.T_map_local = T_map_local;
+  old.pose.reset();
+  old.scan_nat += gain;
+  old.scores = std::move(verdict.scores);
+}
+
+HypothesisSet::Newborn HypothesisSet::look_back(Hypothesis hypothesis, const Judge::Verdict& verdict,
+                                                const Observation& observation, double novelty,
+                                                const Hindsight& hindsight) const {
+  const double share = hindsight.since_newest(novelty);
+  hypothesis.encounters.take(verdict.encounters, share, 1);
+  Hindsight::Verdict past = hindsight.look_back(hypothesis, observation.local_map);
+  const double nat = options_.birth_nat + share * verdict.nat + past.nat;
+  return {std::move(past), nat};
+}
+
+double HypothesisSet::surplus_of_looking_back(const Observation& observation, double novelty,
+                                              const Hindsight& hindsight) const {
+  if (alive_.empty() || alive_.front().carried_after >= 0) return 0;
+  const Hypothesis best = born_anew(alive_.front().hypothesis);
+  const Newborn anew = look_back(best, judge_.judge(best, observation), observation, novelty, hindsight);
+  if (anew.past.scans == 0 || anew.past.hopeless || anew.past.carried_after >= 0) return 0;
+  return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
+}
+
+void HypothesisSet::bear(Live live, Newborn newborn, Candidate candidate) {
+  live.hypothesis.id = next_id_++;
+  live.hypothesis.log_likelihood = newborn.nat;
+  live.hypothesis.encounters = std::move(newborn.past.encounters);
+  live.hypothesis.associations = candidate.pairs;
+  live.carried_after = newborn.past.carried_after;
+  live.inherited_nat = newborn.past.inherited_nat;
+  live.leaf = tree_.add(-1, std::move(candidate.pairs));
+  live.updates = 1;
+  listener_.born(live, -1, candidate.pattern);
+  alive_.push_back(std::move(live));
+}
+
+void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
+                          const Hindsight& hindsight) {
+  const Pose2& T_local_base = observation.local_map.T_local_base();
+  std::optional<double> surplus;
+  for (Candidate& candidate : candidates) {
+    Live live;
+    live.hypothesis.T_map_local = candidate.T_map_base * T_local_base.inverse();
+    Judge::Verdict verdict =
+        judge_.judges_associations() ? judge_.judge(live.hypothesis, observation) : std::move(candidate.verdict);
+    if (!verdict.veto.empty()) {
+      listener_.candidate_rejected(candidate, "veto by " + verdict.veto);
+      continue;
+    }
+    if (Live* old = at_place_of(candidate, T_local_base)) {
+      renew(*old, live.hypothesis.T_map_local, std::move(verdict), observation);
+      continue;
+    }
+    Newborn newborn = look_back(live.hypothesis, verdict, observation, novelty, hindsight);
+    if (newborn.past.hopeless) {
+      listener_.candidate_rejected(candidate,
+                                   "would be far behind after the " + std::to_string(newborn.past.scans) + " scans before");
+      continue;
+    }
+    if (!surplus) surplus = surplus_of_looking_back(observation, novelty, hindsight);
+    if (newborn.past.carried_after < 0) newborn.nat -= *surplus;
+    live.scan_nat = verdict.nat;
+    live.scores = std::move(verdict.scores);
+    bear(std::move(live), std::move(newborn), std::move(candidate));
+  }
+  sort_best_first(alive_);
+  prune();
+}
+
+double HypothesisSet::settle() {
+  const double inherited_nat = alive_.front().inherited_nat;
+  for (Live& live : alive_) {
+    if (live.carried_after < 0) end(live, "the robot was carried away");
+    live.carried_after = -1;
+    live.inherited_nat = 0;
+    live.hypothesis.log_likelihood -= inherited_nat;
+  }
+  std::erase_if(alive_, ended);
+  return inherited_nat;
+}
+
+void HypothesisSet::merge(const Pose2& T_local_base) {
+  sort_best_first(alive_);
+  for (std::size_t a = 0; a < alive_.size(); ++a) {
+    if (ended(alive_[a])) continue;
+    for (std::size_t b = a + 1; b < alive_.size(); ++b) {
+      if (ended(alive_[b])) continue;
+      const Pose2 T_a = alive_[a].hypothesis.T_map_local * T_local_base;
+      const Pose2 T_b = alive_[b].hypothesis.T_map_local * T_local_base;
+      if (angle_between_rad(T_a, T_b) < options_.merge_rad && distance_m(T_a, T_b) < options_.merge_m)
+        end(alive_[b], "same place as hypothesis " + std::to_string(alive_[a].hypothesis.id), alive_[a].hypothesis.id);
+    }
+  }
+  std::erase_if(alive_, ended);
+}
+
+void HypothesisSet::merge_similar() {
+  if (options_.similar_depth == 0) return;
+  sort_best_first(alive_);
+  const auto tail = [&](const Live& live) {
+    std::vector<std::pair<int, int>> last;
+    const auto& all = live.hypothesis.associations;
+    for (auto it = all.rbegin(); it != all.rend() && int(last.size()) < options_.similar_depth; ++it)
+      last.emplace_back(it->local_feature, it->map_feature);
+    return last;
+  };
+  std::map<std::vector<std::pair<int, int>>, int> best_by_tail;
+  for (Live& live : alive_) {
+    auto last = tail(live);
+    const auto is_clutter = [](const auto& pair) { return pair.second < 0; };
+    if (last.empty() || std::any_of(last.begin(), last.end(), is_clutter)) continue;
+    const auto [best, is_new] = best_by_tail.try_emplace(std::move(last), live.hypothesis.id);
+    if (!is_new) end(live, "same newest associations as hypothesis " + std::to_string(best->second), best->second);
+  }
+  std::erase_if(alive_, ended);
+}
+
+void HypothesisSet::prune() {
+  sort_best_first(alive_);
+  if (alive_.empty()) return;
+  const double best = alive_.front().hypothesis.log_likelihood;
+  for (std::size_t k = 0; k < alive_.size(); ++k) {
+    Live& live = alive_[k];
+    if (live.hypothesis.log_likelihood < best - options_.prune_nat)
+      end(live, sentence("worse than the best by %.1f nat, more than %.1f", best - live.hypothesis.log_likelihood,
+                         options_.prune_nat));
+    else if (options_.max_consecutive_not_on_map > 0 &&
+             live.consecutive_not_on_map > options_.max_consecutive_not_on_map)
+      end(live, "too many features in a row that are not on the map");
+  }
+  std::erase_if(alive_, ended);
+  prune_surplus();
+}
+
+void HypothesisSet::prune_surplus() {
+  const auto most = static_cast<std::size_t>(options_.max_hypotheses);
+  if (alive_.size() <= most) return;
+  sort_best_first(alive_);
+  for (std::size_t k = most; k < alive_.size(); ++k) end(alive_[k], "beyond the number of hypotheses kept");
+  alive_.resize(most);
+}
+
+}  // namespace opal

@@ -1,0 +1,130 @@
+#pragma once
+
+#include "map/view/feature_index.hpp"
+#include "localization/search/hindsight.hpp"
+#include "localization/scoring/judge.hpp"
+#include "localization/search/seeding.hpp"
+
+#include "localization/options/association_options.hpp"
+#include "localization/tree/association_tree.hpp"
+#include "localization/alignment/pose_filter.hpp"
+
+#include <vector>
+
+namespace opal {
+
+/// A hypothesis that is alive: a leaf of the association tree.
+struct Live {
+  Hypothesis hypothesis;
+  int leaf = -1;                ///< in the tree
+  double scan_nat = 0;          ///< what the newest scan said
+  int updates = 0;              ///< scans judged since birth
+  int not_on_map = 0;           ///< associations with nothing, along the branch
+  int consecutive_not_on_map = 0;
+  int carried_after = -1;       ///< the robot was carried away after this keyframe, if it is right; -1: it was not
+  double inherited_nat = 0;     ///< part of its evidence that the best hypothesis had gathered by then
+  PoseFilter pose;              ///< what the scans since birth say about where it is
+  std::vector<Score> scores;    ///< of the newest scan, in the judge's order
+};
+
+/// Why a hypothesis ended.
+struct Ending {
+  std::string reason;    ///< in words
+  int merged_into = -1;  ///< the hypothesis that is at the same place, if that is why
+};
+
+/// Hears what happens to hypotheses.
+class HypothesisListener {
+ public:
+  virtual ~HypothesisListener() = default;
+  /// @param parent    the hypothesis that it branches from, or -1.
+  /// @param pattern   the seeder's template that it comes from, or -1.
+  virtual void born(const Live& live, int parent, int pattern) = 0;
+  virtual void ended(const Live& live, const Ending& ending) = 0;
+  virtual void associated(const Live& live, std::span<const Association> pairs) = 0;
+  virtual void dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) = 0;
+  /// A branch of `parent` was tried and did not fit.
+  virtual void branch_rejected(const Live& parent, const Association& pair, const std::string& reason) = 0;
+  /// A candidate of a search did not become a hypothesis.
+  virtual void candidate_rejected(const Candidate& candidate, const std::string& reason) = 0;
+};
+
+/// All hypotheses that are alive, and the tree that they are the leaves of. Best first after every public call.
+class HypothesisSet {
+ public:
+  HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge, const AssociationOptions& options,
+                HypothesisListener& listener);
+
+  /// Carries every hypothesis to the newest scan, aligns it with the map, and takes the scan's evidence.
+  /// @param novelty  how much of a new piece of evidence the scan is, in (0, 1].
+  /// @param coarse   a few dozen points for the alignment search.
+  /// @param window   half widths of that search (x and y [m], heading [rad]); zero: none.
+  void track(const Observation& observation, double novelty, std::span<const Point> coarse,
+             const Eigen::Vector2d& window);
+
+  /// Takes candidates that the sieves let pass as new hypotheses; those at the place of an old one renew it.
+  /// @param novelty  of the scan, as for `track`.
+  void adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
+             const Hindsight& hindsight);
+
+  /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not. The
+  /// features that the map's index expects least often go first: they leave fewest branches.
+  void grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map);
+
+  /// Forgets associations whose local feature the local map has forgotten, and those that no longer fit: `grow`
+  /// decides on these features anew.
+  void forget(const LocalMap& local_map);
+
+  /// The best hypothesis is right and the robot was carried away: ends those by which it was not. What is left has
+  /// gathered nothing before that.
+  /// @return what was taken off everybody's evidence [nat].
+  double settle();
+
+  void clear();
+  const std::vector<Live>& alive() const { return alive_; }
+  const AssociationTree& tree() const { return tree_; }
+
+ private:
+  std::vector<Association> choices_for(const Live& live, const LocalFeature& feature) const;
+  std::vector<const LocalFeature*> rarest_first(std::vector<const LocalFeature*> features) const;
+  void branch(const LocalFeature& feature, const LocalMap& local_map);
+  /// @return the worst error [m] if an association is an outlier under the new registration, else nothing.
+  std::optional<double> register_anew(Live& live, const LocalMap& local_map) const;
+  bool grow_child(const Live& parent, const Association& choice, bool first, const LocalMap& local_map, Live& child);
+  /// The hypothesis that is where the candidate is, or none.
+  Live* at_place_of(const Candidate& candidate, const Pose2& T_local_base);
+  /// Moves an old hypothesis to where a candidate at its place has it, if that is clearly better aligned; both are judged
+  /// as if they had met nothing yet.
+  void renew(Live& old, const Pose2& T_map_local, Judge::Verdict verdict, const Observation& observation) const;
+  /// What a hypothesis starts with that is born now.
+  struct Newborn {
+    Hindsight::Verdict past;
+    double nat = 0;  ///< of the scans before, the newest one, and being born
+  };
+  /// @param hypothesis  that has met nothing yet. @param verdict  on the newest scan.
+  Newborn look_back(Hypothesis hypothesis, const Judge::Verdict& verdict, const Observation& observation, double novelty,
+                    const Hindsight& hindsight) const;
+  /// Adds it to those that are alive.
+  void bear(Live live, Newborn newborn, Candidate candidate);
+  /// How much more the best hypothesis would have if it were born now [nat], >= 0. Looking back takes scans in larger pieces
+  /// than tracking did, and what is seen for the first time counts most: that is no merit of who comes late.
+  double surplus_of_looking_back(const Observation& observation, double novelty, const Hindsight& hindsight) const;
+  Alignment align(const Pose2& predicted, const Observation& observation) const;
+  Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
+  void end(Live& live, const std::string& reason, int merged_into = -1);
+  void merge(const Pose2& T_local_base);
+  void merge_similar();
+  void prune();
+  void prune_surplus();
+
+  std::shared_ptr<const MapView> map_;
+  FeatureIndex index_;
+  const Judge& judge_;
+  AssociationOptions options_;
+  HypothesisListener& listener_;
+  AssociationTree tree_;
+  std::vector<Live> alive_;
+  int next_id_ = 0;
+};
+
+}  // namespace opal

@@ -1,0 +1,156 @@
+#include "map/check/map_check.hpp"
+
+#include "map/check/map_check_geometry.hpp"
+#include "map/map_vocabulary.hpp"
+#include "map/semantic_map_draft.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace opal {
+namespace {
+
+constexpr std::array<const char*, 4> kGeometryNames{"points", "corners", "segments", "circles"};
+
+std::string quoted(const std::string& name) { return std::string("'").append(name).append("'"); }
+
+std::string metres(double length_m) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2f m", length_m);
+  return text;
+}
+
+/// "3 things", "1 thing".
+std::string count_of(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+/// "12 objects: 10 opal:Wall, 2 opal:Column".
+std::string count_sentence(const std::string& what, const std::map<std::string, int>& counts, const char* unnamed) {
+  std::size_t total = 0;
+  std::string parts;
+  for (const auto& [name, count] : counts) {
+    total += count;
+    parts += (parts.empty() ? ": " : ", ") + std::to_string(count) + " " + (name.empty() ? unnamed : name);
+  }
+  return count_of(total, what) + parts;
+}
+
+/// "'a', 'b', 'c' and 4 more": enough to find them, short enough to read.
+std::string examples(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i) text += (i ? ", " : "") + names[i];
+  return names.size() > kShown ? text + " and " + std::to_string(names.size() - kShown) + " more" : text;
+}
+
+void count_parts(const SemanticMap& map, MapCheck& check) {
+  for (const MapObject& object : map.objects()) ++check.objects_by_type[object.type];
+  for (const MapPattern& pattern : map.patterns()) ++check.patterns_by_template[pattern.pattern_template];
+  const std::string* previous_id = nullptr;
+  for (const MapFeature& feature : map.features()) {
+    ++check.features_by_type[feature.type];
+    ++check.features_by_sensor[feature.sensor];
+    if (previous_id && *previous_id == feature.id) continue;  // the same geometry, for another sensor
+    previous_id = &feature.id;
+    ++check.features_by_geometry[feature.geometry.index()];
+    if (const auto* segment = std::get_if<Segment>(&feature.geometry)) check.wall_length_m += segment->length_m();
+  }
+  check.shared_points = count_shared_points(map);
+}
+
+void measure_bounds(const SemanticMap& map, MapCheck& check) {
+  bool first = true;
+  for (const MapFeature& feature : map.features()) {
+    const auto* circle = std::get_if<Circle>(&feature.geometry);
+    const double margin_m = circle ? circle->radius_m : 0;
+    for (const Point& point : points_of(feature.geometry)) {
+      const Point low = point.array() - margin_m, high = point.array() + margin_m;
+      check.bounds[0] = first ? low : Point(check.bounds[0].cwiseMin(low));
+      check.bounds[1] = first ? high : Point(check.bounds[1].cwiseMax(high));
+      first = false;
+    }
+  }
+}
+
+void warn_about_geometry(const SemanticMap& map, MapCheck& check) {
+  const std::vector<MapFeature>& features = map.features();
+  std::vector<std::string> names;
+  for (const auto& [first, second] : duplicate_features(map))
+    names.push_back(quoted(features[first].id) + " and " + quoted(features[second].id));
+  if (!names.empty())
+    check.warnings.push_back(count_of(names.size(), "feature") + " with the geometry of another one: " +
+                             examples(names));
+  names.clear();
+  for (const PointPair& pair : unshared_points(map)) names.push_back(quoted(pair.point) + " and " + quoted(pair.near_point));
+  if (!names.empty())
+    check.warnings.push_back(count_of(names.size(), "point") + " within 1 cm of another point, without being one: " +
+                             examples(names));
+  names.clear();
+  if (features.size() > 1)
+    for (const int number : isolated_features(map)) names.push_back(quoted(features[number].id));
+  if (!names.empty())
+    check.warnings.push_back(count_of(names.size(), "feature") + " with no other within 15 m: " + examples(names));
+}
+
+void warn_about_reach(const SemanticMap& map, MapCheck& check) {
+  if (map.features().empty()) check.warnings.push_back("no feature at all: nothing to localize by");
+  std::vector<std::string> names;
+  for (const MapObject& object : map.objects())
+    if (object.features.empty()) names.push_back(quoted(object.id));
+  if (!names.empty())
+    check.warnings.push_back(count_of(names.size(), "object") + " that nothing represents: " + examples(names));
+  names.clear();
+  for (const MapFeature& feature : map.features())
+    if (feature.sensor.empty()) names.push_back(quoted(feature.id));
+  if (!names.empty())
+    check.warnings.push_back(count_of(names.size(), "feature") + " that no sensor perceives: " + examples(names));
+}
+
+void warn_about_unused(const SemanticMap& map, MapCheck& check) {
+  std::map<std::string, std::vector<std::string>> nodes_by_word;
+  for (const nlohmann::json& node : map.unused()) {
+    const std::string id = quoted(vocabulary::compact_name(node.at("@id")));
+    for (const auto& [key, value] : node.items()) {
+      if (key == "@type")
+        for (const nlohmann::json& type : value)
+          nodes_by_word["type " + vocabulary::short_term(type.get_ref<const std::string&>())].push_back(id);
+      else if (key != "@id")
+        nodes_by_word["property " + vocabulary::short_term(key)].push_back(id);
+    }
+  }
+  for (const auto& [word, ids] : nodes_by_word)
+    check.warnings.push_back(word + " is kept, but not used, at " + count_of(ids.size(), "node") + ": " + examples(ids));
+}
+
+}  // namespace
+
+MapCheck check_map(const SemanticMap& map) {
+  MapCheck check;
+  count_parts(map, check);
+  measure_bounds(map, check);
+  warn_about_reach(map, check);
+  warn_about_geometry(map, check);
+  warn_about_unused(map, check);
+  return check;
+}
+
+std::vector<std::string> MapCheck::sentences() const {
+  std::vector<std::string> lines{count_sentence("object", objects_by_type, ""),
+                                 count_sentence("feature", features_by_type, "")};
+  std::map<std::string, int> geometries;
+  for (std::size_t kind = 0; kind < kGeometryNames.size(); ++kind)
+    if (features_by_geometry[kind] > 0) geometries[kGeometryNames[kind]] = features_by_geometry[kind];
+  if (!geometries.empty()) {
+    lines.push_back(count_sentence("geometric shape", geometries, "") + "; " + metres(wall_length_m) + " of segments");
+    lines.push_back(count_sentence("perceivable feature", features_by_sensor, "by no sensor"));
+    lines.push_back(count_of(shared_points, "point") + " shared by several features");
+    lines.push_back(std::string("from x ") + metres(bounds[0].x()) + ", y " + metres(bounds[0].y()) + " to x " +
+                    metres(bounds[1].x()) + ", y " + metres(bounds[1].y()));
+  }
+  if (!patterns_by_template.empty()) lines.push_back(count_sentence("pattern", patterns_by_template, ""));
+  for (const std::string& warning : warnings) lines.push_back(std::string("warning: ") + warning);
+  return lines;
+}
+
+}  // namespace opal

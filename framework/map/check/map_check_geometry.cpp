@@ -1,0 +1,174 @@
+#include "map/check/map_check_geometry.hpp"
+
+#include "map/semantic_map_draft.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <unordered_map>
+
+namespace opal {
+namespace {
+
+using Cell = std::pair<std::int64_t, std::int64_t>;
+
+struct CellHash {
+  std::size_t operator()(const Cell& cell) const {
+    return static_cast<std::size_t>(cell.first) * 0x9E3779B97F4A7C15u ^ static_cast<std::size_t>(cell.second);
+  }
+};
+
+Cell cell_of(const Point& p, double size_m) {
+  return {static_cast<std::int64_t>(std::floor(p.x() / size_m)), static_cast<std::int64_t>(std::floor(p.y() / size_m))};
+}
+
+template <class Visit>
+void for_neighbours(const Cell& cell, Visit visit) {
+  for (std::int64_t dx = -1; dx <= 1; ++dx)
+    for (std::int64_t dy = -1; dy <= 1; ++dy) visit(Cell{cell.first + dx, cell.second + dy});
+}
+
+/// Numbered points in cells of kSamePoint_m. A cell keeps only a few: beyond that, more would only repeat the news.
+class NearPoints {
+ public:
+  /// @return number of an earlier point that is near; -1 if there is none.
+  int add(const Point& point) {
+    const Cell home = cell_of(point, kSamePoint_m);
+    int near = -1;
+    for_neighbours(home, [&](const Cell& cell) {
+      const auto found = cells_.find(cell);
+      if (found == cells_.end() || near >= 0) return;
+      for (const int other : found->second)
+        if (near < 0 && (points_[other] - point).norm() < kSamePoint_m) near = other;
+    });
+    std::vector<int>& here = cells_[home];
+    if (here.size() < kKeptPerCell) here.push_back(static_cast<int>(points_.size()));
+    points_.push_back(point);
+    return near;
+  }
+
+ private:
+  static constexpr std::size_t kKeptPerCell = 8;
+  std::vector<Point> points_;
+  std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
+};
+
+bool has_topology(const Geometry& geometry) {
+  return kind_of(geometry) == GeometryKind::segment || kind_of(geometry) == GeometryKind::oriented_point;
+}
+
+/// What tells geometries of one kind and place apart.
+std::array<double, 2> own_numbers(const Geometry& geometry) {
+  if (const auto* circle = std::get_if<Circle>(&geometry)) return {circle->radius_m, 0};
+  if (const auto* corner = std::get_if<OrientedPoint>(&geometry)) return {corner->heading_rad, corner->opening_rad};
+  return {0, 0};
+}
+
+bool alike(const Geometry& a, const Geometry& b) {
+  const std::array<double, 2> numbers_a = own_numbers(a), numbers_b = own_numbers(b);
+  return std::abs(numbers_a[0] - numbers_b[0]) < kSamePoint_m && std::abs(numbers_a[1] - numbers_b[1]) < kSamePoint_m;
+}
+
+/// Cells of kNeighbour_m that a geometry passes; a very long segment is sampled, not walked.
+std::vector<Cell> cells_passed(const Geometry& geometry) {
+  std::vector<Cell> cells;
+  if (const auto* segment = std::get_if<Segment>(&geometry)) {
+    constexpr double kMostSteps = 1000;
+    const double steps = std::clamp(std::ceil(2 * segment->length_m() / kNeighbour_m), 1.0, kMostSteps);
+    for (double k = 0; k <= steps; ++k)
+      cells.push_back(cell_of(segment->begin + k / steps * (segment->end - segment->begin), kNeighbour_m));
+  } else {
+    cells.push_back(cell_of(anchor_of(geometry), kNeighbour_m));
+  }
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+/// The lowest and highest feature id in a cell: enough to know whether another than a given one is there.
+struct Occupants {
+  std::string_view lowest, highest;
+};
+
+}  // namespace
+
+std::vector<PointPair> unshared_points(const SemanticMap& map) {
+  std::map<std::string, Point> points;
+  for (const MapFeature& feature : map.features())
+    if (has_topology(feature.geometry)) {
+      const std::vector<Point> positions = points_of(feature.geometry);
+      for (std::size_t k = 0; k < positions.size(); ++k) points[feature.points[k]] = positions[k];
+    }
+  NearPoints near_points;
+  std::vector<const std::string*> names;
+  std::vector<PointPair> pairs;
+  for (const auto& [name, position] : points) {
+    const int near = near_points.add(position);
+    if (near >= 0) pairs.push_back({name, *names[near]});
+    names.push_back(&name);
+  }
+  return pairs;
+}
+
+std::vector<std::pair<int, int>> duplicate_features(const SemanticMap& map) {
+  using Key = std::tuple<std::string, std::size_t, int, int>;  // sensor, kind, places of the points
+  NearPoints near_points;
+  std::vector<int> place_of_point;
+  std::map<Key, std::vector<int>> features_at;
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < map.features().size(); ++i) {
+    const MapFeature& feature = map.features()[i];
+    std::array<int, 2> places{-1, -1};
+    const std::vector<Point> points = points_of(feature.geometry);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const int near = near_points.add(points[k]);
+      place_of_point.push_back(near < 0 ? static_cast<int>(place_of_point.size()) : place_of_point[near]);
+      places[k] = place_of_point.back();
+    }
+    std::vector<int>& others = features_at[{feature.sensor, feature.geometry.index(), places[0], places[1]}];
+    const auto same = std::find_if(others.begin(), others.end(), [&](int other) {
+      return alike(map.features()[other].geometry, feature.geometry);
+    });
+    if (same != others.end())
+      pairs.emplace_back(*same, static_cast<int>(i));
+    else
+      others.push_back(static_cast<int>(i));
+  }
+  return pairs;
+}
+
+std::vector<int> isolated_features(const SemanticMap& map) {
+  std::unordered_map<Cell, Occupants, CellHash> occupants;
+  for (const MapFeature& feature : map.features())
+    for (const Cell& cell : cells_passed(feature.geometry)) {
+      const auto [entry, is_new] = occupants.try_emplace(cell, Occupants{feature.id, feature.id});
+      entry->second.lowest = std::min<std::string_view>(entry->second.lowest, feature.id);
+      entry->second.highest = std::max<std::string_view>(entry->second.highest, feature.id);
+    }
+  std::vector<int> isolated;
+  for (std::size_t i = 0; i < map.features().size(); ++i) {
+    const std::string& id = map.features()[i].id;
+    bool has_neighbour = false;
+    for (const Cell& passed : cells_passed(map.features()[i].geometry))
+      for_neighbours(passed, [&](const Cell& cell) {
+        const auto found = occupants.find(cell);
+        if (found != occupants.end() && (found->second.lowest != id || found->second.highest != id))
+          has_neighbour = true;
+      });
+    if (!has_neighbour) isolated.push_back(static_cast<int>(i));
+  }
+  return isolated;
+}
+
+int count_shared_points(const SemanticMap& map) {
+  std::unordered_map<std::string, std::pair<const std::string*, bool>> first_feature;  // and whether there is another
+  for (const MapFeature& feature : map.features())
+    for (const std::string& point : feature.points) {
+      const auto [entry, is_new] = first_feature.try_emplace(point, &feature.id, false);
+      if (*entry->second.first != feature.id) entry->second.second = true;
+    }
+  return static_cast<int>(std::count_if(first_feature.begin(), first_feature.end(),
+                                        [](const auto& entry) { return entry.second.second; }));
+}
+
+}  // namespace opal

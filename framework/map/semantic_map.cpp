@@ -1,0 +1,219 @@
+#include "map/semantic_map_draft.hpp"
+
+#include "map/map_vocabulary.hpp"
+#include "map/semantic_map_unused.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace opal {
+namespace {
+
+template <class Element>
+std::vector<std::string> places_in(const std::string& list, const std::vector<Element>& elements) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    places.push_back(list + "/" + std::to_string(i) + " '" + elements[i].id + "'");
+  return places;
+}
+
+bool is_word(const std::string& text) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
+         std::all_of(text.begin(), text.end(), fits);
+}
+
+/// A type's name with its prefix, which gets an IRI if it has none.
+std::string type_name(MapDraft& draft, const std::string& place, const std::string& type) {
+  const std::string name = vocabulary::compact_name(vocabulary::full_iri(type), draft.prefixes);
+  const std::string prefix = vocabulary::prefix_of(name);
+  const bool has_colon = name.find(':') != std::string::npos, blank = name.find_first_of(" \t\r\n") != std::string::npos;
+  if (!has_colon || blank || vocabulary::is_term(prefix) || (!prefix.empty() && !is_word(prefix)))
+    draft.fail(place, "type '" + type + "', expected a term of " + vocabulary::kContextIri +
+                          " or a name with a prefix, such as opal:Wall");
+  if (!prefix.empty() && !vocabulary::is_prefix(prefix))
+    draft.prefixes.try_emplace(prefix, vocabulary::iri_of_nameless_prefix(prefix));
+  return name;
+}
+
+std::vector<std::string> point_names(const MapFeature& feature) {
+  if (kind_of(feature.geometry) == GeometryKind::point) return {feature.id};
+  std::vector<std::string> names;
+  for (const char* role : point_roles(feature.geometry)) names.push_back(feature.id + "/" + role);
+  return names;
+}
+
+void name_types(MapDraft& draft) {
+  for (std::size_t i = 0; i < draft.objects.size(); ++i) {
+    std::string& type = draft.objects[i].type;
+    type = type_name(draft, draft.object_places[i], type);
+    if (vocabulary::is_reserved_type(vocabulary::full_iri(type)))
+      draft.fail(draft.object_places[i], "object of type " + type + ", expected the type of a thing in a building");
+  }
+  for (std::size_t i = 0; i < draft.features.size(); ++i) {
+    MapFeature& feature = draft.features[i];
+    if (feature.type.empty()) feature.type = vocabulary::default_feature_type(feature.geometry);
+    feature.type = type_name(draft, draft.feature_places[i], feature.type);
+  }
+  for (std::size_t i = 0; i < draft.patterns.size(); ++i) {
+    std::string& type = draft.patterns[i].pattern_template;
+    type = type_name(draft, draft.pattern_places[i], type);
+  }
+}
+
+/// Ids may be written in full or with a prefix; in memory they have the prefix.
+void name_ids(MapDraft& draft) {
+  const auto compact = [&draft](std::string& name) { name = vocabulary::compact_name(name, draft.prefixes); };
+  for (MapObject& object : draft.objects) compact(object.id);
+  for (MapFeature& feature : draft.features) {
+    for (std::string* name : {&feature.id, &feature.sensor, &feature.representation}) compact(*name);
+    for (std::string& point : feature.points) compact(point);
+    if (feature.points.empty()) feature.points = point_names(feature);
+  }
+  for (MapPattern& pattern : draft.patterns) {
+    compact(pattern.id);
+    for (std::string& part : pattern.subpatterns) compact(part);
+  }
+  for (MapPlacement& placement : draft.origin.placements) compact(placement.id);
+}
+
+/// Sorts elements and their places alike. @return for each old position the new one.
+template <class Element, class Before>
+std::vector<int> sort_elements(std::vector<Element>& elements, std::vector<std::string>& places, Before before) {
+  std::vector<int> order(elements.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return before(elements[a], elements[b]); });
+  std::vector<Element> sorted;
+  std::vector<std::string> sorted_places;
+  std::vector<int> new_position(elements.size());
+  for (const int old_position : order) {
+    new_position[old_position] = static_cast<int>(sorted.size());
+    sorted.push_back(std::move(elements[old_position]));
+    sorted_places.push_back(std::move(places[old_position]));
+  }
+  elements = std::move(sorted);
+  places = std::move(sorted_places);
+  return new_position;
+}
+
+/// Feature numbers per object, from the features' side.
+void list_features(MapDraft& draft) {
+  for (MapObject& object : draft.objects) object.features.clear();
+  for (std::size_t i = 0; i < draft.features.size(); ++i)
+    draft.objects[draft.features[i].object].features.push_back(static_cast<int>(i));
+}
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// The digits at `begin`, without leading zeros.
+std::string_view number_at(const std::string& text, std::size_t begin) {
+  while (begin + 1 < text.size() && text[begin] == '0' && is_digit(text[begin + 1])) ++begin;
+  std::size_t end = begin;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  return std::string_view(text).substr(begin, end - begin);
+}
+
+std::size_t end_of_number(const std::string& text, std::size_t begin) {
+  while (begin < text.size() && is_digit(text[begin])) ++begin;
+  return begin;
+}
+
+}  // namespace
+
+void MapDraft::fail(const std::string& place, const std::string& message) const {
+  throw MapError(source + ": " + place + ": " + message);
+}
+
+bool id_before(const std::string& a, const std::string& b) {
+  std::size_t i = 0, k = 0;
+  while (i < a.size() && k < b.size()) {
+    if (is_digit(a[i]) && is_digit(b[k])) {
+      const std::string_view number_a = number_at(a, i), number_b = number_at(b, k);
+      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size();
+      if (number_a != number_b) return number_a < number_b;
+      i = end_of_number(a, i);
+      k = end_of_number(b, k);
+    } else if (a[i] != b[k]) {
+      return static_cast<unsigned char>(a[i]) < static_cast<unsigned char>(b[k]);
+    } else {
+      ++i, ++k;
+    }
+  }
+  const bool a_ends = i == a.size(), b_ends = k == b.size();
+  return a_ends == b_ends ? a < b : a_ends;  // "w01" and "w1" differ by their zeros only
+}
+
+void name_everything(MapDraft& draft) {
+  name_types(draft);
+  name_ids(draft);
+}
+
+void sort_by_id(MapDraft& draft) {
+  const auto by_id = [](const auto& a, const auto& b) { return id_before(a.id, b.id); };
+  const std::vector<int> objects = sort_elements(draft.objects, draft.object_places, by_id);
+  const std::vector<int> features =
+      sort_elements(draft.features, draft.feature_places, [](const MapFeature& a, const MapFeature& b) {
+        return a.id == b.id ? id_before(a.sensor, b.sensor) : id_before(a.id, b.id);
+      });
+  sort_elements(draft.patterns, draft.pattern_places, by_id);
+  std::stable_sort(draft.origin.placements.begin(), draft.origin.placements.end(), by_id);
+  for (MapFeature& feature : draft.features) feature.object = objects[feature.object];
+  for (MapPattern& pattern : draft.patterns)
+    for (int& feature : pattern.features) feature = features[feature];
+  list_features(draft);
+}
+
+SemanticMap::SemanticMap(MapDraft&& checked)
+    : name_(std::move(checked.name)),
+      objects_(std::move(checked.objects)),
+      features_(std::move(checked.features)),
+      patterns_(std::move(checked.patterns)),
+      origin_(std::move(checked.origin)),
+      prefixes_(std::move(checked.prefixes)),
+      unused_(std::move(checked.unused)) {}
+
+std::shared_ptr<const SemanticMap> SemanticMap::finish(MapDraft draft) {
+  check_references(draft);
+  name_everything(draft);
+  sort_by_id(draft);
+  check_ids(draft);
+  unify_shared_points(draft);
+  check_values(draft);
+  for (std::size_t i = 0; i < draft.patterns.size(); ++i)
+    draft.patterns[i].place = draft.source + ": " + draft.pattern_places[i];
+  return std::shared_ptr<const SemanticMap>(new SemanticMap(std::move(draft)));
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::make(std::string name, std::vector<MapObject> objects,
+                                                     std::vector<MapFeature> features,
+                                                     std::vector<MapPattern> patterns, MapOrigin origin) {
+  MapDraft draft{name, name, std::move(objects), std::move(features), std::move(patterns), std::move(origin)};
+  draft.object_places = places_in("/objects", draft.objects);
+  draft.feature_places = places_in("/features", draft.features);
+  draft.pattern_places = places_in("/patterns", draft.patterns);
+  return finish(std::move(draft));
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::with_patterns(std::vector<MapPattern> patterns) const {
+  return with_contents(objects_, features_, std::move(patterns));
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::with_contents(std::vector<MapObject> objects,
+                                                              std::vector<MapFeature> features,
+                                                              std::vector<MapPattern> patterns,
+                                                              const std::map<std::string, std::string>& more_prefixes,
+                                                              const nlohmann::json& more_unused) const {
+  MapDraft draft{name_, name_, std::move(objects), std::move(features), std::move(patterns), origin_, prefixes_, unused_};
+  draft.prefixes.insert(more_prefixes.begin(), more_prefixes.end());
+  add_unused(draft.unused, more_unused);
+  draft.object_places = places_in("/objects", draft.objects);
+  draft.feature_places = places_in("/features", draft.features);
+  draft.pattern_places = places_in("/patterns", draft.patterns);
+  return finish(std::move(draft));
+}
+
+}  // namespace opal

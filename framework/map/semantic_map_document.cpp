@@ -1,0 +1,123 @@
+#include "map/semantic_map_document.hpp"
+
+#include "jsonld/context/iri.hpp"
+#include "map/map_vocabulary.hpp"
+#include "map/semantic_map_reader.hpp"
+
+#include <opal/common/error.hpp>
+#include "jsonld/json_ld.hpp"
+#include <opal/map/semantic_map.hpp>
+#include <opal/common/strict_json.hpp>
+
+#include <filesystem>
+
+namespace opal {
+
+namespace {
+
+template <class Parse>
+nlohmann::json parsed(Parse parse) {
+  try {
+    return parse();
+  } catch (const JsonError& error) {
+    throw MapError(error.what());
+  }
+}
+
+}  // namespace
+
+nlohmann::json read_document(const std::string& path) {
+  return parsed([&] { return read_json(path); });
+}
+
+nlohmann::json parse_document(const std::string& text, const std::string& name) {
+  return parsed([&] { return parse_json(text, name); });
+}
+
+/// What to call a document in messages, and its map if it has no name of its own.
+struct MapSource {
+  std::string name;
+  std::string default_map_name;
+};
+
+namespace {
+
+json_ld::Options strict_options(bool keep_pointers) {
+  json_ld::Options options;
+  options.contexts[vocabulary::kContextIri] = vocabulary::context_document();
+  options.keep_pointers = keep_pointers;
+  options.reject_unknown_terms = true;
+  return options;
+}
+
+/// What the processor, which knows no vocabulary, cannot say.
+std::string expectation(const json_ld::JsonLdError& error) {
+  if (error.code() == "unknown prefix") return ", expected one that the document's @context defines";
+  if (error.code() != "unknown term") return "";
+  return std::string(", expected a term of ") + vocabulary::kContextIri + " or a name with a prefix, such as opal:Wall";
+}
+
+/// Adds the prefixes that an object of a context defines; those of whole IRIs only, and none that Opal's context has.
+void add_prefixes(const nlohmann::json& context, vocabulary::Prefixes& prefixes) {
+  for (const auto& [word, definition] : context.items()) {
+    if (!definition.is_string() || vocabulary::is_term(word) || vocabulary::is_prefix(word)) continue;
+    const std::string iri = definition;
+    if (json_ld::is_spelled_out(iri) && json_ld::ends_with_delimiter(iri) && word.find_first_of(":@") == std::string::npos)
+      prefixes[word] = iri;
+  }
+}
+
+}  // namespace
+
+vocabulary::Prefixes prefixes_of(const nlohmann::json& document) {
+  vocabulary::Prefixes prefixes;
+  if (!document.is_object() || !document.contains("@context")) return prefixes;
+  const nlohmann::json& context = document["@context"];
+  if (context.is_object()) add_prefixes(context, prefixes);
+  if (context.is_array())
+    for (const nlohmann::json& part : context)
+      if (part.is_object()) add_prefixes(part, prefixes);
+  return prefixes;
+}
+
+nlohmann::json flattened_document(const nlohmann::json& document, const std::string& source, bool keep_pointers) {
+  try {
+    return json_ld::flatten(document, strict_options(keep_pointers));
+  } catch (const json_ld::JsonLdError& error) {
+    throw MapError(source + ": " + error.what() + expectation(error));
+  }
+}
+
+namespace {
+
+MapDraft draft_of(const nlohmann::json& document, const MapSource& source, bool keep_pointers) {
+  const Graph graph(flattened_document(document, source.name, keep_pointers), source.name);
+  MapDraft draft = read_graph(graph, source.name, source.default_map_name);
+  draft.prefixes = prefixes_of(document);
+  return draft;
+}
+
+}  // namespace
+
+// Where things stand in the document is only of interest if something is wrong with it, and knowing it takes more
+// memory and time than all the rest: so a document with a fault is read a second time. Faults of patterns show later, when
+// their templates are at hand, so a document with patterns is read with places at once.
+std::shared_ptr<const SemanticMap> SemanticMap::from_document(const nlohmann::json& document, const MapSource& source) {
+  try {
+    MapDraft draft = draft_of(document, source, false);
+    return finish(draft.patterns.empty() ? std::move(draft) : draft_of(document, source, true));
+  } catch (const MapError&) {
+    return finish(draft_of(document, source, true));
+  }
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::read(const std::string& path) {
+  const MapSource source{path, std::filesystem::path(path).stem().string()};
+  return from_document(read_document(path), source);
+}
+
+std::shared_ptr<const SemanticMap> SemanticMap::parse(const std::string& text, const std::string& name) {
+  return from_document(parse_document(text, name), {name, name});
+}
+
+}  // namespace opal

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "map/semantic_map_draft.hpp"
+#include "map/semantic_map_graph.hpp"
+
+namespace opal {
+
+/// Finds the objects, features and patterns of a graph, wherever in the document they stand.
+/// @throws MapError.
+MapDraft read_graph(const Graph& graph, const std::string& source, const std::string& default_name);
+
+}  // namespace opal

@@ -1,0 +1,104 @@
+#include "map_tools/building_outside.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace opal {
+namespace {
+
+class OpenGround {
+ public:
+  OpenGround(const SemanticMap& map, const MapRaster& raster)
+      : raster_(raster), walls_(raster.cells.size(), 0), outside_(raster.cells.size(), 0) {
+    for (const MapFeature& feature : map.features()) {
+      if (const auto* face = std::get_if<Segment>(&feature.geometry)) draw(*face);
+      if (const auto* column = std::get_if<Circle>(&feature.geometry)) draw(*column);
+    }
+  }
+
+  std::vector<char> run() {
+    for (int column = 0; column < raster_.columns; ++column)
+      for (const int row : {0, raster_.rows - 1}) enter(column, row);
+    for (int row = 0; row < raster_.rows; ++row)
+      for (const int column : {0, raster_.columns - 1}) enter(column, row);
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+      const int column = open_[k] % raster_.columns, row = open_[k] / raster_.columns;
+      for (const auto& [i, j] : std::array<std::array<int, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}})
+        enter(column + i, row + j);
+    }
+    if (is_no_building()) std::fill(outside_.begin(), outside_.end(), 0);
+    return std::move(outside_);
+  }
+
+ private:
+  int cell_at(const Point& p) const {
+    const Point cell = (p - raster_.origin) / raster_.resolution_m;
+    const bool there = cell.x() >= 0 && cell.y() >= 0 && cell.x() < raster_.columns && cell.y() < raster_.rows;
+    return there ? static_cast<int>(cell.y()) * raster_.columns + static_cast<int>(cell.x()) : -1;
+  }
+
+  void fill(const Point& p) {
+    if (const int cell = cell_at(p); cell >= 0) walls_[cell] = 1;
+  }
+
+  /// Two cells thick, so that no ray slips through.
+  void draw(const Segment& face) {
+    const double step_m = raster_.resolution_m / 2;
+    if (!(face.length_m() > 0)) return fill(face.begin);
+    for (double along_m = 0; along_m < face.length_m() + step_m; along_m += step_m)
+      for (const double off_m : {-step_m, step_m})
+        fill(face.begin + std::min(along_m, face.length_m()) * face.direction() + off_m * face.normal());
+  }
+
+  void draw(const Circle& column) {
+    const double step_rad = std::min(0.5, 0.5 * raster_.resolution_m / std::max(column.radius_m, 1e-3));
+    for (double turn = 0; turn < 2 * std::numbers::pi; turn += step_rad)
+      fill(column.center + column.radius_m * unit_vector(turn));
+  }
+
+  void enter(int column, int row) {
+    if (column < 0 || row < 0 || column >= raster_.columns || row >= raster_.rows) return;
+    const int cell = row * raster_.columns + column;
+    if (outside_[cell] || walls_[cell] || !is_open(raster_.origin + raster_.resolution_m * Point(column + 0.5, row + 0.5)))
+      return;
+    outside_[cell] = 1;
+    open_.push_back(cell);
+  }
+
+  bool is_open(const Point& place) const {
+    constexpr int kDirections = 18, kOpen = 6;
+    int met_nothing = 0;
+    for (int k = 0; k < kDirections && met_nothing < kOpen; ++k)
+      met_nothing += meets_nothing(place, unit_vector(2 * std::numbers::pi * k / kDirections));
+    return met_nothing >= kOpen;
+  }
+
+  bool meets_nothing(Point place, const Point& direction) const {
+    const Point step = 0.7 * raster_.resolution_m * direction;
+    for (int cell = cell_at(place); cell >= 0; cell = cell_at(place)) {
+      if (walls_[cell]) return false;
+      place += step;
+    }
+    return true;
+  }
+
+  bool is_no_building() const {
+    int free = 0, inside = 0;
+    for (std::size_t cell = 0; cell < outside_.size(); ++cell) {
+      const bool is_free = raster_.cells[cell] == MapRaster::Cell::free;
+      free += is_free;
+      inside += is_free && !outside_[cell];
+    }
+    return 3 * inside < free;
+  }
+
+  const MapRaster& raster_;
+  std::vector<char> walls_, outside_;
+  std::vector<int> open_;  ///< outside, in the order in which they were found
+};
+
+}  // namespace
+
+std::vector<char> outside_cells(const SemanticMap& map, const MapRaster& raster) { return OpenGround(map, raster).run(); }
+
+}  // namespace opal

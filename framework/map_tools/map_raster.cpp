@@ -1,0 +1,171 @@
+#include "map_tools/map_raster.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace opal {
+namespace {
+
+constexpr double kMostCells = 1e8;
+using Cell = MapRaster::Cell;
+
+bool has_surface(const Geometry& geometry) {
+  return std::holds_alternative<Segment>(geometry) || std::holds_alternative<Circle>(geometry);
+}
+
+/// Corners of what has a surface.
+std::array<Point, 2> bounds_of(const SemanticMap& map) {
+  std::optional<std::array<Point, 2>> box;
+  const auto add = [&](const Point& p) {
+    box = box ? std::array<Point, 2>{(*box)[0].cwiseMin(p), (*box)[1].cwiseMax(p)} : std::array<Point, 2>{p, p};
+  };
+  for (const MapFeature& feature : map.features()) {
+    if (const auto* face = std::get_if<Segment>(&feature.geometry)) {
+      add(face->begin);
+      add(face->end);
+    } else if (const auto* column = std::get_if<Circle>(&feature.geometry)) {
+      add(column->center - Point::Constant(column->radius_m));
+      add(column->center + Point::Constant(column->radius_m));
+    }
+  }
+  if (!box) throw MapError(map.name() + ": no feature with a surface, expected a segment or a circle to draw");
+  return *box;
+}
+
+class Rasterization {
+ public:
+  Rasterization(const SemanticMap& map, const RasterOptions& options) : map_(map) {
+    const auto [min, max] = bounds_of(map);
+    const Point size = (max - min + Point::Constant(2 * options.border_m)) / options.resolution_m;
+    if (!(size.x() * size.y() < kMostCells))
+      throw MapError(map.name() + ": a grid of " + std::to_string(size.x()) + " x " + std::to_string(size.y()) +
+                     " cells, expected at most 10^8 in all");
+    raster_.columns = static_cast<int>(std::ceil(size.x()));
+    raster_.rows = static_cast<int>(std::ceil(size.y()));
+    raster_.resolution_m = options.resolution_m;
+    raster_.origin = min - Point::Constant(options.border_m);
+    raster_.cells.assign(static_cast<std::size_t>(raster_.columns) * raster_.rows, Cell::unknown);
+  }
+
+  MapRaster run() {
+    for (const MapFeature& feature : map_.features())
+      if (has_surface(feature.geometry)) draw(feature.geometry);
+    for (const MapFeature& feature : map_.features())
+      if (has_surface(feature.geometry)) look_from(feature.geometry);
+    return std::move(raster_);
+  }
+
+ private:
+  void occupy(const Point& p) {
+    if (const auto index = index_at(p)) raster_.cells[*index] = Cell::occupied;
+  }
+
+  void draw(const Geometry& geometry) {
+    const double step_m = raster_.resolution_m / 2;
+    if (const auto* face = std::get_if<Segment>(&geometry)) {
+      const Point behind = -step_m * face->normal();
+      for (double along = 0; along < face->length_m() + step_m; along += step_m)
+        occupy(face->begin + std::min(along, face->length_m()) * face->direction() + behind);
+      return;
+    }
+    const auto& column = std::get<Circle>(geometry);
+    for (double x = -column.radius_m; x <= column.radius_m; x += step_m)
+      for (double y = -column.radius_m; y <= column.radius_m; y += step_m)
+        if (std::hypot(x, y) <= column.radius_m) occupy(column.center + Point(x, y));
+  }
+
+  /// What lies in view of a surface, in front of it, is free.
+  void look_from(const Geometry& geometry) {
+    constexpr double kEvery_m = 0.5;
+    if (const auto* face = std::get_if<Segment>(&geometry)) {
+      const int looks = static_cast<int>(std::ceil(face->length_m() / kEvery_m));
+      for (int k = 0; k < looks; ++k)
+        look_ahead(face->begin + (k + 0.5) / looks * (face->end - face->begin), face->normal());
+      return;
+    }
+    const auto& column = std::get<Circle>(geometry);
+    for (int turn = 0; turn < 12; ++turn) {
+      const Point away = unit_vector(turn * std::numbers::pi / 6);
+      look_ahead(column.center + (column.radius_m + raster_.resolution_m) * away, away);
+    }
+  }
+
+  void look_ahead(const Point& from, const Point& ahead) {
+    constexpr double kStep_rad = 0.01;
+    const double straight_rad = std::atan2(ahead.y(), ahead.x());
+    for (double off_rad = -1.55; off_rad <= 1.55; off_rad += kStep_rad) look_along(from, unit_vector(straight_rad + off_rad));
+  }
+
+  void look_along(const Point& from, const Point& direction) {
+    constexpr double kView_m = 15;
+    const double step_m = raster_.resolution_m / 2;
+    for (double range_m = step_m; range_m < kView_m; range_m += step_m) {
+      const auto index = index_at(from + range_m * direction);
+      if (!index || raster_.cells[*index] == Cell::occupied) return;
+      raster_.cells[*index] = Cell::free;
+    }
+  }
+
+  std::optional<std::size_t> index_at(const Point& p) const {
+    const Point cell = (p - raster_.origin) / raster_.resolution_m;
+    const bool inside = cell.x() >= 0 && cell.y() >= 0 && cell.x() < raster_.columns && cell.y() < raster_.rows;
+    if (!inside) return std::nullopt;
+    return static_cast<std::size_t>(static_cast<int>(cell.y())) * raster_.columns + static_cast<int>(cell.x());
+  }
+
+  const SemanticMap& map_;
+  MapRaster raster_;
+};
+
+std::ofstream writable(const std::string& path) {
+  std::ofstream file(path, std::ios::binary);
+  if (!file) throw Error(path + ": cannot be written");
+  return file;
+}
+
+/// The brightness by which map_server knows them.
+char brightness(Cell cell) {
+  constexpr unsigned char kUnknown = 205, kFree = 254, kOccupied = 0;
+  return static_cast<char>(cell == Cell::occupied ? kOccupied : cell == Cell::free ? kFree : kUnknown);
+}
+
+}  // namespace
+
+MapRaster::Cell MapRaster::at(const Point& p) const {
+  const Point cell = (p - origin) / resolution_m;
+  const bool inside = cell.x() >= 0 && cell.y() >= 0 && cell.x() < columns && cell.y() < rows;
+  return inside ? at(static_cast<int>(cell.x()), static_cast<int>(cell.y())) : Cell::unknown;
+}
+
+MapRaster rasterized(const SemanticMap& map, const RasterOptions& options) {
+  if (!(options.resolution_m >= 1e-3 && options.resolution_m <= 10))
+    throw ConfigError("raster: resolution " + std::to_string(options.resolution_m) + " m, expected 0.001 to 10");
+  if (!(options.border_m >= 0 && options.border_m <= 1000))
+    throw ConfigError("raster: border " + std::to_string(options.border_m) + " m, expected 0 to 1000");
+  return Rasterization(map, options).run();
+}
+
+void write_raster(const MapRaster& raster, const std::string& yaml_path) {
+  const std::filesystem::path yaml(yaml_path), image = std::filesystem::path(yaml).replace_extension(".pgm");
+  auto pixels = writable(image.string());
+  pixels << "P5\n" << raster.columns << ' ' << raster.rows << "\n255\n";
+  for (int row = raster.rows - 1; row >= 0; --row)
+    for (int column = 0; column < raster.columns; ++column) pixels.put(brightness(raster.at(column, row)));
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(10);
+  text << "image: " << image.filename().string() << "\nresolution: " << raster.resolution_m << "\norigin: ["
+       << raster.origin.x() << ", " << raster.origin.y()
+       << ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  writable(yaml.string()) << text.str();
+  if (!pixels.flush()) throw Error(image.string() + ": cannot be written");
+}
+
+}  // namespace opal

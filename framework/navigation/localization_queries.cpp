@@ -1,0 +1,40 @@
+#include "navigation/localization_queries.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace opal::behaviours {
+
+void LocalizerQueries::begin() {
+  localizer_.reset();
+  scan_ = {};
+  estimate_ = {};
+  keep_pattern_ = false;
+}
+
+void LocalizerQueries::take(const RawScan& scan) {
+  if (std::exchange(keep_pattern_, false)) localizer_.keep_pattern();
+  T_odom_base_ = of_three_numbers(*scan.T_odom_base);
+  scan_ = make_scan(scan, laser_);
+  localizer_.update(scan_, T_odom_base_);
+  estimate_ = localizer_.estimate_at(scan_.stamp_s, T_odom_base_);
+  estimate_.T_map_base = of_three_numbers(estimate_.T_map_base);
+  for (PoseEstimate::Rival& rival : estimate_.rivals) rival.T_map_base = of_three_numbers(rival.T_map_base);
+}
+
+std::vector<Geometry> LocalizerQueries::pattern() const {
+  std::vector<Geometry> pattern;
+  const auto& hypotheses = localizer_.hypotheses();
+  if (hypotheses.empty()) return pattern;
+  const Pose2 T_base_local = localizer_.local_map().T_local_base_at(T_odom_base_).inverse();
+  const auto& features = localizer_.local_map().features();
+  for (const Association& association : hypotheses.front().associations) {
+    if (association.map_feature < 0) continue;
+    const auto local = std::find_if(features.begin(), features.end(),
+                                    [&](const LocalFeature& f) { return f.id == association.local_feature; });
+    if (local != features.end()) pattern.push_back(transformed(T_base_local, local->feature.geometry));
+  }
+  return pattern;
+}
+
+}  // namespace opal::behaviours

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "navigation/situation.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace opal::behaviours {
+
+enum class Outcome { running, success, failure };
+
+/// A node of a behaviour tree (Colledanchise and Ögren 2018). It is ticked until it has succeeded or failed; then the next
+/// tick begins anew.
+class Node {
+ public:
+  virtual ~Node() = default;
+  virtual Outcome tick(Situation& situation) = 0;
+  /// Gives up what is running: the next tick begins anew. Nothing happens if nothing is running.
+  virtual void halt() {}
+};
+
+using Children = std::vector<std::unique_ptr<Node>>;
+
+}  // namespace opal::behaviours

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "navigation/situation.hpp"
+
+namespace opal::behaviours {
+
+/// What has been seen makes the floor dear where the robot has no room for it, and near what is not mapped, and where it got stuck; frame `map`,
+/// by the best hypothesis.
+FloorGrid::Surcharge unmapped_surcharge(const Situation& situation);
+
+/// Follows a path, frame odom, by motion primitives.
+class PathDrive {
+ public:
+  explicit PathDrive(std::vector<Point> path_odom) : path_(std::move(path_odom)) {}
+  /// @param T_odom_map  turns a path in the map frame into one in the odom frame.
+  PathDrive(const Pose2& T_odom_map, const std::vector<Point>& path_map);
+
+  bool arrived(const Situation& situation, double within_m) const;
+  /// Asks the situation for the next velocity.
+  void drive(Situation& situation);
+  const std::vector<Point>& path() const { return path_; }
+
+ private:
+  std::vector<Point> path_;
+  std::size_t passed_ = 0;  ///< points of the path that lie behind
+};
+
+}  // namespace opal::behaviours

@@ -1,0 +1,114 @@
+#include "navigation/seen_obstacles.hpp"
+
+#include <algorithm>
+
+namespace opal::behaviours {
+namespace {
+
+constexpr int kDirections = 720;
+
+int direction_of(double bearing_rad) {
+  const int k = static_cast<int>((wrap_angle(bearing_rad) + std::numbers::pi) / (2 * std::numbers::pi) * kDirections);
+  return std::clamp(k, 0, kDirections - 1);
+}
+
+}  // namespace
+
+long SeenObstacles::key_of(const Point& p_odom) const {
+  const auto x = static_cast<long>(std::floor(p_odom.x() / memory_.cell_m));
+  const auto y = static_cast<long>(std::floor(p_odom.y() / memory_.cell_m));
+  return x * 4000037 + y;
+}
+
+void SeenObstacles::sweep(const Scan& scan) {
+  if (!sweep_.ranges_m.empty()) earlier_.push_back(std::move(sweep_));
+  while (earlier_.size() > 1 && now_s_ - earlier_[1].stamp_s >= memory_.earlier_s) earlier_.pop_front();
+  sweep_ = {T_odom_laser_, now_s_, std::vector<double>(kDirections, 0)};
+  for (const ScanPoint& point : scan.points) {
+    double& range = sweep_.ranges_m[direction_of(point.bearing_rad)];
+    range = range == 0 ? point.range_m : std::min(range, point.range_m);
+  }
+}
+
+double SeenObstacles::Sweep::range_at(double bearing_rad, int slack) const {
+  double least = 0;
+  for (int k = -slack; k <= slack; ++k) {
+    const double range = ranges_m[(direction_of(bearing_rad) + k + kDirections) % kDirections];
+    if (range > 0) least = least == 0 ? range : std::min(least, range);
+  }
+  return least;
+}
+
+void SeenObstacles::add(const Scan& scan, const Pose2& T_odom_base, const Pose2& T_base_laser) {
+  now_s_ = scan.stamp_s;
+  T_odom_base_ = T_odom_base;
+  T_odom_laser_ = T_odom_base * T_base_laser;
+  sweep(scan);
+  forget();
+  const std::vector<Point> movers = moved(scan);
+  constexpr double kBeside_m = 0.5, kNever_s = -1e9;
+  for (const ScanPoint& point : scan.points) {
+    const Point p = T_odom_laser_ * point.position;
+    const bool moves = std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
+    SeenPoint& seen = points_.try_emplace(key_of(p), SeenPoint{p, now_s_, kNever_s}).first->second;
+    seen = {p, now_s_, moves ? now_s_ : seen.moved_s};
+  }
+}
+
+/// Points of a scan where beams passed not long ago, frame odom. A lone one is a thin leg that was missed before.
+std::vector<Point> SeenObstacles::moved(const Scan& scan) const {
+  constexpr double kPassed_m = 0.25, kReach_m = 3, kTogether_m = 0.15;
+  constexpr long kLeast = 3;
+  std::vector<Point> found;
+  if (earlier_.empty()) return found;
+  const Sweep& before = earlier_.front();
+  const Pose2 T_before_now = before.T_odom_laser.inverse() * T_odom_laser_;
+  for (const ScanPoint& point : scan.points) {
+    if (point.range_m > kReach_m) continue;
+    const Point p = T_before_now * point.position;
+    if (before.range_at(std::atan2(p.y(), p.x()), 4) > p.norm() + kPassed_m) found.push_back(T_odom_laser_ * point.position);
+  }
+  std::vector<Point> together;
+  for (const Point& p : found)
+    if (std::count_if(found.begin(), found.end(), [&](const Point& q) { return (p - q).norm() < kTogether_m; }) >= kLeast)
+      together.push_back(p);
+  return together;
+}
+
+/// Points are forgotten when they are old, or a beam and its neighbours end clearly behind them.
+void SeenObstacles::forget() {
+  constexpr double kBehind_m = 0.2;
+  const Pose2 T_laser_odom = T_odom_laser_.inverse();
+  std::erase_if(points_, [&](const auto& entry) {
+    const double age_s = now_s_ - entry.second.stamp_s;
+    if (age_s > memory_.planning_s) return true;
+    if (age_s <= memory_.newest_s) return false;
+    const Point p = T_laser_odom * entry.second.p_odom;
+    return sweep_.range_at(std::atan2(p.y(), p.x()), 2) > p.norm() + kBehind_m;
+  });
+}
+
+std::vector<Obstacle> SeenObstacles::near(double reach_m) const {
+  const Pose2 T_base_odom = T_odom_base_.inverse(), T_laser_odom = T_odom_laser_.inverse();
+  std::vector<Obstacle> found;
+  for (const auto& [key, seen] : points_) {
+    const double age_s = now_s_ - seen.stamp_s;
+    if (age_s > memory_.unseen_s) continue;
+    const Point p = T_base_odom * seen.p_odom;
+    if (p.squaredNorm() > reach_m * reach_m) continue;
+    const Point in_laser = T_laser_odom * seen.p_odom;
+    const bool looked_at = sweep_.range_at(std::atan2(in_laser.y(), in_laser.x()), 1) > 0;
+    if (age_s > memory_.newest_s && looked_at) continue;
+    found.push_back({p, now_s_ - seen.moved_s < memory_.moving_s ? memory_.berth_m : 0});
+  }
+  return found;
+}
+
+std::vector<Point> SeenObstacles::lately(double reach_m) const {
+  std::vector<Point> found;
+  for (const auto& [key, seen] : points_)
+    if ((seen.p_odom - T_odom_base_.position()).norm() <= reach_m) found.push_back(seen.p_odom);
+  return found;
+}
+
+}  // namespace opal::behaviours

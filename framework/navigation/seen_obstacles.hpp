@@ -1,0 +1,62 @@
+#pragma once
+
+#include "navigation/motion_primitives.hpp"
+
+#include <opal/sensing/scan.hpp>
+
+#include <deque>
+#include <unordered_map>
+#include <vector>
+
+namespace opal::behaviours {
+
+struct ObstacleMemory {
+  double cell_m = 0.05;     ///< one point is kept per cell
+  double newest_s = 0.35;   ///< where the laser looks, points this old still count for the next motion,
+  double unseen_s = 8;      ///< and where it does not look, points this old
+  double planning_s = 300;  ///< for planning, unless a beam has passed through since
+  double earlier_s = 0.5;   ///< what stands where a beam passed this long ago has moved there
+  double moving_s = 1;      ///< what has moved, and what is beside it, may move on for so long
+  double berth_m = 0.35;    ///< as far as a leg swings until the next scan
+};
+
+/// What the laser has seen lately, in the odom frame, so that what is beside and behind the robot is known, too.
+class SeenObstacles {
+ public:
+  explicit SeenObstacles(const ObstacleMemory& memory = {}) : memory_(memory) {}
+
+  /// Takes a scan; what its beams pass through is forgotten.
+  void add(const Scan& scan, const Pose2& T_odom_base, const Pose2& T_base_laser);
+
+  /// What the next motion must not touch, frame base_link at the newest scan.
+  std::vector<Obstacle> near(double reach_m) const;
+  /// Everything not forgotten within reach of the robot, frame odom: for planning.
+  std::vector<Point> lately(double reach_m) const;
+
+ private:
+  struct SeenPoint {
+    Point p_odom;
+    double stamp_s;
+    double moved_s;  ///< when it was seen to move; long ago: never
+  };
+  /// Ranges of a scan by direction, in the laser frame; 0: the laser does not look there, or saw nothing.
+  struct Sweep {
+    Pose2 T_odom_laser;
+    double stamp_s = 0;
+    std::vector<double> ranges_m;
+    double range_at(double bearing_rad, int slack) const;  ///< least of the neighbours; 0: unknown
+  };
+  long key_of(const Point& p_odom) const;
+  void sweep(const Scan& scan);
+  void forget();
+  std::vector<Point> moved(const Scan& scan) const;
+
+  ObstacleMemory memory_;
+  std::unordered_map<long, SeenPoint> points_;
+  Sweep sweep_;                  ///< of the newest scan
+  std::deque<Sweep> earlier_;    ///< oldest first
+  double now_s_ = 0;
+  Pose2 T_odom_base_, T_odom_laser_;
+};
+
+}  // namespace opal::behaviours

@@ -1,0 +1,40 @@
+#include "patterns/mapped_patterns.hpp"
+
+#include "patterns/pattern_index.hpp"
+#include "patterns/pattern_layer.hpp"
+
+#include <unordered_map>
+
+namespace opal {
+namespace {
+
+MappedPatterns patterns_of_layer(const MapView& map, const std::vector<Named<PatternTemplate>>& templates) {
+  MappedPatterns mapped;
+  std::unordered_map<int, int> position;
+  for (const int number : map.features()) {
+    position[number] = static_cast<int>(mapped.features.size());
+    mapped.features.push_back({{map.feature(number).type, map.feature(number).geometry}, {number}});
+  }
+  for (const auto& each : templates) {
+    mapped.by_template.push_back(layer_instances(map, each.name, *each.part));
+    for (PatternInstance& instance : mapped.by_template.back())
+      for (int& member : instance.members) member = position.at(member);
+  }
+  return mapped;
+}
+
+MappedPatterns all_patterns(const MapView& map, const std::vector<Named<PatternTemplate>>& templates) {
+  MappedPatterns mapped{mapped_features(map.map(), map.features()), {}};
+  std::vector<Feature> features;
+  for (const MappedFeature& feature : mapped.features) features.push_back(feature.feature);
+  for (const auto& each : templates) mapped.by_template.push_back(find_patterns(*each.part, features));
+  return mapped;
+}
+
+}  // namespace
+
+MappedPatterns mapped_patterns(const MapView& map, const std::vector<Named<PatternTemplate>>& templates) {
+  return has_pattern_layer(map) ? patterns_of_layer(map, templates) : all_patterns(map, templates);
+}
+
+}  // namespace opal

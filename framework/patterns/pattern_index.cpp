@@ -1,0 +1,169 @@
+#include "patterns/pattern_index.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+namespace opal {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+struct Interval {
+  float low = -kInfinity;
+  float high = kInfinity;
+};
+
+Interval accepted_by(const Invariant& observed) {
+  const auto value = static_cast<float>(observed.value), slack = static_cast<float>(observed.tolerance);
+  switch (observed.comparison) {
+    case Comparison::equal: return {value - slack, value + slack};
+    case Comparison::mapped_at_most: return {-kInfinity, value + slack};
+    case Comparison::mapped_at_least: return {value - slack, kInfinity};
+  }
+  return {};
+}
+
+}  // namespace
+
+/// A k-d tree (Bentley 1975) over the invariants of all patterns. Each node halves its range of patterns at the median of
+/// the widest dimension, down to buckets of a few; children of node k are 2 k + 1 and 2 k + 2. Every node has a bounding
+/// box, so that whole subtrees are counted or skipped.
+struct PatternIndex::Tree {
+  static constexpr std::size_t kBucket = 16;
+
+  std::size_t dimensions = 0;
+  std::vector<int> order;       ///< pattern numbers in tree order
+  std::vector<float> values;    ///< dimensions per pattern, in tree order
+  std::vector<Interval> boxes;  ///< dimensions per node
+
+  explicit Tree(std::span<const PatternInstance> patterns) {
+    if (patterns.empty()) return;
+    dimensions = patterns.front().invariants.size();
+    order.resize(patterns.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::vector<float> by_number;  // one array: following two pointers per comparison would take most of the time
+    by_number.reserve(patterns.size() * dimensions);
+    for (const PatternInstance& pattern : patterns)
+      for (const Invariant& invariant : pattern.invariants) by_number.push_back(static_cast<float>(invariant.value));
+    build(by_number, 0, 0, order.size());
+    values.reserve(by_number.size());
+    for (int number : order)
+      values.insert(values.end(), &by_number[number * dimensions], &by_number[number * dimensions] + dimensions);
+  }
+
+  void build(const std::vector<float>& by_number, std::size_t node, std::size_t from, std::size_t to) {
+    if (boxes.size() < (node + 1) * dimensions) boxes.resize((node + 1) * dimensions);
+    const std::size_t widest = enclose(by_number, node, from, to);
+    if (to - from <= kBucket) return;
+    const std::size_t middle = from + (to - from) / 2;
+    std::nth_element(order.begin() + from, order.begin() + middle, order.begin() + to, [&](int a, int b) {
+      return by_number[a * dimensions + widest] < by_number[b * dimensions + widest];
+    });
+    build(by_number, 2 * node + 1, from, middle);
+    build(by_number, 2 * node + 2, middle, to);
+  }
+
+  /// Sets the node's box. @return its widest dimension.
+  std::size_t enclose(const std::vector<float>& by_number, std::size_t node, std::size_t from, std::size_t to) {
+    Interval* box = &boxes[node * dimensions];
+    std::fill(box, box + dimensions, Interval{kInfinity, -kInfinity});
+    for (std::size_t k = from; k < to; ++k)
+      for (std::size_t d = 0; d < dimensions; ++d) {
+        const float value = by_number[order[k] * dimensions + d];
+        box[d] = {std::min(box[d].low, value), std::max(box[d].high, value)};
+      }
+    const auto narrower = [](const Interval& a, const Interval& b) { return a.high - a.low < b.high - b.low; };
+    return static_cast<std::size_t>(std::max_element(box, box + dimensions, narrower) - box);
+  }
+
+  /// Calls visit(from, to) for ranges that are wholly inside the query, and for single matches; stops when it
+  /// returns false.
+  template <class Visit>
+  bool search(const std::vector<Interval>& query, Visit& visit) const {
+    return order.empty() || search(query, 0, 0, order.size(), visit);
+  }
+
+  template <class Visit>
+  bool search(const std::vector<Interval>& query, std::size_t node, std::size_t from, std::size_t to, Visit& visit) const {
+    const Interval* box = &boxes[node * dimensions];
+    bool inside = true;
+    for (std::size_t d = 0; d < dimensions; ++d) {
+      if (box[d].low > query[d].high || box[d].high < query[d].low) return true;
+      inside = inside && box[d].low >= query[d].low && box[d].high <= query[d].high;
+    }
+    if (inside) return visit(from, to);
+    if (to - from <= kBucket) {
+      for (std::size_t k = from; k < to; ++k)
+        if (contains(query, k) && !visit(k, k + 1)) return false;
+      return true;
+    }
+    const std::size_t middle = from + (to - from) / 2;
+    return search(query, 2 * node + 1, from, middle, visit) && search(query, 2 * node + 2, middle, to, visit);
+  }
+
+  /// Compares all dimensions: which of them rules a pattern out is nothing that a processor could guess.
+  bool contains(const std::vector<Interval>& query, std::size_t at) const {
+    bool inside = true;
+    for (std::size_t d = 0; d < dimensions; ++d) {
+      const float value = values[at * dimensions + d];
+      inside &= !(value < query[d].low);
+      inside &= !(value > query[d].high);
+    }
+    return inside;
+  }
+};
+
+PatternIndex::PatternIndex(std::vector<PatternInstance> patterns)
+    : patterns_(std::move(patterns)), tree_(std::make_unique<const Tree>(patterns_)) {}
+PatternIndex::~PatternIndex() = default;
+PatternIndex::PatternIndex(PatternIndex&&) noexcept = default;
+
+std::span<const PatternInstance> PatternIndex::patterns() const { return patterns_; }
+
+namespace {
+
+std::vector<Interval> query_of(const PatternInstance& observed) {
+  std::vector<Interval> query;
+  for (const Invariant& invariant : observed.invariants) query.push_back(accepted_by(invariant));
+  return query;
+}
+
+/// Different numbers below `end`, sorted. Many of them are sorted sooner by marking them.
+std::vector<int> increasing(std::vector<int> numbers, std::size_t end) {
+  constexpr std::size_t kBits = 64;
+  std::vector<std::uint64_t> marks(numbers.size() * kBits < end ? 0 : end / kBits + 1);
+  if (marks.empty()) {
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+  for (int number : numbers) marks[number / kBits] |= std::uint64_t{1} << number % kBits;
+  auto next = numbers.begin();
+  for (std::size_t k = 0; k < marks.size(); ++k)
+    for (std::uint64_t left = marks[k]; left != 0; left &= left - 1)
+      *next++ = static_cast<int>(k * kBits) + std::countr_zero(left);
+  return numbers;
+}
+
+}  // namespace
+
+std::size_t PatternIndex::count(const PatternInstance& observed, std::size_t limit) const {
+  std::size_t found = 0;
+  auto add = [&](std::size_t from, std::size_t to) { return (found += to - from) < limit; };
+  tree_->search(query_of(observed), add);
+  return std::min(found, limit);
+}
+
+std::vector<int> PatternIndex::find(const PatternInstance& observed) const {
+  std::vector<int> numbers;
+  auto add = [&](std::size_t from, std::size_t to) {
+    numbers.insert(numbers.end(), tree_->order.begin() + from, tree_->order.begin() + to);
+    return true;
+  };
+  tree_->search(query_of(observed), add);
+  return increasing(std::move(numbers), patterns_.size());
+}
+
+}  // namespace opal

@@ -1,0 +1,123 @@
+#include "patterns/pattern_index.hpp"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace opal {
+namespace {
+
+namespace bg = boost::geometry;
+using BoostPoint = bg::model::point<double, 2, bg::cs::cartesian>;
+using Box = bg::model::box<BoostPoint>;
+using Entry = std::pair<Box, int>;
+
+struct Corners {
+  Box operator()(const Point& p) const { return span(p, p); }
+  Box operator()(const OrientedPoint& p) const { return span(p.position, p.position); }
+  Box operator()(const Segment& s) const { return span(s.begin.cwiseMin(s.end), s.begin.cwiseMax(s.end)); }
+  Box operator()(const Circle& c) const {
+    const Point r = Point::Constant(c.radius_m);
+    return span(c.center - r, c.center + r);
+  }
+  static Box span(const Point& low, const Point& high) {
+    return {{low.x(), low.y()}, {high.x(), high.y()}};
+  }
+};
+
+bool crosses(const Segment& a, const Segment& b) {
+  const Point u = a.end - a.begin, v = b.end - b.begin;
+  const double d = cross(u, v);
+  if (d == 0) return false;
+  const double s = cross(b.begin - a.begin, v) / d, t = cross(b.begin - a.begin, u) / d;
+  return s >= 0 && s <= 1 && t >= 0 && t <= 1;
+}
+
+/// Shortest distance between two geometries; circles count as their centres, less the radius.
+double gap_m(const Geometry& a, const Geometry& b) {
+  const auto* segment_a = std::get_if<Segment>(&a);
+  const auto* segment_b = std::get_if<Segment>(&b);
+  if (segment_a && segment_b)
+    return crosses(*segment_a, *segment_b)
+               ? 0.0
+               : std::min(std::min(distance_m(*segment_a, segment_b->begin), distance_m(*segment_a, segment_b->end)),
+                          std::min(distance_m(*segment_b, segment_a->begin), distance_m(*segment_b, segment_a->end)));
+  if (segment_b) return gap_m(b, a);
+  return distance_m(a, anchor_of(b));
+}
+
+/// Fills the slots of a template one by one with features near all earlier ones.
+class Enumeration {
+ public:
+  Enumeration(const PatternTemplate& pattern_template, std::span<const Feature> features)
+      : template_(pattern_template), shape_(pattern_template.shape()), features_(features) {
+    std::vector<Entry> entries;
+    for (std::size_t k = 0; k < features.size(); ++k)
+      entries.emplace_back(std::visit(Corners{}, features[k].geometry), static_cast<int>(k));
+    tree_ = decltype(tree_)(entries);
+  }
+
+  std::vector<PatternInstance> run() {
+    for (std::size_t k = 0; k < features_.size() && !shape_.slots.empty(); ++k) fill(static_cast<int>(k));
+    return std::move(found_);
+  }
+
+ private:
+  void fill(int candidate) {
+    if (kind_of(features_[candidate].geometry) != shape_.slots[chosen_.size()]) return;
+    for (int earlier : chosen_)
+      if (earlier == candidate || is_farther(earlier, candidate, earlier == chosen_.back() ? neighbour_m_ : shape_.reach_m))
+        return;
+    chosen_.push_back(candidate);
+    if (chosen_.size() == shape_.slots.size())
+      offer();
+    else
+      for (int next : around(chosen_.back(), neighbour_m_)) fill(next);
+    chosen_.pop_back();
+  }
+
+  bool is_farther(int a, int b, double distance_m) const {
+    return gap_m(features_[a].geometry, features_[b].geometry) > distance_m;
+  }
+
+  std::vector<int> around(int number, double r) const {
+    Box box = std::visit(Corners{}, features_[number].geometry);
+    box = {{box.min_corner().get<0>() - r, box.min_corner().get<1>() - r},
+           {box.max_corner().get<0>() + r, box.max_corner().get<1>() + r}};
+    std::vector<int> numbers;
+    tree_.query(bg::index::intersects(box),
+                boost::make_function_output_iterator([&](const Entry& entry) { numbers.push_back(entry.second); }));
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+
+  void offer() {
+    offered_.clear();
+    for (int number : chosen_) offered_.push_back(&features_[number]);
+    auto instance = template_.match(offered_);
+    if (!instance) return;
+    for (int& member : instance->members) member = chosen_[member];
+    found_.push_back(std::move(*instance));
+  }
+
+  const PatternTemplate& template_;
+  const PatternShape shape_;
+  const double neighbour_m_ = shape_.neighbour_reach_m > 0 ? shape_.neighbour_reach_m : shape_.reach_m;
+  std::span<const Feature> features_;
+  bg::index::rtree<Entry, bg::index::quadratic<16>> tree_;
+  std::vector<int> chosen_;
+  std::vector<const Feature*> offered_;
+  std::vector<PatternInstance> found_;
+};
+
+}  // namespace
+
+std::vector<PatternInstance> find_patterns(const PatternTemplate& pattern_template,
+                                           std::span<const Feature> features) {
+  return Enumeration(pattern_template, features).run();
+}
+
+}  // namespace opal

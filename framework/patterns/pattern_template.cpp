@@ -1,0 +1,7 @@
+#include <opal/patterns/pattern_template.hpp>
+
+namespace opal {
+
+PatternTemplate::~PatternTemplate() = default;
+
+}  // namespace opal

@@ -1,0 +1,7 @@
+#include <opal/plugin/registrar.hpp>
+
+namespace opal {
+
+Registrar::~Registrar() = default;
+
+}  // namespace opal

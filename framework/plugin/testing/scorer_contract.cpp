@@ -1,0 +1,265 @@
+#include <opal/plugin/testing/scorer_contract.hpp>
+
+#include "plugin/testing/scene.hpp"
+#include "plugin/testing/violations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace opal::testing {
+namespace {
+
+MapFeature map_feature(const std::string& type, int number, const Geometry& geometry) {
+  MapFeature feature;
+  feature.id = type + "-" + std::to_string(number) + "-feature";
+  feature.object = number;
+  feature.type = "opal:" + type;
+  feature.sensor = "PlanarLidar2D";
+  feature.geometry = geometry;
+  return feature;
+}
+
+std::shared_ptr<const SemanticMap> moved(const SemanticMap& map, const Pose2& motion) {
+  std::vector<MapFeature> features = map.features();
+  for (MapFeature& feature : features) feature.geometry = transformed(motion, feature.geometry);
+  return SemanticMap::make(map.name(), map.objects(), std::move(features), map.patterns());
+}
+
+/// A robot that has driven a little, and what it then sees: the truth to judge hypotheses against.
+class Visit {
+ public:
+  Visit(const MapView& view, const Pose2& T_map_base) : local_map_(LocalMapOptions{}, nullptr) {
+    std::vector<Geometry> surfaces;
+    for (const int number : view.features()) surfaces.push_back(view.feature(number).geometry);
+    const int steps = 4;
+    for (int step = 0; step < steps; ++step) {
+      const Pose2 T_odom_base(0.1 * (step - steps + 1), 0, 0);
+      scan_ = simulated_scan(surfaces, T_map_base * T_odom_base, static_cast<unsigned>(step));
+      see_features(view, T_map_base * T_odom_base);
+      local_map_.add(scan_, features_, T_odom_base, Pose2());
+    }
+    associate(T_map_base);
+  }
+
+  const Hypothesis& truth() const { return truth_; }
+
+  Observation observation() const {
+    Observation seen{local_map_, {}, {}, scan_.range_max_m, Point::Zero(), features_};
+    for (std::size_t i = 0; i < scan_.points.size(); i += 4) seen.points.push_back(scan_.points[i].position);
+    for (std::size_t i = 0; i < scan_.free_bearings_rad.size(); i += 4)
+      seen.free_bearings_rad.push_back(scan_.free_bearings_rad[i]);
+    return seen;
+  }
+
+ private:
+  void see_features(const MapView& view, const Pose2& T_map_base) {
+    features_.clear();
+    numbers_.clear();
+    for (const int number : view.within(T_map_base.position(), 6.0)) {
+      Feature feature;
+      feature.type = view.feature(number).type;
+      feature.geometry = transformed(T_map_base.inverse(), view.feature(number).geometry);
+      const bool two = kind_of(feature.geometry) == GeometryKind::point ||
+                       kind_of(feature.geometry) == GeometryKind::segment;
+      feature.covariance = Eigen::Vector3d(1e-4, 1e-4, two ? 0.0 : 1e-4).asDiagonal();
+      if (const auto* face = std::get_if<Segment>(&feature.geometry)) feature.support_m = face->length_m();
+      features_.push_back(feature);
+      numbers_.push_back(number);
+    }
+  }
+
+  void associate(const Pose2& T_map_base) {
+    truth_.id = 1;
+    truth_.T_map_local = T_map_base * local_map_.T_local_base().inverse();
+    const std::vector<int>& local = local_map_.last_associations();
+    for (std::size_t i = 0; i < local.size() && i < numbers_.size(); ++i)
+      if (local[i] >= 0) truth_.associations.push_back({local[i], numbers_[i]});
+  }
+
+  LocalMap local_map_;
+  Scan scan_;
+  std::vector<Feature> features_;
+  std::vector<int> numbers_;
+  Hypothesis truth_;
+};
+
+struct NamedHypothesis {
+  std::string name;
+  Hypothesis hypothesis;
+};
+
+/// The truth and what differs from it.
+std::vector<NamedHypothesis> hypotheses_near(const Hypothesis& truth) {
+  const auto with_pose = [&](const Pose2& T) {
+    Hypothesis other = truth;
+    other.T_map_local = T;
+    return other;
+  };
+  Hypothesis alone = truth, denied = truth, unknown = truth;
+  alone.associations.clear();
+  for (Association& association : denied.associations) association.map_feature = -1;
+  for (Association& association : unknown.associations) association.local_feature += 100000;
+  return {{"the true hypothesis", truth},
+          {"a hypothesis 0.3 m off", with_pose(truth.T_map_local * Pose2(0.3, 0, 0.05))},
+          {"a hypothesis that is turned round", with_pose(truth.T_map_local * Pose2(0, 0, 3))},
+          {"a hypothesis 10 km outside the map", with_pose(Pose2(1e4, -1e4, 1))},
+          {"a hypothesis without associations", alone},
+          {"a hypothesis that associates everything with nothing on the map", denied},
+          {"a hypothesis whose local features are forgotten", unknown}};
+}
+
+class Judging {
+ public:
+  Judging(const HypothesisScorer& scorer, const TypeInfo& type, const ScorerTrial& trial)
+      : scorer_(scorer), trial_(trial), violations_(type.name) {}
+
+  std::vector<std::string> run() {
+    const auto map = trial_.map ? trial_.map : example_map();
+    const MapView view(map, trial_.sensor);
+    for (const Pose2& place : places(view)) {
+      const Visit visit(view, place);
+      for (const auto& [name, hypothesis] : hypotheses_near(visit.truth())) {
+        check(name, hypothesis, visit.observation(), view);
+        check_poor(name, hypothesis, visit.observation(), view);
+      }
+      for (const Pose2& motion : {Pose2(3.25, -7.5, 0), Pose2(-11.3, 4.7, 0.83)})
+        check_moved(visit, view, motion);
+    }
+    return violations_.take();
+  }
+
+ private:
+  std::vector<Pose2> places(const MapView& view) const {
+    if (!trial_.T_map_base.empty()) return trial_.T_map_base;
+    if (trial_.map == nullptr) return {{3, 4, 0.3}, {10, 2.5, 2.6}, {7.6, 4.1, -1.2}};
+    const auto [low, high] = view.bounds();
+    return {{0.5 * (low + high), 0.3}};
+  }
+
+  std::optional<Score> ask(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
+                           const MapView& view) {
+    std::optional<Score> score;
+    violations_.expect_no_throw(name, [&] { score = scorer_.score(hypothesis, seen, view); });
+    return score;
+  }
+
+  void check(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
+             const MapView& view) {
+    const auto score = ask(name, hypothesis, seen, view);
+    if (!score) return;
+    if (!std::isfinite(score->log_likelihood))
+      violations_.add("finite", "gives " + name + " a score of " + std::to_string(score->log_likelihood));
+    for (const Score::Term& term : score->breakdown) {
+      if (term.name.empty()) violations_.add("name", "gives " + name + " a score with a term without a name");
+      if (!std::isfinite(term.value))
+        violations_.add("term", "gives " + name + " a score whose term " + term.name + " is " +
+                                    std::to_string(term.value));
+    }
+    const auto again = ask(name, hypothesis, seen, view);
+    if (!(again && same(*again, *score)) && std::isfinite(score->log_likelihood))
+      violations_.add("repeat", "gives " + name + " another score when it is asked again");
+    check_findings(name, hypothesis, seen, view);
+    if (!scorer_.judges_associations()) check_without_associations(name, *score, hypothesis, seen, view);
+  }
+
+  static bool same(const Score& a, const Score& b) {
+    return a.log_likelihood == b.log_likelihood && a.veto == b.veto && a.breakdown.size() == b.breakdown.size();
+  }
+
+  void check_without_associations(const std::string& name, const Score& score, Hypothesis hypothesis,
+                                  const Observation& seen, const MapView& view) {
+    hypothesis.associations.clear();
+    const auto alone = ask(name, hypothesis, seen, view);
+    if (alone && !same(*alone, score))
+      violations_.add("associations", "gives " + name + " another score than without its associations, which it says it does not judge");
+  }
+
+  void check_findings(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
+                      const MapView& view) {
+    std::vector<Finding> findings;
+    violations_.expect_no_throw("explaining " + name, [&] { findings = scorer_.explain(hypothesis, seen, view); });
+    for (const Finding& finding : findings) {
+      if (finding.words.empty()) violations_.add("finding", "explains " + name + " with a finding without words");
+      if (finding.map_feature >= static_cast<int>(view.map().features().size()))
+        violations_.add("finding", "explains " + name + " with a mapped feature that does not exist");
+      const bool finite = std::all_of(finding.line.begin(), finding.line.end(), [](const Point& p) { return p.allFinite(); });
+      if (!finite || (finding.line.size() != 0 && finding.line.size() != 2))
+        violations_.add("finding", "explains " + name + " with a line that is not two finite points");
+    }
+  }
+
+  void check_poor(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
+                  const MapView& view) {
+    const LocalMap nothing(LocalMapOptions{}, nullptr);
+    check(name + " of an empty observation", hypothesis, Observation{nothing, {}, {}, 12, Point::Zero(), {}},
+          view);
+    Observation dark = seen;
+    dark.points.clear();
+    dark.features.clear();
+    check(name + " of a scan without returns", hypothesis, dark, view);
+    Observation point = dark;
+    point.free_bearings_rad.clear();
+    if (!seen.points.empty()) point.points.push_back(seen.points.front());
+    check(name + " of a scan with one return", hypothesis, point, view);
+  }
+
+  void check_moved(const Visit& visit, const MapView& view, const Pose2& motion) {
+    const MapView moved_view(moved(view.map(), motion), trial_.sensor);
+    for (const auto& [name, hypothesis] : hypotheses_near(visit.truth())) {
+      if (name.find("outside") != std::string::npos) continue;
+      Hypothesis image = hypothesis;
+      image.T_map_local = motion * hypothesis.T_map_local;
+      const auto here = ask(name, hypothesis, visit.observation(), view);
+      const auto there = ask(name, image, visit.observation(), moved_view);
+      if (!here || !there) continue;
+      if (!(std::abs(here->log_likelihood - there->log_likelihood) <= trial_.rigid_tolerance_nat))
+        violations_.add("rigid", "gives " + name + " " + std::to_string(here->log_likelihood) + " nat, but " +
+                                     std::to_string(there->log_likelihood) +
+                                     " nat after map and hypothesis were moved together");
+      if (here->veto.empty() != there->veto.empty())
+        violations_.add("veto", "vetoes " + name + " or not, depending on where the map's origin is");
+    }
+  }
+
+  const HypothesisScorer& scorer_;
+  const ScorerTrial& trial_;
+  Violations violations_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SemanticMap> example_map() {
+  std::vector<MapObject> objects;
+  std::vector<MapFeature> features;
+  const auto add = [&](const std::string& type, const Geometry& geometry) {
+    const int number = static_cast<int>(objects.size());
+    objects.push_back({type + "-" + std::to_string(number), "opal:" + type});
+    features.push_back(map_feature(type, number, geometry));
+  };
+  // Two rooms, 7.2 m and 6.6 m wide, with a doorway in a wall 0.2 m thick between them.
+  for (const Geometry& face : room({{0, 0},
+                                    {7.2, 0},
+                                    {7.2, 3.5},
+                                    {7.4, 3.5},
+                                    {7.4, 0},
+                                    {14, 0},
+                                    {14, 6.8},
+                                    {7.4, 7.6},
+                                    {7.4, 4.6},
+                                    {7.2, 4.6},
+                                    {7.2, 8},
+                                    {0, 8}}))
+    add("Wall", face);
+  for (const Point& center : {Point(2, 2), Point(5, 6.5), Point(11, 4.5)})
+    add("Column", Circle{center, 0.25});
+  add("Corner", OrientedPoint{{0, 0}, 0.25 * std::numbers::pi, 0.5 * std::numbers::pi});
+  return SemanticMap::make("example", std::move(objects), std::move(features));
+}
+
+std::vector<std::string> scorer_violations(const HypothesisScorer& scorer, const TypeInfo& type,
+                                           const ScorerTrial& trial) {
+  return Judging(scorer, type, trial).run();
+}
+
+}  // namespace opal::testing

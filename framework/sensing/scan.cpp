@@ -1,0 +1,63 @@
+#include <opal/sensing/scan.hpp>
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+struct Beams {
+  double angle_min_rad;
+  double angle_increment_rad;
+  std::size_t count;
+};
+
+Beams beams_of(const RawScan& raw, const LaserModel& laser) {
+  if (laser.geometry_from_log && raw.angle_min_rad && raw.angle_increment_rad)
+    return {*raw.angle_min_rad, *raw.angle_increment_rad, raw.ranges_m.size()};
+  const auto described = static_cast<std::size_t>(std::max(laser.beams, 0));
+  return {laser.angle_min_rad, laser.angle_increment_rad, std::min(described, raw.ranges_m.size())};
+}
+
+enum class Reading { invalid, hit, free };
+
+Reading classify(double range_m, const LaserModel& laser) {
+  if (std::isnan(range_m) || range_m <= 0 || range_m < laser.range_min_m) return Reading::invalid;
+  return range_m <= laser.range_max_m && range_m < laser.no_return_m ? Reading::hit : Reading::free;
+}
+
+void sort_by_bearing(Scan& scan) {
+  const auto nearer_right = [](const ScanPoint& a, const ScanPoint& b) { return a.bearing_rad < b.bearing_rad; };
+  // Most lasers deliver their beams in this order already.
+  if (!std::is_sorted(scan.points.begin(), scan.points.end(), nearer_right))
+    std::stable_sort(scan.points.begin(), scan.points.end(), nearer_right);
+  if (!std::is_sorted(scan.free_bearings_rad.begin(), scan.free_bearings_rad.end()))
+    std::sort(scan.free_bearings_rad.begin(), scan.free_bearings_rad.end());
+}
+
+}  // namespace
+
+Scan make_scan(const RawScan& raw, const LaserModel& laser) {
+  const Beams beams = beams_of(raw, laser);
+  Scan scan;
+  scan.stamp_s = raw.stamp_s;
+  scan.angle_increment_rad = std::abs(beams.angle_increment_rad);
+  scan.range_max_m = std::min(laser.range_max_m, laser.no_return_m);
+  scan.invalid = static_cast<int>(raw.ranges_m.size() - beams.count);
+  scan.points.reserve(beams.count);
+  for (std::size_t i = 0; i < beams.count; ++i) {
+    const double range_m = raw.ranges_m[i];
+    const Reading reading = classify(range_m, laser);
+    const double bearing_rad =
+        wrap_angle(beams.angle_min_rad + static_cast<double>(i) * beams.angle_increment_rad);
+    if (reading == Reading::hit)
+      scan.points.push_back({range_m * unit_vector(bearing_rad), range_m, bearing_rad, static_cast<int>(i)});
+    else if (reading == Reading::free)
+      scan.free_bearings_rad.push_back(bearing_rad);
+    else
+      ++scan.invalid;
+  }
+  sort_by_bearing(scan);
+  return scan;
+}
+
+}  // namespace opal

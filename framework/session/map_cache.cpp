@@ -1,0 +1,99 @@
+#include "session/map_cache.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
+
+#include <cctype>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string now_utc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+/// A file name that no two texts share: all but letters, digits, '-' and '_' as %XX.
+std::string as_file_name(const std::string& text) {
+  std::string name;
+  for (const unsigned char c : text) {
+    char code[4] = {static_cast<char>(c), 0};
+    if (std::isalnum(c) == 0 && c != '-' && c != '_') std::snprintf(code, sizeof code, "%%%02X", c);
+    name += code;
+  }
+  return name;
+}
+
+fs::path usual_folder() {
+  if (const char* folder = std::getenv("OPAL_MAP_CACHE")) return folder;
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
+    return fs::path(cache) / "opal" / "maps";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+    return fs::path(home) / ".cache" / "opal" / "maps";
+  return {};
+}
+
+json to_json(const opal::StoredVersion& version) {
+  return {{"building", version.building},   {"version", version.version},   {"pushed_at", version.pushed_at},
+          {"pushed_by", version.pushed_by}, {"message", version.message},   {"map_name", version.map_name},
+          {"objects", version.objects},     {"features", version.features}, {"patterns", version.patterns}};
+}
+
+opal::StoredVersion version_of(const json& object) {
+  return {object.at("building"), object.at("version"),  object.at("pushed_at"), object.at("pushed_by"), object.at("message"),
+          object.at("map_name"), object.at("objects"), object.at("features"),  object.at("patterns")};
+}
+
+/// Beside the file first, then in its place: whoever reads it sees the old or the new one, also after a power cut.
+void write_whole(const fs::path& file, const std::string& text) {
+  const fs::path beside = file.string() + "." + std::to_string(getpid());
+  std::ofstream out(beside, std::ios::binary);
+  if (!(out << text << std::flush)) throw opal::Error(beside.string() + ": cannot be written");
+  out.close();
+  fs::rename(beside, file);
+}
+
+}  // namespace
+
+MapCache MapCache::usual() { return MapCache(usual_folder()); }
+
+fs::path MapCache::file_of(const std::string& where, const opal::StoreSource& source) const {
+  const std::string version = source.version > 0 ? std::to_string(source.version) : "newest";
+  return folder_ / as_file_name(where) / (as_file_name(source.building) + "@" + version + ".json");
+}
+
+std::optional<MapCache::Entry> MapCache::find(const std::string& where, const opal::StoreSource& source) const {
+  if (folder_.empty()) return std::nullopt;
+  const fs::path file = file_of(where, source);
+  if (!fs::exists(file)) return std::nullopt;
+  opal::JsonLimits limits;
+  limits.bytes *= 2;  // the document stands in it as a text
+  const json cached = opal::read_json(file.string(), limits);
+  try {
+    return Entry{{version_of(cached.at("version")), cached.at("document")}, cached.at("pulled_at"), file.string()};
+  } catch (const json::exception& error) {
+    throw opal::Error(file.string() + ": is no map that Opal has kept: " + error.what());
+  }
+}
+
+std::string MapCache::keep(const std::string& where, const opal::StoreSource& source, const opal::StoredMap& map) const {
+  if (folder_.empty()) return {};
+  const fs::path file = file_of(where, source);
+  try {
+    fs::create_directories(file.parent_path());
+    write_whole(file, json{{"where", where}, {"version", to_json(map.version)}, {"pulled_at", now_utc()}, {"document", map.document}}.dump(1));
+  } catch (const fs::filesystem_error& error) {
+    throw opal::Error(file.string() + ": cannot be written: " + error.code().message());
+  }
+  return file.string();
+}

@@ -1,0 +1,109 @@
+#include "session/session.hpp"
+
+#include "session/overlays.hpp"
+#include "session/stored_maps.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/plugin/plugin_folders.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void tell_refusal(const std::string& refusal) { std::cerr << "plugin refused: " << refusal << '\n'; }
+
+/// A plugin that cannot be used recognizes nothing, and does not stand in the way of the others.
+template <class T>
+bool recognizes(const opal::PluginRegistry& registry, const std::string& type, const std::string& path) {
+  std::shared_ptr<const T> reader;
+  try {
+    reader = registry.make<T>(type);
+  } catch (const opal::PluginError& refusal) {
+    tell_refusal(refusal.what());
+  }
+  return reader != nullptr && reader->recognizes(path);
+}
+
+/// Name of the type of this kind that recognizes the source; empty if none does.
+template <class T>
+std::string recognizing(const opal::PluginRegistry& registry, opal::PluginKind kind, const std::string& path) {
+  for (const opal::RegisteredType& type : registry.types())
+    if (type.kind == kind && recognizes<T>(registry, type.info.name, path)) return type.info.name;
+  return "";
+}
+
+bool is_document(const std::string& source) {
+  const std::string extension = fs::path(source).extension().string();
+  return extension == ".jsonld" || extension == ".json";
+}
+
+}  // namespace
+
+opal::PluginRegistry load_plugins() {
+  opal::PluginRegistry registry;
+  for (const std::string& folder : opal::plugin_folders())
+    for (const std::string& refusal : registry.announce_all(folder)) tell_refusal(refusal);
+  return registry;
+}
+
+opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folders) {
+  opal::PluginRegistry registry = load_plugins();
+  for (const std::string& folder : further_folders)
+    for (const std::string& refusal : registry.announce_all(folder)) throw opal::ConfigError(refusal);
+  return registry;
+}
+
+const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source) {
+  if (!fs::exists(source)) throw opal::MapError(source + ": does not exist");
+  const std::string name = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source);
+  if (name.empty()) throw opal::MapError(source + ": no importer recognizes this file");
+  return registry.type(name);
+}
+
+opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, const nlohmann::json& options) {
+  return registry.make<opal::MapImporter>(importer_of(registry, source).info.name, options)->import(source);
+}
+
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source) {
+  if (const auto stored = opal::read_store_source(source)) return load_stored_map(registry, *stored);
+  return is_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
+}
+
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment) {
+  const std::string& source = deployment.map;
+  if (is_document(source) || opal::read_store_source(source)) return with_overlays(load_map(registry, source), deployment.overlays);
+  const std::string& importer = importer_of(registry, source).info.name;
+  const opal::MapImport imported = import_map(registry, source, opal::importer_options(deployment, registry, importer));
+  return with_overlays(imported.map, deployment.overlays);
+}
+
+nlohmann::json import_options(const opal::MapDamage& damage) {
+  if (damage.thick_m > 0) return {{"thicken_m", damage.thick_m}};
+  return nlohmann::json::object();
+}
+
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
+                                                  const opal::MapDamage& damage) {
+  const bool is_made = is_document(source) || opal::read_store_source(source);
+  if (is_made && damage.thick_m > 0)
+    throw opal::ConfigError(source + ": damage thick= is done to grids before they are imported, found a document");
+  return opal::damaged_map(is_made ? *load_map(registry, source) : *import_map(registry, source, import_options(damage)).map,
+                           damage);
+}
+
+std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path) {
+  if (!fs::exists(path)) throw opal::LogError(path + ": does not exist");
+  const std::string source = recognizing<opal::LogSource>(registry, opal::PluginKind::log_source, path);
+  if (source.empty()) throw opal::LogError(path + ": no log source recognizes this file");
+  return registry.make<opal::LogSource>(source)->open(path);
+}
+
+std::string shipped_config(const std::string& name) {
+  const fs::path program = fs::canonical("/proc/self/exe").parent_path();
+  for (const char* folder : {"../../../configs", "../share/opal/configs"})
+    if (const fs::path file = program / folder / name; fs::exists(file)) return fs::canonical(file).string();
+  throw opal::ConfigError(name + ": is neither beside the sources nor installed; name a configuration with --config");
+}

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <opal/deployment/deployment.hpp>
+#include "map_tools/map_damage.hpp"
+#include <opal/sensing/log_source.hpp>
+#include <opal/map/map_importer.hpp>
+#include <opal/plugin/plugin_registry.hpp>
+
+#include <memory>
+#include <string>
+
+/// What several verbs begin with.
+
+/// All plugins of the program's folders; refused ones are reported on stderr and left out.
+opal::PluginRegistry load_plugins();
+
+/// The same with those of further folders, of which none may be refused. @throws opal::ConfigError if one is.
+opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folders);
+
+/// The importer that recognizes a source, as its plugin describes it. @throws opal::MapError if none does.
+const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source);
+
+/// Imports a map with the importer that recognizes the source. @throws opal::MapError if none does.
+/// @param options  of that importer. @throws opal::PluginError if it does not accept them.
+opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source,
+                           const nlohmann::json& options = nlohmann::json::object());
+
+/// A map from a document, from the map store (store:BUILDING), or from any source that an importer recognizes.
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
+
+/// The map of a deployment with its overlays; a source is imported with the options that the deployment gives to importers.
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment);
+
+/// What `thick_m` of a damage asks of the grid importer.
+nlohmann::json import_options(const opal::MapDamage& damage);
+
+/// The same, made worse. @throws opal::ConfigError if a document shall get thick walls: that is done to grids.
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
+                                                  const opal::MapDamage& damage);
+
+/// Opens a recorded log with the source that recognizes it. @throws opal::LogError if none does.
+std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path);
+
+/// A configuration that ships with the program, by name, whether it runs from the build or is installed.
+/// @throws opal::ConfigError if it is nowhere.
+std::string shipped_config(const std::string& name);

@@ -1,0 +1,89 @@
+#include "session/stored_maps.hpp"
+
+#include "session/map_cache.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+
+namespace {
+
+constexpr const char* kNoStore =
+    "no plugin offers a MapStore, which sources such as store:hall and opal map push, pull and list need; opal:PostgisStore "
+    "is built where libpqxx is installed (Debian: libpqxx-dev)";
+
+std::vector<std::string> store_types(const opal::PluginRegistry& registry) {
+  std::vector<std::string> names;
+  for (const opal::RegisteredType& type : registry.types())
+    if (type.kind == opal::PluginKind::map_store) names.push_back(type.info.name);
+  return names;
+}
+
+std::string store_type(const opal::PluginRegistry& registry) {
+  if (const char* named = std::getenv("OPAL_MAP_STORE"); named != nullptr && *named != '\0') return named;
+  const std::vector<std::string> names = store_types(registry);
+  if (names.empty()) throw opal::PluginError(kNoStore);
+  if (names.size() == 1) return names.front();
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  throw opal::PluginError("plugins offer several map stores: " + list + "; name one in OPAL_MAP_STORE");
+}
+
+/// "3 days ago", "just now" by this machine's clock.
+std::string age_of(const std::string& utc) {
+  std::tm moment{};
+  if (strptime(utc.c_str(), "%Y-%m-%dT%H:%M:%SZ", &moment) == nullptr) return "at an unknown time";
+  const double age_s = std::difftime(std::time(nullptr), timegm(&moment));
+  if (age_s < -60) return "in the future, by this machine's clock";
+  if (age_s < 120) return "just now";
+  if (age_s < 2 * 3600) return std::to_string(std::lround(age_s / 60)) + " minutes ago";
+  if (age_s < 48 * 3600) return std::to_string(std::lround(age_s / 3600)) + " hours ago";
+  return std::to_string(std::lround(age_s / 86400)) + " days ago";
+}
+
+/// A cache that cannot be written keeps nobody from working.
+void keep(const MapCache& cache, const std::string& where, const opal::StoreSource& source, const opal::StoredMap& map) {
+  try {
+    cache.keep(where, source, map);
+  } catch (const opal::Error& error) {
+    std::cerr << "opal: the map is not kept for times without its store: " << error.what() << '\n';
+  }
+}
+
+opal::StoredMap pull_or_find(const opal::MapStore& store, const MapCache& cache, const opal::StoreSource& source) {
+  try {
+    opal::StoredMap pulled = store.pull(source.building, source.version);
+    keep(cache, store.where(), source, pulled);
+    std::cerr << "map: " << described(pulled.version) << ", from " << store.where() << '\n';
+    return pulled;
+  } catch (const opal::StoreUnreachable& error) {
+    const auto kept = cache.find(store.where(), source);
+    if (!kept) throw opal::StoreUnreachable(std::string(error.what()) + "; and " + opal::text_of(source) +
+                                            " was never kept from it on this machine");
+    std::cerr << "opal: the map store cannot be reached: " << error.what() << "\nmap: " << described(kept->map.version)
+              << ", as pulled " << age_of(kept->pulled_at) << " (" << kept->pulled_at << "), from " << kept->file << '\n';
+    return kept->map;
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const opal::MapStore> map_store(const opal::PluginRegistry& registry) {
+  return registry.make<opal::MapStore>(store_type(registry));
+}
+
+std::shared_ptr<const opal::SemanticMap> load_stored_map(const opal::PluginRegistry& registry,
+                                                         const opal::StoreSource& source) {
+  const auto store = map_store(registry);
+  const opal::StoredMap stored = pull_or_find(*store, MapCache::usual(), source);
+  return opal::SemanticMap::parse(stored.document, opal::text_of({stored.version.building, stored.version.version}));
+}
+
+std::string described(const opal::StoredVersion& version) {
+  const std::string text = "version " + std::to_string(version.version) + " of '" + version.building + "', pushed " +
+                           version.pushed_at + " by " + version.pushed_by;
+  return version.message.empty() ? text : text + ": " + version.message;
+}

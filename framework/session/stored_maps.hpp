@@ -1,0 +1,19 @@
+#pragma once
+
+#include <opal/map/map_store.hpp>
+#include <opal/plugin/plugin_registry.hpp>
+#include "deployment/store_source.hpp"
+
+#include <memory>
+
+/// The map store that a plugin offers; of several, the type that OPAL_MAP_STORE names.
+/// @throws opal::PluginError if there is none, or no telling which.
+std::shared_ptr<const opal::MapStore> map_store(const opal::PluginRegistry& registry);
+
+/// The map of a source "store:...", straight from the store, which is kept in the cache; from the cache, with a word on
+/// stderr, if the store cannot be reached. Says on stderr which version it is.
+std::shared_ptr<const opal::SemanticMap> load_stored_map(const opal::PluginRegistry& registry,
+                                                         const opal::StoreSource& source);
+
+/// "version 3 of 'hall', pushed 2026-11-21T14:02:11Z by ann: moved the east wall"
+std::string described(const opal::StoredVersion& version);

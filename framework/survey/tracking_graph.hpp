@@ -1,0 +1,53 @@
+#pragma once
+
+#include "survey/pose_tracker.hpp"
+
+#include <map>
+#include <span>
+#include <vector>
+
+namespace opal {
+
+/// What is known of a pose before the graph is solved.
+struct PosePrior {
+  Pose2 T_map_base;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of (x, y, heading), map frame
+};
+
+/// What is remembered of a feature's offset from before the horizon.
+struct OffsetMemory {
+  Point moved = Point::Zero();
+  double sigma_m = 0;  ///< 0: nothing is remembered
+};
+
+struct SolvedOffset {
+  Point moved = Point::Zero();
+  double sigma_m = 0;
+};
+
+/// Poses as solved, oldest first, and the offsets of all features that were measured from them.
+struct SolvedTrack {
+  bool usable = false;
+  std::vector<Pose2> T_map_base;
+  std::vector<Eigen::Matrix3d> covariances;  ///< per pose, map frame; empty for a batch
+  std::map<int, SolvedOffset> offsets;       ///< by feature
+};
+
+/// The factor graph of map-first tracking (Hendrikx 2023, 2.4): poses, linked by odometry and scan matching; measured
+/// features, linked to the map through an offset each. Offsets are small or, at a price that hardly grows, large.
+class TrackingGraph {
+ public:
+  TrackingGraph(const MapView& map, const PoseTrackerOptions& options) : map_(map), options_(options) {}
+
+  /// A few poses, solved within a millisecond.
+  SolvedTrack solve(std::span<const TrackedKeyframe* const> poses, const PosePrior& oldest,
+                    const std::vector<OffsetMemory>& memory) const;
+  /// All poses of a track.
+  SolvedTrack solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest) const;
+
+ private:
+  const MapView& map_;
+  const PoseTrackerOptions& options_;
+};
+
+}  // namespace opal

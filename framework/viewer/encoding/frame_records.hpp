@@ -1,0 +1,24 @@
+#pragma once
+
+#include "viewer/encoding/record_text.hpp"
+#include "viewer/reading/run_frame.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace opal {
+
+// The members of a record that say what a frame says, as framework/viewer/page/README.md has them.
+
+void write_mapped_feature(const RunHeader::Feature& feature, RecordText& record);
+void write_local_features(const RunFrame& frame, RecordText& record);
+/// How the hypothesis tree changed: born, grown, lost, tried, ended.
+void write_tree(const RunFrame& frame, RecordText& record);
+void write_search(const RecordedSearch& search, RecordText& record);
+/// Probabilities of the hypotheses that have rows, and the scores of the best few.
+void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t most_scores,
+                   RecordText& record);
+/// The estimate, truth and cost.
+void write_answer(const RunFrame& frame, RecordText& record);
+
+}  // namespace opal

@@ -1,0 +1,141 @@
+#include "viewer/serving/live_server.hpp"
+
+#include "ipc/loopback/loopback_http.hpp"
+
+#include <atomic>
+#include <charconv>
+#include <thread>
+
+namespace opal {
+namespace {
+
+using namespace std::chrono_literals;
+using httplib::Request;
+using httplib::Response;
+
+constexpr auto kHeartbeat = 10s;  ///< shows a connection that is gone while nothing happens
+
+/// The page may run what stands in it and talk to this server, nothing else; nobody may frame it.
+constexpr const char* kContentPolicy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
+    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+}  // namespace
+
+struct LiveServer::Implementation {
+  Implementation(std::string page_text, const RecordLog& log) : page(std::move(page_text)), records(log) {}
+
+  void configure();
+  void listen(int wanted_port);
+  void stop();
+  httplib::Server::HandlerResponse refuse_strangers(const Request& request, Response& response) const;
+  void open_stream(const Request& request, Response& response);
+  std::size_t resume_position(const std::string& last_event_id) const;
+  bool write_next(std::size_t& position, httplib::DataSink& sink) const;
+
+  const std::string page;
+  const RecordLog& records;
+  const std::string token = run_token();  ///< so that a browser that comes back to another run is not given its middle
+  int port = 0;
+  std::atomic<int> streams = 0;
+  std::stop_source stopping;
+  httplib::Server server;
+  std::thread thread;
+};
+
+void LiveServer::Implementation::configure() {
+  constexpr int kThreadsForPages = 4;
+  server.new_task_queue = [] { return new httplib::ThreadPool(kMostStreams + kThreadsForPages); };
+  server.set_keep_alive_max_count(1);  // an idle browser holds no thread
+  server.set_payload_max_length(1024);
+  server.set_default_headers({{"Content-Security-Policy", kContentPolicy},
+                              {"X-Content-Type-Options", "nosniff"},
+                              {"Cross-Origin-Resource-Policy", "same-origin"},
+                              {"Referrer-Policy", "no-referrer"},
+                              {"Cache-Control", "no-store"}});
+  server.set_pre_routing_handler(
+      [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
+  server.Get("/", [this](const Request&, Response& response) {
+    response.set_content(page, "text/html; charset=utf-8");
+  });
+  server.Get("/events", [this](const Request& request, Response& response) { open_stream(request, response); });
+}
+
+void LiveServer::Implementation::listen(int wanted_port) {
+  port = bind_to_loopback(server, wanted_port, "choose another port with --serve=PORT");
+  thread = std::thread([this] { server.listen_after_bind(); });
+  while (!server.is_running()) std::this_thread::sleep_for(1ms);  // until then it would not hear `stop`
+}
+
+void LiveServer::Implementation::stop() {
+  stopping.request_stop();
+  server.stop();
+  thread.join();
+}
+
+httplib::Server::HandlerResponse LiveServer::Implementation::refuse_strangers(const Request& request,
+                                                                              Response& response) const {
+  using Verdict = httplib::Server::HandlerResponse;
+  if (!is_from_here(request, port)) {
+    answer(response, 403, "This server answers to " + std::string(kLoopback) + ":" + std::to_string(port) + " only.");
+    return Verdict::Handled;
+  }
+  if (request.method != "GET") {
+    answer(response, 405, "This server only shows.");
+    return Verdict::Handled;
+  }
+  return Verdict::Unhandled;
+}
+
+void LiveServer::Implementation::open_stream(const Request& request, Response& response) {
+  if (streams.fetch_add(1) >= kMostStreams) {
+    --streams;
+    response.set_header("Retry-After", "5");
+    return answer(response, 503, "Too many pages look at this run.");
+  }
+  const auto position = std::make_shared<std::size_t>(resume_position(request.get_header_value("Last-Event-ID")));
+  response.set_chunked_content_provider(
+      "text/event-stream",
+      [this, position](std::size_t, httplib::DataSink& sink) { return write_next(*position, sink); },
+      [this](bool) { --streams; });
+}
+
+/// Events have ids "TOKEN.POSITION"; whatever is not ours begins with the first one.
+std::size_t LiveServer::Implementation::resume_position(const std::string& last_event_id) const {
+  const std::string ours = token + ".";
+  if (!last_event_id.starts_with(ours)) return 0;
+  const char* const end = last_event_id.data() + last_event_id.size();
+  std::size_t last = 0;
+  const auto parsed = std::from_chars(last_event_id.data() + ours.size(), end, last);
+  return parsed.ec == std::errc() && parsed.ptr == end && last < records.size() ? last + 1 : 0;
+}
+
+bool LiveServer::Implementation::write_next(std::size_t& position, httplib::DataSink& sink) const {
+  using Outcome = RecordLog::Reading::Outcome;
+  const auto write = [&](const std::string& text) { return sink.write(text.data(), text.size()); };
+  const RecordLog::Reading reading = records.wait(position, stopping.get_token(), kHeartbeat);
+  switch (reading.outcome) {
+    case Outcome::record:
+      return write("id: " + token + "." + std::to_string(position++) + "\ndata: " + *reading.record + "\n\n");
+    case Outcome::timeout: return write(":\n\n");
+    case Outcome::stopped: return false;
+    case Outcome::end: break;
+  }
+  const bool written = write("event: end\ndata: {}\n\n");
+  sink.done();
+  return written;
+}
+
+LiveServer::LiveServer(std::string page, const RecordLog& records, int port)
+    : implementation_(std::make_unique<Implementation>(std::move(page), records)) {
+  implementation_->configure();
+  implementation_->listen(port);
+}
+
+LiveServer::~LiveServer() { implementation_->stop(); }
+
+int LiveServer::port() const { return implementation_->port; }
+std::string LiveServer::url() const { return "http://127.0.0.1:" + std::to_string(port()) + "/"; }
+int LiveServer::streams() const { return implementation_->streams; }
+
+}  // namespace opal

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "viewer/reading/run_state.hpp"
+
+#include <optional>
+
+namespace opal {
+
+/// Everything that an explanation draws on: the newest frame, and what the frames before it leave to know.
+struct ExplainedMoment {
+  explicit ExplainedMoment(const RunHeader& of_run) : header(of_run) {}
+
+  void take(const RunFrame& frame);
+
+  const RunHeader& header;
+  RunState state;
+  std::optional<RecordedSearch> search;  ///< the last one of the time line
+  double searched_s = 0;
+  double status_since_s = 0;
+};
+
+/// What the localizer's status takes for one place (status.cpp): hypotheses there share their probability.
+bool same_place(const Pose2& a, const Pose2& b);
+
+}  // namespace opal

@@ -1,0 +1,138 @@
+#include "report/quantity_text.hpp"
+#include "viewer/words/sentences.hpp"
+
+#include "localization/alignment/registration.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace opal {
+namespace {
+
+constexpr std::size_t kNamedObjects = 4, kNamedLocals = 8, kNamedFindings = 2;
+
+/// A mapped object that the best hypothesis sees, with its nearest association.
+struct SeenObject {
+  std::string name;
+  double off_m = 0;
+};
+
+/// Types of Opal's own vocabulary are said without its prefix.
+std::string type_text(const std::string& type) {
+  const std::string own = "opal:";
+  return type.starts_with(own) ? type.substr(own.size()) : type;
+}
+
+std::string name_of_object(const RunHeader& header, const RunHeader::Feature& feature) {
+  if (feature.object < 0) return type_text(feature.type) + " " + feature.id;
+  const RunHeader::Object& object = header.objects[feature.object];
+  return type_text(object.type) + " " + object.id;
+}
+
+std::vector<std::string> numbers(const std::set<int>& ids) {
+  std::vector<std::string> texts;
+  for (int id : ids) texts.push_back(std::to_string(id));
+  return texts;
+}
+
+std::string listed(const std::vector<std::string>& names, std::size_t most) {
+  std::string list;
+  for (std::size_t k = 0; k < std::min(most, names.size()); ++k) list += (k ? ", " : "") + names[k];
+  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
+  return list;
+}
+
+class Support {
+ public:
+  Support(const ExplainedMoment& moment, const TracedHypothesis& best)
+      : header_(moment.header), T_map_local_(best.T_map_base * moment.state.frame().T_local_base.inverse()) {
+    const auto& locals = moment.state.local_features();
+    for (const RecordedPair& pair : best.pairs) {
+      const auto local = locals.find(pair.local_feature);
+      if (local == locals.end()) continue;
+      if (pair.map_feature < 0)
+        not_on_map_.insert(pair.local_feature);
+      else
+        see(local->second, pair.map_feature);
+    }
+  }
+
+  void add_to(std::vector<Sentence>& sentences) const {
+    if (pairs_ > 0)
+      sentences.push_back({SentenceKind::support, "rests on " + count_text(pairs_, "association") + " with " +
+                                                      count_text(nearest_m_.size(), "object") + ": " + objects()});
+    if (!not_on_map_.empty())
+      sentences.push_back({SentenceKind::support,
+                           "says of " + count_text(not_on_map_.size(), "local feature") +
+                               (not_on_map_.size() == 1 ? " that it is" : " that they are") + " not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
+  }
+
+ private:
+  void see(const RecordedLocalFeature& local, int mapped) {
+    const RunHeader::Feature& feature = header_.features[mapped];
+    if (kind_of(feature.geometry) != kind_of(local.geometry)) return;
+    const Geometry placed = transformed(T_map_local_, local.geometry);
+    const double off_m = mismatch(placed, feature.geometry).position_m;
+    const auto [entry, added] = nearest_m_.try_emplace(name_of_object(header_, feature), off_m);
+    entry->second = std::min(entry->second, off_m);
+    ++pairs_;
+  }
+
+  std::string objects() const {
+    std::vector<std::pair<double, std::string>> order;
+    for (const auto& [name, off_m] : nearest_m_) order.emplace_back(off_m, name);
+    std::sort(order.begin(), order.end());
+    std::vector<std::string> names;
+    for (const auto& [off_m, name] : order) names.push_back(name + " (" + metres_text(off_m) + ")");
+    return listed(names, kNamedObjects);
+  }
+
+  const RunHeader& header_;
+  Pose2 T_map_local_;
+  std::size_t pairs_ = 0;
+  std::map<std::string, double> nearest_m_;  ///< per object
+  std::set<int> not_on_map_;
+};
+
+/// Empty if its birth is not recorded.
+std::string origin_text(const TracedHypothesis& hypothesis) {
+  if (hypothesis.parent < 0 && hypothesis.pattern_template.empty()) return {};
+  std::string text = hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "born";
+  text += " at " + seconds_text(hypothesis.born_s);
+  return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
+}
+
+}  // namespace
+
+void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
+  const RunFrame& frame = moment.state.frame();
+  std::string text = frame.status + " since " + seconds_text(moment.status_since_s) + ": ";
+  const TracedHypothesis* best = moment.state.best();
+  if (best)
+    text += "at " + pose_text(best->T_map_base) + ", with probability " + probability_text(frame.probability) +
+            " (hypothesis " + std::to_string(best->id) + ", " + std::to_string(frame.hypotheses.size()) + " alive)";
+  else
+    text += "no hypothesis is alive";
+  text += "; \"none of these\" has " + probability_text(frame.none);
+  sentences.push_back({SentenceKind::answer, text});
+}
+
+void add_support(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
+  const TracedHypothesis* best = moment.state.best();
+  if (!best) return;
+  Support(moment, *best).add_to(sentences);
+  if (const std::string origin = origin_text(*best); !origin.empty())
+    sentences.push_back({SentenceKind::support, origin});
+}
+
+void add_findings(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
+  const TracedHypothesis* best = moment.state.best();
+  if (!best) return;
+  if (best->scan_nat < 0)
+    sentences.push_back({SentenceKind::against, "the newest scan scores " + nat_text(best->scan_nat)});
+  const std::string text = findings_text(moment.state.frame().findings, kNamedFindings);
+  if (!text.empty()) sentences.push_back({SentenceKind::against, text});
+}
+
+}  // namespace opal

@@ -1,0 +1,79 @@
+#include "report/quantity_text.hpp"
+#include "viewer/words/sentences.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+namespace opal {
+namespace {
+
+/// "6 patterns (opal:LinePair: 5, with 25 candidates; ...)"
+std::string lookups_text(const std::vector<RecordedSearch::Lookup>& lookups) {
+  struct Total {
+    std::size_t patterns = 0, candidates = 0;
+  };
+  std::map<std::string, Total> totals;
+  for (const RecordedSearch::Lookup& lookup : lookups) {
+    Total& total = totals[lookup.pattern_template];
+    ++total.patterns;
+    total.candidates += static_cast<std::size_t>(lookup.candidates);
+  }
+  std::string text;
+  for (const auto& [name, total] : totals)
+    text += (text.empty() ? "" : "; ") + name + ": " + std::to_string(total.patterns) + ", with " +
+            count_text(total.candidates, "candidate");
+  return count_text(lookups.size(), "pattern") + (text.empty() ? "" : " (" + text + ")");
+}
+
+/// The rejected place with the best score.
+const RecordedSearch::Rejected* best_rejected(const RecordedSearch& search) {
+  const auto rank = [](const RecordedSearch::Rejected& rejected) {
+    return std::make_tuple(-rejected.nat, rejected.T_map_base.x(), rejected.T_map_base.y(),
+                           rejected.T_map_base.heading_rad());
+  };
+  const auto it = std::min_element(search.rejected.begin(), search.rejected.end(),
+                                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return it == search.rejected.end() ? nullptr : &*it;
+}
+
+std::string search_text(const RecordedSearch& search, double searched_s) {
+  std::string text = "last search, at " + seconds_text(searched_s) + ": looked up " + lookups_text(search.patterns) + ", " +
+                     count_text(search.proposed, "place") + " proposed";
+  const RecordedSearch::Rejected* best = best_rejected(search);
+  if (!best) return text;
+  return text + ", " + std::to_string(search.rejected.size()) + " rejected, the best of these at " +
+         place_text(best->T_map_base.position()) + " with " + nat_text(best->nat) + ": " + best->reason;
+}
+
+std::string senses_text(const ExplainedMoment& moment) {
+  const auto& locals = moment.state.local_features();
+  const auto stable =
+      std::count_if(locals.begin(), locals.end(), [](const auto& entry) { return entry.second.stable; });
+  return "the scan has " + count_text(moment.state.frame().scan.size(), "point") + " (thinned), the local map " +
+         count_text(locals.size(), "feature") + ", " + std::to_string(stable) + " of them stable";
+}
+
+std::string truth_text(const Pose2& truth, const TracedHypothesis& best) {
+  const double off_deg = angle_between_rad(truth, best.T_map_base) * 180 / std::numbers::pi;
+  return "the recorded truth is " + metres_text(distance_m(truth, best.T_map_base)) + " and " +
+         fixed_text(off_deg, 1) + " deg away";
+}
+
+}  // namespace
+
+void add_search(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
+  const RunFrame& frame = moment.state.frame();
+  const TracedHypothesis* best = moment.state.best();
+  const auto note = [&](std::string text) { sentences.push_back({SentenceKind::note, std::move(text)}); };
+  if (best && frame.none > frame.probability) note("\"none of these\" is more probable than the best hypothesis");
+  if (frame.status != "localized" && !frame.why.empty()) note(frame.status + ": " + frame.why);
+  if (frame.status == "searching" || frame.status == "lost") {
+    note(moment.search ? search_text(*moment.search, moment.searched_s) : "no search is recorded so far");
+    note(senses_text(moment));
+  }
+  if (best && frame.truth) note(truth_text(*frame.truth, *best));
+}
+
+}  // namespace opal

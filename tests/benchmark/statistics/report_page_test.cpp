@@ -1,0 +1,77 @@
+#include "simulated_experiment.hpp"
+
+#include "benchmark/verdict_page/report_page.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+
+using namespace opal::statistics;
+using Catch::Contains;
+
+namespace {
+
+ReportPage page_of(const SimulatedExperiment& experiment) {
+  ReportPage page;
+  page.title = "evidence <against> lack_of_fit";
+  page.table = simulate(experiment, 11);
+  for (ResultRow& row : page.table)
+    if (row.arm == "b" && row.query == "q3") row.failure = "crashed: signal 11 & <core>";
+  ComparisonOptions options = simulated_comparison();
+  options.bootstrap_samples = 200;
+  page.verdicts = compare(page.table, options);
+  page.configuration = "{\n \"arms\": [\"a\", \"b\"]\n}";
+  page.versions = {{"opal", "0.1.0", "5f2c"}, {"score_evidence", "0.1.0", "77ab"}};
+  page.command = "opal ab experiment.jsonld -o out";
+  page.link = [](const ResultRow& row) { return row.cluster == "site0" ? "" : "runs/" + row.arm + "/" + row.cluster + "/" + row.query + ".html?a=1&b=2"; };
+  return page;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("the page has the sentence, the links, the failures and what it takes to run it again") {
+  const ReportPage page = page_of({kRecordedSites});
+  const std::string html = to_html(page);
+  CHECK_THAT(html, Contains(page.verdicts[0].sentence.substr(0, 40)));
+  CHECK_THAT(html, Contains("href=\"runs/b/site1/q0.html?a=1&amp;b=2\""));
+  CHECK_THAT(html, Contains("href=\"runs/a/site1/q0.html?a=1&amp;b=2\""));
+  CHECK_THAT(html, !Contains("site0/q0.html"));
+  CHECK_THAT(html, Contains("crashed: signal 11 &amp; &lt;core&gt;"));
+  CHECK_THAT(html, Contains("opal ab experiment.jsonld -o out") && Contains("77ab"));
+  CHECK(count(html, "<svg") == 5);  // a forest for each metric, a scatter for the distance and the cost
+}
+
+TEST_CASE("nothing in results becomes markup, and nothing is fetched") {
+  ReportPage page = page_of({kRecordedSites});
+  for (ResultRow& row : page.table) row.cluster = "<script>alert('" + row.cluster + "')</script>\"onload=";
+  page.verdicts = compare(page.table, simulated_comparison());
+  const std::string html = to_html(page);
+  CHECK_THAT(html, !Contains("<script") && !Contains("<link") && !Contains("<img") && !Contains("url("));
+  CHECK_THAT(html, Contains("&lt;against&gt;"));
+  CHECK_THAT(html, !Contains("\"onload"));
+}
+
+TEST_CASE("a page of odd results has no number that is none") {
+  for (const std::vector<std::size_t>& sites : {std::vector<std::size_t>{1}, std::vector<std::size_t>{2, 2}, std::vector<std::size_t>(8, 1)}) {
+    const std::string html = to_html(page_of({sites}));
+    CHECK_THAT(html, !Contains("nan") && !Contains("\"inf") && !Contains("-inf"));
+  }
+  CHECK_THAT(to_html({}), Contains("Every run came to its end"));
+}
+
+TEST_CASE("a page to look at: OPAL_REPORT_PAGE names the file", "[.][look]") {
+  const char* file = std::getenv("OPAL_REPORT_PAGE");
+  REQUIRE(file != nullptr);
+  SimulatedExperiment experiment{kRecordedSites};
+  experiment.planted = 0.5;
+  experiment.cost_ratio = 1.12;
+  std::ofstream(file) << to_html(page_of(experiment));
+}

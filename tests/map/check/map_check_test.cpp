@@ -1,0 +1,130 @@
+#include "map/check/map_check.hpp"
+#include "deployment/pipeline_plan.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+
+namespace {
+
+MapFeature feature(const std::string& id, const Geometry& geometry, const std::string& sensor = "lidar") {
+  MapFeature made;
+  made.id = id;
+  made.object = 0;
+  made.sensor = sensor;
+  made.geometry = geometry;
+  return made;
+}
+
+std::shared_ptr<const SemanticMap> map_of(std::vector<MapFeature> features, std::vector<MapPattern> patterns = {}) {
+  return SemanticMap::make("test", {{"thing", "Wall"}}, std::move(features), std::move(patterns));
+}
+
+RegisteredType type(PluginKind kind, const std::string& name, std::vector<std::string> consumes,
+                    std::vector<std::string> produces) {
+  RegisteredType made;
+  made.info = {name, std::move(consumes), std::move(produces)};
+  made.kind = kind;
+  return made;
+}
+
+const std::vector<RegisteredType> kTypes{
+    type(PluginKind::pattern_template, "t:Pair", {"opal:Column"}, {}),
+    type(PluginKind::pattern_template, "t:Post", {"opal:Wall", "opal:Column"}, {}),
+    type(PluginKind::pattern_template, "t:Any", {}, {}),
+    type(PluginKind::feature_detector, "t:Lines", {}, {"opal:Wall", "opal:Corner"}),
+    type(PluginKind::feature_detector, "t:Circles", {}, {"opal:Column"}),
+    type(PluginKind::hypothesis_scorer, "t:Scorer", {}, {}),
+};
+
+const Geometry kWall = Segment{{0, 0}, {4, 0}}, kColumn = Circle{{2, 2}, 0.3};
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a detector runs if the map holds what it produces, a pattern if all it consumes is there") {
+  const PipelinePlan plan = plan_pipeline(*map_of({feature("w", kWall)}), "lidar", kTypes);
+  CHECK(plan.detectors == Names{"t:Lines"});
+  CHECK(plan.patterns == Names{"t:Any"});
+  CHECK(plan.reasons == Names{"t:Circles: does not run, the map holds no opal:Column for lidar",
+                              "t:Lines: runs, the map holds 1 opal:Wall for lidar",
+                              "t:Any: runs, it consumes any feature",
+                              "t:Pair: does not run, it consumes opal:Column, which no running detector produces",
+                              "t:Post: does not run, it consumes opal:Column, which no running detector produces"});
+  const PipelinePlan both = plan_pipeline(*map_of({feature("w", kWall), feature("c", kColumn)}), "lidar", kTypes);
+  CHECK(both.detectors == Names{"t:Circles", "t:Lines"});
+  CHECK(both.patterns == Names{"t:Any", "t:Pair", "t:Post"});
+}
+
+TEST_CASE("templates that the map's patterns name run alone") {
+  const auto map = map_of({feature("c1", kColumn), feature("c2", Circle{{6, 2}, 0.3})},
+                          {{"p", "t:Pair", {0, 1}}, {"q", "t:Missing", {0, 1}}});
+  const PipelinePlan plan = plan_pipeline(*map, "lidar", kTypes);
+  CHECK(plan.patterns == Names{"t:Pair"});
+  CHECK(plan.reasons.back() == "t:Missing: no plugin offers it; 1 patterns of the map stay unused");
+}
+
+TEST_CASE("a template that waits to be named runs only where the map's patterns name it") {
+  std::vector<RegisteredType> types = kTypes;
+  types.front().on_request = true;  // t:Pair
+  const std::vector<MapFeature> columns{feature("c1", kColumn), feature("c2", Circle{{6, 2}, 0.3})};
+  const PipelinePlan plan = plan_pipeline(*map_of(columns), "lidar", types);
+  CHECK(plan.patterns == Names{"t:Any"});
+  CHECK(plan.on_request == Names{"t:Pair"});
+  const PipelinePlan named = plan_pipeline(*map_of(columns, {{"p", "t:Pair", {0, 1}}}), "lidar", types);
+  CHECK(named.patterns == Names{"t:Pair"});
+  CHECK(named.on_request.empty());
+}
+
+TEST_CASE("what one sensor perceives starts no detector for another") {
+  const auto map = map_of({feature("w", kWall, "camera")});
+  const PipelinePlan plan = plan_pipeline(*map, "lidar", kTypes);
+  CHECK(plan.detectors.empty());
+  CHECK(plan.patterns.empty());
+}
+
+TEST_CASE("features that no detector produces are said to stay unseen") {
+  MapFeature odd = feature("w", kWall);
+  odd.type = "acme:Skirting";
+  const PipelinePlan plan = plan_pipeline(*map_of({odd}), "lidar", kTypes);
+  CHECK(std::count(plan.reasons.begin(), plan.reasons.end(),
+                   "acme:Skirting: no detector produces it; 1 features of the map stay unseen") == 1);
+}
+
+TEST_CASE("a check counts what the example room holds and finds only its door unrepresented") {
+  const MapCheck check = check_map(*SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld"));
+  CHECK(check.objects_by_type == std::map<std::string, int>{
+                                     {"opal:Column", 2}, {"opal:Corner", 1}, {"opal:Door", 1}, {"opal:Wall", 4}});
+  CHECK(check.features_by_geometry == std::array<int, 4>{0, 1, 5, 2});
+  CHECK(check.wall_length_m == Approx(8 + 5 + 2.6 + 4.5 + 5));
+  CHECK(check.shared_points == 4);
+  CHECK(check.bounds[1] == Point(8, 5));
+  CHECK(check.warnings == Names{"1 object that nothing represents: 'door'"});
+}
+
+TEST_CASE("repeated geometry, unshared ends and lonely features are warned about") {
+  const auto map = map_of({feature("a", kWall), feature("a2", Segment{{0.001, 0}, {4, 0.001}}),
+                           feature("back", Segment{{4, 0}, {0, 0}}), feature("far", Circle{{500, 0}, 1})});
+  const Names warnings = check_map(*map).warnings;
+  REQUIRE(warnings.size() == 3);
+  CHECK(warnings[0] == "1 feature with the geometry of another one: 'a' and 'a2'");
+  CHECK(warnings[1] == "4 points within 1 cm of another point, without being one: 'a2/begin' and 'a/begin', 'a2/end' "
+                       "and 'a/end', 'back/begin' and 'a/end' and 1 more");
+  CHECK(warnings[2] == "1 feature with no other within 15 m: 'far'");
+}
+
+TEST_CASE("a map without features has no extent and says so") {
+  const MapCheck check = check_map(*map_of({}));
+  CHECK(check.bounds[0] == Point(0, 0));
+  CHECK(check.warnings.front() == "no feature at all: nothing to localize by");
+  CHECK(check.sentences().front() == "1 object: 1 opal:Wall");
+}
+
+TEST_CASE("a check of a map as wide as coordinates go is quick") {
+  std::vector<MapFeature> features;
+  for (int i = 0; i < 2000; ++i) features.push_back(feature(std::to_string(i), Segment{{-1e6, 0.02 * i}, {1e6, 0}}));
+  for (int i = 2000; i < 4000; ++i) features.push_back(feature(std::to_string(i), Circle{{0, 0}, 1}));
+  const MapCheck check = check_map(*map_of(features));
+  CHECK(check.features_by_geometry[3] == 2000);
+}

@@ -1,0 +1,111 @@
+#include "navigation/actions.hpp"
+#include "made_up.hpp"
+
+#include "map_tools/building_outside.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+using namespace opal::behaviours;
+
+namespace {
+
+/// A building of walls 0.2 m thick, seen from both sides, 8 m x 6 m, with a doorway of that width in the middle of its right
+/// side.
+std::vector<Segment> house(double doorway_m) {
+  const double low = 3 - doorway_m / 2, high = 3 + doorway_m / 2;
+  return room_of({{0, 0}, {8, 0}, {8, low}, {8.2, low}, {8.2, -0.2}, {-0.2, -0.2}, {-0.2, 6.2}, {8.2, 6.2},
+                  {8.2, high}, {8, high}, {8, 6}, {0, 6}});
+}
+
+int outside_of(const std::vector<char>& cells, const MapRaster& raster, const Point& p) {
+  const Point cell = (p - raster.origin) / raster.resolution_m;
+  return cells[static_cast<std::size_t>(cell.y()) * raster.columns + static_cast<std::size_t>(cell.x())];
+}
+
+/// A map of faces, and a leaf in the doorway that nothing perceives.
+std::shared_ptr<const SemanticMap> with_leaf(const std::vector<Segment>& faces, const Segment& leaf) {
+  std::vector<MapObject> objects{{"house", "opal:Wall"}, {"door", "opal:Door"}};
+  std::vector<MapFeature> features;
+  for (const Segment& face : faces)
+    features.push_back({"face-" + std::to_string(features.size()), 0, "opal:Wall", "PlanarLidar2D", face});
+  features.push_back({"leaf", 1, "opal:Door", "", leaf});
+  return SemanticMap::make("house", std::move(objects), std::move(features));
+}
+
+}  // namespace
+
+TEST_CASE("what lies before the outer walls is outside, whatever the doors do") {
+  const auto map = GENERATE(as<std::shared_ptr<const SemanticMap>>{}, map_of(house(1)), map_of(house(3)),
+                            with_leaf(house(5.9), {{8.1, 0.05}, {8.1, 5.95}}));
+  const MapRaster raster = floor_raster(*map);
+  const std::vector<char> outside = outside_cells(*map, raster);
+  for (const Point& p : {Point(1, 1), Point(4, 3), Point(6.5, 3), Point(7, 5)}) CHECK_FALSE(outside_of(outside, raster, p));
+  for (const Point& p : {Point(8.8, 3), Point(4, -0.8), Point(-0.8, 6.8)}) CHECK(outside_of(outside, raster, p));
+}
+
+TEST_CASE("a map of walls that enclose nothing has no outside") {
+  const auto map = map_of({{{0, 0}, {8, 0}}, {{9, 3}, {9, 9}}});
+  const std::vector<char> outside = outside_cells(*map, floor_raster(*map));
+  CHECK(std::count(outside.begin(), outside.end(), 1) == 0);
+}
+
+TEST_CASE("no way leads out of the building, and one from outside leads in") {
+  const MapView map(map_of(house(1)), "PlanarLidar2D");
+  const FloorGrid floor = mapped_floor(map, 0.25);
+  const Point inside(4, 3), elsewhere(1, 5), outside(8.9, 3);
+  REQUIRE(floor.is_outside(outside));
+  CHECK(floor.way(inside, elsewhere));
+  CHECK_FALSE(floor.way(inside, outside));
+  CHECK(floor.way(outside, inside));
+}
+
+TEST_CASE("two flats of one building are both floor, and no way leads from one to the other") {
+  std::vector<Segment> faces = room_of({{0, 0}, {4, 0}, {4, 3}, {0, 3}});
+  for (const Segment& face : room_of({{5, 0}, {9, 0}, {9, 4}, {5, 4}})) faces.push_back(face);
+  const MapView map(map_of(faces), "PlanarLidar2D");
+  const FloorGrid floor = mapped_floor(map, 0.25);
+  CHECK(floor.way({1, 1}, {3, 2}));
+  CHECK(floor.way({6, 1}, {8, 3}));
+  CHECK_FALSE(floor.way({1, 1}, {8, 3}));
+}
+
+TEST_CASE("a way is made straight where nothing is in between, and not through walls") {
+  const MapView map(map_of(room_of({{0, 0}, {8, 0}, {8, 6}, {4.2, 6}, {4.2, 2}, {3.8, 2}, {3.8, 6}, {0, 6}})), "PlanarLidar2D");
+  const FloorGrid floor = mapped_floor(map, 0.25);
+  const auto free = floor.way({1, 1}, {7, 1.3});
+  REQUIRE(free);
+  CHECK(floor.straightened(*free).size() < 6);
+  const auto round = floor.way({2, 5}, {6, 5});
+  REQUIRE(round);
+  const std::vector<Point> straight = floor.straightened(*round);
+  CHECK(straight.size() < round->size() / 3);
+  CHECK(straight.front() == round->front());
+  CHECK(straight.back() == round->back());
+  for (std::size_t k = 0; k + 1 < straight.size(); ++k) CHECK(floor.holds(straight[k], straight[k + 1]));
+}
+
+TEST_CASE("a robot that sees nothing any more goes back to where it saw something") {
+  MadeUpMoment moment;
+  DriveFreely drive(0);
+  double now_s = 0;
+  const auto at = [&](double x) {
+    moment.queries.stand(Pose2(x, 3, 0), {}, now_s += 0.5);
+    moment.queries.said = {};
+    if (x > 8.5) moment.queries.scan.points.clear();  // the made-up walls are seen from inside only
+    moment.situation.look();
+  };
+  for (double x = 2; x < 30; x += 0.5) at(x);
+  REQUIRE(drive.tick(moment.situation) == Outcome::running);
+  CHECK(moment.situation.velocity().linear_mps.x() < 0.3);
+  CHECK(std::abs(moment.situation.velocity().turn_radps) > 0.3);  // what it knows lies behind it
+}
+
+TEST_CASE("a robot that searches keeps away from where its hypotheses have the building end") {
+  MadeUpMoment moment(map_of(house(1)));
+  DriveFreely drive(0);
+  moment.queries.stand(Pose2(7.4, 3, 0), {Pose2(7.4, 3, 0)}, 1);
+  moment.situation.look();
+  REQUIRE(drive.tick(moment.situation) == Outcome::running);
+  CHECK(moment.situation.velocity().linear_mps.x() < 0.3);  // not on through the doorway ahead
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "tests/kit/temporary_folder.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace opal_test {
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline std::string bad_plugin(const std::string& name) {
+  return std::filesystem::canonical(OPAL_BAD_PLUGIN_DIR).string() + "/" + name;
+}
+
+class PluginFolder : public opal::TemporaryFolder {
+ public:
+  /// @return the path of the new file.
+  std::string copy(const std::string& source) const {
+    const std::string target = path_of(std::filesystem::path(source).filename().string());
+    std::filesystem::copy_file(source, target);
+    return target;
+  }
+};
+
+}  // namespace opal_test

@@ -1,0 +1,115 @@
+#include "drawn_building.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+using Catch::Contains;
+
+namespace {
+
+std::string drawn() {
+  DrawnBuilding building;
+  const int wall = building.add_wall("wall", {0, 0, 0}, 6, 0.2);
+  building.add_door(wall, "door", {1, 0, 0}, 1, 0.2);
+  building.add_column("column", {2, 2}, 0.2);
+  building.add_storey("Ground", 0);
+  return building.text();
+}
+
+std::string refusal(const std::string& text) {
+  const IfcFile file(text);
+  try {
+    ifc_importer({{"z_m", 1}})->import(file.path());
+  } catch (const MapError& error) {
+    const std::string message = error.what();
+    CHECK_THAT(message, Catch::StartsWith(file.path() + ": "));
+    return message.substr(file.path().size() + 2);
+  }
+  return "accepted";
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t at = text.find(what);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, what.size(), by);
+}
+
+}  // namespace
+
+TEST_CASE("a file that ends early is refused, wherever it ends") {
+  const std::string text = drawn();
+  REQUIRE(refusal(text) == "accepted");
+  for (std::size_t length = 0; length + 2 < text.size(); length += 97) {
+    CAPTURE(length);
+    CHECK(refusal(text.substr(0, length)) != "accepted");
+  }
+  CHECK_THAT(refusal(text.substr(0, text.size() / 2)), Contains("does not end with END-ISO-10303-21;"));
+}
+
+TEST_CASE("a file that is cut and closed again is refused for what it misses") {
+  const std::string text = drawn();
+  const std::size_t end = text.find("\n#20=");
+  CHECK_THAT(refusal(text.substr(0, text.find("\n#3=")) + "\nENDSEC;\nEND-ISO-10303-21;\n"), Contains("expected"));
+  CHECK(refusal(text.substr(0, end) + "\nENDSEC;\nEND-ISO-10303-21;\n") != "accepted");
+}
+
+TEST_CASE("references to nothing, in circles, and numbers given twice are refused by name") {
+  const std::string text = drawn();
+  CHECK_THAT(refusal(replaced(text, "IFCUNITASSIGNMENT((#1", "IFCUNITASSIGNMENT((#99999")),
+             Contains("(IFCUNITASSIGNMENT) refers to #99999, which the file does not define"));
+  CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\n#900=IFCLOCALPLACEMENT(#901,$);\n#901=IFCLOCALPLACEMENT(#900,$);\n")),
+             Contains("in a circle"));
+  CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\n#1=IFCDIRECTION((1.,0.,0.));\n")), Contains("is there twice"));
+}
+
+TEST_CASE("statements that are none are refused with their line") {
+  const std::string text = drawn();
+  CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\nnonsense;\n")), Contains("line 8: 'nonsense'"));
+  CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\n#900=IFCLABEL('open);\n")), Contains("expected"));
+  CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\n/* open\n")), Contains("a comment without an end"));
+  CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\n#900=IFCDIRECTION((1.,0.);\n")), Contains("as many ')' as '('"));
+}
+
+TEST_CASE("comments, and texts that look like statements, are no statements") {
+  const std::string text = drawn();
+  CHECK(refusal(replaced(text, "DATA;\n", "DATA;\n/* #1=IFCWALL('; */\n")) == "accepted");
+  CHECK(refusal(replaced(text, "$,'drawn',$", "$,'it''s; #77777 (',$")) == "accepted");
+}
+
+TEST_CASE("other schemas are refused, IFC4X3 is read as IFC4") {
+  const std::string text = drawn();
+  CHECK(refusal(replaced(text, "FILE_SCHEMA(('IFC4'))", "FILE_SCHEMA(('IFC4X3_ADD2'))")) == "accepted");
+  CHECK(refusal(replaced(text, "FILE_SCHEMA(('IFC4'))", "FILE_SCHEMA(('AP214'))")) ==
+        "FILE_SCHEMA: 'AP214', expected IFC2X3, IFC4 or IFC4X3");
+  CHECK_THAT(refusal("a text\n"), Contains("does not begin with ISO-10303-21;"));
+  CHECK(refusal("") != "accepted");
+}
+
+TEST_CASE("a model without a unit of length is refused") {
+  CHECK_THAT(refusal(replaced(drawn(), ".LENGTHUNIT.", ".AREAUNIT.")), Contains("assigns no unit of length"));
+}
+
+TEST_CASE("classes that the reader does not know are told about") {
+  const MapImport imported = import_text(replaced(drawn(), "DATA;\n", "DATA;\n#900=IFCCOURSE('0123456789012345678901',$);\n"));
+  bool told = false;
+  for (const std::string& sentence : imported.report) told = told || sentence.find("1 IFCCOURSE") != std::string::npos;
+  CHECK(told);
+}
+
+TEST_CASE("a model of wrong types is refused or reported, and brings nothing down") {
+  const std::string text = drawn();
+  for (const char* type : {"IFCDIRECTION", "IFCLOCALPLACEMENT", "IFCSHAPEREPRESENTATION", "IFCRECTANGLEPROFILEDEF", "IFCWALL"})
+    for (const char* by : {"IFCCARTESIANPOINT(", "IFCAXIS2PLACEMENT3D(", "IFCEXTRUDEDAREASOLID(", "IFCPOLYLINE("}) {
+      CAPTURE(type, by);
+      CHECK_NOTHROW(refusal(replaced(text, std::string(type) + "(", by)));
+    }
+}
+
+TEST_CASE("bodies that cannot be cut are named with the reason") {
+  const std::string text = replaced(drawn(), "IFCCIRCLEPROFILEDEF(.AREA.,$,$,0.2)", "IFCCIRCLEPROFILEDEF(.AREA.,$,$,1.E12)");
+  const MapImport imported = import_text(text);
+  CHECK(element(imported, "column").status == ImportStatus::unreadable);
+  CHECK_FALSE(element(imported, "column").reason.empty());
+}

@@ -1,0 +1,112 @@
+#include <opal/sensing/line_corner.hpp>
+#include <opal/sensing/line_extraction.hpp>
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace opal;
+
+/// Hits at given ranges, 1 degree apart, from bearing 0 on; a range of 0 leaves the beam out, a negative one
+/// is free.
+Scan scan_with(const std::vector<double>& ranges_m) {
+  Scan scan;
+  scan.angle_increment_rad = std::numbers::pi / 180;
+  scan.range_max_m = 30;
+  for (int i = 0; i < static_cast<int>(ranges_m.size()); ++i) {
+    const double range = ranges_m[static_cast<std::size_t>(i)];
+    const double bearing = i * scan.angle_increment_rad;
+    if (range < 0) scan.free_bearings_rad.push_back(bearing);
+    if (range > 0) scan.points.push_back({range * unit_vector(bearing), range, bearing, i});
+  }
+  return scan;
+}
+
+std::vector<int> chain_sizes(const Scan& scan) {
+  std::vector<int> sizes;
+  for (const Run& chain : chained(scan, {}).chains) sizes.push_back(chain.size());
+  return sizes;
+}
+
+ScanChains chains_of(const std::vector<Point>& points) {
+  ScanChains chains;
+  for (const Point& p : points) chains.hits.push_back({p, p.norm(), std::atan2(p.y(), p.x()), 0});
+  return chains;
+}
+
+LineFit fit(const std::vector<Point>& points, const ReadingNoise& noise) {
+  const Run run{0, static_cast<int>(points.size()) - 1};
+  return fit_line(chains_of(points), {&run, 1}, noise);
+}
+
+}  // namespace
+
+TEST_CASE("a jump in range and a run of missing beams are breaks, a few missing beams are not") {
+  CHECK(chain_sizes(scan_with({2, 2, 2, 4, 4})) == std::vector{3, 2});
+  CHECK(chain_sizes(scan_with({2, 2, 0, 0, 0, 2, 2})) == std::vector{4});
+  CHECK(chain_sizes(scan_with({2, 2, 0, 0, 0, 0, 2, 2})) == std::vector{2, 2});
+}
+
+TEST_CASE("a railing and the wall behind it are two chains") {
+  CHECK(chain_sizes(scan_with({2, 4, 2, 4, 4, 2, 4, 2, 4})) == std::vector{4, 5});
+}
+
+TEST_CASE("neighbouring beams are found through free ones, and not beyond the view") {
+  const ScanChains chains = chained(scan_with({2, 2, -1, 5}), {});
+  REQUIRE(neighbour(chains, 1, 1));
+  CHECK(std::isinf(neighbour(chains, 1, 1)->range_m));
+  REQUIRE(neighbour(chains, 1, 2));
+  CHECK(neighbour(chains, 1, 2)->range_m == 5);
+  CHECK(neighbour(chains, 0, -1) == nullptr);
+  CHECK(neighbour(chains, 2, 1) == nullptr);
+}
+
+TEST_CASE("a line through exact points is exact, whatever its heading") {
+  const double heading = GENERATE(0.0, 0.8, std::numbers::pi / 2, 2.5, -3.0);
+  const Point from(3, 1);
+  std::vector<Point> points;
+  for (int i = 0; i < 10; ++i) points.push_back(from + 0.1 * i * unit_vector(heading));
+  const LineFit line = fit(points, {});
+  CAPTURE(heading);
+  CHECK(line.direction.isApprox(unit_vector(heading), 1e-9));
+  CHECK(std::abs(cross(line.direction, line.centroid - from)) < 1e-9);
+  CHECK(line.rms_m < 1e-9);
+}
+
+TEST_CASE("the variances of equally good points are the textbook ones") {
+  // Seen head-on from afar all weights are 1 / sigma^2: variance sigma^2 / n, and sigma^2 / sum of squared
+  // lever arms.
+  std::vector<Point> points;
+  double levers = 0;
+  for (int i = -5; i <= 5; ++i) {
+    points.push_back({1000, 0.1 * i});
+    levers += 0.01 * i * i;
+  }
+  const LineFit line = fit(points, {.range_sigma_m = 0.02, .bearing_sigma_rad = 0, .surface_sigma_m = 0});
+  CHECK(line.offset_variance_m2 == Approx(0.0004 / 11).epsilon(1e-3));
+  CHECK(line.heading_variance_rad2 == Approx(0.0004 / levers).epsilon(1e-3));
+}
+
+TEST_CASE("an outlier among many points hardly moves the line") {
+  std::vector<Point> points;
+  for (int i = 0; i < 30; ++i) points.push_back({2, 0.05 * i});
+  points[29].x() = 1.5;
+  const LineFit line = fit(points, {});
+  CHECK(std::abs(line.centroid.x() - 2) < 0.005);
+  CHECK(std::abs(line.direction.x()) < 0.01);
+}
+
+TEST_CASE("the covariance of a corner follows its lines' offsets") {
+  Line before;
+  Line after;
+  before.segment = {{3, -2}, {3, 1}};
+  after.segment = {{3, 1}, {0, 1}};
+  before.covariance = Eigen::Vector2d(0.0004, 0).asDiagonal();
+  after.covariance = Eigen::Vector2d(0.0001, 0).asDiagonal();
+  const std::vector<Line> lines{before, after};
+  const LineCorner corner = corner_at({0, 1, {3, 1}}, lines);
+  CHECK(corner.geometry.opening_rad == Approx(std::numbers::pi / 2));
+  CHECK(corner.covariance(0, 0) == Approx(0.0004));
+  CHECK(corner.covariance(1, 1) == Approx(0.0001));
+  CHECK(corner.covariance(2, 2) == Approx(0).margin(1e-12));
+}

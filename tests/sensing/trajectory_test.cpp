@@ -1,0 +1,33 @@
+#include "sensing/trajectory.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <sstream>
+#include <vector>
+
+using namespace opal;
+
+TEST_CASE("a TUM line carries the heading as a quaternion") {
+  std::ostringstream out;
+  write_tum(out, std::vector<StampedPose>{{1663967375.5484114, Pose2(1.5, -2.25, std::numbers::pi / 2)}});
+  std::istringstream line(out.str());
+  double stamp_s, x, y, z, qx, qy, qz, qw;
+  line >> stamp_s >> x >> y >> z >> qx >> qy >> qz >> qw;
+  REQUIRE(line);
+  CHECK(std::abs(stamp_s - 1663967375.5484114) < 1e-6);
+  CHECK(x == 1.5);
+  CHECK(y == -2.25);
+  CHECK((z == 0 && qx == 0 && qy == 0));
+  CHECK(qz == Approx(std::sqrt(0.5)));
+  CHECK(qw == Approx(std::sqrt(0.5)));
+}
+
+TEST_CASE("what is not finite is not written, what is huge is") {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  std::ostringstream out;
+  write_tum(out, std::vector<StampedPose>{{kNan, Pose2()}, {1, Pose2(kNan, 0, 0)}, {1, Pose2(0, 0, kNan)}});
+  CHECK(out.str().empty());
+  write_tum(out, std::vector<StampedPose>{{1, Pose2(std::numeric_limits<double>::max(), 0, 0)}});
+  CHECK(out.str().size() > 300);
+}

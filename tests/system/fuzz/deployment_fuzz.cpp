@@ -1,0 +1,17 @@
+// libFuzzer entry point: any text gives a deployment or an opal::Error.
+#include "localization/options/association_options.hpp"
+#include <opal/deployment/deployment.hpp>
+#include <opal/common/error.hpp>
+
+#include <cstdint>
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const opal::Deployment deployment =
+        opal::parse_deployment(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
+    opal::read_association_options(deployment.association, "fuzz: /association");
+  } catch (const opal::Error&) {
+  }
+  return 0;
+}

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "tests/kit/temporary_folder.hpp"
+#include "synthetic_run.hpp"
+#include "viewer/reading/frame_builder.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace opal::synthetic {
+
+/// The event stream of a made-up run, as `opal localize` would write it.
+inline std::string text_of(const RunSize& size) {
+  std::ostringstream out;
+  JsonLinesSink sink(out);
+  write_run(size, sink);
+  return out.str();
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+struct EventFile : TemporaryFile {
+  explicit EventFile(const std::string& text) : TemporaryFile("run.jsonl", text) {}
+  void cut_to(std::size_t bytes) const { std::filesystem::resize_file(path(), bytes); }
+};
+
+struct ReadRun {
+  std::shared_ptr<const RunHeader> header;
+  std::vector<RunFrame> frames;
+};
+
+inline ReadRun frames_of(const RunSize& size) {
+  FrameBuilder builder;
+  ReadRun run;
+  for (const std::string& line : lines_of(text_of(size)))
+    if (auto frame = builder.add(Event::parse(line))) run.frames.push_back(*std::move(frame));
+  run.header = builder.header();
+  return run;
+}
+
+}  // namespace opal::synthetic
