@@ -4,6 +4,7 @@
 #include "localization/decision/status.hpp"
 
 #include <opal/localization/events/event_stream.hpp>
+#include <opal/localization/events/stage_times.hpp>
 
 #include <unordered_map>
 
