@@ -2,7 +2,7 @@
 
 #include "common/config_object.hpp"
 
-#include "localization/options/association_options.hpp"
+#include "deployment/localizer_options.hpp"
 #include <opal/common/error.hpp>
 #include "deployment/store_source.hpp"
 #include <opal/common/strict_json.hpp>
@@ -155,8 +155,8 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   if (auto patterns = document.list("patterns")) deployment.patterns = read_parts(*patterns);
   if (auto importers = document.list("importers")) deployment.importers = read_parts(*importers);
   deployment.scorers = read_scorers(document);
-  if (document.object("association")) deployment.association = document.any("association");
-  read_association_options(deployment.association, document.where("association"));  // throws if it is unusable
+  if (document.object("stages"))
+    deployment.stages = read_localizer_options(document.any("stages"), document.where("stages"));
   document.expect_no_more();
   return deployment;
 }

@@ -143,7 +143,7 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
     parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
                              registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options),
                              scorer.decides, scorer.weight});
-  parts.association = deployment.association;
+  parts.stages = deployment.stages;
   return parts;
 }
 

@@ -5,59 +5,40 @@
 #include "localization/scoring/observation.hpp"
 #include "localization/events/run_journal.hpp"
 #include "localization/search/search_schedule.hpp"
-#include "localization/search/candidate_generation.hpp"
+#include "localization/search/global_search.hpp"
 #include "localization/decision/status.hpp"
 #include "localization/decision/unmapped_walls.hpp"
 
-#include "common/cpu_clock.hpp"
+#include "common/plugin_failures.hpp"
+#include "common/stage_clock.hpp"
 #include "localization/alignment/registration.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
-#include <functional>
-#include <numeric>
 
 namespace opal {
 namespace {
 
-constexpr std::size_t kPoints = 100, kCoarsePoints = 40, kFreeBeams = 25;
-
-/// Adds the CPU time of a scope to a stage.
-class StageClock {
- public:
-  explicit StageClock(double& stage_s) : stage_s_(stage_s), start_s_(thread_cpu_s()) {}
-  ~StageClock() { stage_s_ += thread_cpu_s() - start_s_; }
-  StageClock(const StageClock&) = delete;
-  StageClock& operator=(const StageClock&) = delete;
-
- private:
-  double& stage_s_;
-  double start_s_;
-};
-
-bool better_score(const Candidate& a, const Candidate& b) { return a.score > b.score; }
+// Points of the alignment search after odometry has failed.
+constexpr std::size_t kCoarsePoints = 40;
 
 }  // namespace
 
 struct Localizer::State {
   State(LocalizerParts parts_given, EventSink* sink)
       : parts(std::move(parts_given)),
-        options(read_association_options(parts.association, "association")),
         local_map(parts.local_map, parts.matcher),
         ensemble(parts.scorers, parts.map, failures),
-        generator(parts.map, parts.patterns, options),
-        journal(sink ? *sink : nobody, parts.map, ensemble, generator),
-        retrospective(parts.map, ensemble, options),
-        hypotheses(parts.map, ensemble, options, journal),
-        change(options),
-        schedule(options),
-        status(options) {}
+        search(parts.map, parts.patterns, ensemble, parts.stages.search),
+        journal(sink ? *sink : nobody, parts.map, ensemble, search),
+        retrospective(parts.map, ensemble, parts.stages.verification, parts.stages.tracking.evidence_memory),
+        hypotheses(parts.map, ensemble, parts.stages, journal),
+        kidnapping(parts.stages.kidnapping, parts.stages.tracking.evidence_memory),
+        schedule(parts.stages.schedule),
+        status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
   bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Scan& scan, const Pose2& T_odom_base) const;
   std::vector<Feature> detect(const Scan& scan);
-  Observation observe(const Scan& scan, const std::vector<Feature>& features) const;
   double tempering_weight() const;  ///< of the newest scan
   PoseEstimate estimate();
   void track(const Observation& observation, const Scan& scan);
@@ -65,27 +46,21 @@ struct Localizer::State {
   void settle();
   bool time_to_search();
   int searched_every() const;
-  void seed(const Observation& observation, const Scan& scan);
-  std::vector<SearchFeature> seed_features(const Observation& observation) const;
-  bool worth_under_constrained_search(const std::vector<Candidate>& found) const;
-  void verify(std::vector<Candidate>& candidates, const Observation& observation, const Scan& scan,
-              std::size_t keep);
-  Hypothesis aligned(Candidate& candidate, const Observation& observation, double sigma_m) const;
-  void keep_best(std::vector<Candidate>& candidates, double distance_m, std::size_t keep);
+  void search_map(const Observation& observation, const Scan& scan);
+  bool has_gathered_much() const;
   void grow();
   std::vector<int> pattern_of_best() const;
 
   NullEventSink nobody;
   LocalizerParts parts;
-  AssociationOptions options;
-  std::map<std::string, int> failures;
+  PluginFailures failures;
   LocalMap local_map;
   ScorerEnsemble ensemble;
-  CandidateGenerator generator;
+  GlobalSearch search;
   RunJournal journal;
   RetrospectiveVerification retrospective;
   HypothesisSet hypotheses;
-  KidnapDetector change;
+  KidnapDetector kidnapping;
   SearchSchedule schedule;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
@@ -114,11 +89,11 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   s.step_m = s.started ? distance_m(s.T_odom_base, T_odom_base) : 0;
   s.turn_rad = s.started ? angle_between_rad(s.T_odom_base, T_odom_base) : 0;
   s.T_odom_base = T_odom_base;
-  const Observation observation = s.observe(scan, features);  // base_link frame
+  const Observation observation = observe(s.local_map, scan, s.parts.laser.T_base_laser, features);  // base_link frame
   s.journal.keyframe(s.stamp_s, s.keyframe, scan, s.parts.laser.T_base_laser, observation);
   s.track(observation, scan);                              // map frame from here on
   s.watch();
-  if (s.time_to_search()) s.seed(observation, scan);
+  if (s.time_to_search()) s.search_map(observation, scan);
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), best_nat);
@@ -144,49 +119,31 @@ bool Localizer::State::fits_no_more(const Scan& scan, const Pose2& now) const {
   const Pose2 T_local_base = local_map.T_local_base_at(now);
   Hypothesis carried_on = hypotheses.alive().front().hypothesis;
   carried_on.T_map_local = carried_on.T_map_local * T_local_base * local_map.T_local_base().inverse();
-  const Observation seen = observe(scan, {});
-  return !seen.points.empty() && change.alarming(ensemble.decide(carried_on, seen));
+  const Observation seen = observe(local_map, scan, parts.laser.T_base_laser, {});
+  return !seen.points.empty() && kidnapping.alarming(ensemble.decide(carried_on, seen));
 }
 
 std::vector<Feature> Localizer::State::detect(const Scan& scan) {
   StageClock clock(times.detect_s);
   std::vector<Feature> features;
-  for (const auto& detector : parts.detectors) {
-    std::string cause;
-    try {
+  for (const auto& detector : parts.detectors)
+    failures.guard(detector.name, [&] {
       for (Feature& feature : detector.part->detect(scan)) features.push_back(std::move(feature));
-      continue;
-    } catch (const std::exception& error) {
-      cause = error.what();
-    } catch (...) {
-      cause = "threw something that is no std::exception";
-    }
-    if (failures[detector.name]++ == 0) spdlog::warn("{}: skipped: {}", detector.name, cause);
-  }
+    });
   return features;
-}
-
-Observation Localizer::State::observe(const Scan& scan, const std::vector<Feature>& features) const {
-  const Pose2& T_base_laser = parts.laser.T_base_laser;
-  ThinnedScan seen = thinned(scan.points, T_base_laser, 0.1, kPoints);
-  Observation observation{local_map, std::move(seen.points),
-                          thinned_bearings(scan.free_bearings_rad, T_base_laser, kFreeBeams),
-                          scan.range_max_m, T_base_laser.position(), {}, std::move(seen.beams)};
-  for (const Feature& feature : features) observation.features.push_back(transformed(T_base_laser, feature));
-  observation.evidence_cells = local_map.evidence_cells(observation.points);
-  return observation;
 }
 
 double Localizer::State::tempering_weight() const {
   if (!started) return 1;
-  return std::clamp(step_m / options.novelty_m + turn_rad / options.novelty_rad, options.least_novelty, 1.0);
+  const TemperingOptions& tempering = parts.stages.tempering;
+  return std::clamp(step_m / tempering.distance_m + turn_rad / tempering.angle_rad, tempering.least_weight, 1.0);
 }
 
 PoseEstimate Localizer::State::estimate() {
   StageClock clock(times.status_s);
   const auto& all = hypotheses.alive();
   const double unmapped_m = all.empty() ? 0 : unmapped_walls_m(local_map, *parts.map, all.front().hypothesis.T_map_local);
-  return status.estimate(all, local_map.T_local_base(), stamp_s, {tempering_weight(), change.probability(), unmapped_m});
+  return status.estimate(all, local_map.T_local_base(), stamp_s, {tempering_weight(), kidnapping.probability(), unmapped_m});
 }
 
 void Localizer::State::track(const Observation& observation, const Scan& scan) {
@@ -202,21 +159,21 @@ void Localizer::State::track(const Observation& observation, const Scan& scan) {
 /// Asks whether the robot is still where the best hypothesis has it.
 void Localizer::State::watch() {
   search_now = false;
-  if (hypotheses.alive().empty()) return change.reset();
+  if (hypotheses.alive().empty()) return kidnapping.reset();
   const Live& best = hypotheses.alive().front();
-  const bool suspected = change.suspected().has_value();
+  const bool suspected = kidnapping.suspected().has_value();
   const bool established = status.believed() || best.kidnapped_after >= 0;
-  change.add({keyframe, tempering_weight(), local_map.last_match().inlier_share, best.scan_nat,
+  kidnapping.add({keyframe, tempering_weight(), local_map.last_match().inlier_share, best.scan_nat,
               best.hypothesis.log_likelihood, established});
-  retrospective.suspect(change.suspected());
-  search_now = !suspected && change.suspected().has_value();
+  retrospective.suspect(kidnapping.suspected());
+  search_now = !suspected && kidnapping.suspected().has_value();
 }
 
 /// Once the best hypothesis by which the robot was kidnapped stands for itself, what was before is over.
 void Localizer::State::settle() {
   if (!status.localized() || hypotheses.alive().front().kidnapped_after < 0) return;
   retrospective.forget_until(hypotheses.alive().front().kidnapped_after);
-  status.settle(hypotheses.settle());
+  status.settle(hypotheses.settle(), parts.stages.kidnapping.prior_nat);
 }
 
 bool Localizer::State::time_to_search() {
@@ -225,111 +182,31 @@ bool Localizer::State::time_to_search() {
 
 /// How many chances to search make one search: the surer the robot is, the less there is to find.
 int Localizer::State::searched_every() const {
-  if (status.localized()) return options.seed_every_when_localized;
-  const bool likely = status.probability() > options.likely_probability && !hypotheses.alive().empty();
-  return likely && !search_now ? options.seed_every_when_likely : 1;
+  if (status.localized()) return parts.stages.schedule.every_when_localized;
+  const bool likely = status.probability() > parts.stages.schedule.likely_probability && !hypotheses.alive().empty();
+  return likely && !search_now ? parts.stages.schedule.every_when_likely : 1;
 }
 
-std::vector<SearchFeature> Localizer::State::seed_features(const Observation& observation) const {
-  std::vector<SearchFeature> seeds;
-  if (options.seed_from_stable) {
-    const Pose2 T_base_local = local_map.T_local_base().inverse();
-    for (const LocalFeature& local : local_map.features())
-      if (local.stable) seeds.push_back({transformed(T_base_local, local.feature), local.id});
-    return seeds;
-  }
-  for (std::size_t k = 0; k < observation.features.size(); ++k)
-    seeds.push_back({observation.features[k], local_map.last_associations()[k]});
-  return seeds;
-}
-
-void Localizer::State::verify(std::vector<Candidate>& candidates, const Observation& full, const Scan& scan,
-                              std::size_t keep) {
-  // Two coarse-to-fine filters: a few beams for all candidates, all beams for those that look good.
-  constexpr double kOnePlace_m = 0.2;
-  Observation few{local_map, thinned(scan.points, parts.laser.T_base_laser, 0.1, kCoarsePoints).points, {},
-                  full.range_max_m, full.laser_position, full.features};
-  few.evidence_cells = local_map.evidence_cells(few.points);
-  for (Candidate& candidate : candidates) candidate.score = ensemble.decide(aligned(candidate, few, 0.15), few);
-  keep_best(candidates, kOnePlace_m, keep);
-  for (Candidate& candidate : candidates) {
-    candidate.verdict = ensemble.judge(aligned(candidate, full, 0.12), full);
-    candidate.score = candidate.verdict.nat;
-  }
-  keep_best(candidates, kOnePlace_m, keep);
-}
-
-/// Moves the candidate to where the scan fits best. @return the hypothesis that it would be.
-Hypothesis Localizer::State::aligned(Candidate& candidate, const Observation& observation, double sigma_m) const {
-  RefinementOptions refinement;
-  refinement.iterations = 4;
-  refinement.sigma_m = sigma_m;
-  refinement.prior_position = 0.01;
-  refinement.prior_heading = 0.05;
-  Pose2& pose = candidate.T_map_base;
-  pose = refine_on_map(*parts.map, observation.points, observation.laser_position, pose, refinement);
-  Hypothesis trial;
-  trial.T_map_local = pose * local_map.T_local_base().inverse();
-  trial.associations = candidate.pairs;
-  return trial;
-}
-
-/// Best first, one per place.
-void Localizer::State::keep_best(std::vector<Candidate>& candidates, double distance, std::size_t keep) {
-  constexpr double kAngle_rad = 0.06;
-  std::stable_sort(candidates.begin(), candidates.end(), better_score);
-  std::vector<Pose2> poses;
-  for (const Candidate& candidate : candidates) poses.push_back(candidate.T_map_base);
-  const std::vector<std::size_t> chosen = distinct_places(poses, distance, kAngle_rad, keep);
-  if (journal.listening() && chosen.size() == keep)
-    for (std::size_t k = chosen.back() + 1; k < candidates.size(); ++k)
-      journal.candidate_rejected(candidates[k], std::to_string(keep) + " places score better");
-  std::vector<Candidate> kept;
-  for (std::size_t k : chosen) kept.push_back(std::move(candidates[k]));
-  candidates = std::move(kept);
-}
-
-/// Patterns with a free parameter have many candidates: they are looked up where those that fix the pose found
-/// nothing good, and no hypothesis has gathered evidence yet.
-bool Localizer::State::worth_under_constrained_search(const std::vector<Candidate>& found) const {
-  const bool found_good = !found.empty() && found.front().score >= options.loose_below_nat;
+/// Some hypothesis has gathered so much evidence that patterns with a free parameter are not worth their many candidates.
+bool Localizer::State::has_gathered_much() const {
   const auto& alive_now = hypotheses.alive();
-  const bool tracked_good =
-      !alive_now.empty() && alive_now.front().hypothesis.log_likelihood >= options.loose_until_nat;
-  return !found_good && (!tracked_good || change.suspected());
+  return !alive_now.empty() &&
+         alive_now.front().hypothesis.log_likelihood >= parts.stages.search.under_constrained_until_nat;
 }
 
-void Localizer::State::seed(const Observation& observation, const Scan& scan) {
-  constexpr std::size_t kFewestPoints = 15;
-  if (observation.points.size() < kFewestPoints) return;
-  const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints).points;
-  const std::vector<SearchFeature> features = seed_features(observation);
-  std::vector<Candidate> candidates;
-  std::vector<CandidateGenerator::LookedUp> looked_up;
-  std::size_t places = 0;
-  for (const bool under_constrained : {false, true}) {
-    if (under_constrained && !worth_under_constrained_search(candidates)) break;
-    CandidateGenerator::Proposal proposed;
-    {
-      StageClock clock(times.associate_s);
-      proposed = generator.propose(features, coarse, under_constrained);
-    }
-    StageClock clock(times.verify_s);
-    places += proposed.candidates.size();
-    looked_up.insert(looked_up.end(), proposed.looked_up.begin(), proposed.looked_up.end());
-    verify(proposed.candidates, observation, scan, options.seed_hypotheses);
-    for (Candidate& candidate : proposed.candidates) candidates.push_back(std::move(candidate));
-  }
+void Localizer::State::search_map(const Observation& observation, const Scan& scan) {
+  if (observation.points.size() < GlobalSearch::kFewestPoints) return;
+  const bool under_constrained = !has_gathered_much() || kidnapping.suspected();
+  GlobalSearch::Result found = search.search(
+      {scan, parts.laser.T_base_laser, observation, under_constrained, journal.listening()}, times);
+  for (const GlobalSearch::Result::Rejected& rejected : found.rejected)
+    journal.candidate_rejected(rejected.candidate, rejected.reason);
   {
     StageClock clock(times.verify_s);
-    std::stable_sort(candidates.begin(), candidates.end(), better_score);
-    if (candidates.size() > static_cast<std::size_t>(options.seed_hypotheses))
-      candidates.resize(options.seed_hypotheses);
-    hypotheses.spawn(std::move(candidates), observation, tempering_weight(), retrospective);
+    hypotheses.spawn(std::move(found.candidates), observation, tempering_weight(), retrospective);
   }
-  schedule.searched(std::transform_reduce(looked_up.begin(), looked_up.end(), std::size_t{0}, std::plus<>(),
-                                          [](const CandidateGenerator::LookedUp& pattern) { return pattern.expected; }));
-  journal.searched(looked_up, places);
+  schedule.searched(found.expected);
+  journal.searched(found.looked_up, found.places);
 }
 
 void Localizer::State::grow() {
@@ -366,7 +243,7 @@ void Localizer::reset() {
   s.local_map.clear();
   s.retrospective.clear();
   s.hypotheses.clear();
-  s.change.reset();
+  s.kidnapping.reset();
   s.search_now = false;
   s.status.reset();
   s.started = false;
@@ -397,6 +274,6 @@ std::map<std::string, Score> Localizer::scores_of(int hypothesis) const {
 }
 
 const StageTimes& Localizer::last_times() const { return state_->times; }
-const std::map<std::string, int>& Localizer::plugin_failures() const { return state_->failures; }
+const std::map<std::string, int>& Localizer::plugin_failures() const { return state_->failures.counts(); }
 
 }  // namespace opal

@@ -43,6 +43,7 @@ BeamScorer::BeamScorer(const nlohmann::json& options)
       ahead_m_(options.at("ahead_m")),
       free_range_m_(options.at("free_range_m")),
       floor_(options.at("floor_nat")),
+      encounter_memory_(options.at("encounter_memory")),
       end_gate_{options.at("end_along_m"), options.at("end_across_m"), options.at("end_angle_rad")},
       min_beams_(options.at("min_beams")) {}
 
@@ -86,16 +87,16 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
 
 /// Where a wall stops is hardly anywhere met by chance: false places have walls where there are walls, but they end elsewhere.
 void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
-                            const opal::Amounts& before, Tally& tally) const {
+                            const Encounters& before, Tally& tally) const {
   const auto* face = std::get_if<opal::Segment>(&seen.geometry);
   if (!face) return;
-  for (const opal::Tip tip : {opal::Tip::begin, opal::Tip::end}) {
-    const bool at_begin = tip == opal::Tip::begin;
+  for (const Tip tip : {Tip::begin, Tip::end}) {
+    const bool at_begin = tip == Tip::begin;
     if (!seen.true_end[at_begin ? 0 : 1]) continue;
-    const opal::FaceEnd met = map.face_end_near(T_map_base * (at_begin ? face->begin : face->end),
+    const FaceEnd met = before.face_ends->nearest(T_map_base * (at_begin ? face->begin : face->end),
                                                 T_map_base.rotate(face->direction()), tip, end_gate_);
     if (met.face < 0) continue;
-    const double known = before.of(met.number()) + tally.ends.of(met.number()), fresh = std::exp(-2 * met.gates * met.gates);
+    const double known = before.ends_met.of(met.number()) + tally.ends.of(met.number()), fresh = std::exp(-2 * met.gates * met.gates);
     tally.ends.add(met.number(), fresh);
     tally.ended_lines.add(map.surface(met.face).line, worth(known + fresh, enough_sightings_) - worth(known, enough_sightings_));
   }
@@ -109,8 +110,8 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
   if (map.first_crossing(eye, end, margin_at(range)).feature >= 0) tally.free_throughs += 1;
 }
 
-double BeamScorer::news(const SumsByThing& beams, double each, double enough, const opal::Amounts& before,
-                        opal::Amounts& now) {
+double BeamScorer::news(const SumsByThing& beams, double each, double enough, const Amounts& before,
+                        Amounts& now) {
   double total = 0;
   beams.each([&](int thing, double count) {
     const double known = before.of(thing), fresh = each * count;
@@ -122,10 +123,10 @@ double BeamScorer::news(const SumsByThing& beams, double each, double enough, co
 
 /// Share of beams that pass through objects on which others end, and the other way round. An object that is not there is
 /// passed through wherever it is looked at, one that is there nowhere; if it is both, the pose is wrong.
-double BeamScorer::conflict(const Tally& tally, double each, const opal::Encounters& before) const {
+double BeamScorer::conflict(const Tally& tally, double each, const Encounters& before) const {
   double beams = 0;
-  const auto add = [&](const SumsByThing& these, const opal::Amounts& these_before, const SumsByThing& others,
-                       const opal::Amounts& others_before) {
+  const auto add = [&](const SumsByThing& these, const Amounts& these_before, const SumsByThing& others,
+                       const Amounts& others_before) {
     these.each([&](int object, double count) {
       const double against = others_before.of(object) + each * others.of(object);
       beams += count * against / (against + these_before.of(object) + each * count);
@@ -137,7 +138,7 @@ double BeamScorer::conflict(const Tally& tally, double each, const opal::Encount
 }
 
 BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                      const opal::MapView& map) const {
+                                      const opal::MapView& map, const Encounters& before) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   const Point eye = T_map_base * observation.laser_position;
   Tally tally;
@@ -149,16 +150,31 @@ BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const 
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
   if (end_ > 0)
     for (const opal::Feature& seen : observation.features)
-      judge_ends(map, T_map_base, seen, hypothesis.encounters.ends_met, tally);
+      judge_ends(map, T_map_base, seen, before, tally);
   return tally;
 }
 
+std::unique_ptr<opal::ScorerMemory> BeamScorer::new_memory(const opal::MapView& map) const {
+  auto nothing_met = std::make_unique<Encounters>();
+  nothing_met->face_ends = std::make_shared<const FaceEnds>(end_ > 0 ? FaceEnds::of(map) : FaceEnds());
+  return nothing_met;
+}
+
+void BeamScorer::remember(opal::ScorerMemory& memory, const opal::ScorerMemory& seen, double weight) const {
+  static_cast<Encounters&>(memory).add(static_cast<const Encounters&>(seen), weight);
+}
+
+void BeamScorer::fade(opal::ScorerMemory& memory, double weight) const {
+  static_cast<Encounters&>(memory).fade(1 - weight * (1 - encounter_memory_));
+}
+
 opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                              const opal::MapView& map) const {
-  const Tally tally = compare(hypothesis, observation, map);
-  const opal::Encounters& before = hypothesis.encounters;
+                              const opal::MapView& map, const opal::ScorerMemory* memory) const {
+  const auto& before = static_cast<const Encounters&>(*memory);
+  const Tally tally = compare(hypothesis, observation, map, before);
   const double n = std::max(tally.beams, min_beams_), each = 100 / n;
-  opal::Encounters now;
+  const auto seen = std::make_shared<Encounters>();
+  Encounters& now = *seen;
   const double matched = news(tally.matched, each, enough_, before.cells_met, now.cells_met);
   const double lines = news(tally.lines, each, enough_, before.lines_met, now.lines_met);
   const double ends = news(tally.ended_lines, 1, enough_ends_, before.lines_ended, now.lines_ended);
@@ -173,5 +189,5 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   return {std::max(nat, floor_),
           {},
           {{"hit", tally.hits / n}, {"short", (tally.beams - tally.hits - throughs) / n}, {"through", throughs / n}},
-          std::move(now)};
+          seen};
 }

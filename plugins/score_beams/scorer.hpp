@@ -1,5 +1,6 @@
 #pragma once
 
+#include "encounters.hpp"
 #include "tally.hpp"
 
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
@@ -31,8 +32,11 @@
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
-  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map) const override;
+  std::unique_ptr<opal::ScorerMemory> new_memory(const opal::MapView& map) const override;
+  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map,
+                    const opal::ScorerMemory* memory) const override;
+  void remember(opal::ScorerMemory& memory, const opal::ScorerMemory& seen, double weight) const override;
+  void fade(opal::ScorerMemory& memory, double weight) const override;
   bool judges_associations() const override { return false; }
   /// The mapped objects that beams pass through, each with the beam that does so deepest.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
@@ -41,22 +45,23 @@ class BeamScorer final : public opal::HypothesisScorer {
  private:
   struct Tally;
   /// The scan's beams and ends beside the map, from where the hypothesis has the robot.
-  Tally compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map) const;
+  Tally compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map,
+                const Encounters& before) const;
   /// Sum of what the amounts are worth beyond what was met `before`; adds them to `now`.
-  static double news(const SumsByThing& beams, double each, double enough, const opal::Amounts& before, opal::Amounts& now);
+  static double news(const SumsByThing& beams, double each, double enough, const Amounts& before, Amounts& now);
   void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, int evidence_cell,
                     Tally& tally) const;
   void judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
-                  const opal::Amounts& before, Tally& tally) const;
+                  const Encounters& before, Tally& tally) const;
   void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,
                   Tally& tally) const;
 
   double margin_at(double range_m) const { return margin_m_ + margin_per_m_ * range_m; }
-  double conflict(const Tally& tally, double each, const opal::Encounters& before) const;
+  double conflict(const Tally& tally, double each, const Encounters& before) const;
   double likelihood_field(double distance_m, double range_m) const;
 
   double match_, line_, enough_, end_, enough_sightings_, enough_ends_, hit_, early_, absent_, conflict_, through_, free_through_;
-  double sigma_m_, sigma_per_m_, margin_m_, margin_per_m_, other_side_m_, ahead_m_, free_range_m_, floor_;
-  opal::EndGate end_gate_;
+  double sigma_m_, sigma_per_m_, margin_m_, margin_per_m_, other_side_m_, ahead_m_, free_range_m_, floor_, encounter_memory_;
+  EndGate end_gate_;
   int min_beams_;
 };

@@ -114,7 +114,7 @@ std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_m
 }
 
 opal::Score FreeSpaceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                   const opal::MapView& map) const {
+                    const opal::MapView& map, const opal::ScorerMemory*) const {
   const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   double overlap_m = 0;
   for (const Overlap& overlap : overlaps(T_map_base, observation, map)) overlap_m += overlap.length_m;

@@ -19,7 +19,7 @@ class FreeSpaceScorer final : public opal::HypothesisScorer {
   explicit FreeSpaceScorer(const nlohmann::json& options);
   ~FreeSpaceScorer() override;
   opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map) const override;
+                    const opal::MapView& map, const opal::ScorerMemory*) const override;
   bool judges_associations() const override { return false; }
   /// The mapped objects that reach deepest into free space.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,

@@ -62,7 +62,7 @@ LackOfFitScorer::Fit LackOfFitScorer::fit_of(const opal::Hypothesis& hypothesis,
 }
 
 opal::Score LackOfFitScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                   const opal::MapView& map) const {
+                    const opal::MapView& map, const opal::ScorerMemory*) const {
   const Fit all = fit_of(hypothesis, observation, map);
   const double fit = -all.squares / (sigma_m_ * sigma_m_);
   const double matched = -all.matched * std::log(not_on_map_probability_);

@@ -12,7 +12,7 @@ class LackOfFitScorer final : public opal::HypothesisScorer {
  public:
   explicit LackOfFitScorer(const nlohmann::json& options);
   opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map) const override;
+                    const opal::MapView& map, const opal::ScorerMemory*) const override;
   /// The association that fits worst.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                      const opal::MapView& map) const override;

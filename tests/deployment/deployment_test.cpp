@@ -98,7 +98,7 @@ TEST_CASE("a deployment is read whole") {
     "detectors": [ { "@type": "opal:LineDetector", "options": { "min_points": 8 } }, { "@type": "opal:CircleDetector" } ],
     "patterns": [],
     "scorers": [ { "@type": "opal:Beams", "weight": 0.5 }, { "@type": "opal:Evidence", "role": "observes" } ],
-    "association": { "max_hypotheses": 7 })");
+    "stages": { "hypotheses": { "max_hypotheses": 7 } })");
   CHECK(deployment.map == "maps/hall.jsonld");
   CHECK(deployment.laser.id == "FrontLaser");
   CHECK(deployment.laser.angle_min_rad == -3.1);
@@ -121,7 +121,7 @@ TEST_CASE("a deployment is read whole") {
   REQUIRE(deployment.scorers.size() == 2);
   CHECK(deployment.scorers[0].weight == 0.5);
   CHECK_FALSE(deployment.scorers[1].decides);
-  CHECK(deployment.association.at("max_hypotheses") == 7);
+  CHECK(deployment.stages.hypotheses.max_hypotheses == 7);
 }
 
 TEST_CASE("a map's path starts from the folder of the deployment") {
@@ -156,7 +156,7 @@ TEST_CASE("a wrong deployment is refused with the place, what was found and what
         "/scorers/0/weight: -1, expected a number from 0 to 1000");
   CHECK(refusal(R"("scorers": [{"@type": "a", "role": "observes"}])") ==
         "/scorers: no scorer decides, expected at least one with role \"decides\"");
-  CHECK_THAT(refusal(R"("association": {"max_hypotheses": 0})"), StartsWith("/association/max_hypotheses: 0, expected"));
+  CHECK_THAT(refusal(R"("stages": {"hypotheses": {"max_hypotheses": 0}})"), StartsWith("/stages/hypotheses/max_hypotheses: 0, expected"));
   CHECK_THAT(refusal_of("[]"), StartsWith("/: [], expected an object"));
   CHECK(refusal_of(R"({"@context": "urn:opal:v2"})") == "/@context: \"urn:opal:v2\", expected \"urn:opal:v1\"");
   CHECK(refusal_of(R"({"@context": "urn:opal:v1", "@type": "Plugin"})") ==
@@ -166,7 +166,7 @@ TEST_CASE("a wrong deployment is refused with the place, what was found and what
 
 TEST_CASE("a key that is misspelt or obsolete is refused, with those that there are") {
   CHECK_THAT(refusal_of(document(R"("sensors": {})")),
-             StartsWith("/sensors: unknown key, expected one of: @context, @type, association,"));
+             StartsWith("/sensors: unknown key, expected one of: @context, @type, "));
   CHECK(refusal_of(document(R"("keyframes": {"distance": 1})")) ==
         "/keyframes/distance: unknown key, expected one of: angle_rad, distance_m");
   CHECK(refusal_of(document(R"("matcher": {"@type": "a", "role": "decides"})")) ==

@@ -122,9 +122,7 @@ void LocalizingRunner::set_up(std::size_t arm) {
 opal::LocalizerParts LocalizingRunner::parts_of(opal::Deployment deployment, std::size_t arm) const {
   deployment = with_laser(std::move(deployment), world_->place.deployment.laser);
   if (world_->region)
-    deployment.association["region"] = {{"x_m", world_->region->center.x()},
-                                        {"y_m", world_->region->center.y()},
-                                        {"radius_m", world_->region->radius_m}};
+    deployment.stages.search.region = opal::RegionPrior{world_->region->center, world_->region->radius_m};
   return build_parts(deployment, *plugins_[arm].registry, world_->place.site.map);
 }
 

@@ -1,4 +1,5 @@
 #include "cli/bench/bench_kidnappings.hpp"
+#include "cli/options/damage_options.hpp"
 #include "cli/options/join_options.hpp"
 #include "cli/options/overlay_options.hpp"
 #include "session/overlays.hpp"

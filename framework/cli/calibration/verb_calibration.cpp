@@ -1,6 +1,7 @@
 #include "cli/calibration/judged_runs.hpp"
 #include "cli/options/verbs.hpp"
 
+#include "drawing/reliability_diagram.hpp"
 #include "evaluation/calibration.hpp"
 #include <opal/common/error.hpp>
 #include "common/text_file.hpp"

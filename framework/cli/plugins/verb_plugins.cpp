@@ -1,4 +1,5 @@
 #include "cli/options/verbs.hpp"
+#include "deployment/localizer_options.hpp"
 
 #include <opal/plugin/plugin_folders.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -77,7 +78,15 @@ ordered_json to_json(const RegisteredType& type) {
 void print_json(std::ostream& out, const Inventory& inventory) {
   ordered_json types = ordered_json::array();
   for (const RegisteredType& type : inventory.types) types.push_back(to_json(type));
-  out << ordered_json{{"types", types}, {"refused", inventory.refused}, {"violations", inventory.violations}}
+  ordered_json stages = ordered_json::array();
+  for (const DescribedStage& stage : describe_stages()) {
+    stages.push_back({{"name", stage.name}, {"description", stage.description}, {"options", ordered_json::array()}});
+    for (const OptionInfo& option : stage.options) stages.back()["options"].push_back(to_json(option));
+  }
+  out << ordered_json{{"types", types},
+                      {"stages", stages},
+                      {"refused", inventory.refused},
+                      {"violations", inventory.violations}}
              .dump(2)
       << "\n";
 }
@@ -114,6 +123,16 @@ void print_kind(std::ostream& out, const std::vector<RegisteredType>& types, Plu
   if (!first) out << "\n";
 }
 
+/// What a deployment's "stages" accepts.
+void print_stages(std::ostream& out) {
+  out << "Stages of the localizer\n";
+  for (const DescribedStage& stage : describe_stages()) {
+    out << "  " << stage.name << "\n    " << stage.description << "\n";
+    for (const OptionInfo& option : stage.options) print(out, option);
+  }
+  out << "\n";
+}
+
 void print_sentences(std::ostream& out, const std::string& title, const std::vector<std::string>& sentences) {
   if (sentences.empty()) return;
   out << title << "\n";
@@ -126,6 +145,7 @@ void print_text(std::ostream& out, const Inventory& inventory) {
         PluginKind::feature_detector, PluginKind::pattern_template, PluginKind::hypothesis_scorer,
         PluginKind::map_store})
     print_kind(out, inventory.types, kind);
+  print_stages(out);
   print_sentences(out, "Refused", inventory.refused);
   print_sentences(out, "Broken contracts", inventory.violations);
 }

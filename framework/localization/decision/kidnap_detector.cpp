@@ -4,18 +4,35 @@
 #include <cmath>
 
 namespace opal {
+namespace {
+
+// A scan of whose points fewer lie on what was seen before does not continue it: a robot that only drives sees most again.
+constexpr double kContinuingShare = 0.5;
+// A scan that does not continue those before says at least this share of what they said, on average; a place that looks
+// alike by chance says less.
+constexpr double kDrop = 0.5;
+// Log prior of a kidnapping though every scan continued those before: who is kidnapped sees something else.
+constexpr double kUnseenPrior_nat = -10;
+// Log prior of one place among all where the robot may have been put down: 20,000 places.
+constexpr double kPlacePrior_nat = -10;
+// Suspicion grows up to this, so that good scans can take it back.
+constexpr double kMostSuspicion_nat = 8;
+// Suspicion from which on the whole map is searched: 20 to 1.
+constexpr double kSearchFrom_nat = 3;
+
+}  // namespace
 
 void KidnapDetector::add(const Evidence& seen) {
-  if (seen.match_share < options_.carried_match_share) discontinued_ = seen.keyframe;
+  if (seen.match_share < kContinuingShare) discontinued_ = seen.keyframe;
   if (seen.established || suspicion_nat_ > 0)
     suspicion_nat_ =
-        std::clamp(suspicion_nat_ + wanted_nat() - seen.scan_nat, 0.0, options_.carried_most_nat);
+        std::clamp(suspicion_nat_ + wanted_nat() - seen.scan_nat, 0.0, kMostSuspicion_nat);
   if (suspicion_nat_ == 0) {
     constexpr double kMemory = 0.9;
     usual_nat_ = kMemory * usual_nat_ + (1 - kMemory) * seen.scan_nat;
     last_good_ = {seen.keyframe, seen.gathered_nat};
   } else {
-    last_good_.nat *= 1 - seen.tempering_weight * (1 - options_.memory);
+    last_good_.nat *= 1 - seen.tempering_weight * (1 - evidence_memory_);
   }
 }
 
@@ -27,23 +44,23 @@ void KidnapDetector::reset() {
 }
 
 double KidnapDetector::share_of_usual_nat() const {
-  return std::max(options_.carried_scan_nat, options_.carried_drop * usual_nat_);
+  return std::max(options_.scan_nat, kDrop * usual_nat_);
 }
 
-double KidnapDetector::wanted_nat() const { return discontinued() ? share_of_usual_nat() : options_.carried_scan_nat; }
+double KidnapDetector::wanted_nat() const { return discontinued() ? share_of_usual_nat() : options_.scan_nat; }
 
 double KidnapDetector::probability() const {
-  const double prior_nat = discontinued() ? options_.carried_nat : options_.carried_unseen_nat;
+  const double prior_nat = discontinued() ? options_.prior_nat : kUnseenPrior_nat;
   return 1 / (1 + std::exp(-(suspicion_nat_ + prior_nat)));
 }
 
 bool KidnapDetector::alarming(double scan_nat) const {
-  return scan_nat < share_of_usual_nat() - options_.carried_alarm_nat;
+  return scan_nat < share_of_usual_nat() - options_.alarm_nat;
 }
 
-std::optional<KidnapDetector::Break> KidnapDetector::suspected() const {
-  if (suspicion_nat_ < options_.carried_search_nat || !discontinued()) return std::nullopt;
-  return Break{last_good_.keyframe, last_good_.nat + options_.carried_nat + options_.carried_place_nat};
+std::optional<RetrospectiveVerification::Takeover> KidnapDetector::suspected() const {
+  if (suspicion_nat_ < kSearchFrom_nat || !discontinued()) return std::nullopt;
+  return RetrospectiveVerification::Takeover{last_good_.keyframe, last_good_.nat + options_.prior_nat + kPlacePrior_nat};
 }
 
 }  // namespace opal

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "localization/options/association_options.hpp"
+#include "localization/search/retrospective_verification.hpp"
+
+#include <opal/localization/localizer_options.hpp>
 
 #include <optional>
 
@@ -10,9 +12,11 @@ namespace opal {
 /// hypothesis was right up to some scan, and no scan since then was taken where it says" against "it is right". Who is
 /// kidnapped also sees something else from one scan to the next; who enters a part of the building that the map has
 /// wrong does not.
-class KidnapDetector {
+class OPAL_EXPORT KidnapDetector {
  public:
-  explicit KidnapDetector(const AssociationOptions& options) : options_(options) {}
+  /// @param evidence_memory  as TrackingOptions.
+  KidnapDetector(const KidnappingOptions& options, double evidence_memory)
+      : options_(options), evidence_memory_(evidence_memory) {}
 
   /// A scan beside the best hypothesis.
   struct Evidence {
@@ -31,14 +35,8 @@ class KidnapDetector {
   /// Whether a scan that says this would be reason enough to look at it.
   bool alarming(double scan_nat) const;
 
-  /// The time that explains it best.
-  struct Break {
-    int keyframe = 0;  ///< the last one before
-    double nat = 0;    ///< what a hypothesis starts with that takes over from the best one then, the price of being
-                       ///< kidnapped, and to this place of all places, included
-  };
   /// Where there is reason to search the whole map anew.
-  std::optional<Break> suspected() const;
+  std::optional<RetrospectiveVerification::Takeover> suspected() const;
 
  private:
   /// Some scan since then, or just before, did not continue those before.
@@ -48,10 +46,11 @@ class KidnapDetector {
   double wanted_nat() const;
   double share_of_usual_nat() const;
 
-  AssociationOptions options_;
+  KidnappingOptions options_;
+  double evidence_memory_;
   double suspicion_nat_ = 0;
   double usual_nat_ = 0;  ///< what scans said on average before there was suspicion
-  Break last_good_;
+  RetrospectiveVerification::Takeover last_good_;
   int discontinued_ = -2;  ///< the newest keyframe that did not continue those before
 };
 

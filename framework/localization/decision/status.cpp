@@ -32,7 +32,7 @@ void StatusEstimator::reset() {
   last_ = {};
   belief_ = {};
   sure_ = 0;
-  none_nat_ = options_.none_nat;
+  none_nat_ = 0;
   was_localized_ = false;
   mean_scan_nat_ = 0;
 }
@@ -68,8 +68,8 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
 
 double StatusEstimator::weight_asked(double unmapped_walls_m) const {
   const double beyond_m = std::max(0.0, unmapped_walls_m - options_.localized_unmapped_m);
-  const double asked = options_.localized_novelty + options_.localized_novelty_per_m * beyond_m;
-  return std::max(options_.localized_novelty, std::min(asked, options_.localized_most_novelty));
+  const double asked = options_.localized_weight + options_.localized_weight_per_m * beyond_m;
+  return std::max(options_.localized_weight, std::min(asked, options_.localized_most_weight));
 }
 
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,
@@ -101,7 +101,7 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
 Status StatusEstimator::because_held(Status status, double asked, double unmapped_walls_m) {
   const std::string held = sentence(
       "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence", sure_, asked);
-  if (asked <= options_.localized_novelty) return because(status, held);
+  if (asked <= options_.localized_weight) return because(status, held);
   return because(status, held + sentence(", so many since %.1f m of straight walls that were seen are not on the map",
                                          unmapped_walls_m));
 }
@@ -116,7 +116,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   PoseEstimate estimate;
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
-  none_nat_ = (1 - now.tempering_weight * (1 - options_.memory)) * none_nat_ + now.tempering_weight * options_.none_scan_nat;
+  none_nat_ = (1 - now.tempering_weight * (1 - evidence_memory_)) * none_nat_ + now.tempering_weight * options_.none_scan_nat;
   believe(alive);
   estimate.none = belief_.none;
   if (alive.empty()) {

@@ -3,6 +3,7 @@
 #include "localization/tree/hypothesis_set.hpp"
 
 #include <opal/localization/decision/pose_estimate.hpp>
+#include <opal/localization/localizer_options.hpp>
 
 #include <algorithm>
 
@@ -16,9 +17,11 @@ struct Circumstances {
 };
 
 /// Turns hypotheses into one answer with a status.
-class StatusEstimator {
+class OPAL_EXPORT StatusEstimator {
  public:
-  explicit StatusEstimator(const AssociationOptions& options) : options_(options), none_nat_(options.none_nat) {}
+  /// @param evidence_memory  as TrackingOptions.
+  StatusEstimator(const StatusOptions& options, double evidence_memory)
+      : options_(options), evidence_memory_(evidence_memory) {}
 
   /// @param alive         best first.
   /// @param T_local_base  newest pose in the local frame.
@@ -35,8 +38,8 @@ class StatusEstimator {
   };
   const Belief& belief() const { return belief_; }
 
-  /// Takes this much off what "none of these" has gathered: hypotheses begin anew.
-  void settle(double nat) { none_nat_ = std::max(none_nat_ - nat, options_.carried_nat); }
+  /// Takes this much off what "none of these" has gathered, but leaves it at least `least_nat`: hypotheses begin anew.
+  void settle(double nat, double least_nat) { none_nat_ = std::max(none_nat_ - nat, least_nat); }
 
   double probability() const { return last_.probability; }  ///< of the best place
   bool localized() const { return last_.status == Status::localized; }
@@ -56,7 +59,8 @@ class StatusEstimator {
   Status because_held(Status status, double asked, double unmapped_walls_m);
   Status because(Status status, std::string why);
 
-  AssociationOptions options_;
+  StatusOptions options_;
+  double evidence_memory_;
   PoseEstimate last_;
   Belief belief_;
   Pose2 T_map_local_;

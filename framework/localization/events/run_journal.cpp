@@ -140,7 +140,7 @@ void RunJournal::spawned(const Live& live, int parent, int pattern) {
   auto e = event("spawned");
   e["hypothesis"] = live.hypothesis.id;
   if (parent >= 0) e["parent"] = parent;
-  if (pattern >= 0) e["template"] = generator_.pattern_name(pattern);
+  if (pattern >= 0) e["template"] = search_.pattern_name(pattern);
   e["T_map_base"] = pose_json(T_map_base(live));
   e["log_likelihood"] = live.hypothesis.log_likelihood;
   e["pairs"] = pairs_json(live.hypothesis.associations);
@@ -188,12 +188,13 @@ void RunJournal::branch_rejected(const Live& parent, const Association& pair, co
   events_.write(e);
 }
 
-void RunJournal::candidate_rejected(const Candidate& candidate, const std::string& reason) {
+void RunJournal::candidate_rejected(const VerifiedCandidate& verified, const std::string& reason) {
   if (!listening()) return;
-  rejected_.push_back({{"template", generator_.pattern_name(candidate.pattern)},
+  const Candidate& candidate = verified.candidate;
+  rejected_.push_back({{"template", search_.pattern_name(candidate.pattern)},
                        {"T_map_base", pose_json(candidate.T_map_base)},
                        {"pairs", pairs_json(candidate.pairs)},
-                       {"nat", candidate.score},
+                       {"nat", verified.nat},
                        {"reason", reason}});
 }
 
@@ -202,7 +203,7 @@ void RunJournal::searched(std::span<const CandidateGenerator::LookedUp> looked_u
   auto e = event("searched");
   e["patterns"] = Json::array();
   for (const CandidateGenerator::LookedUp& each : looked_up)
-    e["patterns"].push_back({{"template", generator_.pattern_name(each.pattern)},
+    e["patterns"].push_back({{"template", search_.pattern_name(each.pattern)},
                              {"local_features", each.local_features},
                              {"candidates", each.expected}});
   e["proposed"] = proposed;

@@ -13,8 +13,8 @@ namespace opal {
 /// Writes the event stream of a localizer (docs/events.md). Where nobody listens, every call returns at once.
 class RunJournal final : public HypothesisListener {
  public:
-  RunJournal(EventSink& events, std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const CandidateGenerator& generator)
-      : events_(events), map_(std::move(map)), ensemble_(ensemble), generator_(generator) {}
+  RunJournal(EventSink& events, std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const GlobalSearch& search)
+      : events_(events), map_(std::move(map)), ensemble_(ensemble), search_(search) {}
 
   bool listening() const { return events_.listening(); }
 
@@ -34,7 +34,7 @@ class RunJournal final : public HypothesisListener {
   void associated(const Live& live, std::span<const Association> pairs) override;
   void dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) override;
   void branch_rejected(const Live& parent, const Association& pair, const std::string& reason) override;
-  void candidate_rejected(const Candidate& candidate, const std::string& reason) override;
+  void candidate_rejected(const VerifiedCandidate& candidate, const std::string& reason) override;
 
  private:
   using Json = nlohmann::ordered_json;
@@ -58,7 +58,7 @@ class RunJournal final : public HypothesisListener {
   EventSink& events_;
   std::shared_ptr<const MapView> map_;
   const ScorerEnsemble& ensemble_;
-  const CandidateGenerator& generator_;
+  const GlobalSearch& search_;
   double stamp_s_ = 0;
   int keyframe_ = 0;
   const Observation* observation_ = nullptr;  ///< of the update that is under way

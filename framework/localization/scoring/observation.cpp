@@ -27,4 +27,21 @@ std::vector<double> thinned_bearings(const std::vector<double>& bearings_rad, co
   return chosen;
 }
 
+Observation observe(const LocalMap& local_map, const Scan& scan, const Pose2& T_base_laser,
+                    std::span<const Feature> features) {
+  constexpr double kSpacing_m = 0.1;
+  constexpr std::size_t kPoints = 100, kFreeBeams = 25;  // more say hardly more: neighbours share their errors
+  ThinnedScan seen = thinned(scan.points, T_base_laser, kSpacing_m, kPoints);
+  Observation observation{.local_map = local_map,
+                          .points = std::move(seen.points),
+                          .free_bearings_rad = thinned_bearings(scan.free_bearings_rad, T_base_laser, kFreeBeams),
+                          .range_max_m = scan.range_max_m,
+                          .laser_position = T_base_laser.position(),
+                          .features = {},
+                          .beams = std::move(seen.beams)};
+  for (const Feature& feature : features) observation.features.push_back(transformed(T_base_laser, feature));
+  observation.evidence_cells = local_map.evidence_cells(observation.points);
+  return observation;
+}
+
 }  // namespace opal

@@ -1,49 +1,36 @@
 #include "localization/scoring/scorer_ensemble.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace opal {
 
-namespace {
-
-/// Calls into a plugin; what it throws becomes a cause in words. Empty: it went well.
-template <class Call>
-std::string cause_of_failure(Call&& call) {
-  try {
-    call();
-    return {};
-  } catch (const std::exception& error) {
-    return error.what();
-  } catch (...) {
-    return "threw something that is no std::exception";
-  }
+ScorerEnsemble::ScorerEnsemble(std::vector<ActiveScorer> scorers, std::shared_ptr<const MapView> map,
+                               PluginFailures& failures)
+    : scorers_(std::move(scorers)), map_(std::move(map)), failures_(failures) {
+  std::vector<ScorerMemories::Shared> memories(scorers_.size());
+  for (std::size_t k = 0; k < scorers_.size(); ++k)
+    failures_.guard(scorers_[k].name, [&] { memories[k] = scorers_[k].part->new_memory(*map_); });
+  new_memories_ = ScorerMemories(std::move(memories));
 }
 
-}  // namespace
-
-void ScorerEnsemble::count_failure(const ActiveScorer& scorer, const std::string& cause) const {
-  if (failures_[scorer.name]++ == 0) spdlog::warn("{}: skipped: {}", scorer.name, cause);
-}
-
-Score ScorerEnsemble::ask(const ActiveScorer& scorer, const Hypothesis& hypothesis, const Observation& observation) const {
+Score ScorerEnsemble::ask(std::size_t number, const Hypothesis& hypothesis, const Observation& observation) const {
+  const ActiveScorer& scorer = scorers_[number];
+  const ScorerMemories& memories = hypothesis.memories.empty() ? new_memories_ : hypothesis.memories;
   Score score;
-  std::string cause = cause_of_failure([&] { score = scorer.part->score(hypothesis, observation, *map_); });
-  if (cause.empty() && !std::isfinite(score.log_likelihood)) cause = "score is not finite";
-  if (cause.empty()) return score;
-  count_failure(scorer, cause);
+  const auto call = [&] { score = scorer.part->score(hypothesis, observation, *map_, memories.of(number)); };
+  if (!failures_.guard(scorer.name, call)) return {};
+  if (std::isfinite(score.log_likelihood)) return score;
+  failures_.count(scorer.name, "score is not finite");
   return {};
 }
 
-std::vector<ScorerEnsemble::NamedFinding> ScorerEnsemble::explain(const Hypothesis& hypothesis, const Observation& observation) const {
+std::vector<ScorerEnsemble::NamedFinding> ScorerEnsemble::explain(const Hypothesis& hypothesis,
+                                                                  const Observation& observation) const {
   std::vector<NamedFinding> all;
   for (const ActiveScorer& scorer : scorers_) {
     std::vector<Finding> findings;
-    const std::string cause =
-        cause_of_failure([&] { findings = scorer.part->explain(hypothesis, observation, *map_); });
-    if (!cause.empty()) count_failure(scorer, cause);
+    failures_.guard(scorer.name, [&] { findings = scorer.part->explain(hypothesis, observation, *map_); });
     for (Finding& finding : findings) all.push_back({scorer.name, std::move(finding)});
   }
   return all;
@@ -55,23 +42,39 @@ bool ScorerEnsemble::judges_associations() const {
 
 double ScorerEnsemble::decide(const Hypothesis& hypothesis, const Observation& observation) const {
   double nat = 0;
-  for (const ActiveScorer& scorer : scorers_)
-    if (scorer.decides) nat += scorer.weight * ask(scorer, hypothesis, observation).log_likelihood;
+  for (std::size_t k = 0; k < scorers_.size(); ++k)
+    if (scorers_[k].decides) nat += scorers_[k].weight * ask(k, hypothesis, observation).log_likelihood;
   return nat;
 }
 
 ScorerEnsemble::Verdict ScorerEnsemble::judge(const Hypothesis& hypothesis, const Observation& observation) const {
   Verdict verdict;
-  for (const ActiveScorer& scorer : scorers_) {
-    Score score = ask(scorer, hypothesis, observation);
+  for (std::size_t k = 0; k < scorers_.size(); ++k) {
+    const ActiveScorer& scorer = scorers_[k];
+    Score score = ask(k, hypothesis, observation);
     if (scorer.decides) {
       verdict.nat += scorer.weight * score.log_likelihood;
-      verdict.encounters.take(score.encounters, 1, 1);
       if (verdict.veto.empty() && !score.veto.empty()) verdict.veto = scorer.name + ": " + score.veto;
     }
     verdict.scores.push_back(std::move(score));
   }
   return verdict;
+}
+
+void ScorerEnsemble::remember(Hypothesis& hypothesis, const std::vector<Score>& scores, double weight) const {
+  if (hypothesis.memories.empty()) hypothesis.memories = new_memories_;
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    if (!scores[k].seen || !hypothesis.memories.of(k)) continue;
+    failures_.guard(scorers_[k].name,
+                    [&] { scorers_[k].part->remember(*hypothesis.memories.own(k), *scores[k].seen, weight); });
+  }
+}
+
+void ScorerEnsemble::fade(Hypothesis& hypothesis, double weight) const {
+  for (std::size_t k = 0; k < scorers_.size(); ++k) {
+    if (!hypothesis.memories.of(k)) continue;
+    failures_.guard(scorers_[k].name, [&] { scorers_[k].part->fade(*hypothesis.memories.own(k), weight); });
+  }
 }
 
 }  // namespace opal

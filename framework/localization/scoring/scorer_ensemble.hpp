@@ -1,20 +1,21 @@
 #pragma once
 
+#include "common/plugin_failures.hpp"
+
 #include <opal/localization/scoring/active_scorer.hpp>
 #include <opal/map/view/map_view.hpp>
 
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace opal {
 
 /// Asks the scorers. A scorer that throws contributes nothing to that scan and is counted.
-class ScorerEnsemble {
+class OPAL_EXPORT ScorerEnsemble {
  public:
-  ScorerEnsemble(std::vector<ActiveScorer> scorers, std::shared_ptr<const MapView> map,
-        std::map<std::string, int>& failures)
-      : scorers_(std::move(scorers)), map_(std::move(map)), failures_(failures) {}
+  /// @param failures  counts what scorers throw; must outlive this.
+  ScorerEnsemble(std::vector<ActiveScorer> scorers, std::shared_ptr<const MapView> map, PluginFailures& failures);
 
   bool judges_associations() const;  ///< any of the scorers
 
@@ -24,10 +25,16 @@ class ScorerEnsemble {
   struct Verdict {
     double nat = 0;             ///< sum over deciding scorers
     std::string veto;           ///< first veto of a deciding scorer, with its name; empty: none
-    Encounters encounters;      ///< of the deciding scorers
     std::vector<Score> scores;  ///< all scorers, in the order of `scorers()`
   };
+  /// A hypothesis without memories is one that has met nothing yet.
   Verdict judge(const Hypothesis& hypothesis, const Observation& observation) const;
+
+  /// Adds what the scorers have seen to what they remember of the hypothesis.
+  /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1].
+  void remember(Hypothesis& hypothesis, const std::vector<Score>& scores, double weight) const;
+  /// Lets what the scorers remember of the hypothesis fade, as one more scan is tracked.
+  void fade(Hypothesis& hypothesis, double weight) const;
 
   /// What all scorers can say about a hypothesis in words, with their names.
   struct NamedFinding {
@@ -39,12 +46,12 @@ class ScorerEnsemble {
   const std::vector<ActiveScorer>& scorers() const { return scorers_; }
 
  private:
-  void count_failure(const ActiveScorer& scorer, const std::string& cause) const;
-  Score ask(const ActiveScorer& scorer, const Hypothesis& hypothesis, const Observation& observation) const;
+  Score ask(std::size_t scorer, const Hypothesis& hypothesis, const Observation& observation) const;
 
   std::vector<ActiveScorer> scorers_;
   std::shared_ptr<const MapView> map_;
-  std::map<std::string, int>& failures_;
+  PluginFailures& failures_;
+  ScorerMemories new_memories_;  ///< of a hypothesis that has met nothing yet
 };
 
 }  // namespace opal

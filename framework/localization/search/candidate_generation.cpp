@@ -11,6 +11,11 @@
 namespace opal {
 namespace {
 
+// More features per geometry double the patterns and hardly add a rarer one.
+constexpr int kFeaturesPerGeometry = 8;
+// Along a pattern's free direction: half of what alignment recovers from.
+constexpr double kSweepStep_m = 0.2;
+
 bool is_under_constrained(const PatternInstance& instance) { return instance.extent_max_m > instance.extent_min_m; }
 
 /// Fetches what a search is about to ask of a mapped pattern: in a large map, it is far away.
@@ -48,7 +53,7 @@ double support_of(const PatternInstance& observed, std::span<const Feature> feat
 }  // namespace
 
 CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
-               const AssociationOptions& options)
+               const SearchOptions& options)
     : map_(std::move(map)), options_(options) {
   MappedPatterns mapped = mapped_patterns(*map_, templates);
   mapped_ = std::move(mapped.features);
@@ -66,9 +71,9 @@ std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(int number
   std::stable_sort(lookups.begin(), lookups.end(), [&](const Lookup& a, const Lookup& b) {
     return support_of(a.observed, features) > support_of(b.observed, features);
   });
-  const auto most = static_cast<std::size_t>(under_constrained ? options_.seed_loose_patterns : options_.seed_patterns);
+  const auto most = static_cast<std::size_t>(under_constrained ? options_.under_constrained_patterns : options_.patterns);
   if (lookups.size() > most) lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(most), lookups.end());
-  const auto limit = static_cast<std::size_t>(options_.seed_lookup_limit);
+  const auto limit = static_cast<std::size_t>(options_.lookup_limit);
   for (Lookup& lookup : lookups) lookup.expected = table.index.count(lookup.observed, limit);
   std::erase_if(lookups, [](const Lookup& lookup) { return lookup.expected == 0; });
   keep_rarest(lookups, limit, 1, under_constrained);
@@ -95,7 +100,7 @@ std::vector<CandidateGenerator::Lookup> CandidateGenerator::choose(std::span<con
   std::vector<Lookup> chosen;
   for (int number = 0; number < static_cast<int>(tables_.size()); ++number)
     for (Lookup& lookup : shortlist(number, features, under_constrained)) chosen.push_back(std::move(lookup));
-  if (options_.seed_places > 0) keep_rarest(chosen, static_cast<std::size_t>(options_.seed_places), kFewest, under_constrained);
+  if (options_.places > 0) keep_rarest(chosen, static_cast<std::size_t>(options_.places), kFewest, under_constrained);
   leave_out_parts(chosen);
   return chosen;
 }
@@ -132,7 +137,7 @@ void CandidateGenerator::sweep(const PatternInstance& observed, const PatternIns
   const double from = mapped.extent_min_m - observed.extent_min_m - observed.overhang_m;
   const double to = mapped.extent_max_m - observed.extent_max_m + observed.overhang_m;
   const Point along = unit_vector(mapped.frame.heading_rad());
-  for (double u = std::min(from + options_.slide_step_m, (from + to) / 2); u <= to + 1e-9; u += 3 * options_.slide_step_m)
+  for (double u = std::min(from + kSweepStep_m, (from + to) / 2); u <= to + 1e-9; u += 3 * kSweepStep_m)
     positions.push_back(position + u * along);
 }
 
@@ -183,7 +188,7 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const
   std::vector<Place> all;
   for (const Place& place : places) {
     const PatternInstance& mapped = tables_[lookups[place.lookup].table].index.patterns()[place.mapped];
-    const Point step = options_.slide_step_m * unit_vector(mapped.frame.heading_rad());
+    const Point step = kSweepStep_m * unit_vector(mapped.frame.heading_rad());
     for (int steps = -1; steps <= 1; ++steps) {
       all.push_back(place);
       all.back().position += steps * step;
@@ -195,7 +200,7 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const
 std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std::vector<Lookup>& lookups, std::span<const Point> coarse,
                                               bool under_constrained) const {
   constexpr std::size_t kSweepsLookedAt = 3000;
-  const auto close_looks = static_cast<std::size_t>(options_.seed_close_looks);
+  const auto close_looks = static_cast<std::size_t>(options_.close_looks);
   std::vector<TellingPoints> points;
   std::vector<Place> places;
   BestShare filter(close_looks, 30);
@@ -204,7 +209,7 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std:
     if (points.back().enough()) look_up(lookups[k], static_cast<int>(k), points.back(), filter, places);
   }
   keep_nearest(places, under_constrained ? kSweepsLookedAt : close_looks);
-  look_closely(places, points, under_constrained ? options_.slide_step_m / 2 : 0);
+  look_closely(places, points, under_constrained ? kSweepStep_m / 2 : 0);
   if (!under_constrained) return places;
   keep_nearest(places, close_looks);
   places = with_neighbours(places, lookups);
@@ -231,7 +236,7 @@ std::vector<Association> CandidateGenerator::pair_up(const Lookup& lookup, int m
 CandidateGenerator::Proposal CandidateGenerator::propose(std::span<const SearchFeature> features, std::span<const Point> coarse,
                                  bool under_constrained) const {
   Proposal proposal;
-  const std::vector<SearchFeature> best = best_per_geometry(features, options_.seed_features);
+  const std::vector<SearchFeature> best = best_per_geometry(features, kFeaturesPerGeometry);
   const std::vector<Lookup> lookups = choose(best, under_constrained);
   for (const Lookup& lookup : lookups) {
     proposal.looked_up.push_back({lookup.table, {}, lookup.expected});
@@ -241,7 +246,7 @@ CandidateGenerator::Proposal CandidateGenerator::propose(std::span<const SearchF
   std::stable_sort(places.begin(), places.end(), nearer);
   std::vector<Pose2> poses;
   for (const Place& place : places) poses.emplace_back(place.position, place.heading_rad);
-  for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.seed_candidates)) {
+  for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.candidates)) {
     const Place& place = places[k];
     const Lookup& lookup = lookups[place.lookup];
     proposal.candidates.push_back(

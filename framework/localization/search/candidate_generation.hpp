@@ -1,10 +1,11 @@
 #pragma once
 
-#include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/coarse_to_fine.hpp"
 #include "map/view/support_lines.hpp"
 
-#include "localization/options/association_options.hpp"
+#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/scoring/hypothesis.hpp>
+#include <opal/map/view/map_view.hpp>
 #include <opal/common/named.hpp>
 #include <opal/patterns/pattern_template.hpp>
 #include "patterns/pattern_index.hpp"
@@ -23,17 +24,16 @@ struct SearchFeature {
 /// A pose at which an observed pattern would be a mapped one.
 struct Candidate {
   Pose2 T_map_base;
-  double score = 0;     ///< the generator's: mean likelihood-field score of the coarse scan, in [0, 1]; once verified: evidence [nat]
+  double likelihood_field = 0;  ///< mean score of the coarse scan, in [0, 1]
   int pattern = -1;     ///< which of the generator's templates
-  std::vector<Association> pairs;
-  ScorerEnsemble::Verdict verdict = {};  ///< of the newest scan, once verified
+  std::vector<Association> pairs = {};
 };
 
 /// Looks observed patterns up among mapped ones. Built once per map.
-class CandidateGenerator {
+class OPAL_EXPORT CandidateGenerator {
  public:
   CandidateGenerator(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
-         const AssociationOptions& options);
+         const SearchOptions& options);
 
   /// @param coarse  a few dozen scan points, base_link, by which candidates are filtered.
   /// @param under_constrained   look up patterns with a free parameter (true), or those that fix the pose (false).
@@ -94,13 +94,13 @@ class CandidateGenerator {
                                    std::span<const SearchFeature> features) const;
 
   std::shared_ptr<const MapView> map_;
-  AssociationOptions options_;
+  SearchOptions options_;
   std::vector<MappedFeature> mapped_;
   std::vector<Table> tables_;
 };
 
 /// The best candidates such that no two are within distance_m and angle_rad; at most `most`.
-std::vector<std::size_t> distinct_places(std::span<const Pose2> poses_best_first, double distance_m,
+OPAL_EXPORT std::vector<std::size_t> distinct_places(std::span<const Pose2> poses_best_first, double distance_m,
                                          double angle_rad, std::size_t most);
 
 }  // namespace opal

@@ -17,15 +17,15 @@ std::vector<T> every_other(const std::vector<T>& all) {
 
 void RetrospectiveVerification::remember(const Observation& observation, int keyframe, double tempering_weight, double best_nat) {
   pending_ += tempering_weight;
-  if (options_.hindsight_scans == 0 || observation.points.empty() || (pending_ < 1 && !scans_.empty())) return;
+  if (options_.scans == 0 || observation.points.empty() || (pending_ < 1 && !scans_.empty())) return;
   scans_.push_front({observation.local_map.T_local_base(), every_other(observation.points),
                      every_other(observation.evidence_cells), every_other(observation.free_bearings_rad),
                      observation.range_max_m, observation.laser_position, observation.features, pending_, best_nat, keyframe});
   pending_ = 0;
-  if (scans_.size() > static_cast<std::size_t>(options_.hindsight_scans)) scans_.pop_back();
+  if (scans_.size() > static_cast<std::size_t>(options_.scans)) scans_.pop_back();
 }
 
-RetrospectiveVerification::Verdict RetrospectiveVerification::verify_in_retrospect(const Hypothesis& hypothesis, const LocalMap& local_map) const {
+RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypothesis& hypothesis, const LocalMap& local_map) const {
   RefinementOptions refinement;
   refinement.iterations = 2;
   const Pose2& T_local_now = local_map.T_local_base();
@@ -37,33 +37,38 @@ RetrospectiveVerification::Verdict RetrospectiveVerification::verify_in_retrospe
   std::optional<Verdict> kidnapped;  // the verdict if the robot was kidnapped
   for (const PastScan& scan : scans_) {
     if (kidnapping_ && !kidnapped && scan.keyframe <= kidnapping_->keyframe) {
-      verdict.encounters = trial.encounters;
+      verdict.memories = trial.memories;
       kidnapped = if_kidnapped(verdict);
     }
     T_map_base = refine_on_map(*map_, scan.points, scan.laser_position,
                                T_map_base * (T_later_local * scan.T_local_base), refinement);
     T_later_local = scan.T_local_base.inverse();
     trial.T_map_local = T_map_base * T_now_local;  // scorers place the robot by the newest pose
-    const Observation seen{local_map,         scan.points,         scan.free_bearings_rad, scan.range_max_m,
-                           scan.laser_position, scan.features, {}, scan.evidence_cells};
-    weight *= std::pow(options_.memory, scan.tempering_weight);
+    const Observation seen{.local_map = local_map,
+                           .points = scan.points,
+                           .free_bearings_rad = scan.free_bearings_rad,
+                           .range_max_m = scan.range_max_m,
+                           .laser_position = scan.laser_position,
+                           .features = scan.features,
+                           .evidence_cells = scan.evidence_cells};
+    weight *= std::pow(evidence_memory_, scan.tempering_weight);
     ScorerEnsemble::Verdict judged = ensemble_.judge(trial, seen);
     const double nat = judged.nat;
-    trial.encounters.take(judged.encounters, scan.tempering_weight, 1);
+    ensemble_.remember(trial, judged.scores, scan.tempering_weight);
     verdict.nat += weight * scan.tempering_weight * nat;
     behind_nat += weight * scan.tempering_weight * (scan.best_nat - nat);
     ++verdict.scans;
-    verdict.hopeless = behind_nat > options_.hindsight_behind_nat;
+    verdict.hopeless = behind_nat > options_.behind_nat;
     if (verdict.hopeless) break;
   }
-  verdict.encounters = trial.encounters;
+  verdict.memories = trial.memories;
   if (kidnapping_ && !kidnapped && !verdict.hopeless) kidnapped = if_kidnapped(verdict);
   if (kidnapped && (verdict.hopeless || kidnapped->nat > verdict.nat)) return *kidnapped;
   return verdict;
 }
 
 RetrospectiveVerification::Verdict RetrospectiveVerification::if_kidnapped(const Verdict& since) const {
-  return {since.nat + kidnapping_->nat, since.encounters, kidnapping_->keyframe, kidnapping_->nat, since.scans, false};
+  return {since.nat + kidnapping_->nat, since.memories, kidnapping_->keyframe, kidnapping_->nat, since.scans, false};
 }
 
 void RetrospectiveVerification::forget_until(int keyframe) {

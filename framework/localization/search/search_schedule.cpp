@@ -5,8 +5,8 @@
 namespace opal {
 
 bool SearchSchedule::is_chance(const Pose2& T_odom_base) const {
-  return !T_odom_base_ || distance_m(*T_odom_base_, T_odom_base) > options_.seed_every_m ||
-         angle_between_rad(*T_odom_base_, T_odom_base) > options_.seed_every_rad;
+  return !T_odom_base_ || distance_m(*T_odom_base_, T_odom_base) > options_.every_m ||
+         angle_between_rad(*T_odom_base_, T_odom_base) > options_.every_rad;
 }
 
 bool SearchSchedule::time_to_search(const Pose2& T_odom_base, bool at_once, int every) {
@@ -18,7 +18,7 @@ bool SearchSchedule::time_to_search(const Pose2& T_odom_base, bool at_once, int 
 }
 
 void SearchSchedule::searched(std::size_t expected_places) {
-  const auto per_chance = static_cast<std::size_t>(options_.seed_places_per_chance);
+  const auto per_chance = static_cast<std::size_t>(options_.places_per_chance);
   chances_owed_ = per_chance > 0 ? static_cast<int>(expected_places / per_chance) : 0;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "localization/options/association_options.hpp"
+#include <opal/localization/localizer_options.hpp>
 #include <opal/common/geometry.hpp>
 
 #include <optional>
@@ -10,9 +10,9 @@ namespace opal {
 /// Decides at which scans the map is searched for new hypotheses. Driving and turning bring chances to search; how many
 /// chances make one search, the caller says: the surer the robot is, the less there is to find. A search that had much
 /// to look at lets further chances pass, so that time per scan does not grow with the map.
-class SearchSchedule {
+class OPAL_EXPORT SearchSchedule {
  public:
-  explicit SearchSchedule(const AssociationOptions& options) : options_(options) {}
+  explicit SearchSchedule(const SearchScheduleOptions& options) : options_(options) {}
 
   /// @param at_once  a chance at this scan, however little the robot has moved and whatever the last search cost
   /// @param every    chances that make one search at least, >= 1
@@ -24,7 +24,7 @@ class SearchSchedule {
  private:
   bool is_chance(const Pose2& T_odom_base) const;
 
-  AssociationOptions options_;
+  SearchScheduleOptions options_;
   std::optional<Pose2> T_odom_base_;  ///< at the last chance; none before the first scan
   int chances_passed_ = 0;            ///< since the last search
   int chances_owed_ = 0;              ///< to let pass for what the last search cost

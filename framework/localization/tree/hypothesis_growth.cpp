@@ -31,30 +31,30 @@ std::string outlier_words(double off_m, double most_m) {
 std::vector<Association> HypothesisSet::choices_for(const Live& live, const LocalFeature& local) const {
   const Geometry placed = transformed(live.hypothesis.T_map_local, local.feature.geometry);
   std::vector<std::pair<double, int>> found;
-  for (int number : map_->within(anchor_of(placed), options_.gate_m)) {
+  for (int number : map_->within(anchor_of(placed), growth_.gate_m)) {
     const MapFeature& mapped = map_->feature(number);
     if (mapped.type != local.feature.type || kind_of(mapped.geometry) != kind_of(placed)) continue;
     const Mismatch off = mismatch(placed, mapped.geometry);
-    if (off.position_m <= options_.gate_m && off.heading_rad <= options_.gate_rad)
+    if (off.position_m <= growth_.gate_m && off.heading_rad <= growth_.gate_rad)
       found.emplace_back(off.position_m + off.heading_rad, number);
   }
   std::sort(found.begin(), found.end());
-  if (found.size() > static_cast<std::size_t>(options_.max_branches)) found.resize(options_.max_branches);
+  if (found.size() > static_cast<std::size_t>(growth_.max_branches)) found.resize(growth_.max_branches);
   std::vector<Association> choices;
   for (const auto& [cost, number] : found) choices.push_back({local.id, number});
-  if (found.empty() || options_.branch_not_on_map) choices.push_back({local.id, -1});
+  if (found.empty() || growth_.branch_not_on_map) choices.push_back({local.id, -1});
   return choices;
 }
 
 std::optional<double> HypothesisSet::register_anew(Live& live, const LocalMap& local_map) const {
   std::vector<GeometryPair> pairs;
   const auto& all = live.hypothesis.associations;
-  for (auto it = all.rbegin(); it != all.rend() && int(pairs.size()) < options_.registration_horizon; ++it)
+  for (auto it = all.rbegin(); it != all.rend() && int(pairs.size()) < growth_.registration_horizon; ++it)
     if (const LocalFeature* local = find_local(local_map, it->local_feature); local && it->map_feature >= 0)
       pairs.push_back({local->feature.geometry, map_->feature(it->map_feature).geometry});
   const Registration registration = register_geometry(pairs);
   const auto worst = std::max_element(registration.errors_m.begin(), registration.errors_m.end());
-  if (worst != registration.errors_m.end() && *worst > options_.outlier_m) return *worst;
+  if (worst != registration.errors_m.end() && *worst > growth_.outlier_m) return *worst;
   if (registration.fixed == 3) live.hypothesis.T_map_local = registration.T_map_local;
   return std::nullopt;
 }
@@ -67,9 +67,9 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
   child.hypothesis.associations.push_back(choice);
   child.not_on_map = parent.not_on_map + (choice.map_feature < 0);
   child.consecutive_not_on_map = choice.map_feature < 0 ? parent.consecutive_not_on_map + 1 : 0;
-  if (options_.register_by_associations && choice.map_feature >= 0)
+  if (growth_.register_by_associations && choice.map_feature >= 0)
     if (const auto off_m = register_anew(child, local_map)) {
-      listener_.branch_rejected(parent, choice, outlier_words(*off_m, options_.outlier_m));
+      listener_.branch_rejected(parent, choice, outlier_words(*off_m, growth_.outlier_m));
       return false;
     }
   child.leaf = tree_.add(parent.leaf, {choice});
@@ -110,7 +110,7 @@ std::vector<const LocalFeature*> HypothesisSet::rarest_first(std::vector<const L
 }
 
 void HypothesisSet::grow(const std::vector<const LocalFeature*>& features, const LocalMap& local_map) {
-  const bool single = options_.max_branches == 1 && !options_.branch_not_on_map;
+  const bool single = growth_.max_branches == 1 && !growth_.branch_not_on_map;
   if (!single) {
     for (const LocalFeature* feature : rarest_first(features)) {
       branch(*feature, local_map);
@@ -148,7 +148,7 @@ void HypothesisSet::forget(const LocalMap& local_map) {
       if (pair.map_feature < 0) return false;
       const Geometry placed = transformed(live.hypothesis.T_map_local, local->feature.geometry);
       const Mismatch off = mismatch(placed, map_->feature(pair.map_feature).geometry);
-      if (off.position_m <= options_.outlier_m && off.heading_rad <= options_.outlier_rad) return false;
+      if (off.position_m <= growth_.outlier_m && off.heading_rad <= growth_.outlier_rad) return false;
       misfits.push_back(pair.local_feature);
       return true;
     });

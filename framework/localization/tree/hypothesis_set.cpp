@@ -9,6 +9,13 @@
 namespace opal {
 namespace {
 
+// Hypotheses nearer than this are one: alignment brings both to the same pose.
+constexpr double kMerge_m = 0.3, kMerge_rad = 0.1;
+// Hypotheses that get an alignment search when odometry is uncertain; the search costs as much as tracking fifty.
+constexpr int kSearchedHypotheses = 15;
+// A scan that puts a hypothesis this far from where it was known to be is half believed (PoseFilterOptions).
+constexpr double kPoseJump_m = 0.2;
+
 /// Siblings that no scan has judged yet are alike but for what they leave unexplained (3.4.5).
 bool better(const Live& a, const Live& b) {
   if (a.hypothesis.log_likelihood != b.hypothesis.log_likelihood)
@@ -31,8 +38,14 @@ Hypothesis as_new(const Hypothesis& old) {
 }  // namespace
 
 HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble,
-                             const AssociationOptions& options, HypothesisListener& listener)
-    : map_(std::move(map)), index_(*map_), ensemble_(ensemble), options_(options), listener_(listener) {}
+                             const LocalizerOptions& options, HypothesisListener& listener)
+    : map_(std::move(map)),
+      index_(*map_),
+      ensemble_(ensemble),
+      tracking_(options.tracking),
+      growth_(options.growth),
+      options_(options.hypotheses),
+      listener_(listener) {}
 
 void HypothesisSet::clear() {
   alive_.clear();
@@ -68,10 +81,10 @@ Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Po
 }
 
 Alignment HypothesisSet::align(const Pose2& predicted, const Observation& observation) const {
-  if (options_.register_by_associations || observation.points.empty()) return {predicted};
+  if (growth_.register_by_associations || observation.points.empty()) return {predicted};
   RefinementOptions refinement;
-  refinement.prior_position = options_.track_prior_position;
-  refinement.prior_heading = options_.track_prior_heading;
+  refinement.prior_position = tracking_.prior_position;
+  refinement.prior_heading = tracking_.prior_heading;
   return align_with_map(*map_, observation.points, observation.laser_position, predicted, refinement);
 }
 
@@ -82,7 +95,7 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
   for (Live& live : alive_) {
     Hypothesis& hypothesis = live.hypothesis;
     Pose2 predicted = hypothesis.T_map_local * T_local_base;
-    if (!observation.points.empty() && window.x() > 0 && rank++ < options_.track_search) {
+    if (!observation.points.empty() && window.x() > 0 && rank++ < kSearchedHypotheses) {
       predicted = search_alignment(predicted, coarse, window);
       live.pose.reset();  // dead reckoning has failed, and what was known goes with it
     }
@@ -91,14 +104,15 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
     hypothesis.T_map_local = scan.T_map_base * T_local_base.inverse();
     ScorerEnsemble::Verdict verdict = ensemble_.judge(hypothesis, observation);
     hypothesis.T_map_local = live.pose.update(predicted, scan, tempering_weight, T_local_base,
-                                              {options_.track_memory, options_.track_jump_m}) *
+                                              {tracking_.pose_memory, kPoseJump_m}) *
                              T_local_base.inverse();
     live.scan_nat = verdict.nat;
-    live.scores = std::move(verdict.scores);
     ++live.updates;
-    const double kept = 1 - tempering_weight * (1 - options_.memory);
+    const double kept = 1 - tempering_weight * (1 - tracking_.evidence_memory);
     hypothesis.log_likelihood = kept * hypothesis.log_likelihood + tempering_weight * verdict.nat;
-    hypothesis.encounters.take(verdict.encounters, tempering_weight, 1 - tempering_weight * (1 - options_.encounter_memory));
+    ensemble_.fade(hypothesis, tempering_weight);
+    ensemble_.remember(hypothesis, verdict.scores, tempering_weight);
+    live.scores = std::move(verdict.scores);
     live.inherited_nat *= kept;
     if (!verdict.veto.empty()) end(live, "veto by " + verdict.veto);
   }
@@ -110,8 +124,8 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
 Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_local_base) {
   const auto same_place = [&](const Live& live) {
     const Pose2 T_map_base = live.hypothesis.T_map_local * T_local_base;
-    return distance_m(T_map_base, candidate.T_map_base) < options_.merge_m + 0.1 &&
-           angle_between_rad(T_map_base, candidate.T_map_base) < options_.merge_rad + 0.05;
+    return distance_m(T_map_base, candidate.T_map_base) < kMerge_m + 0.1 &&
+           angle_between_rad(T_map_base, candidate.T_map_base) < kMerge_rad + 0.05;
   };
   const auto found = std::find_if(alive_.begin(), alive_.end(), same_place);
   return found == alive_.end() ? nullptr : &*found;
@@ -127,13 +141,13 @@ void HypothesisSet::renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::V
   old.scores = std::move(verdict.scores);
 }
 
-HypothesisSet::Spawned HypothesisSet::verify_in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict,
+HypothesisSet::Spawned HypothesisSet::in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict,
                                                 const Observation& observation, double tempering_weight,
                                                 const RetrospectiveVerification& retrospective) const {
   const double share = retrospective.since_newest(tempering_weight);
-  hypothesis.encounters.take(verdict.encounters, share, 1);
-  RetrospectiveVerification::Verdict past = retrospective.verify_in_retrospect(hypothesis, observation.local_map);
-  const double nat = options_.birth_nat + share * verdict.nat + past.nat;
+  ensemble_.remember(hypothesis, verdict.scores, share);
+  RetrospectiveVerification::Verdict past = retrospective.verify(hypothesis, observation.local_map);
+  const double nat = options_.spawn_nat + share * verdict.nat + past.nat;
   return {std::move(past), nat};
 }
 
@@ -141,7 +155,7 @@ double HypothesisSet::surplus_in_retrospect(const Observation& observation, doub
                                               const RetrospectiveVerification& retrospective) const {
   if (alive_.empty() || alive_.front().kidnapped_after >= 0) return 0;
   const Hypothesis best = as_new(alive_.front().hypothesis);
-  const Spawned anew = verify_in_retrospect(best, ensemble_.judge(best, observation), observation, tempering_weight, retrospective);
+  const Spawned anew = in_retrospect(best, ensemble_.judge(best, observation), observation, tempering_weight, retrospective);
   if (anew.past.scans == 0 || anew.past.hopeless || anew.past.kidnapped_after >= 0) return 0;
   return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
 }
@@ -149,7 +163,7 @@ double HypothesisSet::surplus_in_retrospect(const Observation& observation, doub
 void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate) {
   live.hypothesis.id = next_id_++;
   live.hypothesis.log_likelihood = spawned.nat;
-  live.hypothesis.encounters = std::move(spawned.past.encounters);
+  live.hypothesis.memories = std::move(spawned.past.memories);
   live.hypothesis.associations = candidate.pairs;
   live.kidnapped_after = spawned.past.kidnapped_after;
   live.inherited_nat = spawned.past.inherited_nat;
@@ -159,26 +173,27 @@ void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate) {
   alive_.push_back(std::move(live));
 }
 
-void HypothesisSet::spawn(std::vector<Candidate> candidates, const Observation& observation, double tempering_weight,
+void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Observation& observation, double tempering_weight,
                           const RetrospectiveVerification& retrospective) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
   std::optional<double> surplus;
-  for (Candidate& candidate : candidates) {
+  for (VerifiedCandidate& verified : candidates) {
+    Candidate& candidate = verified.candidate;
     Live live;
     live.hypothesis.T_map_local = candidate.T_map_base * T_local_base.inverse();
     ScorerEnsemble::Verdict verdict =
-        ensemble_.judges_associations() ? ensemble_.judge(live.hypothesis, observation) : std::move(candidate.verdict);
+        ensemble_.judges_associations() ? ensemble_.judge(live.hypothesis, observation) : std::move(verified.verdict);
     if (!verdict.veto.empty()) {
-      listener_.candidate_rejected(candidate, "veto by " + verdict.veto);
+      listener_.candidate_rejected(verified, "veto by " + verdict.veto);
       continue;
     }
     if (Live* old = at_place_of(candidate, T_local_base)) {
       renew(*old, live.hypothesis.T_map_local, std::move(verdict), observation);
       continue;
     }
-    Spawned spawned = verify_in_retrospect(live.hypothesis, verdict, observation, tempering_weight, retrospective);
+    Spawned spawned = in_retrospect(live.hypothesis, verdict, observation, tempering_weight, retrospective);
     if (spawned.past.hopeless) {
-      listener_.candidate_rejected(candidate,
+      listener_.candidate_rejected(verified,
                                    "would be far behind after the " + std::to_string(spawned.past.scans) + " scans before");
       continue;
     }
@@ -212,7 +227,7 @@ void HypothesisSet::merge(const Pose2& T_local_base) {
       if (ended(alive_[b])) continue;
       const Pose2 T_a = alive_[a].hypothesis.T_map_local * T_local_base;
       const Pose2 T_b = alive_[b].hypothesis.T_map_local * T_local_base;
-      if (angle_between_rad(T_a, T_b) < options_.merge_rad && distance_m(T_a, T_b) < options_.merge_m)
+      if (angle_between_rad(T_a, T_b) < kMerge_rad && distance_m(T_a, T_b) < kMerge_m)
         end(alive_[b], "same place as hypothesis " + std::to_string(alive_[a].hypothesis.id), alive_[a].hypothesis.id);
     }
   }
@@ -220,12 +235,12 @@ void HypothesisSet::merge(const Pose2& T_local_base) {
 }
 
 void HypothesisSet::merge_similar() {
-  if (options_.similar_depth == 0) return;
+  if (growth_.similar_depth == 0) return;
   sort_best_first(alive_);
   const auto tail = [&](const Live& live) {
     std::vector<std::pair<int, int>> last;
     const auto& all = live.hypothesis.associations;
-    for (auto it = all.rbegin(); it != all.rend() && int(last.size()) < options_.similar_depth; ++it)
+    for (auto it = all.rbegin(); it != all.rend() && int(last.size()) < growth_.similar_depth; ++it)
       last.emplace_back(it->local_feature, it->map_feature);
     return last;
   };
@@ -249,8 +264,8 @@ void HypothesisSet::prune() {
     if (live.hypothesis.log_likelihood < best - options_.prune_nat)
       end(live, sentence("worse than the best by %.1f nat, more than %.1f", best - live.hypothesis.log_likelihood,
                          options_.prune_nat));
-    else if (options_.max_consecutive_not_on_map > 0 &&
-             live.consecutive_not_on_map > options_.max_consecutive_not_on_map)
+    else if (growth_.max_consecutive_not_on_map > 0 &&
+             live.consecutive_not_on_map > growth_.max_consecutive_not_on_map)
       end(live, "too many features in a row that are not on the map");
   }
   std::erase_if(alive_, ended);

@@ -3,11 +3,12 @@
 #include "map/view/feature_index.hpp"
 #include "localization/search/retrospective_verification.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
-#include "localization/search/candidate_generation.hpp"
+#include "localization/search/global_search.hpp"
 
-#include "localization/options/association_options.hpp"
 #include "localization/tree/association_tree.hpp"
 #include "localization/alignment/pose_filter.hpp"
+
+#include <opal/localization/localizer_options.hpp>
 
 #include <vector>
 
@@ -34,7 +35,7 @@ struct Ending {
 };
 
 /// Hears what happens to hypotheses.
-class HypothesisListener {
+class OPAL_EXPORT HypothesisListener {
  public:
   virtual ~HypothesisListener() = default;
   /// @param parent    the hypothesis that it branches from, or -1.
@@ -46,13 +47,13 @@ class HypothesisListener {
   /// A branch of `parent` was tried and did not fit.
   virtual void branch_rejected(const Live& parent, const Association& pair, const std::string& reason) = 0;
   /// A candidate of a search did not become a hypothesis.
-  virtual void candidate_rejected(const Candidate& candidate, const std::string& reason) = 0;
+  virtual void candidate_rejected(const VerifiedCandidate& candidate, const std::string& reason) = 0;
 };
 
 /// All hypotheses that are alive, and the tree that they are the leaves of. Best first after every public call.
-class HypothesisSet {
+class OPAL_EXPORT HypothesisSet {
  public:
-  HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const AssociationOptions& options,
+  HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const LocalizerOptions& options,
                 HypothesisListener& listener);
 
   /// Carries every hypothesis to the newest scan, aligns it with the map, and takes the scan's evidence.
@@ -64,7 +65,7 @@ class HypothesisSet {
 
   /// Takes candidates that the coarse-to-fine filters let pass as new hypotheses; those at the place of an old one renew it.
   /// @param tempering_weight  of the scan, as for `track`.
-  void spawn(std::vector<Candidate> candidates, const Observation& observation, double tempering_weight,
+  void spawn(std::vector<VerifiedCandidate> candidates, const Observation& observation, double tempering_weight,
              const RetrospectiveVerification& retrospective);
 
   /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not. The
@@ -102,7 +103,7 @@ class HypothesisSet {
     double nat = 0;  ///< of the scans before, the newest one, and being spawned
   };
   /// @param hypothesis  that has met nothing yet. @param verdict  on the newest scan.
-  Spawned verify_in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict, const Observation& observation, double tempering_weight,
+  Spawned in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict, const Observation& observation, double tempering_weight,
                     const RetrospectiveVerification& retrospective) const;
   /// Adds it to those that are alive.
   void insert(Live live, Spawned spawned, Candidate candidate);
@@ -120,7 +121,9 @@ class HypothesisSet {
   std::shared_ptr<const MapView> map_;
   FeatureIndex index_;
   const ScorerEnsemble& ensemble_;
-  AssociationOptions options_;
+  TrackingOptions tracking_;
+  GrowthOptions growth_;
+  HypothesesOptions options_;
   HypothesisListener& listener_;
   AssociationTree tree_;
   std::vector<Live> alive_;

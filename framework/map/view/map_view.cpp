@@ -1,6 +1,5 @@
 #include <opal/map/view/map_view.hpp>
 
-#include "map/view/face_ends.hpp"
 #include "map/view/support_lines.hpp"
 #include "map/view/surface_grid.hpp"
 
@@ -148,31 +147,6 @@ struct MapView::Index {
     }
     tree = RTree(entries);
     number_lines(map);
-    ends = FaceEnds(find_ends());
-  }
-
-  std::vector<FaceEnds::End> find_ends() const {
-    std::vector<FaceEnds::End> found;
-    for (int number : numbers) {
-      const Surface& face = by_number[number];
-      if (face.is_circle()) continue;
-      const Point end = face.origin + face.size_m * face.direction;
-      if (!goes_on(number, face.origin, -face.direction)) found.push_back({face.origin, face.direction, number, Tip::begin});
-      if (!goes_on(number, end, face.direction)) found.push_back({end, face.direction, number, Tip::end});
-    }
-    return found;
-  }
-
-  /// Whether another face that looks to the same side carries on where this one ends.
-  bool goes_on(int number, const Point& end, const Point& outwards) const {
-    constexpr double kBeyond_m = 0.3, kBeside_m = 0.15, kLeastCosine = 0.97;
-    const Point beyond = end + kBeyond_m * outwards, margin = Point::Constant(kBeside_m);
-    const auto near = bg::index::intersects(box_of({beyond - margin, beyond + margin}));
-    return std::any_of(tree.qbegin(near), tree.qend(), [&](const Entry& entry) {
-      const Surface& other = by_number[entry.second];
-      return entry.second != number && other.direction.dot(by_number[number].direction) > kLeastCosine &&
-             other.distance_m(beyond) <= kBeside_m;
-    });
   }
 
   /// Wider than the lines that patterns are made of: evidence must not count one wall twice.
@@ -199,7 +173,6 @@ struct MapView::Index {
   SurfaceGrid surfaces;
   std::vector<Surface> by_number;
   RTree tree;
-  FaceEnds ends;
   std::array<float, kMostSlack_cm + 256> likelihood_field = likelihood_field_by_cm();
 };
 
@@ -222,10 +195,6 @@ std::vector<int> MapView::within(const Point& p, double radius_m) const {
   const auto query =
       bg::index::intersects(box_of({p - radius, p + radius})) && bg::index::satisfies(near_enough);
   return index_->numbers_of(query);
-}
-
-FaceEnd MapView::face_end_near(const Point& p, const Point& direction, Tip tip, const EndGate& gate) const {
-  return index_->ends.nearest(p, direction, tip, gate);
 }
 
 int MapView::nearest_facing(const Point& p, const Point& view_direction) const {

@@ -140,7 +140,7 @@ class Judging {
   std::optional<Score> ask(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
                            const MapView& view) {
     std::optional<Score> score;
-    violations_.expect_no_throw(name, [&] { score = scorer_.score(hypothesis, seen, view); });
+    violations_.expect_no_throw(name, [&] { score = scorer_.score_new(hypothesis, seen, view); });
     return score;
   }
 

@@ -43,12 +43,12 @@ TEST_CASE("an experiment is read with the deployments that it names") {
   const TemporaryFolder folder;
   json document = opal::ab_tests::experiment_with_drives();
   document["baseline"] = "lack_of_fit";
-  document["arms"][0]["overrides"]["association"] = {{"max_hypotheses", 50}};
+  document["arms"][0]["overrides"]["stages"] = {{"hypotheses", {{"max_hypotheses", 50}}}};
   const Experiment experiment = read_experiment(written(folder, document), shipped);
   REQUIRE(experiment.arms.size() == 2);
   CHECK(experiment.baseline == 1);
   CHECK(experiment.arms[0].deployment.scorers.at(0).part.type == "opal:Evidence");
-  CHECK(experiment.arms[0].deployment.association.at("max_hypotheses") == 50);
+  CHECK(experiment.arms[0].deployment.stages.hypotheses.max_hypotheses == 50);
   CHECK(experiment.arms[0].deployment.matcher->type == "opal:PointToLineMatcher");  // as configs/default.jsonld has it
   REQUIRE(experiment.scenarios.size() == 2);
   CHECK(experiment.scenarios[0].name == "malaga-demo");
@@ -121,7 +121,7 @@ TEST_CASE("arms that shall observe differ by their scorers only") {
   json document = opal::ab_tests::small_experiment();
   document["mode"] = "observe";
   CHECK(refusal_of(document) == "accepted");
-  document["arms"][1]["overrides"]["association"] = {{"max_hypotheses", 50}};
+  document["arms"][1]["overrides"]["stages"] = {{"hypotheses", {{"max_hypotheses", 50}}}};
   CHECK_THAT(refusal_of(document), Catch::StartsWith("/mode: \"observe\", but arm lack_of_fit differs from evidence by more than its scorers"));
   document["mode"] = "look";
   CHECK(refusal_of(document) == "/mode: \"look\", expected \"decide\" or \"observe\"");

@@ -218,7 +218,7 @@ TEST_CASE("a scorer that breaks a promise is told which") {
     std::function<double(const Hypothesis&, const Observation&)> judge;
     bool by_associations = true;
     bool judges_associations() const override { return by_associations; }
-    Score score(const Hypothesis& hypothesis, const Observation& seen, const MapView&) const override {
+    Score score(const Hypothesis& hypothesis, const Observation& seen, const MapView&, const ScorerMemory*) const override {
       return {judge(hypothesis, seen), "", {}};
     }
   };
@@ -248,7 +248,7 @@ TEST_CASE("a scorer that breaks a promise is told which") {
 TEST_CASE("a scorer that explains itself badly is told so") {
   struct Scorer final : HypothesisScorer {
     Finding finding;
-    Score score(const Hypothesis&, const Observation&, const MapView&) const override { return {}; }
+    Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory*) const override { return {}; }
     std::vector<Finding> explain(const Hypothesis&, const Observation&, const MapView&) const override {
       return {finding};
     }

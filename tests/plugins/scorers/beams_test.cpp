@@ -36,8 +36,27 @@ Observation seen(double from_rad = -std::numbers::pi, double to_rad = std::numbe
 }
 
 double nat(const std::vector<Thing>& things, const Hypothesis& hypothesis = at(Pose2()), const Observation& observation = seen()) {
-  return scorer()->score(hypothesis, observation, map_of(things)).log_likelihood;
+  return scorer()->score_new(hypothesis, observation, map_of(things)).log_likelihood;
 }
+
+/// A hypothesis at the origin, with what the scorer remembers of it.
+class Remembering {
+ public:
+  Remembering(const HypothesisScorer& scorer, const MapView& map)
+      : scorer_(scorer), map_(map), memory_(scorer.new_memory(map)) {}
+
+  double nat(const Observation& observation) const { return score(observation).log_likelihood; }
+  void remember(const Observation& observation) { scorer_.remember(*memory_, *score(observation).seen, 1); }
+
+ private:
+  Score score(const Observation& observation) const {
+    return scorer_.score(at(Pose2()), observation, map_, memory_.get());
+  }
+
+  const HypothesisScorer& scorer_;
+  const MapView& map_;
+  std::unique_ptr<ScorerMemory> memory_;
+};
 
 }  // namespace
 
@@ -64,11 +83,11 @@ TEST_CASE("what was seen from here before is hardly news, and what is new is") {
   const auto one = scorer();
   const MapView map = map_of(room());
   const Observation right = seen(-1.5, 0), left = seen(1.5, 3);
-  Hypothesis hypothesis = at(Pose2());
-  const double first = one->score(hypothesis, right, map).log_likelihood;
-  hypothesis.encounters.take(one->score(hypothesis, right, map).encounters, 1, 1);
-  CHECK(one->score(hypothesis, right, map).log_likelihood < 0.8 * first);
-  CHECK(one->score(hypothesis, left, map).log_likelihood == Approx(one->score(at(Pose2()), left, map).log_likelihood));
+  Remembering hypothesis(*one, map);
+  const double first = hypothesis.nat(right);
+  hypothesis.remember(right);
+  CHECK(hypothesis.nat(right) < 0.8 * first);
+  CHECK(hypothesis.nat(left) == Approx(one->score_new(at(Pose2()), left, map).log_likelihood));
 }
 
 TEST_CASE("who judges a scan of before by its evidence_cells of then judges as then") {
@@ -93,7 +112,7 @@ TEST_CASE("an object that some beams end on and others pass through speaks again
   CHECK(torn < absent - 0.05);
   const auto dearer = scorer({{"conflict_nat", 2.4}});
   const auto dear = [&](const std::vector<Thing>& things) {
-    return dearer->score(at(Pose2()), observation, map_of(things)).log_likelihood;
+    return dearer->score_new(at(Pose2()), observation, map_of(things)).log_likelihood;
   };
   CHECK(dear(one) < dear(two) - 0.1);
   CHECK(absent < nat({two.begin(), two.end() - 1}, at(Pose2()), observation));
@@ -105,11 +124,11 @@ TEST_CASE("what beams ended on before must not be passed through now") {
   for (Point& point : ends.points) point *= 2 / point.x();
   const auto one = scorer();
   const MapView map = map_of(with_wall);
-  Hypothesis hypothesis = at(Pose2());
+  Remembering hypothesis(*one, map);
   const Observation passes = seen(-0.5, 0.5);
-  const double before = one->score(hypothesis, passes, map).log_likelihood;
-  hypothesis.encounters.take(one->score(hypothesis, ends, map).encounters, 1, 1);
-  CHECK(one->score(hypothesis, passes, map).log_likelihood < before - 0.5);
+  const double before = hypothesis.nat(passes);
+  hypothesis.remember(ends);
+  CHECK(hypothesis.nat(passes) < before - 0.5);
 }
 
 namespace {
@@ -178,11 +197,11 @@ TEST_CASE("an end that was seen before is hardly news") {
   const auto one = scorer();
   const MapView map = map_of({{"Wall", kFace}});
   const Observation observation = with_face(kFace, {true, true});
-  Hypothesis hypothesis = at(Pose2());
-  double last = one->score(hypothesis, observation, map).log_likelihood, total = last;
+  Remembering hypothesis(*one, map);
+  double last = hypothesis.nat(observation), total = last;
   for (int scan = 0; scan < 20; ++scan) {
-    hypothesis.encounters.take(one->score(hypothesis, observation, map).encounters, 1, 1);
-    const double now = one->score(hypothesis, observation, map).log_likelihood;
+    hypothesis.remember(observation);
+    const double now = hypothesis.nat(observation);
     CAPTURE(scan);
     CHECK(now < last);
     total += last = now;
@@ -195,22 +214,21 @@ TEST_CASE("another end of a line tells more than the same end once more, in one 
   const auto one = scorer();
   const MapView map = map_of({{"Wall", kFace}});
   const Observation begin = with_face(kFace, {true, false}), end = with_face(kFace, {false, true});
-  Hypothesis hypothesis = at(Pose2());
-  const auto score = [&](const Observation& observation) { return one->score(hypothesis, observation, map).log_likelihood; };
+  Remembering hypothesis(*one, map);
+  const auto score = [&](const Observation& observation) { return hypothesis.nat(observation); };
   const auto with_begin = [&](Observation observation) {
     observation.features.push_back(begin.features.front());
     return observation;
   };
   CHECK(score(with_begin(end)) > score(with_begin(begin)) + 0.1);
-  hypothesis.encounters.take(one->score(hypothesis, begin, map).encounters, 1, 1);
+  hypothesis.remember(begin);
   CHECK(score(end) > score(begin) + 0.1);
 }
 
 TEST_CASE("without evidence of ends no end counts") {
   const auto without = scorer({{"end_nat", 0}});
-  const Score score = without->score(at(Pose2()), with_face(kFace, {true, true}), map_of({{"Wall", kFace}}));
+  const Score score = without->score_new(at(Pose2()), with_face(kFace, {true, true}), map_of({{"Wall", kFace}}));
   CHECK(score.log_likelihood == 0);
-  CHECK(score.encounters.ends_met.entries().empty());
 }
 
 TEST_CASE("an empty scan says nothing") {

@@ -17,7 +17,7 @@ Observation seen(double radius_m = 5, double from_rad = -std::numbers::pi, doubl
 }
 
 double overlap_m(const MapView& map, const Observation& observation, const nlohmann::json& options = {{"margin_m", 0.5}, {"unmatched_m", 0}}) {
-  return scorer(options)->score(at(Pose2()), observation, map).breakdown.front().value;
+  return scorer(options)->score_new(at(Pose2()), observation, map).breakdown.front().value;
 }
 
 const Segment kWall{{3, -1}, {3, 1}};
@@ -27,7 +27,7 @@ const Segment kWall{{3, -1}, {3, 1}};
 TEST_CASE("a wall that should stand in free space speaks against a hypothesis, by its length") {
   CHECK(overlap_m(map_of({{"Wall", kWall}}), seen()) == Approx(2));
   CHECK(overlap_m(map_of({{"Wall", Segment{{7, -1}, {7, 1}}}}), seen()) == 0);
-  const Score score = scorer({{"weight_nat_per_m", 3.0}})->score(at(Pose2()), seen(), map_of({{"Wall", kWall}}));
+  const Score score = scorer({{"weight_nat_per_m", 3.0}})->score_new(at(Pose2()), seen(), map_of({{"Wall", kWall}}));
   CHECK(score.log_likelihood == Approx(-6));
   CHECK(score.veto.empty());
 }
@@ -40,9 +40,9 @@ TEST_CASE("what stands within the margin of the room's edge is no evidence") {
 
 TEST_CASE("more overlap than is allowed ends a hypothesis, and says how much it was") {
   const auto strict = scorer({{"veto_m", 1.0}});
-  CHECK(strict->score(at(Pose2()), seen(), map_of({{"Wall", kWall}})).veto ==
+  CHECK(strict->score_new(at(Pose2()), seen(), map_of({{"Wall", kWall}})).veto ==
         "2.0 m of mapped geometry stand in free space, more than 1.0 m");
-  CHECK(strict->score(at(Pose2(-3, 0, 0)), seen(), map_of({{"Wall", kWall}})).veto.empty());  // 6 m before the robot
+  CHECK(strict->score_new(at(Pose2(-3, 0, 0)), seen(), map_of({{"Wall", kWall}})).veto.empty());  // 6 m before the robot
 }
 
 TEST_CASE("a laser that sees half of the room knows nothing of the other half") {
@@ -86,7 +86,7 @@ TEST_CASE("a scorer that is asked about two scans in turn answers for each") {
   const MapView map = map_of({{"Wall", kWall}});
   const auto one = scorer({{"margin_m", 0.5}, {"unmatched_m", 0.0}});
   for (int k = 0; k < 2; ++k) {
-    CHECK(one->score(at(Pose2()), seen(5), map).breakdown.front().value == Approx(2));
-    CHECK(one->score(at(Pose2()), seen(2), map).breakdown.front().value == 0);
+    CHECK(one->score_new(at(Pose2()), seen(5), map).breakdown.front().value == Approx(2));
+    CHECK(one->score_new(at(Pose2()), seen(2), map).breakdown.front().value == 0);
   }
 }

@@ -56,11 +56,11 @@ std::set<int> alive_in(const ordered_json& estimate) {
 LocalizerParts parts_of(const RecordedSite& site, const std::string& config) {
   LocalizerParts parts = site.parts();
   if (config == "branching") {
-    parts.association["max_branches"] = 2;
-    parts.association["branch_not_on_map"] = true;
-    parts.association["register_by_associations"] = true;
-    parts.association["similar_depth"] = 4;
-    parts.association["max_hypotheses"] = 60;
+    parts.stages.growth.max_branches = 2;
+    parts.stages.growth.branch_not_on_map = true;
+    parts.stages.growth.register_by_associations = true;
+    parts.stages.growth.similar_depth = 4;
+    parts.stages.hypotheses.max_hypotheses = 60;
   }
   return parts;
 }

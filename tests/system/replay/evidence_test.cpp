@@ -78,8 +78,8 @@ class StatusReader final : public EventSink {
 StatusReader read_status(const RecordedSite& site, std::shared_ptr<const SemanticMap> map, double novelty_per_m,
                          double most_novelty = 20) {
   LocalizerParts parts = site.parts(std::move(map));
-  parts.association["localized_novelty_per_m"] = novelty_per_m;
-  parts.association["localized_most_novelty"] = most_novelty;
+  parts.stages.status.localized_weight_per_m = novelty_per_m;
+  parts.stages.status.localized_most_weight = most_novelty;
   StatusReader reader;
   Localizer localizer(std::move(parts), &reader);
   replay(localizer, site.samples);
@@ -116,7 +116,7 @@ TEST_CASE("a robot whose map holds the walls around it does not wait") {
 TEST_CASE("late candidates that earlier scans contradict are rejected, and the answer stays") {
   const RecordedSite site("malaga");
   LocalizerParts blind = site.parts();
-  blind.association["hindsight_scans"] = 0;
+  blind.stages.verification.scans = 0;
   const Outcome with = outcome_of(site, site.parts()), without = outcome_of(site, blind);
   CHECK(without.counts.contradicted == 0);
   CHECK(with.counts.contradicted > 5);

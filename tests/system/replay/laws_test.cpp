@@ -26,7 +26,7 @@ double worst_disagreement_m(const std::vector<ReplayedScan>& a, const std::vecto
 
 class ThrowingScorer final : public HypothesisScorer {
  public:
-  Score score(const Hypothesis&, const Observation&, const MapView&) const override {
+  Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory*) const override {
     if (++calls_ % 3 == 0) throw std::runtime_error("every third call fails");
     return {};
   }

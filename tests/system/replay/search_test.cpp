@@ -3,13 +3,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <functional>
+
 using namespace opal;
 
 namespace {
 
-std::vector<nlohmann::ordered_json> searches_of(const RecordedSite& site, const nlohmann::json& options) {
+std::vector<nlohmann::ordered_json> searches_of(const RecordedSite& site, const std::function<void(LocalizerOptions&)>& change) {
   LocalizerParts parts = site.parts();
-  parts.association.merge_patch(options);
+  change(parts.stages);
   EventRecorder recorder;
   Localizer localizer(std::move(parts), &recorder);
   replay(localizer, site.samples);
@@ -30,7 +32,7 @@ TEST_CASE("a search looks at no more places than it may, but for the three patte
   std::size_t total = 0;
   for (const int most : {1, 50, 2000}) {
     std::size_t asked = 0;
-    for (const auto& search : searches_of(site, {{"seed_places", most}})) {
+    for (const auto& search : searches_of(site, [&](LocalizerOptions& stages) { stages.search.places = most; })) {
       INFO("at most " << most << " places, keyframe " << search["keyframe"] << ": " << search["patterns"]);
       if (search["patterns"].size() > 3) CHECK(places_of(search) <= static_cast<std::size_t>(most));
       asked += search["patterns"].size();
@@ -42,16 +44,16 @@ TEST_CASE("a search looks at no more places than it may, but for the three patte
 
 TEST_CASE("while a place is likely, fewer searches are made") {
   const RecordedSite site("malaga-demo");
-  const std::size_t always = searches_of(site, {{"seed_every_when_likely", 1}}).size();
-  const std::size_t seldom = searches_of(site, {{"seed_every_when_likely", 4}}).size();
+  const std::size_t always = searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.every_when_likely = 1; }).size();
+  const std::size_t seldom = searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.every_when_likely = 4; }).size();
   CHECK(seldom < always);
-  CHECK(searches_of(site, {{"seed_every_when_likely", 4}, {"likely_probability", 1}}).size() == always);
+  CHECK(searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.every_when_likely = 4; stages.schedule.likely_probability = 1; }).size() == always);
 }
 
 TEST_CASE("a search that had much to look at lets further chances pass") {
   const RecordedSite site("malaga-demo");
-  const std::size_t always = searches_of(site, {{"seed_places_per_chance", 0}}).size();
-  const std::size_t seldom = searches_of(site, {{"seed_places_per_chance", 10}}).size();
+  const std::size_t always = searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 0; }).size();
+  const std::size_t seldom = searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 10; }).size();
   CHECK(seldom < always);
-  CHECK(searches_of(site, {{"seed_places_per_chance", 1000}}).size() == always);  // a small building
+  CHECK(searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 1000; }).size() == always);  // a small building
 }

@@ -1,8 +1,7 @@
 // Starts the server first, or says why there are no tests.
-#define CATCH_CONFIG_RUNNER
-#include <catch2/catch.hpp>
-
 #include "test_server.hpp"
+
+#include "tests/kit/run_tests.hpp"
 
 #include <iostream>
 #include <optional>
@@ -20,7 +19,7 @@ int main(int argc, char** argv) {
     return 77;
   }
   the_server.emplace(programs);
-  const int result = Catch::Session().run(argc, argv);
+  const int result = run_tests(argc, argv);
   the_server.reset();
   return result;
 }

@@ -1,9 +1,9 @@
 // A job array under a real Slurm gives what this machine gives by itself.
-#define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 
 #include "slurm_server.hpp"
 
+#include "tests/kit/run_tests.hpp"
 #include "tests/benchmark/ab/small_experiment.hpp"
 #include "tests/system/server/program.hpp"
 
@@ -63,5 +63,5 @@ int main(int argc, char** argv) {
     return 77;
   }
   const SlurmServer server;
-  return Catch::Session().run(argc, argv);
+  return run_tests(argc, argv);
 }

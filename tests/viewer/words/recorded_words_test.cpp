@@ -32,9 +32,9 @@ const std::vector<ordered_json>& events_of(const std::string& name, bool branchi
     damage.plan_m = 1.5;
     damage.drop = 0.5;
     parts.map = std::make_shared<MapView>(damaged_map(parts.map->map(), damage), parts.laser.id);
-    parts.association["max_branches"] = 2;
-    parts.association["branch_not_on_map"] = true;
-    parts.association["max_hypotheses"] = 60;
+    parts.stages.growth.max_branches = 2;
+    parts.stages.growth.branch_not_on_map = true;
+    parts.stages.hypotheses.max_hypotheses = 60;
   }
   EventRecorder recorder;
   recorder.write(run_event({"log", "config", "map"}, parts.laser));

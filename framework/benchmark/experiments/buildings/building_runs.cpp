@@ -39,24 +39,24 @@ void keep(const BuildingRuns& in, const simulation::Challenge& challenge, int se
 
 }  // namespace
 
-const char* name_of(NodeStatus outcome) {
+const char* name_of(Outcome outcome) {
   switch (outcome) {
-    case NodeStatus::localized:
+    case Outcome::localized:
       return "localized";
-    case NodeStatus::unsure:
+    case Outcome::unsure:
       return "unsure";
-    case NodeStatus::unknown:
+    case Outcome::unknown:
       return "unknown";
-    case NodeStatus::wrong:
+    case Outcome::wrong:
       break;
   }
   return "wrong";
 }
 
-NodeStatus outcome_of(const ChallengeRun& run) {
-  if (run.false_rows > 0) return NodeStatus::wrong;
-  if (!run.success) return NodeStatus::unknown;
-  return run.localized_rows > 0 ? NodeStatus::localized : NodeStatus::unsure;
+Outcome outcome_of(const ChallengeRun& run) {
+  if (run.false_rows > 0) return Outcome::wrong;
+  if (!run.success) return Outcome::unknown;
+  return run.localized_rows > 0 ? Outcome::localized : Outcome::unsure;
 }
 
 double localized_after_s(const ChallengeRun& run) {

@@ -11,7 +11,7 @@
 namespace opal::experiments {
 namespace {
 
-constexpr std::array kOutcomes{NodeStatus::localized, NodeStatus::unsure, NodeStatus::unknown, NodeStatus::wrong};
+constexpr std::array kOutcomes{Outcome::localized, Outcome::unsure, Outcome::unknown, Outcome::wrong};
 
 /// Colours that can be told apart by everyone (Okabe and Ito 2008).
 constexpr const char* kStyle = R"(
@@ -51,7 +51,7 @@ Shares outcomes_in(const BuildingsExperiment& experiment, const BuildingGroup& g
 
 std::string bar_of(const Shares& counts) {
   std::string bar = "<div class=bar>";
-  for (NodeStatus outcome : kOutcomes) {
+  for (Outcome outcome : kOutcomes) {
     const std::string count = std::to_string(counts[static_cast<std::size_t>(outcome)]),
                       name = name_of(outcome);
     if (count != "0")
@@ -114,7 +114,7 @@ std::vector<Failure> failures_of(const BuildingsExperiment& experiment) {
   std::vector<Failure> failures;
   for (const BuildingRuns& building : experiment.buildings)
     for (const ChallengeRun& run : building.runs)
-      if (outcome_of(run) != NodeStatus::localized) failures.push_back({&building, &run});
+      if (outcome_of(run) != Outcome::localized) failures.push_back({&building, &run});
   std::stable_sort(failures.begin(), failures.end(), [](const Failure& a, const Failure& b) {
     return outcome_of(*a.run) > outcome_of(*b.run);
   });

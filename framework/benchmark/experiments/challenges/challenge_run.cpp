@@ -23,8 +23,8 @@ void judge_success(ChallengeRun& run) {
 /// Of the best hypothesis at a place.
 double probability_of(const PoseEstimate& said, const Pose2& place) {
   if (said.has_pose && distance_m(said.T_map_base, place) < kRight_m) return said.probability;
-  for (const PoseEstimate::Baseline& baseline : said.baselines)
-    if (distance_m(baseline.T_map_base, place) < kRight_m) return baseline.probability;
+  for (const PoseEstimate::Alternative& alternative : said.alternatives)
+    if (distance_m(alternative.T_map_base, place) < kRight_m) return alternative.probability;
   return 0;
 }
 
@@ -50,9 +50,7 @@ ChallengeRun run_challenge(const Contender& contender, const PluginRegistry& reg
   const simulation::Recording& recording = driven.recording;
   Deployment deployment = with_laser(contender.deployment, recording.laser);
   if (driven.region)
-    deployment.association["region"] = {{"x_m", driven.region->center.x()},
-                                        {"y_m", driven.region->center.y()},
-                                        {"radius_m", driven.region->radius_m}};
+    deployment.stages.search.region = opal::RegionPrior{driven.region->center, driven.region->radius_m};
   Localizer localizer(build_parts(deployment, registry, std::move(map)));
   ChallengeRun run;
   run.contender = contender.name;

@@ -42,7 +42,7 @@ struct Deployment {
   std::optional<std::vector<PartConfig>> detectors;
   std::optional<std::vector<PartConfig>> patterns;
   std::vector<ScorerConfig> scorers;
-  nlohmann::json association = nlohmann::json::object();
+  LocalizerOptions stages = {};
   std::vector<PartConfig> importers;  ///< options for those that make the map, if it is made of a source
 };
 

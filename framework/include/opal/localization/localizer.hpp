@@ -4,6 +4,7 @@
 #include <opal/localization/decision/pose_estimate.hpp>
 #include <opal/localization/events/event_stream.hpp>
 #include <opal/localization/events/stage_times.hpp>
+#include <opal/localization/localizer_options.hpp>
 #include <opal/localization/scoring/active_scorer.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/local_map/local_map.hpp>
@@ -36,7 +37,7 @@ struct LocalizerParts {
   std::vector<Named<FeatureDetector>> detectors;
   std::vector<Named<PatternTemplate>> patterns;
   std::vector<ActiveScorer> scorers;
-  nlohmann::json association = nlohmann::json::object();     ///< options of association_options.hpp, by name
+  LocalizerOptions stages = {};
 };
 
 /// The pipeline: scan -> features -> local map -> patterns -> association tree -> scores -> pose. One object per

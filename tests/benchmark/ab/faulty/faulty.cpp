@@ -24,7 +24,7 @@ class FaultyScorer final : public opal::HypothesisScorer {
       : how_(options.at("how")), after_(options.at("after")) {
     if (after_ == 0) misbehave(how_);
   }
-  opal::Score score(const opal::Hypothesis&, const opal::Observation&, const opal::MapView&) const override {
+  opal::Score score(const opal::Hypothesis&, const opal::Observation&, const opal::MapView&, const opal::ScorerMemory*) const override {
     if (++asked_ == after_) misbehave(how_);
     return {};
   }

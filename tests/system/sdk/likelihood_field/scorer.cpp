@@ -7,7 +7,7 @@ LikelihoodFieldScorer::LikelihoodFieldScorer(const nlohmann::json& options)
     : weight_(options.at("weight")), sigma_m_(options.at("sigma_m")), hit_share_(options.at("hit_share")) {}
 
 opal::Score LikelihoodFieldScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                         const opal::MapView& map) const {
+                                         const opal::MapView& map, const opal::ScorerMemory*) const {
   if (observation.points.empty()) return {0, {}, {{"near", 0}}};
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   // Densities of a return's distance from the nearest surface: about a surface, and anywhere in the field.

@@ -10,7 +10,7 @@ class LikelihoodFieldScorer final : public opal::HypothesisScorer {
  public:
   explicit LikelihoodFieldScorer(const nlohmann::json& options);
   opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map) const override;
+                    const opal::MapView& map, const opal::ScorerMemory*) const override;
 
  private:
   double weight_, sigma_m_, hit_share_;

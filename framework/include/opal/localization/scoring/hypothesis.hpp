@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/localization/scoring/encounters.hpp>
 #include <opal/common/geometry.hpp>
+#include <opal/localization/scoring/scorer_memory.hpp>
 
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct Hypothesis {
   Pose2 T_map_local;                        ///< registration of the local map
   std::vector<Association> associations;    ///< along the branch of the association tree, root first
   double log_likelihood = 0;                ///< evidence gathered so far [nat], against "all of this is clutter"
-  Encounters encounters;                    ///< with mapped things so far
+  ScorerMemories memories;                  ///< what scorers remember of it
 };
 
 }  // namespace opal

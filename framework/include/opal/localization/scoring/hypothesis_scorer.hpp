@@ -1,20 +1,45 @@
 #pragma once
 
 #include <opal/localization/scoring/hypothesis.hpp>
-#include <opal/map/view/map_view.hpp>
 #include <opal/localization/scoring/score.hpp>
+#include <opal/map/view/map_view.hpp>
+
+#include <memory>
+#include <vector>
 
 namespace opal {
 
 /// Judges one hypothesis. Pure: same arguments, same score. Called from the localizer's thread only, for some
 /// hundred hypotheses per scan, so it should take microseconds and allocate nothing per beam.
+///
+/// A scorer may remember what a hypothesis has met, since seeing the same thing again is hardly new evidence. The framework
+/// keeps the memory: a hypothesis carries it, a branch begins with a copy, and a hypothesis that ends drops it. Only the
+/// scorer that made a memory reads and changes it.
 class OPAL_EXPORT HypothesisScorer {
  public:
   virtual ~HypothesisScorer();
-  /// The robot under this hypothesis stands at hypothesis.T_map_local * observation.local_map.T_local_base().
-  virtual Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map) const = 0;
 
-  /// Whether a score depends on Hypothesis::associations. A candidate is ranked with those by which it was found, and spawned
+  /// What is remembered of a hypothesis that has met nothing yet. Asked once for each map; every hypothesis begins with a
+  /// copy. Null, the default: this scorer remembers nothing, and the three functions with a memory are not used.
+  virtual std::unique_ptr<ScorerMemory> new_memory(const MapView& map) const;
+
+  /// The robot under this hypothesis stands at hypothesis.T_map_local * observation.local_map.T_local_base().
+  /// @param memory  of this hypothesis, made by this scorer; null if and only if new_memory gives null.
+  virtual Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
+                      const ScorerMemory* memory) const = 0;
+
+  /// The same for a hypothesis that has met nothing yet.
+  Score score_new(const Hypothesis& hypothesis, const Observation& observation, const MapView& map) const;
+
+  /// Adds to a memory what one scan has shown (Score::seen).
+  /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1].
+  virtual void remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const;
+
+  /// Lets a memory fade as one more scan is tracked; called before `remember`, not in retrospective verification.
+  /// @param weight  as for `remember`.
+  virtual void fade(ScorerMemory& memory, double weight) const;
+
+  /// Whether a score depends on Hypothesis::associations. A candidate is ranked with those by which it was found, and begins
   /// with what the scan alone says of it: a scorer that says no is asked once for both.
   virtual bool judges_associations() const;
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <opal/localization/scoring/encounters.hpp>
 #include <opal/local_map/local_map.hpp>
+#include <opal/localization/scoring/scorer_memory.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct Score {
     double value = 0;
   };
   std::vector<Term> breakdown;  ///< what it is made of, for people and for A/B records
-  Encounters encounters = {};   ///< of this scan, for the hypothesis to remember; may be empty
+  std::shared_ptr<const ScorerMemory> seen = {};  ///< what this scan adds to the scorer's memory; null: nothing
 };
 
 /// One thing that a scorer saw for or against a hypothesis, for people.
@@ -40,7 +41,7 @@ struct Observation {
   std::vector<Feature> features;
   /// For each of `points`, the number of its beam.
   std::vector<int> beams = {};
-  /// For each of `points`, its evidence cell of the local map (LocalMap::evidence cells): the same for whoever is judged. Empty: as they are now.
+  /// For each of `points`, its evidence cell of the local map (LocalMap::evidence_cells): the same for whoever is judged. Empty: as they are now.
   std::vector<int> evidence_cells = {};
 };
 

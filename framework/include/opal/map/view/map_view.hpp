@@ -29,25 +29,6 @@ struct Surface {
   }
 };
 
-/// Which of a face's two ends, seen with the visible side on the left of begin -> end.
-enum class Tip { begin, end };
-
-/// How far an end that was seen may be from the mapped one, along its face and across it, and how far the two faces may be
-/// turned against each other. A wall that is not quite where the map says still ends where it ends: more across than along.
-struct EndGate {
-  double along_m = 0.3, across_m = 0.4, angle_rad = 0.2;
-};
-
-/// An end of a mapped face.
-struct FaceEnd {
-  int face = -1;  ///< feature number; -1: there is none
-  Tip tip = Tip::begin;
-  double gates = 1;  ///< how far off, in the gate's semi-axes, 0 to 1
-
-  /// No two ends of a map have the same.
-  int number() const { return 2 * face + (tip == Tip::end ? 1 : 0); }
-};
-
 /// What one sensor can perceive of a map, with indices that answer spatial questions in microseconds. Immutable and
 /// shared. Frame: `map`. Feature numbers are positions in SemanticMap::features().
 class OPAL_EXPORT MapView {
@@ -72,10 +53,6 @@ class OPAL_EXPORT MapView {
   /// @param view_direction  any length; from the viewer to p.
   /// @return feature number, or -1.
   int nearest_facing(const Point& p, const Point& view_direction) const;
-  /// The end of a mapped face that an end seen at `p` may be, the nearest one within the gate. Only where a wall stops is an
-  /// end: where a face goes on as another one that looks to the same side, there is none. A lookup in cells, O(1).
-  /// @param direction  of the face that was seen, unit.
-  FaceEnd face_end_near(const Point& p, const Point& direction, Tip tip, const EndGate& gate) const;
   /// Distance [m] from p to the nearest surface whatever its side, by grid lookup (within one cell's diagonal), capped
   /// at clearance_cap_m().
   double clearance_m(const Point& p) const;

@@ -1,15 +1,14 @@
-#include "map/view/face_ends.hpp"
+#include "face_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace opal {
 namespace {
 
 /// In gates: 1 on the ellipse, less inside.
 double gates_between(const FaceEnds::End& end, const Point& p, const EndGate& gate) {
   const Point off = p - end.position;
-  return std::hypot(end.direction.dot(off) / gate.along_m, cross(end.direction, off) / gate.across_m);
+  return std::hypot(end.direction.dot(off) / gate.along_m, opal::cross(end.direction, off) / gate.across_m);
 }
 
 /// 2 m, or more in a map so wide that there would be too many of them.
@@ -23,7 +22,31 @@ int cell_at(double offset_m, double cell_m, int cells) {
   return static_cast<int>(std::clamp(std::floor(offset_m / cell_m), 0.0, cells - 1.0));
 }
 
+/// Whether another face that looks to the same side carries on where this one ends.
+bool goes_on(const opal::MapView& map, int number, const Point& end, const Point& outwards) {
+  constexpr double kBeyond_m = 0.3, kBeside_m = 0.15, kRounding_m = 0.01, kLeastCosine = 0.97;
+  const Point beyond = end + kBeyond_m * outwards;
+  const std::vector<int> near = map.within(beyond, kBeside_m + kRounding_m);
+  return std::any_of(near.begin(), near.end(), [&](int number_there) {
+    const opal::Surface& other = map.surface(number_there);
+    return number_there != number && other.direction.dot(map.surface(number).direction) > kLeastCosine &&
+           other.distance_m(beyond) <= kBeside_m;
+  });
+}
+
 }  // namespace
+
+FaceEnds FaceEnds::of(const opal::MapView& map) {
+  std::vector<End> found;
+  for (int number : map.features()) {
+    const opal::Surface& face = map.surface(number);
+    if (face.is_circle()) continue;
+    const Point end = face.origin + face.size_m * face.direction;
+    if (!goes_on(map, number, face.origin, -face.direction)) found.push_back({face.origin, face.direction, number, Tip::begin});
+    if (!goes_on(map, number, end, face.direction)) found.push_back({end, face.direction, number, Tip::end});
+  }
+  return FaceEnds(std::move(found));
+}
 
 FaceEnds::FaceEnds(std::vector<End> ends) : ends_(std::move(ends)) {
   if (ends_.empty()) return;
@@ -67,5 +90,3 @@ FaceEnd FaceEnds::nearest(const Point& p, const Point& direction, Tip tip, const
   }
   return best;
 }
-
-}  // namespace opal

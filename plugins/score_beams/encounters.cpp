@@ -1,8 +1,7 @@
-#include <opal/localization/scoring/encounters.hpp>
+#include "encounters.hpp"
 
 #include <algorithm>
 
-namespace opal {
 namespace {
 
 bool comes_before(const Amounts::Entry& entry, int thing) { return entry.thing < thing; }
@@ -28,12 +27,19 @@ void Amounts::fade(double keep) {
   std::erase_if(entries_, [](const Entry& entry) { return entry.amount < kNothing; });
 }
 
-void Encounters::take(const Encounters& newer, double weight, double keep) {
-  for (Amounts Encounters::*kind : {&Encounters::cells_met, &Encounters::lines_met, &Encounters::ends_met,
-                                    &Encounters::lines_ended, &Encounters::objects_met, &Encounters::objects_passed}) {
-    (this->*kind).fade(keep);
-    for (const Amounts::Entry& entry : (newer.*kind).entries()) (this->*kind).add(entry.thing, weight * entry.amount);
-  }
+namespace {
+
+constexpr Amounts Encounters::* kKinds[] = {&Encounters::cells_met,   &Encounters::lines_met,   &Encounters::ends_met,
+                                           &Encounters::lines_ended, &Encounters::objects_met, &Encounters::objects_passed};
+
+}  // namespace
+
+void Encounters::fade(double keep) {
+  for (Amounts Encounters::* kind : kKinds) (this->*kind).fade(keep);
 }
 
-}  // namespace opal
+void Encounters::add(const Encounters& newer, double weight) {
+  fade(1);  // forgets what has nearly vanished
+  for (Amounts Encounters::* kind : kKinds)
+    for (const Amounts::Entry& entry : (newer.*kind).entries()) (this->*kind).add(entry.thing, weight * entry.amount);
+}

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <opal/common/export.hpp>
+#include "face_ends.hpp"
 
+#include <opal/localization/scoring/scorer_memory.hpp>
+
+#include <memory>
 #include <vector>
 
-namespace opal {
-
 /// Amounts by the number of a mapped thing, in order of number.
-class OPAL_EXPORT Amounts {
+class Amounts {
  public:
   struct Entry {
     int thing = -1;
@@ -24,9 +25,9 @@ class OPAL_EXPORT Amounts {
   std::vector<Entry> entries_;
 };
 
-/// What the beams have met so far if a hypothesis is right. Seeing the same wall again is hardly new evidence: scorers
-/// count what is not in here yet. In beams of a hundred where nothing else is said, summed over whole pieces of evidence.
-struct Encounters {
+/// What the beams have met so far if a hypothesis is right. Seeing the same wall again is hardly new evidence: the
+/// scorer counts what is not in here yet. In beams of a hundred where nothing else is said, summed over whole pieces of evidence.
+struct Encounters final : opal::ScorerMemory {
   Amounts cells_met;     ///< by evidence cell of the local map: beams that ended there, on a mapped surface
   Amounts lines_met;       ///< by Surface::line: beams that ended there
   Amounts ends_met;        ///< by FaceEnd::number: how often it was seen, each time by how near
@@ -34,8 +35,9 @@ struct Encounters {
   Amounts objects_met;     ///< by object: beams that ended there
   Amounts objects_passed;  ///< by object: beams that passed through it
 
-  /// `this` fades by `keep`, then takes `newer` times `weight`.
-  OPAL_EXPORT void take(const Encounters& newer, double weight, double keep);
-};
+  std::shared_ptr<const FaceEnds> face_ends;  ///< of the map; null in what one scan adds
 
-}  // namespace opal
+  std::unique_ptr<opal::ScorerMemory> copy() const override { return std::make_unique<Encounters>(*this); }
+  void fade(double keep);
+  void add(const Encounters& newer, double weight);
+};

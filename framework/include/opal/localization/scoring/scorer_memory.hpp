@@ -1,0 +1,43 @@
+#pragma once
+
+#include <opal/common/export.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace opal {
+
+/// What a scorer remembers of one hypothesis, or what one scan adds to it. Made, read and changed by that scorer alone;
+/// to everybody else it is opaque.
+class OPAL_EXPORT ScorerMemory {
+ public:
+  virtual ~ScorerMemory();
+  /// An equal memory that shares nothing that can change.
+  virtual std::unique_ptr<ScorerMemory> copy() const = 0;
+};
+
+/// What each scorer remembers of one hypothesis, by the scorer's position. A hypothesis carries it: hypotheses that branch
+/// share their memories until one of them is about to change (copy on write).
+class OPAL_EXPORT ScorerMemories {
+ public:
+  using Shared = std::shared_ptr<const ScorerMemory>;
+
+  ScorerMemories() = default;
+  explicit ScorerMemories(std::vector<Shared> memories) : memories_(std::move(memories)) {}
+
+  /// Nothing has been remembered yet.
+  bool empty() const { return memories_.empty(); }
+  /// Null for a scorer that remembers nothing.
+  const ScorerMemory* of(std::size_t scorer) const {
+    return scorer < memories_.size() ? memories_[scorer].get() : nullptr;
+  }
+  /// The same, to be changed: from here on no other hypothesis shares it.
+  ScorerMemory* own(std::size_t scorer);
+
+ private:
+  std::vector<Shared> memories_;
+};
+
+}  // namespace opal

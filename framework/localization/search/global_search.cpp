@@ -1,0 +1,119 @@
+#include "localization/search/global_search.hpp"
+
+#include "common/stage_clock.hpp"
+#include "localization/alignment/registration.hpp"
+#include "localization/scoring/observation.hpp"
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+// A few points, far apart, rank candidates nearly as all of them do.
+constexpr std::size_t kCoarsePoints = 40;
+constexpr double kCoarseSpacing_m = 0.2, kFewSpacing_m = 0.1;
+
+bool better(const VerifiedCandidate& a, const VerifiedCandidate& b) { return a.nat > b.nat; }
+
+}  // namespace
+
+std::vector<SearchFeature> GlobalSearch::features_for(const Context& context) const {
+  const Observation& seen = context.observation;
+  std::vector<SearchFeature> features;
+  if (options_.from_stable) {
+    const Pose2 T_base_local = seen.local_map.T_local_base().inverse();
+    for (const LocalFeature& local : seen.local_map.features())
+      if (local.stable) features.push_back({transformed(T_base_local, local.feature), local.id});
+    return features;
+  }
+  for (std::size_t k = 0; k < seen.features.size(); ++k)
+    features.push_back({seen.features[k], seen.local_map.last_associations()[k]});
+  return features;
+}
+
+/// Moves the candidate to where the scan fits best. @return the hypothesis that it would be.
+Hypothesis GlobalSearch::aligned(Candidate& candidate, const Observation& observation, double sigma_m) const {
+  RefinementOptions refinement;
+  refinement.iterations = 4;
+  refinement.sigma_m = sigma_m;
+  refinement.prior_position = 0.01;
+  refinement.prior_heading = 0.05;
+  Pose2& pose = candidate.T_map_base;
+  pose = refine_on_map(*map_, observation.points, observation.laser_position, pose, refinement);
+  Hypothesis trial;
+  trial.T_map_local = pose * observation.local_map.T_local_base().inverse();
+  trial.associations = candidate.pairs;
+  return trial;
+}
+
+/// Best first, one per place.
+void GlobalSearch::keep_best(std::vector<VerifiedCandidate>& candidates, const Context& context, Result& result) const {
+  constexpr double kOnePlace_m = 0.2, kOnePlace_rad = 0.06;
+  const auto keep = static_cast<std::size_t>(options_.hypotheses);
+  std::stable_sort(candidates.begin(), candidates.end(), better);
+  std::vector<Pose2> poses;
+  for (const VerifiedCandidate& each : candidates) poses.push_back(each.candidate.T_map_base);
+  const std::vector<std::size_t> chosen = distinct_places(poses, kOnePlace_m, kOnePlace_rad, keep);
+  if (context.keep_rejected && chosen.size() == keep)
+    for (std::size_t k = chosen.back() + 1; k < candidates.size(); ++k)
+      result.rejected.push_back({candidates[k], std::to_string(keep) + " places score better"});
+  std::vector<VerifiedCandidate> kept;
+  for (std::size_t k : chosen) kept.push_back(std::move(candidates[k]));
+  candidates = std::move(kept);
+}
+
+/// Coarse to fine: a few beams for all candidates, all beams for those that look good.
+std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> candidates, const Context& context,
+                                                      Result& result) const {
+  constexpr double kCoarseSigma_m = 0.15, kFineSigma_m = 0.12;
+  const Observation& full = context.observation;
+  Observation few{.local_map = full.local_map,
+                  .points = thinned(context.scan.points, context.T_base_laser, kFewSpacing_m, kCoarsePoints).points,
+                  .free_bearings_rad = {},
+                  .range_max_m = full.range_max_m,
+                  .laser_position = full.laser_position,
+                  .features = full.features};
+  few.evidence_cells = full.local_map.evidence_cells(few.points);
+  std::vector<VerifiedCandidate> verified;
+  for (Candidate& candidate : candidates) {
+    const double nat = ensemble_.decide(aligned(candidate, few, kCoarseSigma_m), few);
+    verified.push_back({std::move(candidate), nat});
+  }
+  keep_best(verified, context, result);
+  for (VerifiedCandidate& each : verified) {
+    each.verdict = ensemble_.judge(aligned(each.candidate, full, kFineSigma_m), full);
+    each.nat = each.verdict.nat;
+  }
+  keep_best(verified, context, result);
+  return verified;
+}
+
+GlobalSearch::Result GlobalSearch::search(const Context& context, StageTimes& times) const {
+  const auto coarse = thinned(context.scan.points, context.T_base_laser, kCoarseSpacing_m, kCoarsePoints).points;
+  const std::vector<SearchFeature> features = features_for(context);
+  Result result;
+  for (const bool under_constrained : {false, true}) {
+    // They have many candidates each: they are looked up where those that fix the pose found nothing good.
+    const bool found_good = !result.candidates.empty() && result.candidates.front().nat >= options_.under_constrained_below_nat;
+    if (under_constrained && (found_good || !context.under_constrained)) break;
+    CandidateGenerator::Proposal proposed;
+    {
+      StageClock clock(times.associate_s);
+      proposed = generator_.propose(features, coarse, under_constrained);
+    }
+    StageClock clock(times.verify_s);
+    result.places += proposed.candidates.size();
+    for (CandidateGenerator::LookedUp& pattern : proposed.looked_up) {
+      result.expected += pattern.expected;
+      result.looked_up.push_back(std::move(pattern));
+    }
+    for (VerifiedCandidate& each : verified(std::move(proposed.candidates), context, result))
+      result.candidates.push_back(std::move(each));
+  }
+  std::stable_sort(result.candidates.begin(), result.candidates.end(), better);
+  const auto most = static_cast<std::size_t>(options_.hypotheses);
+  if (result.candidates.size() > most) result.candidates.resize(most);
+  return result;
+}
+
+}  // namespace opal

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "localization/scoring/scorer_ensemble.hpp"
+#include "localization/search/candidate_generation.hpp"
+
+#include <opal/localization/events/stage_times.hpp>
+#include <opal/sensing/scan.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// A candidate that was moved to where the scan fits best there, and judged by it.
+struct VerifiedCandidate {
+  Candidate candidate;
+  double nat = 0;  ///< log-likelihood ratio of the newest scan against clutter
+  ScorerEnsemble::Verdict verdict = {};
+};
+
+/// Looks for places where the robot may be, over the whole map and without any pose: candidates by patterns, then verified
+/// by the newest scan, coarse to fine.
+class OPAL_EXPORT GlobalSearch {
+ public:
+  GlobalSearch(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
+               const ScorerEnsemble& ensemble, const SearchOptions& options)
+      : map_(map), ensemble_(ensemble), options_(options), generator_(std::move(map), std::move(templates), options) {}
+
+  /// What is known beside the scan.
+  struct Context {
+    const Scan& scan;                ///< sensor frame
+    const Pose2& T_base_laser;
+    const Observation& observation;  ///< of this scan
+    bool under_constrained;          ///< patterns with a free parameter may be looked up, too
+    bool keep_rejected;              ///< somebody wants to know
+  };
+  struct Result {
+    std::vector<VerifiedCandidate> candidates;  ///< best first, one per place
+    std::vector<CandidateGenerator::LookedUp> looked_up;
+    std::size_t places = 0;    ///< that passed the first filter
+    std::size_t expected = 0;  ///< that the index predicted for all that was looked up
+    struct Rejected {
+      VerifiedCandidate candidate;
+      std::string reason;
+    };
+    std::vector<Rejected> rejected;
+  };
+  /// @param times  associate_s and verify_s grow.
+  Result search(const Context& context, StageTimes& times) const;
+
+  /// A scan with fewer points tells no place.
+  static constexpr std::size_t kFewestPoints = 15;
+
+  const std::string& pattern_name(int pattern) const { return generator_.pattern_name(pattern); }
+
+ private:
+  std::vector<SearchFeature> features_for(const Context& context) const;
+  std::vector<VerifiedCandidate> verified(std::vector<Candidate> candidates, const Context& context, Result& result) const;
+  Hypothesis aligned(Candidate& candidate, const Observation& observation, double sigma_m) const;
+  void keep_best(std::vector<VerifiedCandidate>& candidates, const Context& context, Result& result) const;
+
+  std::shared_ptr<const MapView> map_;
+  const ScorerEnsemble& ensemble_;
+  SearchOptions options_;
+  CandidateGenerator generator_;
+};
+
+}  // namespace opal

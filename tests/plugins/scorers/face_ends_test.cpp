@@ -1,0 +1,108 @@
+#include "plugins/score_beams/face_ends.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace opal;
+
+namespace {
+
+std::shared_ptr<const SemanticMap> map_of(const std::vector<Geometry>& geometries) {
+  std::vector<MapObject> objects;
+  std::vector<MapFeature> features;
+  for (const Geometry& geometry : geometries) {
+    const int number = static_cast<int>(features.size());
+    const bool column = kind_of(geometry) == GeometryKind::circle;
+    objects.push_back({"object-" + std::to_string(number), column ? "opal:Column" : "opal:Wall", {number}});
+    MapFeature feature;
+    feature.id = "feature-" + std::to_string(number);
+    feature.object = number;
+    feature.type = column ? "opal:Column" : "opal:Wall";
+    feature.sensor = "PlanarLidar2D";
+    feature.geometry = geometry;
+    features.push_back(feature);
+  }
+  return SemanticMap::make("test", objects, features);
+}
+
+std::vector<Geometry> random_walls(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(0, 60), size(0.2, 9), heading(-3.14, 3.14);
+  std::vector<Geometry> walls;
+  for (int k = 0; k < count; ++k) {
+    const Point begin(place(random), place(random));
+    walls.push_back(Segment{begin, begin + size(random) * unit_vector(heading(random))});
+  }
+  return walls;
+}
+
+FaceEnds ends_of(std::shared_ptr<const SemanticMap> map) { return FaceEnds::of(MapView(std::move(map), "PlanarLidar2D")); }
+
+const Segment kUpper{{0, 0.1}, {4, 0.1}}, kLower{{4, 0}, {0, 0}};
+
+}  // namespace
+
+TEST_CASE("the end of a face is found within the gate, and which of two ends it is") {
+  const FaceEnds view = ends_of(map_of({kUpper, kLower}));
+  const Point east(1, 0);
+  const EndGate gate;
+  CHECK(view.nearest({0.1, 0.1}, east, Tip::begin, gate).number() == 0);
+  CHECK(view.nearest({3.9, 0.3}, east, Tip::end, gate).number() == 1);
+  CHECK(view.nearest({3.9, 0.1}, east, Tip::begin, gate).face == -1);
+  CHECK(view.nearest({3.9, 0}, -east, Tip::begin, gate).number() == 2);  // the other side
+  CHECK(view.nearest({2, 0.1}, east, Tip::begin, gate).face == -1);
+  CHECK(view.nearest({0, 0.1}, unit_vector(0.3), Tip::begin, gate).face == -1);
+  CHECK(view.nearest({0.15, 0.1}, east, Tip::begin, gate).gates == Approx(0.5));
+  CHECK(view.nearest({0, 0.3}, east, Tip::begin, gate).gates == Approx(0.5));
+  CHECK(view.nearest({std::nan(""), 0}, east, Tip::begin, gate).face == -1);
+  CHECK(view.nearest({1e300, -1e300}, east, Tip::begin, gate).face == -1);
+  const FaceEnds wide = ends_of(map_of({kUpper, Segment{{4000, 9000}, {4002, 9000}}}));  // cells of more than 2 m
+  CHECK(wide.nearest({4002.1, 9000.1}, east, Tip::end, gate).number() == 3);
+  CHECK(wide.nearest({3.9, 0.1}, east, Tip::end, gate).number() == 1);
+}
+
+TEST_CASE("where a wall goes on as another piece of it, there is no end") {
+  const Point east(1, 0);
+  for (const double gap_m : {0.0, 0.2}) {
+    const FaceEnds view = ends_of(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4 + gap_m, 0.05}, {7, 0.05}}}));
+    CAPTURE(gap_m);
+    CHECK(view.nearest({4, 0}, east, Tip::end, {}).face == -1);
+    CHECK(view.nearest({4, 0}, east, Tip::begin, {}).face == -1);
+    CHECK(view.nearest({7, 0}, east, Tip::end, {}).number() == 3);
+  }
+  const FaceEnds door = ends_of(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4.9, 0}, {7, 0}}}));
+  CHECK(door.nearest({4, 0}, east, Tip::end, {}).number() == 1);
+  const FaceEnds corner = ends_of(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4, 0}, {4, 3}}}));
+  CHECK(corner.nearest({4, 0}, east, Tip::end, {}).number() == 1);
+  CHECK(corner.nearest({4, 0}, {0, 1}, Tip::begin, {}).number() == 2);
+}
+
+TEST_CASE("ends of faces are those that a walk over all faces finds") {
+  const auto walls = random_walls(400, 7);  // headings at random: none goes on as another
+  const FaceEnds view = ends_of(map_of(walls));
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> off(-0.3, 0.3), turn(-0.3, 0.3);
+  const EndGate gate;
+  int found = 0;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const auto& wall = std::get<Segment>(walls[k]);
+    const Point p = wall.end + Point(off(random), off(random));
+    const double heading_rad = std::atan2(wall.direction().y(), wall.direction().x()) + turn(random);
+    FaceEnd expected;
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+      const auto& other = std::get<Segment>(walls[n]);
+      if (other.direction().dot(unit_vector(heading_rad)) < std::cos(gate.angle_rad)) continue;
+      const Point from = p - other.end;
+      const double gates = std::hypot(other.direction().dot(from) / gate.along_m, cross(other.direction(), from) / gate.across_m);
+      if (gates < expected.gates) expected = {static_cast<int>(n), Tip::end, gates};
+    }
+    const FaceEnd end = view.nearest(p, unit_vector(heading_rad), Tip::end, gate);
+    CAPTURE(k, p.transpose(), heading_rad);
+    CHECK(end.number() == expected.number());
+    CHECK(end.gates == Approx(expected.gates));
+    found += end.face >= 0;
+  }
+  CHECK(found > 100);
+}
