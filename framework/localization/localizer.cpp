@@ -3,6 +3,7 @@
 #include "localization/tree/hypothesis_set.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/scoring/observation.hpp"
+#include "localization/decision/kidnap_detector.hpp"
 #include "localization/events/run_journal.hpp"
 #include "localization/search/search_schedule.hpp"
 #include "localization/search/global_search.hpp"
