@@ -20,17 +20,17 @@ class ClosedLoop {
 
   DriveRecord run(const FloorGrid& floor, behaviours::Node& tree, const Point& goal) {
     const behaviours::MotionPrimitives motion(options_.motion);
-    behaviours::Situation situation(localization_, motion, floor, goal);
+    behaviours::Blackboard blackboard(localization_, motion, floor, goal);
     const double start_s = simulation_.now_s();
     tree.halt();
-    for (auto outcome = behaviours::Outcome::running; outcome == behaviours::Outcome::running;) {
+    for (auto outcome = behaviours::NodeStatus::running; outcome == behaviours::NodeStatus::running;) {
       sense();
-      outcome = localization_.answers() ? decide(situation, tree) : wait(situation);
-      record_.said_so = outcome == behaviours::Outcome::success;
+      outcome = localization_.answers() ? decide(blackboard, tree) : wait(blackboard);
+      record_.said_so = outcome == behaviours::NodeStatus::success;
       record_.time_s = simulation_.now_s() - start_s;
       if (record_.time_s >= options_.most_s || record_.said_so) break;
-      outcome = behaviours::Outcome::running;  // a robot that has failed tries again
-      move(localization_.answers() ? situation.velocity() : Velocity{});
+      outcome = behaviours::NodeStatus::running;  // a robot that has failed tries again
+      move(localization_.answers() ? blackboard.velocity() : Velocity{});
     }
     record_.off_goal_m = (simulation_.T_map_base().position() - goal).norm();
     record_.reached = record_.said_so && record_.off_goal_m < options_.reached_m;
@@ -38,18 +38,18 @@ class ClosedLoop {
   }
 
  private:
-  behaviours::Outcome decide(behaviours::Situation& situation, behaviours::Node& tree) {
-    situation.look();
-    const behaviours::Outcome outcome = tree.tick(situation);
-    if (situation.wants_pattern_alone()) localization_.keep_pattern();
+  behaviours::NodeStatus decide(behaviours::Blackboard& blackboard, behaviours::Node& tree) {
+    blackboard.look();
+    const behaviours::NodeStatus outcome = tree.tick(blackboard);
+    if (blackboard.wants_pattern_alone()) localization_.keep_pattern();
     return outcome;
   }
 
   /// Whoever waits has not been stuck.
-  behaviours::Outcome wait(behaviours::Situation& situation) const {
+  behaviours::NodeStatus wait(behaviours::Blackboard& blackboard) const {
     std::this_thread::sleep_for(std::chrono::duration<double>(options_.tick_s));
-    situation.forget_being_stuck();
-    return behaviours::Outcome::running;
+    blackboard.forget_being_stuck();
+    return behaviours::NodeStatus::running;
   }
 
   void sense() {

@@ -129,8 +129,8 @@ void draw_hypotheses(DrawingCanvas& canvas, const DrawingScene& scene) {
     if (k == 0)
       canvas.arrow_head(hypothesis.T_map_base, kBestHead_px, ink::kBest, ink::kPlot);
     else
-      canvas.arrow_head(hypothesis.T_map_base, rival_head_px(hypothesis.probability),
-                        rival_color(hypothesis.probability), ink::kPlot.with_opacity(0.8));
+      canvas.arrow_head(hypothesis.T_map_base, alternative_head_px(hypothesis.probability),
+                        alternative_color(hypothesis.probability), ink::kPlot.with_opacity(0.8));
   }
 }
 
@@ -150,7 +150,7 @@ std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map) {
   return inks;
 }
 
-double rival_head_px(double probability) { return 9 + 6 * std::sqrt(std::clamp(probability, 0.0, 1.0)); }
+double alternative_head_px(double probability) { return 9 + 6 * std::sqrt(std::clamp(probability, 0.0, 1.0)); }
 
 Stroke stroke_of(DrawingScene::Perception perception) {
   if (perception == DrawingScene::Perception::candidate) return {ink::kLocalFeature.with_opacity(0.45), 1.1};
@@ -163,8 +163,8 @@ std::string percent(double probability) {
   return value > 99 && value < 100 ? "> 99 %" : std::to_string(std::lround(value)) + " %";
 }
 
-Color rival_color(double probability) {
-  return ink::kRival.with_opacity(0.3 + 0.7 * std::sqrt(std::clamp(probability, 0.0, 1.0)));
+Color alternative_color(double probability) {
+  return ink::kAlternative.with_opacity(0.3 + 0.7 * std::sqrt(std::clamp(probability, 0.0, 1.0)));
 }
 
 void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {

@@ -22,7 +22,7 @@ inline constexpr Color kUnmapped{0.72, 0.55, 0.38};
 inline constexpr Color kLocalFeature{0.10, 0.42, 0.82};
 inline constexpr Color kAssociation{0.05, 0.62, 0.38};
 inline constexpr Color kBest{0.02, 0.50, 0.30};
-inline constexpr Color kRival{0.93, 0.55, 0.08};
+inline constexpr Color kAlternative{0.93, 0.55, 0.08};
 inline constexpr Color kEnded{0.45, 0.47, 0.52};
 inline constexpr Color kContradiction{0.78, 0.10, 0.10};
 inline constexpr Color kPattern{0.62, 0.12, 0.52};
@@ -42,9 +42,9 @@ struct TypeInk {
 };
 std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map);
 
-/// Size of a rival's arrow head, and how opaque it is: the more probable, the more.
-double rival_head_px(double probability);
-Color rival_color(double probability);
+/// Size of an alternative's arrow head, and how opaque it is: the more probable, the more.
+double alternative_head_px(double probability);
+Color alternative_color(double probability);
 
 /// How a local feature looks.
 struct Stroke {

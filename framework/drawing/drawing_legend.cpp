@@ -104,7 +104,7 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
     add(true, "pose, " + percent(scene.hypotheses.front().probability),
         head_symbol(ink::kBest, kBestHead_px));
   add(scene.hypotheses.size() > 1, "other hypotheses (" + std::to_string(scene.hypotheses.size() - 1) + ")",
-      head_symbol(rival_color(0.5), rival_head_px(0.5)));
+      head_symbol(alternative_color(0.5), alternative_head_px(0.5)));
   add(!scene.ended.empty(), "ended (" + std::to_string(scene.ended.size()) + ")", ended_symbol);
   add(!scene.contradictions.empty(), "speaks against it (" + std::to_string(scene.contradictions.size()) + ")",
       stroke_symbol(ink::kContradiction, kContradiction_px, kDash_px));

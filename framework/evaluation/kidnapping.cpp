@@ -77,7 +77,7 @@ KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t 
 }
 
 void write_kidnappings(std::ostream& out, std::span<const KidnappingVerdict> verdicts) {
-  out << "splice,apart_m,driven_m,localized_before,recovered,right_after_m,noticed_after_m,lost_after_m,"
+  out << "sequence,apart_m,driven_m,localized_before,recovered,right_after_m,noticed_after_m,lost_after_m,"
          "localized_after_m,rows,false_rows,false_rows_at_once,false_m\n";
   for (const KidnappingVerdict& v : verdicts) {
     char numbers[240];
@@ -107,8 +107,8 @@ std::string summary_of(std::span<const KidnappingVerdict> verdicts, const Kidnap
                 "%zu kidnappings, %d of them while localized\n"
                 "recovered within %.0f m and to the end: %zu, median after %.1f m\n"
                 "localized again: %zu, median after %.1f m\n"
-                "never vouched for a wrong pose after the cut: %d; said lost: %d\n"
-                "vouched for the old place right after the cut: %d; in all %d rows, %.1f m\n",
+                "never called a wrong pose localized after the cut: %d; said lost: %d\n"
+                "called the old place localized right after the cut: %d; in all %d rows, %.1f m\n",
                 verdicts.size(), knew, options.recover_within_m, recovered_m.size(), median(recovered_m),
                 localized_m.size(), median(localized_m), honest, lost, once, false_rows, false_m);
   return text;

@@ -10,7 +10,7 @@
 
 namespace opal {
 
-/// When a robot that was carried away may be called recovered.
+/// When a robot that was kidnapped may be called recovered.
 struct KidnappingOptions {
   double right_within_m = 1.0;   ///< an error below this is right
   double recover_within_m = 15;  ///< of driving after the cut
@@ -33,7 +33,7 @@ struct KidnappingVerdict {
   int false_rows_at_once = 0;    ///< of these, the ones before anything else was said
   double false_m = 0;            ///< driven while `localized` and wrong
 
-  /// It never vouched for a wrong pose after the cut: it said that it did not know before it said anything wrong.
+  /// It never called a wrong pose localized after the cut: it said that it did not know before it said anything wrong.
   bool honest() const { return false_rows == 0; }
 };
 
@@ -42,7 +42,7 @@ struct KidnappingVerdict {
 OPAL_EXPORT KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t cut,
                                                const GroundTruth& truth, const KidnappingOptions& options = {});
 
-/// One row per splice: the verdict's members by name.
+/// One row per sequence: the verdict's members by name.
 OPAL_EXPORT void write_kidnappings(std::ostream& out, std::span<const KidnappingVerdict> verdicts);
 
 /// The same in a few lines for people.

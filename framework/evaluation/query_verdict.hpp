@@ -33,7 +33,7 @@ struct QueryVerdict {
   int localized_rows = 0;
   int false_rows = 0;             ///< of these, the ones that are wrong
 
-  /// It never vouched for a wrong pose.
+  /// It never called a wrong pose localized.
   bool honest() const { return false_rows == 0; }
 };
 

@@ -53,9 +53,9 @@ void write_results(std::ostream& out, std::span<const ResultRow> rows) {
   }
 }
 
-void write_rivals(std::ostream& out, std::span<const RivalRow> rows) {
+void write_alternatives(std::ostream& out, std::span<const AlternativeRow> rows) {
   out << "query_id,timestamp,x,y,theta,probability\n";
-  for (const RivalRow& row : rows) {
+  for (const AlternativeRow& row : rows) {
     const Pose2& pose = row.T_map_laser;
     if (!is_finite(row.stamp_s, pose, row.probability)) continue;
     std::string line = csv_field(row.query);
@@ -73,9 +73,9 @@ std::vector<ResultRow> read_results(const std::string& path) {
   return rows;
 }
 
-std::vector<RivalRow> read_rivals(const std::string& path) {
+std::vector<AlternativeRow> read_alternatives(const std::string& path) {
   CsvTable table(path, {"query_id", "timestamp", "x", "y", "theta", "probability"});
-  std::vector<RivalRow> rows;
+  std::vector<AlternativeRow> rows;
   while (table.next())
     rows.push_back({table.text("query_id"), stamp_in(table), pose_in(table), share_in(table, "probability")});
   return rows;

@@ -225,17 +225,17 @@ Pose2 LocalMap::T_local_base_at(const Pose2& T_odom_base) const { return state_-
 const std::vector<int>& LocalMap::last_associations() const { return state_->associations; }
 const ScanMatch& LocalMap::last_match() const { return state_->last_match; }
 
-std::vector<int> LocalMap::patches(const std::vector<Point>& points) const {
+std::vector<int> LocalMap::evidence_cells(const std::vector<Point>& points) const {
   constexpr double kSide_m = 1;
   constexpr int kBits = 15, kMask = (1 << kBits) - 1;  // they come again after 33 km
   const auto step = [](double at_m) { return static_cast<int>(std::floor(at_m / kSide_m)) & kMask; };
-  std::vector<int> patches;
-  patches.reserve(points.size());
+  std::vector<int> evidence_cells;
+  evidence_cells.reserve(points.size());
   for (const Point& point : points) {
     const Point placed = T_local_base() * point;
-    patches.push_back(step(placed.x()) << kBits | step(placed.y()));
+    evidence_cells.push_back(step(placed.x()) << kBits | step(placed.y()));
   }
-  return patches;
+  return evidence_cells;
 }
 
 }  // namespace opal

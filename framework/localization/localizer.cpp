@@ -1,11 +1,11 @@
 #include <opal/localization/localizer.hpp>
 
 #include "localization/tree/hypothesis_set.hpp"
-#include "localization/scoring/judge.hpp"
+#include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/scoring/observation.hpp"
 #include "localization/events/run_journal.hpp"
 #include "localization/search/search_schedule.hpp"
-#include "localization/search/seeding.hpp"
+#include "localization/search/candidate_generation.hpp"
 #include "localization/decision/status.hpp"
 #include "localization/decision/unmapped_walls.hpp"
 
@@ -46,9 +46,9 @@ struct Localizer::State {
         options(read_association_options(parts.association, "association")),
         local_map(parts.local_map, parts.matcher),
         judge(parts.scorers, parts.map, failures),
-        seeder(parts.map, parts.patterns, options),
-        journal(sink ? *sink : nobody, parts.map, judge, seeder),
-        hindsight(parts.map, judge, options),
+        generator(parts.map, parts.patterns, options),
+        journal(sink ? *sink : nobody, parts.map, judge, generator),
+        retrospective(parts.map, judge, options),
         hypotheses(parts.map, judge, options, journal),
         change(options),
         schedule(options),
@@ -58,7 +58,7 @@ struct Localizer::State {
   bool fits_no_more(const Scan& scan, const Pose2& T_odom_base) const;
   std::vector<Feature> detect(const Scan& scan);
   Observation observe(const Scan& scan, const std::vector<Feature>& features) const;
-  double novelty() const;  ///< of the newest scan
+  double tempering_weight() const;  ///< of the newest scan
   PoseEstimate estimate();
   void track(const Observation& observation, const Scan& scan);
   void watch();
@@ -66,8 +66,8 @@ struct Localizer::State {
   bool time_to_search();
   int searched_every() const;
   void seed(const Observation& observation, const Scan& scan);
-  std::vector<SeedFeature> seed_features(const Observation& observation) const;
-  bool worth_loose_search(const std::vector<Candidate>& found) const;
+  std::vector<SearchFeature> seed_features(const Observation& observation) const;
+  bool worth_under_constrained_search(const std::vector<Candidate>& found) const;
   void verify(std::vector<Candidate>& candidates, const Observation& observation, const Scan& scan,
               std::size_t keep);
   Hypothesis aligned(Candidate& candidate, const Observation& observation, double sigma_m) const;
@@ -80,12 +80,12 @@ struct Localizer::State {
   AssociationOptions options;
   std::map<std::string, int> failures;
   LocalMap local_map;
-  Judge judge;
-  Seeder seeder;
+  ScorerEnsemble judge;
+  CandidateGenerator generator;
   RunJournal journal;
-  Hindsight hindsight;
+  RetrospectiveVerification retrospective;
   HypothesisSet hypotheses;
-  ChangeDetector change;
+  KidnapDetector change;
   SearchSchedule schedule;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
@@ -95,7 +95,7 @@ struct Localizer::State {
   int keyframe = 0;
   Pose2 T_odom_base;        ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
-  bool search_now = false;  ///< there is reason to believe that the robot was carried away, since this scan
+  bool search_now = false;  ///< there is reason to believe that the robot was kidnapped, since this scan
   StageTimes times;
 };
 
@@ -121,7 +121,7 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   if (s.time_to_search()) s.seed(observation, scan);
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
-  s.hindsight.remember(observation, s.keyframe, s.novelty(), best_nat);
+  s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), best_nat);
   const PoseEstimate estimate = s.estimate();
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
@@ -138,14 +138,14 @@ bool Localizer::State::moved_enough(const Pose2& now) const {
          angle_between_rad(T_odom_base, now) > parts.keyframes.angle_rad;
 }
 
-/// A robot that stands, and sees something else than it should, has been carried away or turned.
+/// A robot that stands, and sees something else than it should, has been kidnapped or turned.
 bool Localizer::State::fits_no_more(const Scan& scan, const Pose2& now) const {
   if (!status.localized() || hypotheses.alive().empty()) return false;
   const Pose2 T_local_base = local_map.T_local_base_at(now);
   Hypothesis carried_on = hypotheses.alive().front().hypothesis;
   carried_on.T_map_local = carried_on.T_map_local * T_local_base * local_map.T_local_base().inverse();
   const Observation seen = observe(scan, {});
-  return !seen.points.empty() && change.alarming(judge.decide(carried_on, seen));
+  return !seen.points.empty() && change.alarming(ensemble.decide(carried_on, seen));
 }
 
 std::vector<Feature> Localizer::State::detect(const Scan& scan) {
@@ -173,11 +173,11 @@ Observation Localizer::State::observe(const Scan& scan, const std::vector<Featur
                           thinned_bearings(scan.free_bearings_rad, T_base_laser, kFreeBeams),
                           scan.range_max_m, T_base_laser.position(), {}, std::move(seen.beams)};
   for (const Feature& feature : features) observation.features.push_back(transformed(T_base_laser, feature));
-  observation.patches = local_map.patches(observation.points);
+  observation.evidence_cells = local_map.evidence_cells(observation.points);
   return observation;
 }
 
-double Localizer::State::novelty() const {
+double Localizer::State::tempering_weight() const {
   if (!started) return 1;
   return std::clamp(step_m / options.novelty_m + turn_rad / options.novelty_rad, options.least_novelty, 1.0);
 }
@@ -186,7 +186,7 @@ PoseEstimate Localizer::State::estimate() {
   StageClock clock(times.status_s);
   const auto& all = hypotheses.alive();
   const double unmapped_m = all.empty() ? 0 : unmapped_walls_m(local_map, *parts.map, all.front().hypothesis.T_map_local);
-  return status.estimate(all, local_map.T_local_base(), stamp_s, {novelty(), change.probability(), unmapped_m});
+  return status.estimate(all, local_map.T_local_base(), stamp_s, {tempering_weight(), change.probability(), unmapped_m});
 }
 
 void Localizer::State::track(const Observation& observation, const Scan& scan) {
@@ -196,7 +196,7 @@ void Localizer::State::track(const Observation& observation, const Scan& scan) {
   if (started && !local_map.last_match().converged && (step_m > 0.2 || turn_rad > 0.1))
     window = {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
   const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints).points;
-  hypotheses.track(observation, novelty(), coarse, window);
+  hypotheses.track(observation, tempering_weight(), coarse, window);
 }
 
 /// Asks whether the robot is still where the best hypothesis has it.
@@ -205,17 +205,17 @@ void Localizer::State::watch() {
   if (hypotheses.alive().empty()) return change.reset();
   const Live& best = hypotheses.alive().front();
   const bool suspected = change.suspected().has_value();
-  const bool established = status.believed() || best.carried_after >= 0;
-  change.add({keyframe, novelty(), local_map.last_match().inlier_share, best.scan_nat,
+  const bool established = status.believed() || best.kidnapped_after >= 0;
+  change.add({keyframe, tempering_weight(), local_map.last_match().inlier_share, best.scan_nat,
               best.hypothesis.log_likelihood, established});
-  hindsight.suspect(change.suspected());
+  retrospective.suspect(change.suspected());
   search_now = !suspected && change.suspected().has_value();
 }
 
-/// Once the best hypothesis by which the robot was carried away stands for itself, what was before is over.
+/// Once the best hypothesis by which the robot was kidnapped stands for itself, what was before is over.
 void Localizer::State::settle() {
-  if (!status.localized() || hypotheses.alive().front().carried_after < 0) return;
-  hindsight.forget_until(hypotheses.alive().front().carried_after);
+  if (!status.localized() || hypotheses.alive().front().kidnapped_after < 0) return;
+  retrospective.forget_until(hypotheses.alive().front().kidnapped_after);
   status.settle(hypotheses.settle());
 }
 
@@ -230,8 +230,8 @@ int Localizer::State::searched_every() const {
   return likely && !search_now ? options.seed_every_when_likely : 1;
 }
 
-std::vector<SeedFeature> Localizer::State::seed_features(const Observation& observation) const {
-  std::vector<SeedFeature> seeds;
+std::vector<SearchFeature> Localizer::State::seed_features(const Observation& observation) const {
+  std::vector<SearchFeature> seeds;
   if (options.seed_from_stable) {
     const Pose2 T_base_local = local_map.T_local_base().inverse();
     for (const LocalFeature& local : local_map.features())
@@ -245,15 +245,15 @@ std::vector<SeedFeature> Localizer::State::seed_features(const Observation& obse
 
 void Localizer::State::verify(std::vector<Candidate>& candidates, const Observation& full, const Scan& scan,
                               std::size_t keep) {
-  // Two sieves: a few beams for all candidates, all beams for those that look good.
+  // Two coarse-to-fine filters: a few beams for all candidates, all beams for those that look good.
   constexpr double kOnePlace_m = 0.2;
   Observation few{local_map, thinned(scan.points, parts.laser.T_base_laser, 0.1, kCoarsePoints).points, {},
                   full.range_max_m, full.laser_position, full.features};
-  few.patches = local_map.patches(few.points);
-  for (Candidate& candidate : candidates) candidate.score = judge.decide(aligned(candidate, few, 0.15), few);
+  few.evidence_cells = local_map.evidence_cells(few.points);
+  for (Candidate& candidate : candidates) candidate.score = ensemble.decide(aligned(candidate, few, 0.15), few);
   keep_best(candidates, kOnePlace_m, keep);
   for (Candidate& candidate : candidates) {
-    candidate.verdict = judge.judge(aligned(candidate, full, 0.12), full);
+    candidate.verdict = ensemble.judge(aligned(candidate, full, 0.12), full);
     candidate.score = candidate.verdict.nat;
   }
   keep_best(candidates, kOnePlace_m, keep);
@@ -291,7 +291,7 @@ void Localizer::State::keep_best(std::vector<Candidate>& candidates, double dist
 
 /// Patterns with a free parameter have many candidates: they are looked up where those that fix the pose found
 /// nothing good, and no hypothesis has gathered evidence yet.
-bool Localizer::State::worth_loose_search(const std::vector<Candidate>& found) const {
+bool Localizer::State::worth_under_constrained_search(const std::vector<Candidate>& found) const {
   const bool found_good = !found.empty() && found.front().score >= options.loose_below_nat;
   const auto& alive_now = hypotheses.alive();
   const bool tracked_good =
@@ -303,16 +303,16 @@ void Localizer::State::seed(const Observation& observation, const Scan& scan) {
   constexpr std::size_t kFewestPoints = 15;
   if (observation.points.size() < kFewestPoints) return;
   const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints).points;
-  const std::vector<SeedFeature> features = seed_features(observation);
+  const std::vector<SearchFeature> features = seed_features(observation);
   std::vector<Candidate> candidates;
-  std::vector<Seeder::LookedUp> looked_up;
+  std::vector<CandidateGenerator::LookedUp> looked_up;
   std::size_t places = 0;
-  for (const bool loose : {false, true}) {
-    if (loose && !worth_loose_search(candidates)) break;
-    Seeder::Proposal proposed;
+  for (const bool under_constrained : {false, true}) {
+    if (under_constrained && !worth_under_constrained_search(candidates)) break;
+    CandidateGenerator::Proposal proposed;
     {
       StageClock clock(times.associate_s);
-      proposed = seeder.propose(features, coarse, loose);
+      proposed = generator.propose(features, coarse, under_constrained);
     }
     StageClock clock(times.verify_s);
     places += proposed.candidates.size();
@@ -325,10 +325,10 @@ void Localizer::State::seed(const Observation& observation, const Scan& scan) {
     std::stable_sort(candidates.begin(), candidates.end(), better_score);
     if (candidates.size() > static_cast<std::size_t>(options.seed_hypotheses))
       candidates.resize(options.seed_hypotheses);
-    hypotheses.adopt(std::move(candidates), observation, novelty(), hindsight);
+    hypotheses.spawn(std::move(candidates), observation, tempering_weight(), retrospective);
   }
   schedule.searched(std::transform_reduce(looked_up.begin(), looked_up.end(), std::size_t{0}, std::plus<>(),
-                                          [](const Seeder::LookedUp& pattern) { return pattern.expected; }));
+                                          [](const CandidateGenerator::LookedUp& pattern) { return pattern.expected; }));
   journal.searched(looked_up, places);
 }
 
@@ -364,7 +364,7 @@ PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) co
 void Localizer::reset() {
   State& s = *state_;
   s.local_map.clear();
-  s.hindsight.clear();
+  s.retrospective.clear();
   s.hypotheses.clear();
   s.change.reset();
   s.search_now = false;
@@ -392,7 +392,7 @@ std::map<std::string, Score> Localizer::scores_of(int hypothesis) const {
   for (const Live& live : state_->hypotheses.alive())
     if (live.hypothesis.id == hypothesis)
       for (std::size_t k = 0; k < live.scores.size(); ++k)
-        scores[state_->judge.scorers()[k].name] = live.scores[k];
+        scores[state_->ensemble.scorers()[k].name] = live.scores[k];
   return scores;
 }
 

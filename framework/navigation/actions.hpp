@@ -13,7 +13,7 @@ namespace opal::behaviours {
 class Rotate : public Node {
  public:
   Rotate(double turns, double turn_radps) : turns_(turns), turn_radps_(turn_radps) {}
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
   void halt() override { before_.reset(); }
 
  private:
@@ -26,7 +26,7 @@ class Rotate : public Node {
 class BackOff : public Node {
  public:
   explicit BackOff(double distance_m) : distance_m_(distance_m) {}
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
   void halt() override { target_odom_.reset(); }
 
  private:
@@ -41,11 +41,11 @@ class DriveFreely : public Node {
  public:
   /// @param distance_m  after which it succeeds; 0: never.
   explicit DriveFreely(double distance_m) : distance_m_(distance_m) {}
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
   void halt() override;
 
  private:
-  Point choose(const Situation& situation) const;
+  Point choose(const Blackboard& blackboard) const;
 
   double distance_m_;
   std::optional<Point> target_odom_;
@@ -57,14 +57,14 @@ class DriveFreely : public Node {
 /// Asks localization to forget of its local map all but the pattern of the best hypothesis. Fails if there is none.
 class KeepPattern : public Node {
  public:
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
 };
 
 /// Drives between the first two features of the best hypothesis' pattern, to see both well (Hendrikx 2023, 4.4.2). Fails
 /// if there are none, or no way leads there.
 class DriveBetweenFeatures : public Node {
  public:
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
   void halt() override { target_odom_.reset(); }
 
  private:
@@ -77,12 +77,12 @@ class DriveBetweenFeatures : public Node {
 class Disambiguate : public Node {
  public:
   explicit Disambiguate(const DisambiguateOptions& options) : options_(options) {}
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
   void halt() override;
 
  private:
-  bool has_new_rivals(const PoseEstimate& estimate) const;
-  bool choose(Situation& situation);
+  bool has_new_alternatives(const PoseEstimate& estimate) const;
+  bool choose(Blackboard& blackboard);
 
   DisambiguateOptions options_;
   std::vector<Point> visited_odom_;  ///< places that were expected to help
@@ -96,7 +96,7 @@ class Disambiguate : public Node {
 class GoToGoal : public Node {
  public:
   explicit GoToGoal(double arrived_m) : arrived_m_(arrived_m) {}
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
   void halt() override { drive_.reset(); }
 
  private:

@@ -2,12 +2,12 @@
 
 namespace opal::behaviours {
 
-Outcome Succession::tick(Situation& situation) {
+NodeStatus ControlFlow::tick(Blackboard& blackboard) {
   for (std::size_t k = memory_ == Memory::starts_over ? 0 : at_; k < children_.size(); ++k) {
-    const Outcome outcome = children_[k]->tick(situation);
+    const NodeStatus outcome = children_[k]->tick(blackboard);
     if (outcome == go_on_) continue;
     halt_but(k);
-    at_ = outcome == Outcome::running ? k : 0;
+    at_ = outcome == NodeStatus::running ? k : 0;
     return outcome;
   }
   at_ = 0;
@@ -15,22 +15,22 @@ Outcome Succession::tick(Situation& situation) {
 }
 
 /// Where a child before the running one has taken over.
-void Succession::halt_but(std::size_t running) {
+void ControlFlow::halt_but(std::size_t running) {
   for (std::size_t k = running + 1; k < children_.size(); ++k) children_[k]->halt();
 }
 
-void Succession::halt() {
+void ControlFlow::halt() {
   at_ = 0;
   for (const auto& child : children_) child->halt();
 }
 
-Outcome Inverter::tick(Situation& situation) {
-  switch (child_->tick(situation)) {
-    case Outcome::success: return Outcome::failure;
-    case Outcome::failure: return Outcome::success;
-    case Outcome::running: break;
+NodeStatus Inverter::tick(Blackboard& blackboard) {
+  switch (child_->tick(blackboard)) {
+    case NodeStatus::success: return NodeStatus::failure;
+    case NodeStatus::failure: return NodeStatus::success;
+    case NodeStatus::running: break;
   }
-  return Outcome::running;
+  return NodeStatus::running;
 }
 
 }  // namespace opal::behaviours

@@ -6,22 +6,22 @@ namespace opal::behaviours {
 
 /// Ticks its children one after the other while they come out as `go_on`; ends with the first that comes out otherwise,
 /// or as `go_on` after the last.
-class Succession : public Node {
+class ControlFlow : public Node {
  public:
   enum class Memory {
     keeps_place,  ///< goes on at the child that was running
     starts_over   ///< asks all children before it again, and halts it if one of them now ends the succession
   };
-  Succession(Outcome go_on, Memory memory, Children children)
+  ControlFlow(NodeStatus go_on, Memory memory, Children children)
       : go_on_(go_on), memory_(memory), children_(std::move(children)) {}
 
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
   void halt() override;
 
  private:
   void halt_but(std::size_t running);
 
-  Outcome go_on_;
+  NodeStatus go_on_;
   Memory memory_;
   Children children_;
   std::size_t at_ = 0;
@@ -31,7 +31,7 @@ class Succession : public Node {
 class Inverter : public Node {
  public:
   explicit Inverter(std::unique_ptr<Node> child) : child_(std::move(child)) {}
-  Outcome tick(Situation& situation) override;
+  NodeStatus tick(Blackboard& blackboard) override;
   void halt() override { child_->halt(); }
 
  private:
@@ -41,14 +41,14 @@ class Inverter : public Node {
 /// Comes out as given once its child has ended.
 class Forced : public Node {
  public:
-  Forced(Outcome outcome, std::unique_ptr<Node> child) : outcome_(outcome), child_(std::move(child)) {}
-  Outcome tick(Situation& situation) override {
-    return child_->tick(situation) == Outcome::running ? Outcome::running : outcome_;
+  Forced(NodeStatus outcome, std::unique_ptr<Node> child) : outcome_(outcome), child_(std::move(child)) {}
+  NodeStatus tick(Blackboard& blackboard) override {
+    return child_->tick(blackboard) == NodeStatus::running ? NodeStatus::running : outcome_;
   }
   void halt() override { child_->halt(); }
 
  private:
-  Outcome outcome_;
+  NodeStatus outcome_;
   std::unique_ptr<Node> child_;
 };
 
@@ -56,15 +56,15 @@ class Forced : public Node {
 class Once : public Node {
  public:
   explicit Once(std::unique_ptr<Node> child) : child_(std::move(child)) {}
-  Outcome tick(Situation& situation) override {
-    if (outcome_ == Outcome::running) outcome_ = child_->tick(situation);
+  NodeStatus tick(Blackboard& blackboard) override {
+    if (outcome_ == NodeStatus::running) outcome_ = child_->tick(blackboard);
     return outcome_;
   }
   void halt() override { child_->halt(); }
 
  private:
   std::unique_ptr<Node> child_;
-  Outcome outcome_ = Outcome::running;
+  NodeStatus outcome_ = NodeStatus::running;
 };
 
 }  // namespace opal::behaviours

@@ -12,7 +12,7 @@ class LocalizationQueries {
 
   /// false: localization is not there at the moment, and what follows is old. A robot then stands still.
   virtual bool answers() const { return true; }
-  /// Where the robot is, with status, rivals and their probabilities.
+  /// Where the robot is, with status, alternatives and their probabilities.
   virtual PoseEstimate estimate() const = 0;
   /// The newest scan, laser frame, with the odometry of its stamp.
   virtual const Scan& newest_scan() const = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "navigation/situation.hpp"
+#include "navigation/blackboard.hpp"
 
 #include <memory>
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace opal::behaviours {
 
-enum class Outcome { running, success, failure };
+enum class NodeStatus { running, success, failure };
 
 /// A node of a behaviour tree (Colledanchise and Ögren 2018). It is ticked until it has succeeded or failed; then the next
 /// tick begins anew.
 class Node {
  public:
   virtual ~Node() = default;
-  virtual Outcome tick(Situation& situation) = 0;
+  virtual NodeStatus tick(Blackboard& blackboard) = 0;
   /// Gives up what is running: the next tick begins anew. Nothing happens if nothing is running.
   virtual void halt() {}
 };

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "navigation/situation.hpp"
+#include "navigation/blackboard.hpp"
 
 namespace opal::behaviours {
 
 /// What has been seen makes the floor dear where the robot has no room for it, and near what is not mapped, and where it got stuck; frame `map`,
 /// by the best hypothesis.
-FloorGrid::Surcharge unmapped_surcharge(const Situation& situation);
+FloorGrid::Surcharge unmapped_surcharge(const Blackboard& blackboard);
 
 /// Follows a path, frame odom, by motion primitives.
 class PathDrive {
@@ -15,9 +15,9 @@ class PathDrive {
   /// @param T_odom_map  turns a path in the map frame into one in the odom frame.
   PathDrive(const Pose2& T_odom_map, const std::vector<Point>& path_map);
 
-  bool arrived(const Situation& situation, double within_m) const;
+  bool arrived(const Blackboard& blackboard, double within_m) const;
   /// Asks the situation for the next velocity.
-  void drive(Situation& situation);
+  void drive(Blackboard& blackboard);
   const std::vector<Point>& path() const { return path_; }
 
  private:

@@ -6,38 +6,38 @@ namespace opal::behaviours {
 namespace {
 
 using Arity = NodeRegistry::Arity;
-using Memory = Succession::Memory;
+using Memory = ControlFlow::Memory;
 
 /// Asks something and is done.
 class Condition : public Node {
  public:
-  using Question = bool (*)(const Situation&);
+  using Question = bool (*)(const Blackboard&);
   explicit Condition(Question question) : question_(question) {}
-  Outcome tick(Situation& situation) override { return question_(situation) ? Outcome::success : Outcome::failure; }
+  NodeStatus tick(Blackboard& blackboard) override { return question_(blackboard) ? NodeStatus::success : NodeStatus::failure; }
 
  private:
   Question question_;
 };
 
 void add_controls(NodeRegistry& registry) {
-  const auto succession = [&](const char* name, Outcome go_on, Memory memory) {
+  const auto succession = [&](const char* name, NodeStatus go_on, Memory memory) {
     registry.add(name, Arity::some, [=](ConfigObject&, Children children) {
-      return std::make_unique<Succession>(go_on, memory, std::move(children));
+      return std::make_unique<ControlFlow>(go_on, memory, std::move(children));
     });
   };
-  succession("opal:Sequence", Outcome::success, Memory::keeps_place);
-  succession("opal:ReactiveSequence", Outcome::success, Memory::starts_over);
-  succession("opal:Fallback", Outcome::failure, Memory::keeps_place);
-  succession("opal:ReactiveFallback", Outcome::failure, Memory::starts_over);
+  succession("opal:Sequence", NodeStatus::success, Memory::keeps_place);
+  succession("opal:ReactiveSequence", NodeStatus::success, Memory::starts_over);
+  succession("opal:Fallback", NodeStatus::failure, Memory::keeps_place);
+  succession("opal:ReactiveFallback", NodeStatus::failure, Memory::starts_over);
   registry.add("opal:Inverter", Arity::one,
                [](ConfigObject&, Children children) { return std::make_unique<Inverter>(std::move(children[0])); });
   registry.add("opal:Once", Arity::one,
                [](ConfigObject&, Children children) { return std::make_unique<Once>(std::move(children[0])); });
   registry.add("opal:ForceFailure", Arity::one, [](ConfigObject&, Children children) {
-    return std::make_unique<Forced>(Outcome::failure, std::move(children[0]));
+    return std::make_unique<Forced>(NodeStatus::failure, std::move(children[0]));
   });
   registry.add("opal:ForceSuccess", Arity::one, [](ConfigObject&, Children children) {
-    return std::make_unique<Forced>(Outcome::success, std::move(children[0]));
+    return std::make_unique<Forced>(NodeStatus::success, std::move(children[0]));
   });
 }
 
@@ -45,10 +45,10 @@ void add_conditions(NodeRegistry& registry) {
   const auto condition = [&](const char* name, Condition::Question question) {
     registry.add(name, Arity::none, [=](ConfigObject&, Children) { return std::make_unique<Condition>(question); });
   };
-  condition("opal:IsLocalized", [](const Situation& s) { return s.estimate().status == Status::localized; });
-  condition("opal:HasPose", [](const Situation& s) { return s.estimate().has_pose && s.estimate().status != Status::lost; });
-  condition("opal:HasRivals", [](const Situation& s) { return s.estimate().has_pose && !s.estimate().rivals.empty(); });
-  condition("opal:IsStuck", [](const Situation& s) { return s.is_stuck(); });
+  condition("opal:IsLocalized", [](const Blackboard& s) { return s.estimate().status == Status::localized; });
+  condition("opal:HasPose", [](const Blackboard& s) { return s.estimate().has_pose && s.estimate().status != Status::lost; });
+  condition("opal:HasAlternatives", [](const Blackboard& s) { return s.estimate().has_pose && !s.estimate().alternatives.empty(); });
+  condition("opal:IsStuck", [](const Blackboard& s) { return s.is_stuck(); });
 }
 
 void add_actions(NodeRegistry& registry) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "navigation/situation.hpp"
+#include "navigation/blackboard.hpp"
 
 #include <optional>
 #include <span>

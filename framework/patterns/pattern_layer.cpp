@@ -52,7 +52,7 @@ class PatternNames {
       taken_.insert(feature.points.begin(), feature.points.end());
     }
   }
-  /// "Binary-12" for opal:Binary.
+  /// "Binary-12" for opal:ColumnPair.
   std::string next(const std::string& pattern_template) {
     const std::string stem = pattern_template.substr(pattern_template.find_last_of(":/#") + 1) + "-";
     std::string name;

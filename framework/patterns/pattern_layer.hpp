@@ -23,7 +23,7 @@ struct PatternSummary {
   int members = 0;       ///< features that are in a pattern,
   int candidates = 0;    ///< of those whose shape could be
 };
-/// "opal:Binary: 26 patterns, 2 unique; ...": for people.
+/// "opal:ColumnPair: 26 patterns, 2 unique; ...": for people.
 OPAL_EXPORT std::string sentence_of(const PatternSummary& summary);
 
 /// Patterns in a map, template by template (Hendrikx 2023, 4.4.1).

@@ -151,7 +151,7 @@ Pose2 PoseTracker::State::search(const std::vector<Point>& points, const Pose2& 
         const Pose2 pose(around.x() + i * kStep_m, around.y() + j * kStep_m, around.heading_rad() + turn * kStep_rad);
         const double far = (std::hypot(i, j) * kStep_m) / std::max(kStep_m, window.x()) +
                            std::abs(turn) * kStep_rad / std::max(kStep_rad, window.y());
-        const double value = mean_nearness(*parts.map, points, pose) - kCostOfDistance * far;
+        const double value = likelihood_field_score(*parts.map, points, pose) - kCostOfDistance * far;
         if (value > best_value) {
           best_value = value;
           best = pose;

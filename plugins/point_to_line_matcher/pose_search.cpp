@@ -61,20 +61,20 @@ class Search {
 
   void rate_heading(double turn_rad) {
     const int stride_x = stride(x_), stride_y = stride(y_);
-    sum_nearness(Pose2(guess_.position(), guess_.heading_rad() + turn_rad), stride_x, stride_y);
+    sum_likelihood_field(Pose2(guess_.position(), guess_.heading_rad() + turn_rad), stride_x, stride_y);
     for (int j = 0; j < y_.all(); ++j)
       for (int i = 0; i < x_.all(); ++i)
         rate(sums_[j][i], (i - x_.count) * stride_x, (j - y_.count) * stride_y, turn_rad);
   }
 
   /// Of all points, at every shift, row by row: neighbouring shifts find neighbouring cells.
-  void sum_nearness(const Pose2& turned, int stride_x, int stride_y) {
+  void sum_likelihood_field(const Pose2& turned, int stride_x, int stride_y) {
     cells_.clear();
     for (const Point& point : scan_) {
       const Point moved = turned * point;
       cells_.push_back({grid_.column_of(moved.x()) - x_.count * stride_x, grid_.row_of(moved.y()) - y_.count * stride_y});
     }
-    for (int j = 0; j < y_.all(); ++j) sums_[j] = grid_.sum_nearness(cells_, j * stride_y, stride_x, x_.all());
+    for (int j = 0; j < y_.all(); ++j) sums_[j] = grid_.sum_likelihood_field(cells_, j * stride_y, stride_x, x_.all());
   }
 
   void rate(float near, int column_shift, int row_shift, double turn_rad) {
@@ -102,7 +102,7 @@ class Search {
   Steps x_, y_;
   std::vector<ReferenceGrid::Cell> cells_;  ///< where the points lie at the lowest shift
   static_assert(2 * kMostSteps + 1 <= ReferenceGrid::kMostSums);
-  std::array<ReferenceGrid::Sums, 2 * kMostSteps + 1> sums_;  ///< nearness, by y and x
+  std::array<ReferenceGrid::Sums, 2 * kMostSteps + 1> sums_;  ///< likelihood-field score, by y and x
   Candidate best_, second_;
 };
 

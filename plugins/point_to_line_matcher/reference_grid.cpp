@@ -68,7 +68,7 @@ void ReferenceGrid::lay_out(std::span<const Point> reference) {
   rows_ = static_cast<int>(size.y() / cell_m_) + 1;
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   surfel_of_.assign(cells, kNone);
-  nearness_.assign(cells + kMostSums, 0);
+  likelihood_field_.assign(cells + kMostSums, 0);
 }
 
 /// One surfel per occupied cell. Scans seen from either side of a wall have opposite normals: they are turned alike.
@@ -104,46 +104,46 @@ void ReferenceGrid::spread(std::uint32_t index) {
   for (int c = 0; c < count; ++c) across[c] = squared(origin_.x() + cell_m_ * (first + c + 0.5) - mean.x());
   for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r) {
     const double along = squared(origin_.y() + cell_m_ * (r + 0.5) - mean.y());
-    float* nearness = &nearness_[cell(first, r)];
+    float* likelihood_field = &likelihood_field_[cell(first, r)];
     std::uint32_t* surfel = &surfel_of_[cell(first, r)];
     for (int c = 0; c < count; ++c) {
       // No branch: which cells are nearer is nothing that a processor could guess.
       const double near = 1 - (across[c] + along) / (kReach_m * kReach_m);
-      const bool nearer = near > nearness[c];
-      nearness[c] = nearer ? static_cast<float>(near) : nearness[c];
+      const bool nearer = near > likelihood_field[c];
+      likelihood_field[c] = nearer ? static_cast<float>(near) : likelihood_field[c];
       surfel[c] = nearer ? index : surfel[c];
     }
   }
 }
 
-ReferenceGrid::Sums ReferenceGrid::sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const {
-  return count <= kMostSums / 2 ? sum_nearness<kMostSums / 2>(cells, rows, step, count)
-                                : sum_nearness<kMostSums>(cells, rows, step, count);
+ReferenceGrid::Sums ReferenceGrid::sum_likelihood_field(std::span<const Cell> cells, int rows, int step, int count) const {
+  return count <= kMostSums / 2 ? sum_likelihood_field<kMostSums / 2>(cells, rows, step, count)
+                                : sum_likelihood_field<kMostSums>(cells, rows, step, count);
 }
 
 /// Sums stay in the processor's registers, which takes a number of them that is known beforehand.
 template <int kSums>
-ReferenceGrid::Sums ReferenceGrid::sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const {
+ReferenceGrid::Sums ReferenceGrid::sum_likelihood_field(std::span<const Cell> cells, int rows, int step, int count) const {
   using Row = Eigen::Array<float, kSums, 1>;
   Row sums = Row::Zero();
   for (const auto& [column, first_row] : cells) {
     const int row = first_row + rows;
     if (row < 0 || row >= rows_) continue;
     if (step == 1 && column >= 0 && column + count <= columns_)  // nearly always
-      sums += Eigen::Map<const Row>(&nearness_[cell(column, row)]);
+      sums += Eigen::Map<const Row>(&likelihood_field_[cell(column, row)]);
     else
-      sums += nearness_cell_by_cell(column, row, step, count).template head<kSums>();
+      sums += likelihood_field_cell_by_cell(column, row, step, count).template head<kSums>();
   }
   Sums all = Sums::Zero();
   all.template head<kSums>() = sums;
   return all;
 }
 
-ReferenceGrid::Sums ReferenceGrid::nearness_cell_by_cell(int column, int row, int step, int count) const {
-  Sums nearness = Sums::Zero();
+ReferenceGrid::Sums ReferenceGrid::likelihood_field_cell_by_cell(int column, int row, int step, int count) const {
+  Sums likelihood_field = Sums::Zero();
   for (int k = 0; k < count; ++k)
-    if (const int c = column + k * step; c >= 0 && c < columns_) nearness[k] = nearness_[cell(c, row)];
-  return nearness;
+    if (const int c = column + k * step; c >= 0 && c < columns_) likelihood_field[k] = likelihood_field_[cell(c, row)];
+  return likelihood_field;
 }
 
 }  // namespace opal::point_to_line

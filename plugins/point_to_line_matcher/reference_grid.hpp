@@ -46,7 +46,7 @@ class ReferenceGrid {
   using Sums = Eigen::Array<float, kMostSums, 1>;
   /// Of all cells, `rows` rows on, how near the reference is to column + k * step: 1 on it, 0 from kReach_m on; for
   /// k < count, at most kMostSums. Sums from there on mean nothing.
-  Sums sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const;
+  Sums sum_likelihood_field(std::span<const Cell> cells, int rows, int step, int count) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
@@ -58,16 +58,16 @@ class ReferenceGrid {
   void gather(std::span<const Point> reference);
   void spread(std::uint32_t surfel);
   template <int kSums>
-  Sums sum_nearness(std::span<const Cell> cells, int rows, int step, int count) const;
-  Sums nearness_cell_by_cell(int column, int row, int step, int count) const;
+  Sums sum_likelihood_field(std::span<const Cell> cells, int rows, int step, int count) const;
+  Sums likelihood_field_cell_by_cell(int column, int row, int step, int count) const;
 
   Point origin_ = Point::Zero();
   double cell_m_ = 0.1;
   int columns_ = 0;
   int rows_ = 0;
-  // By cell. Apart from each other, since a search reads nothing but nearness, along rows.
+  // By cell. Apart from each other, since a search reads nothing but likelihood-field score, along rows.
   std::vector<std::uint32_t> surfel_of_;
-  std::vector<float> nearness_;  ///< and kMostSums more, since that many are read at a time
+  std::vector<float> likelihood_field_;  ///< and kMostSums more, since that many are read at a time
   std::vector<Surfel> surfels_;
 };
 

@@ -12,7 +12,7 @@ double worth(double amount, double enough) { return amount / (1 + amount / enoug
 }  // namespace
 
 struct BeamScorer::Tally {
-  SumsByThing matched;  ///< beams that end on a mapped surface, by patch of the local map
+  SumsByThing matched;  ///< beams that end on a mapped surface, by evidence cell of the local map
   SumsByThing lines;    ///< the same by the surface's line, with those beyond an absent object
   SumsByThing ends;     ///< ends of faces that were seen where the map has one, by FaceEnd::number
   SumsByThing ended_lines;  ///< what these sightings are worth, by the mapped face's line
@@ -46,16 +46,16 @@ BeamScorer::BeamScorer(const nlohmann::json& options)
       end_gate_{options.at("end_along_m"), options.at("end_across_m"), options.at("end_angle_rad")},
       min_beams_(options.at("min_beams")) {}
 
-double BeamScorer::nearness(double distance_m, double range_m) const {
+double BeamScorer::likelihood_field(double distance_m, double range_m) const {
   const double z = distance_m / (sigma_m_ + sigma_per_m_ * range_m);
   return std::exp(-0.5 * z * z);
 }
 
-void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end, int patch, Tally& tally) const {
+void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end, int evidence_cell, Tally& tally) const {
   constexpr double kLeast = 0.05, kStepBack_m = 0.02, kCrossed_m = 0.1;
   const double range = (end - eye).norm();
   const int nearest = map.nearest_facing(end, end - eye);
-  const double hit = nearest < 0 ? 0 : nearness(map.surface(nearest).distance_m(end), range);
+  const double hit = nearest < 0 ? 0 : likelihood_field(map.surface(nearest).distance_m(end), range);
   ++tally.beams;
   if (hit > kLeast) tally.lines.add(map.surface(nearest).line, hit);
   const auto wall = map.first_crossing(eye, end, margin_at(range));
@@ -68,7 +68,7 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
   }
   tally.hits += hit;
   if (hit > kLeast) {
-    tally.matched.add(patch, hit);
+    tally.matched.add(evidence_cell, hit);
     tally.ended.add(map.surface(nearest).object, hit);
   }
   if (hit > 1 - kLeast) return;
@@ -79,7 +79,7 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
     tally.early += 1 - hit;
   else if (next.range_m < other_side_m_) {
     tally.other_side += 1 - hit;
-    tally.matched.add(patch, 1 - hit);
+    tally.matched.add(evidence_cell, 1 - hit);
     tally.lines.add(map.surface(next.feature).line, 1 - hit);
   }
 }
@@ -142,9 +142,9 @@ BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const 
   const Point eye = T_map_base * observation.laser_position;
   Tally tally;
   std::vector<int> as_now;
-  if (observation.patches.empty()) as_now = observation.local_map.patches(observation.points);
-  const std::vector<int>& patches = observation.patches.empty() ? as_now : observation.patches;
-  for (std::size_t k = 0; k < observation.points.size(); ++k) judge_return(map, eye, T_map_base * observation.points[k], patches[k], tally);
+  if (observation.evidence_cells.empty()) as_now = observation.local_map.evidence_cells(observation.points);
+  const std::vector<int>& evidence_cells = observation.evidence_cells.empty() ? as_now : observation.evidence_cells;
+  for (std::size_t k = 0; k < observation.points.size(); ++k) judge_return(map, eye, T_map_base * observation.points[k], evidence_cells[k], tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
   if (end_ > 0)
@@ -159,7 +159,7 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const opal::Encounters& before = hypothesis.encounters;
   const double n = std::max(tally.beams, min_beams_), each = 100 / n;
   opal::Encounters now;
-  const double matched = news(tally.matched, each, enough_, before.patches_met, now.patches_met);
+  const double matched = news(tally.matched, each, enough_, before.cells_met, now.cells_met);
   const double lines = news(tally.lines, each, enough_, before.lines_met, now.lines_met);
   const double ends = news(tally.ended_lines, 1, enough_ends_, before.lines_ended, now.lines_ended);
   const double passed = news(tally.passed, each, enough_, before.objects_passed, now.objects_passed);

@@ -7,7 +7,7 @@
 /// Lack of fit of the newest associations under the hypothesis' registration (Hendrikx 2023, eq. 3.14), and the heuristic
 /// probability of an association with nothing on the map (table 3.1). Both as a ratio against "all of this is clutter",
 /// which divides every hypothesis of a tree's level by the same number: an association with nothing on the map says
-/// nothing, a matched one ln(1 / p(*)) less its lack of fit. So hypotheses that were born at different times compare.
+/// nothing, a matched one ln(1 / p(*)) less its lack of fit. So hypotheses that were spawned at different times compare.
 class LackOfFitScorer final : public opal::HypothesisScorer {
  public:
   explicit LackOfFitScorer(const nlohmann::json& options);

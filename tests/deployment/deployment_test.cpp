@@ -183,10 +183,10 @@ TEST_CASE("without lists in the deployment, the map decides what runs") {
   const LocalizerParts walls = build_parts(parsed(""), registry, room(false));
   CHECK_THAT(names_of(walls.detectors), Catch::VectorContains(std::string("opal:LineDetector")));
   CHECK_THAT(names_of(walls.detectors), !Catch::VectorContains(std::string("opal:CircleDetector")));
-  CHECK_THAT(names_of(walls.patterns), !Catch::VectorContains(std::string("opal:Binary")));
+  CHECK_THAT(names_of(walls.patterns), !Catch::VectorContains(std::string("opal:ColumnPair")));
   const LocalizerParts hall = build_parts(parsed(""), registry, room(true));
   CHECK_THAT(names_of(hall.detectors), Catch::VectorContains(std::string("opal:CircleDetector")));
-  CHECK_THAT(names_of(hall.patterns), Catch::VectorContains(std::string("opal:Binary")));
+  CHECK_THAT(names_of(hall.patterns), Catch::VectorContains(std::string("opal:ColumnPair")));
 }
 
 TEST_CASE("a deployment narrows what the map calls for, and keeps its own order") {
@@ -200,15 +200,15 @@ TEST_CASE("a deployment narrows what the map calls for, and keeps its own order"
 
 TEST_CASE("a pattern that waits to be named runs where the deployment names it") {
   CHECK_THAT(names_of(build_parts(parsed(""), shipped_plugins(), room(true)).patterns),
-             !Catch::VectorContains(std::string("opal:BinaryColumnWall")));
-  const auto parts = build_parts(parsed(R"("patterns": [{"@type": "opal:BinaryColumnWall"}])"), shipped_plugins(), room(true));
-  CHECK(names_of(parts.patterns) == std::vector<std::string>{"opal:BinaryColumnWall"});
+             !Catch::VectorContains(std::string("opal:ColumnWallPair")));
+  const auto parts = build_parts(parsed(R"("patterns": [{"@type": "opal:ColumnWallPair"}])"), shipped_plugins(), room(true));
+  CHECK(names_of(parts.patterns) == std::vector<std::string>{"opal:ColumnWallPair"});
 }
 
 TEST_CASE("a pattern whose features no detector of the deployment produces does not run") {
   const LocalizerParts parts =
       build_parts(parsed(R"("detectors": [{"@type": "opal:LineDetector"}])"), shipped_plugins(), room(true));
-  CHECK_THAT(names_of(parts.patterns), !Catch::VectorContains(std::string("opal:Binary")));
+  CHECK_THAT(names_of(parts.patterns), !Catch::VectorContains(std::string("opal:ColumnPair")));
   CHECK_THAT(names_of(parts.patterns), Catch::VectorContains(std::string("opal:LinePair")));
 }
 

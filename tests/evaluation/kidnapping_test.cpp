@@ -2,7 +2,7 @@
 
 #include <opal/common/error.hpp>
 #include "evaluation/kidnapping.hpp"
-#include "evaluation/splice.hpp"
+#include "evaluation/kidnapping_sequence.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -36,9 +36,9 @@ std::vector<Sample> samples(double from_s, int count, const Pose2& T_odom_start)
 
 }  // namespace
 
-TEST_CASE("a splice tells nothing of the cut: odometry stands still, stamps go on, each part moves as it did") {
+TEST_CASE("a sequence tells nothing of the cut: odometry stands still, stamps go on, each part moves as it did") {
   const auto before = samples(10, 20, Pose2(3, -2, 1)), after = samples(500, 15, Pose2(-40, 7, -2.5));
-  const SplicedLog log = spliced(before, after);
+  const KidnappingLog log = with_kidnapping(before, after);
   REQUIRE(log.samples.size() == 35);
   REQUIRE(log.cut == 20);
   const Pose2 over_the_cut = log.samples[19].T_odom_base.inverse() * log.samples[20].T_odom_base;
@@ -53,37 +53,37 @@ TEST_CASE("a splice tells nothing of the cut: odometry stands still, stamps go o
     CHECK(angle_between_rad(was, is) < 1e-9);
     CHECK(log.recorded_s[20 + k] == after[k].scan.stamp_s);
   }
-  CHECK(spliced(before, {}).samples.size() == 20);
-  CHECK(spliced({}, after).cut == 0);
+  CHECK(with_kidnapping(before, {}).samples.size() == 20);
+  CHECK(with_kidnapping({}, after).cut == 0);
 }
 
-TEST_CASE("splices join places that are far apart, and the same seed draws the same ones") {
+TEST_CASE("sequences join places that are far apart, and the same seed draws the same ones") {
   const GroundTruth truth = straight_drive();
   const std::vector<Query> queries{{"q1", 0, 40}, {"q2", 30, 100}};
-  SpliceOptions options;
+  KidnappingSequenceOptions options;
   options.count = 40;
-  const auto splices = draw_splices("hall", queries, truth, options);
-  REQUIRE(splices.size() == 40);
-  for (const Splice& s : splices) {
+  const auto sequences = draw_kidnapping_sequences("hall", queries, truth, options);
+  REQUIRE(sequences.size() == 40);
+  for (const KidnappingSequence& s : sequences) {
     CHECK(s.apart_m > options.least_apart_m);
     CHECK(s.apart_m == Approx(std::abs(s.after.start_s - s.before.end_s)));
     CHECK(s.before.end_s - s.before.start_s >= options.before_m);
     CHECK(s.after.end_s - s.after.start_s >= options.after_m - 1);
   }
-  CHECK(splices[0].id == "hall-splice01");
-  const auto again = draw_splices("hall", queries, truth, options);
-  CHECK(again[17].before.end_s == splices[17].before.end_s);
+  CHECK(sequences[0].id == "hall-splice01");
+  const auto again = draw_kidnapping_sequences("hall", queries, truth, options);
+  CHECK(again[17].before.end_s == sequences[17].before.end_s);
   options.seed = 2;
-  CHECK(draw_splices("hall", queries, truth, options)[17].before.end_s != splices[17].before.end_s);
+  CHECK(draw_kidnapping_sequences("hall", queries, truth, options)[17].before.end_s != sequences[17].before.end_s);
   options.count = 0;
-  CHECK(draw_splices("hall", queries, truth, options).size() == queries.size());
+  CHECK(draw_kidnapping_sequences("hall", queries, truth, options).size() == queries.size());
 }
 
 TEST_CASE("a place too small for a kidnapping is an error that says so") {
   const GroundTruth truth = straight_drive();
-  CHECK_THROWS_WITH(draw_splices("closet", std::vector<Query>{{"q1", 0, 4}}, truth, {}),
+  CHECK_THROWS_WITH(draw_kidnapping_sequences("closet", std::vector<Query>{{"q1", 0, 4}}, truth, {}),
                     Catch::Contains("closet") && Catch::Contains("5.0"));
-  CHECK_THROWS_AS(draw_splices("dark", std::vector<Query>{{"q1", 500, 600}}, truth, {}), ConfigError);
+  CHECK_THROWS_AS(draw_kidnapping_sequences("dark", std::vector<Query>{{"q1", 500, 600}}, truth, {}), ConfigError);
 }
 
 TEST_CASE("a kidnapping that is noticed at once and recovered from") {
@@ -103,7 +103,7 @@ TEST_CASE("a kidnapping that is noticed at once and recovered from") {
   CHECK(v.driven_m == Approx(29));
 }
 
-TEST_CASE("vouching for the old place is not honest, however soon it ends") {
+TEST_CASE("calling the old place localized is not honest, however soon it ends") {
   std::vector<ResultRow> rows{row(9, 0.1, Status::localized), row(50, 30, Status::localized)};
   for (int t = 51; t < 80; ++t) rows.push_back(row(t, 0.2, Status::localized));
   const KidnappingVerdict v = judge_kidnapping(rows, 1, straight_drive());

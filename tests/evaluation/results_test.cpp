@@ -37,12 +37,12 @@ TEST_CASE("result rows are what the benchmark reads, and read back as they were"
   CHECK(distance_m(read[0].T_map_laser, rows[0].T_map_laser) < 1e-9);
 }
 
-TEST_CASE("rivals read back as they were; what is not finite is not written") {
+TEST_CASE("alternatives read back as they were; what is not finite is not written") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::ostringstream out;
-  write_rivals(out, std::vector<RivalRow>{{"q", 1, Pose2(3, 4, 1), 0.125}, {"q", 2, Pose2(nan, 0, 0), 0.5}});
+  write_alternatives(out, std::vector<AlternativeRow>{{"q", 1, Pose2(3, 4, 1), 0.125}, {"q", 2, Pose2(nan, 0, 0), 0.5}});
   const TextFile file(out.str());
-  const auto read = read_rivals(file.path());
+  const auto read = read_alternatives(file.path());
   REQUIRE(read.size() == 1);
   CHECK(read[0].probability == 0.125);
 }

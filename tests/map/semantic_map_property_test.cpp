@@ -80,7 +80,7 @@ class RandomMap {
   }
 
   MapPattern pattern(int number) {
-    MapPattern made{name("pattern"), pick({"opal:Binary", "acme:Row"}), {}};
+    MapPattern made{name("pattern"), pick({"opal:ColumnPair", "acme:Row"}), {}};
     const int first = count(0, static_cast<int>(features_.size()) - 1);
     for (std::size_t i = 0; i < features_.size(); ++i)
       if (features_[i].sensor == features_[first].sensor && (static_cast<int>(i) == first || count(0, 2) == 0))

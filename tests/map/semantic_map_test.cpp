@@ -120,10 +120,10 @@ TEST_CASE("a pattern of a map has members of one sensor and parts that are no ci
   const auto make = [&](const std::vector<MapPattern>& patterns) {
     return SemanticMap::make("t", objects, features, patterns);
   };
-  CHECK(make({{"p", "opal:Binary", {1, 0}, {}, {4}}})->patterns()[0].features == std::vector<int>{1, 0});
-  CHECK_THROWS_WITH(make({{"p", "opal:Binary", {0, 2}}}), Catch::Contains("feature number 2, expected one of 2"));
-  CHECK_THROWS_WITH(make({{"p", "opal:Binary", {}}}), Catch::Contains("has no features"));
-  CHECK_THROWS_WITH(make({{"p", "opal:Binary", {0}, {"q"}}}), Catch::Contains("subpattern 'q', expected the id"));
+  CHECK(make({{"p", "opal:ColumnPair", {1, 0}, {}, {4}}})->patterns()[0].features == std::vector<int>{1, 0});
+  CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {0, 2}}}), Catch::Contains("feature number 2, expected one of 2"));
+  CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {}}}), Catch::Contains("has no features"));
+  CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {0}, {"q"}}}), Catch::Contains("subpattern 'q', expected the id"));
   CHECK_THROWS_WITH(make({{"p", "opal:A", {0}, {"q"}}, {"q", "opal:A", {0}, {"p"}}}), Catch::Contains("expected no cycle"));
   CHECK_THROWS_WITH(make({{"p", "opal:A", {0}, {}, {kNaN}}}), Catch::Contains("dimension null, expected a finite number"));
 }
@@ -146,7 +146,7 @@ TEST_CASE("the example room is read with its topology, qualities and pattern") {
   CHECK(at("west_face").position_sigma_m == 0.05);
   CHECK(std::get<Circle>(at("column_1_rim").geometry).radius_m == 0.25);
   REQUIRE(map->patterns().size() == 1);
-  CHECK(map->patterns()[0].pattern_template == "opal:Binary");
+  CHECK(map->patterns()[0].pattern_template == "opal:ColumnPair");
   CHECK(map->features()[map->patterns()[0].features[1]].id == "column_2_rim");
   CHECK(map->unused().empty());
 }

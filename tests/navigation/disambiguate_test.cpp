@@ -1,4 +1,4 @@
-#include "made_up.hpp"
+#include "synthetic.hpp"
 
 #include "navigation/actions.hpp"
 
@@ -56,22 +56,22 @@ TEST_CASE("the behaviour drives towards the asymmetry, whichever hypothesis is t
   Pose2 truth = GENERATE(Pose2(2, 0, 0), Pose2(-2, 0, std::numbers::pi));
   const double from = std::abs(truth.x());
   Disambiguate disambiguate{{}};
-  Outcome outcome = Outcome::running;
-  for (int k = 0; k < 300 && outcome == Outcome::running; ++k) {
+  NodeStatus outcome = NodeStatus::running;
+  for (int k = 0; k < 300 && outcome == NodeStatus::running; ++k) {
     const Pose2 best = truth.x() > 0 ? truth : half_turn * truth;  // always the east one
     moment.queries.stand(truth, {best, half_turn * best}, 0.1 * k);
-    moment.situation.look();
-    outcome = disambiguate.tick(moment.situation);
-    truth = truth * moved(moment.situation.velocity(), 0.1);
+    moment.blackboard.look();
+    outcome = disambiguate.tick(moment.blackboard);
+    truth = truth * moved(moment.blackboard.velocity(), 0.1);
   }
-  CHECK(outcome == Outcome::success);
+  CHECK(outcome == NodeStatus::success);
   CHECK(std::abs(truth.x()) > from + 0.5);
 }
 
-TEST_CASE("without rivals there is nothing to tell apart") {
+TEST_CASE("without alternatives there is nothing to tell apart") {
   MadeUpMoment moment(two_rooms(), {7, 0});
   moment.queries.stand({2, 0, 0}, {Pose2(2, 0, 0)}, 0);
-  moment.situation.look();
+  moment.blackboard.look();
   Disambiguate disambiguate{{}};
-  CHECK(disambiguate.tick(moment.situation) == Outcome::failure);
+  CHECK(disambiguate.tick(moment.blackboard) == NodeStatus::failure);
 }

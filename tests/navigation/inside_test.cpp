@@ -1,5 +1,5 @@
 #include "navigation/actions.hpp"
-#include "made_up.hpp"
+#include "synthetic.hpp"
 
 #include "map_tools/building_outside.hpp"
 
@@ -92,20 +92,20 @@ TEST_CASE("a robot that sees nothing any more goes back to where it saw somethin
   const auto at = [&](double x) {
     moment.queries.stand(Pose2(x, 3, 0), {}, now_s += 0.5);
     moment.queries.said = {};
-    if (x > 8.5) moment.queries.scan.points.clear();  // the made-up walls are seen from inside only
-    moment.situation.look();
+    if (x > 8.5) moment.queries.scan.points.clear();  // the synthetic walls are seen from inside only
+    moment.blackboard.look();
   };
   for (double x = 2; x < 30; x += 0.5) at(x);
-  REQUIRE(drive.tick(moment.situation) == Outcome::running);
-  CHECK(moment.situation.velocity().linear_mps.x() < 0.3);
-  CHECK(std::abs(moment.situation.velocity().turn_radps) > 0.3);  // what it knows lies behind it
+  REQUIRE(drive.tick(moment.blackboard) == NodeStatus::running);
+  CHECK(moment.blackboard.velocity().linear_mps.x() < 0.3);
+  CHECK(std::abs(moment.blackboard.velocity().turn_radps) > 0.3);  // what it knows lies behind it
 }
 
 TEST_CASE("a robot that searches keeps away from where its hypotheses have the building end") {
   MadeUpMoment moment(map_of(house(1)));
   DriveFreely drive(0);
   moment.queries.stand(Pose2(7.4, 3, 0), {Pose2(7.4, 3, 0)}, 1);
-  moment.situation.look();
-  REQUIRE(drive.tick(moment.situation) == Outcome::running);
-  CHECK(moment.situation.velocity().linear_mps.x() < 0.3);  // not on through the doorway ahead
+  moment.blackboard.look();
+  REQUIRE(drive.tick(moment.blackboard) == NodeStatus::running);
+  CHECK(moment.blackboard.velocity().linear_mps.x() < 0.3);  // not on through the doorway ahead
 }

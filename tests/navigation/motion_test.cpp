@@ -1,4 +1,4 @@
-#include "made_up.hpp"
+#include "synthetic.hpp"
 
 #include "navigation/path.hpp"
 

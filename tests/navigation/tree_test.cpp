@@ -1,4 +1,4 @@
-#include "made_up.hpp"
+#include "synthetic.hpp"
 
 #include "navigation/control_nodes.hpp"
 #include "navigation/node_registry.hpp"
@@ -11,38 +11,38 @@
 
 using namespace opal;
 using namespace opal::behaviours;
-using Memory = Succession::Memory;
+using Memory = ControlFlow::Memory;
 
 namespace {
 
-constexpr Outcome running = Outcome::running, success = Outcome::success, failure = Outcome::failure;
+constexpr NodeStatus running = NodeStatus::running, success = NodeStatus::success, failure = NodeStatus::failure;
 
 /// Comes out as scripted, the last way again and again; counts.
 struct Scripted : Node {
-  explicit Scripted(std::vector<Outcome> outcomes) : script(std::move(outcomes)) {}
-  Outcome tick(Situation&) override {
-    const Outcome outcome = script[std::min<std::size_t>(ticks, script.size() - 1)];
+  explicit Scripted(std::vector<NodeStatus> outcomes) : script(std::move(outcomes)) {}
+  NodeStatus tick(Blackboard&) override {
+    const NodeStatus outcome = script[std::min<std::size_t>(ticks, script.size() - 1)];
     ++ticks;
     return outcome;
   }
   void halt() override { ++halts; }
-  std::vector<Outcome> script;
+  std::vector<NodeStatus> script;
   std::size_t ticks = 0;
   int halts = 0;
 };
 
 /// A succession of scripted nodes, which stay at hand.
 struct Made {
-  Made(Outcome go_on, Memory memory, std::vector<std::vector<Outcome>> scripts) {
+  Made(NodeStatus go_on, Memory memory, std::vector<std::vector<NodeStatus>> scripts) {
     Children children;
     for (auto& script : scripts) {
       auto node = std::make_unique<Scripted>(std::move(script));
       nodes.push_back(node.get());
       children.push_back(std::move(node));
     }
-    root = std::make_unique<Succession>(go_on, memory, std::move(children));
+    root = std::make_unique<ControlFlow>(go_on, memory, std::move(children));
   }
-  Outcome tick() { return root->tick(moment.situation); }
+  NodeStatus tick() { return root->tick(moment.blackboard); }
   MadeUpMoment moment;
   std::vector<Scripted*> nodes;
   std::unique_ptr<Node> root;
@@ -105,17 +105,17 @@ TEST_CASE("all fail, all succeed, and a halted sequence begins anew") {
 
 TEST_CASE("decorators") {
   MadeUpMoment moment;
-  const auto scripted = [](Outcome outcome) { return std::make_unique<Scripted>(std::vector<Outcome>{outcome}); };
-  CHECK(Inverter(scripted(success)).tick(moment.situation) == failure);
-  CHECK(Inverter(scripted(failure)).tick(moment.situation) == success);
-  CHECK(Inverter(scripted(running)).tick(moment.situation) == running);
-  CHECK(Forced(failure, scripted(success)).tick(moment.situation) == failure);
-  CHECK(Forced(failure, scripted(running)).tick(moment.situation) == running);
+  const auto scripted = [](NodeStatus outcome) { return std::make_unique<Scripted>(std::vector<NodeStatus>{outcome}); };
+  CHECK(Inverter(scripted(success)).tick(moment.blackboard) == failure);
+  CHECK(Inverter(scripted(failure)).tick(moment.blackboard) == success);
+  CHECK(Inverter(scripted(running)).tick(moment.blackboard) == running);
+  CHECK(Forced(failure, scripted(success)).tick(moment.blackboard) == failure);
+  CHECK(Forced(failure, scripted(running)).tick(moment.blackboard) == running);
   auto child = scripted(success);
   const Scripted& seen = *child;
   Once once(std::move(child));
-  CHECK(once.tick(moment.situation) == success);
-  CHECK(once.tick(moment.situation) == success);
+  CHECK(once.tick(moment.blackboard) == success);
+  CHECK(once.tick(moment.blackboard) == success);
   CHECK(seen.ticks == 1);
 }
 

@@ -19,7 +19,7 @@ Templates templates(const std::vector<std::string>& names) {
   return made;
 }
 
-const std::vector<std::string> kColumns{"opal:Binary", "opal:Collinear", "opal:LShape"};
+const std::vector<std::string> kColumns{"opal:ColumnPair", "opal:Collinear", "opal:LShape"};
 
 PatternLayer layer_of(const std::vector<Feature>& features, const std::vector<std::string>& names = kColumns,
                       double size_m = 8) {
@@ -45,7 +45,7 @@ std::string complaint_about(const MapPattern& pattern) {
 
 TEST_CASE("a grid of columns gets the patterns of neighbours, and no others") {
   const PatternLayer layer = layer_of(column_grid(4, 2));
-  CHECK(count(layer, "opal:Binary") == 10);
+  CHECK(count(layer, "opal:ColumnPair") == 10);
   CHECK(count(layer, "opal:Collinear") == 4);
   CHECK(count(layer, "opal:LShape") == 12);
 }
@@ -56,13 +56,13 @@ TEST_CASE("neighbours between which something stands are no pattern") {
   features.push_back(wall(3, -1, 3, 1));
   CHECK(layer_of(features).patterns.empty());
   features.back() = column(3, 0.1);
-  CHECK(count(layer_of(features), "opal:Binary") == 2);  // with the one between, not across it
+  CHECK(count(layer_of(features), "opal:ColumnPair") == 2);  // with the one between, not across it
 }
 
 TEST_CASE("a wall that ends at a corner does not hide it, a wall before it does") {
   const std::vector<Feature> room{corner(0, 0, 0.25 * std::numbers::pi), corner(6, 0, 0.75 * std::numbers::pi),
                                   wall(0, 0, 6, 0), wall(0, 5, 0, 0), wall(6, 0, 6, 5)};
-  const std::vector<std::string> names{"opal:BinaryCorners"};
+  const std::vector<std::string> names{"opal:CornerPair"};
   CHECK(layer_of(room, names).patterns.size() == 1);
   std::vector<Feature> divided = room;
   divided.push_back(wall(3, 4, 3, -0.5));
@@ -72,11 +72,11 @@ TEST_CASE("a wall that ends at a corner does not hide it, a wall before it does"
 TEST_CASE("corners of a pillar that look away from each other are no neighbours") {
   const double pi = std::numbers::pi;
   const std::vector<Feature> pillar{corner(0, 0, -0.75 * pi, 1.5 * pi), corner(1, 1, 0.25 * pi, 1.5 * pi)};
-  CHECK(layer_of(pillar, {"opal:BinaryCorners"}).patterns.empty());
+  CHECK(layer_of(pillar, {"opal:CornerPair"}).patterns.empty());
 }
 
 TEST_CASE("a size limit keeps patterns of neighbours that are farther apart away") {
-  CHECK(count(layer_of(column_grid(4, 2), kColumns, 7), "opal:Binary") == 4);  // along y only
+  CHECK(count(layer_of(column_grid(4, 2), kColumns, 7), "opal:ColumnPair") == 4);  // along y only
   CHECK(layer_of(column_grid(4, 2), kColumns, 6).patterns.empty());
 }
 
@@ -95,13 +95,13 @@ TEST_CASE("a triple names the pairs that it is made of") {
 TEST_CASE("how unique a pattern is counts those that look like it") {
   std::vector<Feature> features = column_grid(3, 1);
   features.push_back(column(14.8, 5));
-  const PatternLayer layer = layer_of(features, {"opal:Binary"});
+  const PatternLayer layer = layer_of(features, {"opal:ColumnPair"});
   REQUIRE(layer.patterns.size() == 3);
   std::vector<int> alike = layer.alike;
   std::sort(alike.begin(), alike.end());
   CHECK(alike == std::vector<int>{0, 1, 1});
   CHECK(layer.summaries[0].unique == 1);
-  CHECK(sentence_of(layer.summaries[0]) == "opal:Binary: 3 patterns, 1 unique; half have at most 1 look-alike, the worst 1; "
+  CHECK(sentence_of(layer.summaries[0]) == "opal:ColumnPair: 3 patterns, 1 unique; half have at most 1 look-alike, the worst 1; "
                                            "4 of 4 features of its shapes are in one");
 }
 
@@ -140,28 +140,28 @@ TEST_CASE("the same building in another order gets the same layer") {
 }
 
 TEST_CASE("a layer that contradicts its template is refused with its place") {
-  CHECK(complaint_about({"p", "opal:Binary", {0, 1}, {}, {7.4}}) == "accepted");
-  CHECK(complaint_about({"p", "opal:Binary", {1, 0}}) == "accepted");  // symmetric: either order
-  CHECK(complaint_about({"p", "opal:Binary", {0, 1}, {}, {9.9}}) ==
-        "columns: /patterns/0 'p': pattern 'p' of opal:Binary has the dimension 9.900 at position 0, but its features give "
+  CHECK(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {7.4}}) == "accepted");
+  CHECK(complaint_about({"p", "opal:ColumnPair", {1, 0}}) == "accepted");  // symmetric: either order
+  CHECK(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {9.9}}) ==
+        "columns: /patterns/0 'p': pattern 'p' of opal:ColumnPair has the dimension 9.900 at position 0, but its features give "
         "7.400");
-  CHECK_THAT(complaint_about({"p", "opal:Binary", {0, 1}, {}, {7.4, 0.33, 0.33, 1}}), Contains("has 4 dimensions, expected at most 3"));
-  CHECK_THAT(complaint_about({"p", "opal:Binary", {0}}), Contains("has 1 features, expected 2"));
-  CHECK_THAT(complaint_about({"p", "opal:Binary", {0, 3}}), Contains("has the member 'k4-shape', which is a segment, expected a circle"));
+  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {7.4, 0.33, 0.33, 1}}), Contains("has 4 dimensions, expected at most 3"));
+  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0}}), Contains("has 1 features, expected 2"));
+  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0, 3}}), Contains("has the member 'k4-shape', which is a segment, expected a circle"));
   CHECK_THAT(complaint_about({"p", "opal:LShape", {2, 0, 1}}), Contains("in another order, expected 'k2-shape', 'k1-shape', 'k3-shape'"));
   CHECK_THAT(complaint_about({"p", "opal:Collinear", {1, 0, 2}}), Contains("do not stand to each other as the template asks"));
 }
 
 TEST_CASE("a layer in a file that names a feature which is not there is refused with file and place") {
-  auto document = nlohmann::json::parse(map_of({column(0, 0), column(5, 0)}, {{"p", "opal:Binary", {0, 1}}})->to_json_ld().dump());
+  auto document = nlohmann::json::parse(map_of({column(0, 0), column(5, 0)}, {{"p", "opal:ColumnPair", {0, 1}}})->to_json_ld().dump());
   document["@graph"].back()["features"][1] = "k9-shape";
   CHECK_THROWS_WITH(SemanticMap::parse(document.dump(), "hall.jsonld"),
                     Contains("hall.jsonld: /@graph/4/features/1") && Contains("k9-shape"));
 }
 
 TEST_CASE("a pattern that was read knows where it stands") {
-  const auto map = map_of({column(0, 0), column(5, 0)}, {{"p", "opal:Binary", {0, 1}, {}, {6}}});
+  const auto map = map_of({column(0, 0), column(5, 0)}, {{"p", "opal:ColumnPair", {0, 1}, {}, {6}}});
   const auto read = SemanticMap::parse(map->to_json_ld().dump(), "hall.jsonld");
-  CHECK_THROWS_WITH(layer_instances(view_of(read), "opal:Binary", *shipped("opal:Binary")),
-                    Catch::StartsWith("hall.jsonld: /@graph/4: pattern 'p' of opal:Binary has the dimension 6.000"));
+  CHECK_THROWS_WITH(layer_instances(view_of(read), "opal:ColumnPair", *shipped("opal:ColumnPair")),
+                    Catch::StartsWith("hall.jsonld: /@graph/4: pattern 'p' of opal:ColumnPair has the dimension 6.000"));
 }

@@ -20,14 +20,14 @@ struct Example {
 };
 
 std::vector<Example> examples() {
-  return {{"opal:Binary", {column(0, 0), column(7.4, 0)}},
-          {"opal:Binary", {column(0, 0, 0.2), column(3, 4, 0.5)}},
-          {"opal:BinaryCorners", {corner(0, 0, kPi / 4), corner(5, 0, 3 * kPi / 4)}},
-          {"opal:BinaryCorners", {corner(0, 0, kPi / 4), corner(5, 3, -3 * kPi / 4)}},
-          {"opal:BinaryCorners", {corner(0, 0, kPi / 4), corner(4, 3, kPi / 4, 1.5 * kPi)}},
-          {"opal:BinaryColumnCorner", {corner(0, 0, 1), column(4, 3)}},
-          {"opal:BinaryColumnWall", {wall(-2, 0, 3, 0), column(1, 2)}},
-          {"opal:BinaryCornerWall", {wall(-2, 0, 3, 0), corner(1, 2, -1)}},
+  return {{"opal:ColumnPair", {column(0, 0), column(7.4, 0)}},
+          {"opal:ColumnPair", {column(0, 0, 0.2), column(3, 4, 0.5)}},
+          {"opal:CornerPair", {corner(0, 0, kPi / 4), corner(5, 0, 3 * kPi / 4)}},
+          {"opal:CornerPair", {corner(0, 0, kPi / 4), corner(5, 3, -3 * kPi / 4)}},
+          {"opal:CornerPair", {corner(0, 0, kPi / 4), corner(4, 3, kPi / 4, 1.5 * kPi)}},
+          {"opal:ColumnCornerPair", {corner(0, 0, 1), column(4, 3)}},
+          {"opal:ColumnWallPair", {wall(-2, 0, 3, 0), column(1, 2)}},
+          {"opal:CornerWallPair", {wall(-2, 0, 3, 0), corner(1, 2, -1)}},
           {"opal:Collinear", {column(0, 0), column(7.4, 0.1), column(14.8, 0)}},
           {"opal:Collinear", {column(0, 0), column(3, 0), column(9, 0)}},
           {"opal:CollinearCorners", {corner(0, 0, 1), corner(4, 0, 2, 1.5 * kPi), corner(6, 0, -1)}},
@@ -127,13 +127,13 @@ TEST_CASE("noise within tolerance changes neither whether a pattern is found nor
 }
 
 TEST_CASE("two equal columns are a symmetric pattern, two different ones are not") {
-  CHECK(only("opal:Binary", {column(0, 0), column(5, 0)}).symmetric);
-  CHECK_FALSE(only("opal:Binary", {column(0, 0, 0.2), column(5, 0, 0.5)}).symmetric);
+  CHECK(only("opal:ColumnPair", {column(0, 0), column(5, 0)}).symmetric);
+  CHECK_FALSE(only("opal:ColumnPair", {column(0, 0, 0.2), column(5, 0, 0.5)}).symmetric);
 }
 
 TEST_CASE("corners that face each other along a wall are told apart, corners of one room's diagonal are not") {
-  CHECK_FALSE(only("opal:BinaryCorners", {corner(0, 0, kPi / 4), corner(5, 0, 3 * kPi / 4)}).symmetric);
-  CHECK(only("opal:BinaryCorners", {corner(0, 0, kPi / 4), corner(5, 5, -3 * kPi / 4)}).symmetric);
+  CHECK_FALSE(only("opal:CornerPair", {corner(0, 0, kPi / 4), corner(5, 0, 3 * kPi / 4)}).symmetric);
+  CHECK(only("opal:CornerPair", {corner(0, 0, kPi / 4), corner(5, 5, -3 * kPi / 4)}).symmetric);
 }
 
 TEST_CASE("evenly spaced columns in a line may be paired both ways, unevenly spaced ones may not") {
@@ -166,7 +166,7 @@ TEST_CASE("an L with one very short leg is none: nobody could tell its corner") 
 }
 
 TEST_CASE("a column behind a face is no pattern with it") {
-  CHECK(found("opal:BinaryColumnWall", {wall(3, 0, -2, 0), column(1, 2)}).empty());
+  CHECK(found("opal:ColumnWallPair", {wall(3, 0, -2, 0), column(1, 2)}).empty());
 }
 
 TEST_CASE("the thesis' grid of eight columns has twelve L in two sets, and its binary patterns repeat") {
@@ -176,6 +176,6 @@ TEST_CASE("the thesis' grid of eight columns has twelve L in two sets, and its b
   CHECK(all.size() == 12);
   const PatternIndex index(all);
   for (const PatternInstance& l : all) CHECK(index.count(l, 100) == 6);
-  CHECK(find_patterns(*shipped("opal:Binary", neighbours), grid).size() == 10);
+  CHECK(find_patterns(*shipped("opal:ColumnPair", neighbours), grid).size() == 10);
   CHECK(find_patterns(*shipped("opal:Collinear", neighbours), grid).size() == 4);
 }

@@ -1,4 +1,4 @@
-// Patterns of made-up buildings of 10^3 to 10^6 features: what loading costs, and what a lookup costs. Columns stand on a
+// Patterns of synthetic buildings of 10^3 to 10^6 features: what loading costs, and what a lookup costs. Columns stand on a
 // grid of 6 m, moved by up to 1.5 m, with radii of 0.2 to 0.6 m; patterns are pairs within 6.5 m.
 #include "patterns/pattern_index.hpp"
 #include <opal/plugin/plugin_registry.hpp>
@@ -55,7 +55,7 @@ double mean_us(const std::vector<PatternInstance>& queries, Query query) {
 TEST_CASE("patterns of buildings of growing size", "[!benchmark]") {
   PluginRegistry registry;
   registry.load_all(OPAL_PLUGIN_DIR);
-  const auto pair = registry.make<PatternTemplate>("opal:Binary", {{"reach_m", 6.5}});
+  const auto pair = registry.make<PatternTemplate>("opal:ColumnPair", {{"reach_m", 6.5}});
   std::printf("\nfeatures  patterns  find all s  build index s  find us  count us  found\n");
   for (const int size : {1000, 10000, 100000, 1000000}) {
     const auto features = columns(size);

@@ -1,4 +1,4 @@
-// Rays per second on one core in made-up buildings of 2,000 and 5,000 segments, 720 beams, 30 m.
+// Rays per second on one core in synthetic buildings of 2,000 and 5,000 segments, 720 beams, 30 m.
 #include "common/cpu_clock.hpp"
 #include "common/random.hpp"
 #include "simulation/ray_caster.hpp"

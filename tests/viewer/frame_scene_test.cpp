@@ -33,7 +33,7 @@ TEST_CASE("a picture shows what the frame and those before it say") {
     CHECK(scene.free_space.size() == frame.free_space.size());
     CHECK(scene.local_features.size() == state.local_features().size());
     CHECK(scene.trajectory.size() == frames);
-    CHECK(scene.truth.size() >= frames - 1);  // the made-up truth ends before the last update
+    CHECK(scene.truth.size() >= frames - 1);  // the synthetic truth ends before the last update
     CHECK(scene.contradictions.size() == frame.findings.size());
     // The hall's columns are where the local features were made up from.
     for (const auto& pair : scene.associations)

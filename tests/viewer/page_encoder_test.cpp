@@ -104,7 +104,7 @@ TEST_CASE("a record holds what the frame holds") {
     CHECK(record.value("features", Event::array()).size() == frame.changed.size());
     CHECK(record.value("gone", Event::array()) ==
           Event(frame.gone.empty() ? Event::array() : Event(frame.gone)));
-    CHECK(record.value("born", Event::array()).size() == frame.births.size());
+    CHECK(record.value("spawned", Event::array()).size() == frame.spawns.size());
     CHECK(record.value("grown", Event::array()).size() == frame.growths.size());
     CHECK(record.value("lost", Event::array()).size() == frame.losses.size());
     CHECK(record.value("tried", Event::array()).size() == frame.rejections.size());

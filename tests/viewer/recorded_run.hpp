@@ -12,7 +12,7 @@
 
 namespace opal::synthetic {
 
-/// The event stream of a made-up run, as `opal localize` would write it.
+/// The event stream of a synthetic run, as `opal localize` would write it.
 inline std::string text_of(const RunSize& size) {
   std::ostringstream out;
   JsonLinesSink sink(out);

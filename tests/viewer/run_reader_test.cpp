@@ -63,17 +63,17 @@ TEST_CASE("frames say what the events say") {
   REQUIRE(run.frames.size() == 20);
   CHECK(run.header->features.size() == 16);
   CHECK(run.header->patterns.at(0).features.size() == 12);
-  std::size_t frame = 0, born = 0;
+  std::size_t frame = 0, spawned = 0;
   for (const std::string& line : events) {
     const Event event = Event::parse(line);
-    if (event["event"] == "born") {
-      const RecordedBirth& birth = run.frames[frame].births.at(born++);
-      CHECK(birth.id == event["hypothesis"]);
-      CHECK(birth.parent == event.value("parent", -1));
-      CHECK(birth.T_map_base.x() == event["T_map_base"][0]);
+    if (event["event"] == "spawned") {
+      const RecordedSpawn& spawn = run.frames[frame].spawns.at(spawned++);
+      CHECK(spawn.id == event["hypothesis"]);
+      CHECK(spawn.parent == event.value("parent", -1));
+      CHECK(spawn.T_map_base.x() == event["T_map_base"][0]);
       const Event& mapped = event["pairs"][0][1];
-      CHECK((mapped.is_null() ? birth.pairs[0].map_feature == -1
-                              : run.header->features[birth.pairs[0].map_feature].id == mapped));
+      CHECK((mapped.is_null() ? spawn.pairs[0].map_feature == -1
+                              : run.header->features[spawn.pairs[0].map_feature].id == mapped));
     }
     if (event["event"] == "estimate") {
       const RunFrame& read = run.frames[frame];
@@ -87,8 +87,8 @@ TEST_CASE("frames say what the events say") {
       CHECK(read.findings.at(0).line.size() == 2);
       CHECK(read.scan.size() == 12);
       CHECK(read.cpu_ms.back().first == "total");
-      REQUIRE(born == read.births.size());
-      born = 0;
+      REQUIRE(spawned == read.spawns.size());
+      spawned = 0;
       ++frame;
     }
   }
@@ -212,15 +212,15 @@ TEST_CASE("values that cannot be are errors that name the place") {
   const auto refused = [](const std::string& rest, const std::string& words) {
     expect_error(kHead + update(0, 1, events_at(0, rest)), 4, words);
   };
-  refused(R"("event":"born","hypothesis":1,"T_map_base":[1e308,0,0],"log_likelihood":0,"pairs":[])",
-          "born: /T_map_base/0: 1e+308, expected a number in [-1e+06, 1e+06]");
-  refused(R"("event":"born","hypothesis":1,"T_map_base":[1e999,0,0],"pairs":[])", "a finite number");
-  refused(R"("event":"born","hypothesis":1,"T_map_base":[0,0],"pairs":[])", "expected [x, y, heading]");
-  refused(R"("event":"born","hypothesis":1.5,"T_map_base":[0,0,0],"pairs":[])",
+  refused(R"("event":"spawned","hypothesis":1,"T_map_base":[1e308,0,0],"log_likelihood":0,"pairs":[])",
+          "spawned: /T_map_base/0: 1e+308, expected a number in [-1e+06, 1e+06]");
+  refused(R"("event":"spawned","hypothesis":1,"T_map_base":[1e999,0,0],"pairs":[])", "a finite number");
+  refused(R"("event":"spawned","hypothesis":1,"T_map_base":[0,0],"pairs":[])", "expected [x, y, heading]");
+  refused(R"("event":"spawned","hypothesis":1.5,"T_map_base":[0,0,0],"pairs":[])",
           "/hypothesis: 1.5, expected an integer");
-  refused(R"("event":"born","hypothesis":99999999999,"T_map_base":[0,0,0],"pairs":[])",
+  refused(R"("event":"spawned","hypothesis":99999999999,"T_map_base":[0,0,0],"pairs":[])",
           "expected an integer");
-  refused(R"("event":"born","hypothesis":1,"T_map_base":[0,0,0],"pairs":[[1,"<script>"]])",
+  refused(R"("event":"spawned","hypothesis":1,"T_map_base":[0,0,0],"pairs":[[1,"<script>"]])",
           "/pairs/0/1: \"<script>\", expected the id of a feature");
   refused(R"("event":"local_features","changed":[{"id":1,"type":"t","stable":true,"measurements":2}])",
           "'segment'");
@@ -232,7 +232,7 @@ TEST_CASE("values that cannot be are errors that name the place") {
   const std::string row = R"({"hypothesis":7,"T_map_base":[0,0,0],"log_likelihood":0,"probability":0})";
   refused(R"("event":"estimate","status":"lost","probability":1,"hypotheses":[)" + row + "," + row + "]",
           "each hypothesis once");
-  refused(R"("event":"born","event":"born")", "stands twice");
+  refused(R"("event":"spawned","event":"spawned")", "stands twice");
   refused(R"("event":"pruned","hypothesis":1,"reason":)" + std::string(100, '[') + std::string(100, ']'),
           "nested");
   expect_error(kHead + R"({"event":"truth","poses":[[2,0,0,0],[2,0,0,0]]})"

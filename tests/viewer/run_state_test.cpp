@@ -14,7 +14,7 @@ namespace {
 std::string described(const RunState& state) {
   std::ostringstream out;
   const auto life = [&](const TracedHypothesis& h) {
-    out << h.id << ' ' << h.parent << ' ' << h.born_s << ' ' << h.T_map_base.x() << ' ' << h.log_likelihood
+    out << h.id << ' ' << h.parent << ' ' << h.spawned_s << ' ' << h.T_map_base.x() << ' ' << h.log_likelihood
         << ' ' << h.probability << ' ' << h.highest_probability << '@' << h.highest_s;
     for (const RecordedPair& pair : h.pairs) out << ' ' << pair.local_feature << "->" << pair.map_feature;
     out << '\n';
@@ -59,11 +59,11 @@ TEST_CASE("who is alive is who the estimate lists, and nobody is both alive and 
   CHECK(state.trajectory().size() == 200);
 }
 
-TEST_CASE("a hypothesis has the associations that it was born with and grew, without those it lost") {
+TEST_CASE("a hypothesis has the associations that it was spawned with and grew, without those it lost") {
   RunState state;
   RunFrame frame;
   frame.starts = "run";
-  frame.births = {{3, -1, "opal:Row", {}, 1, {{1, 5}, {2, -1}}}};
+  frame.spawns = {{3, -1, "opal:Row", {}, 1, {{1, 5}, {2, -1}}}};
   frame.hypotheses = {{3, {}, 1, 0, 0.5, {}}};
   state.apply(frame);
   frame = {};
@@ -82,7 +82,7 @@ TEST_CASE("a long time line is remembered in bounded memory; what was likely onc
   RunFrame frame;
   frame.starts = "run";
   for (int id = 0; id < 12'000; ++id) {
-    frame.births = {{id, -1, "", {}, 0, {}}};
+    frame.spawns = {{id, -1, "", {}, 0, {}}};
     frame.hypotheses = {{id, {}, 0, 0, id == 100 ? 0.9 : 1e-4 * (id % 7), {}}};
     frame.ends.clear();
     if (id > 0) frame.ends = {{id - 1, "worse", -1, {}, 0, 0, {}, {}}};

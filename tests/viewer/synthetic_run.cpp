@@ -44,7 +44,7 @@ double range_m(const Point& from, const Point& direction) {
   return range;
 }
 
-struct Rival {
+struct Alternative {
   int id = 0;
   Pose2 T_map_base;
   double nat = 0;
@@ -112,7 +112,7 @@ class Run {
   }
 
   void begin_time_line(int line) {
-    rivals_.clear();
+    alternatives_.clear();
     local_.clear();
     metres_ = 3.0 * line;
     keyframe_ = 0;
@@ -138,7 +138,7 @@ class Run {
     T_local_base_ = T_map_local_.inverse() * truth_ * T_odom_drift_;
     write_scan();
     write_local_features();
-    for (Rival& rival : rivals_) move(rival);
+    for (Alternative& alternative : alternatives_) move(alternative);
     end_some();
     bear_some();
     grow_some();
@@ -202,11 +202,11 @@ class Run {
     if (keyframe_ % 10 == 0) events_.write(stable_);
   }
 
-  void move(Rival& rival) {
-    rival.T_map_base = rival.T_map_base * step_ * Pose2(normal(0.006), normal(0.006), normal(0.002));
-    if (rival.id == rivals_.front().id)
-      rival.T_map_base = truth_ * Pose2(normal(0.01), normal(0.01), normal(0.002));
-    rival.nat = 0.98 * rival.nat + normal(0.3) + (rival.id == rivals_.front().id ? 0.4 : 0.1);
+  void move(Alternative& alternative) {
+    alternative.T_map_base = alternative.T_map_base * step_ * Pose2(normal(0.006), normal(0.006), normal(0.002));
+    if (alternative.id == alternatives_.front().id)
+      alternative.T_map_base = truth_ * Pose2(normal(0.01), normal(0.01), normal(0.002));
+    alternative.nat = 0.98 * alternative.nat + normal(0.3) + (alternative.id == alternatives_.front().id ? 0.4 : 0.1);
   }
 
   Json scores() {
@@ -222,26 +222,26 @@ class Run {
   }
 
   void end_some() {
-    const int count = static_cast<int>(rivals_.size()) / 40;
+    const int count = static_cast<int>(alternatives_.size()) / 40;
     for (int k = 0; k < count; ++k) {
-      const std::size_t which = 1 + random_() % (rivals_.size() - 1);
-      const Rival& rival = rivals_[which];
+      const std::size_t which = 1 + random_() % (alternatives_.size() - 1);
+      const Alternative& alternative = alternatives_[which];
       auto e = event("pruned");
-      e["hypothesis"] = rival.id;
+      e["hypothesis"] = alternative.id;
       e["reason"] = k % 2 == 0 ? "worse than the best by more than 17 nat" : "same place as the best";
-      if (k % 2 == 1) e["merged_into"] = rivals_.front().id;
-      e["T_map_base"] = json_of(rival.T_map_base);
-      e["log_likelihood"] = rival.nat;
+      if (k % 2 == 1) e["merged_into"] = alternatives_.front().id;
+      e["T_map_base"] = json_of(alternative.T_map_base);
+      e["log_likelihood"] = alternative.nat;
       e["scan_nat"] = uniform(-3, 1);
       e["scores"] = scores();
       e["findings"] = findings();
       events_.write(e);
-      rivals_.erase(rivals_.begin() + static_cast<std::ptrdiff_t>(which));
+      alternatives_.erase(alternatives_.begin() + static_cast<std::ptrdiff_t>(which));
     }
   }
 
   void bear_some() {
-    if (static_cast<int>(rivals_.size()) >= size_.hypotheses) return;
+    if (static_cast<int>(alternatives_.size()) >= size_.hypotheses) return;
     auto search = event("searched");
     search["patterns"] = {
         {{"template", "opal:Row"}, {"local_features", {local_.front(), local_.back()}}, {"candidates", 40}}};
@@ -252,50 +252,50 @@ class Run {
                            {"nat", -2.5},
                            {"reason", "beams pass through wall-2"}}};
     events_.write(search);
-    while (static_cast<int>(rivals_.size()) < size_.hypotheses) {
-      Rival rival{next_hypothesis_++,
+    while (static_cast<int>(alternatives_.size()) < size_.hypotheses) {
+      Alternative alternative{next_hypothesis_++,
                   {uniform(1, kWidth_m - 1), uniform(1, kDepth_m - 1), uniform(-3, 3)},
-                  rivals_.empty() ? 5.0 : uniform(-3, 2),
+                  alternatives_.empty() ? 5.0 : uniform(-3, 2),
                   {}};
-      if (rivals_.empty()) rival.T_map_base = truth_;
-      auto e = event("born");
-      e["hypothesis"] = rival.id;
-      if (rival.id % 3 == 1) e["parent"] = rivals_.front().id;
+      if (alternatives_.empty()) alternative.T_map_base = truth_;
+      auto e = event("spawned");
+      e["hypothesis"] = alternative.id;
+      if (alternative.id % 3 == 1) e["parent"] = alternatives_.front().id;
       e["template"] = "opal:Row";
-      e["T_map_base"] = json_of(rival.T_map_base);
-      e["log_likelihood"] = rival.nat;
+      e["T_map_base"] = json_of(alternative.T_map_base);
+      e["log_likelihood"] = alternative.nat;
       e["pairs"] = Json::array();
-      associate(rival, local_.back(), e["pairs"]);
+      associate(alternative, local_.back(), e["pairs"]);
       events_.write(e);
-      rivals_.push_back(std::move(rival));
+      alternatives_.push_back(std::move(alternative));
     }
   }
 
-  void associate(Rival& rival, int local, Json& pairs) {
-    const bool on_map = rival.id % 5 != 4;
-    pairs.push_back({local, on_map ? Json("column-" + std::to_string((local + rival.id) % kColumns) + "/rim")
+  void associate(Alternative& alternative, int local, Json& pairs) {
+    const bool on_map = alternative.id % 5 != 4;
+    pairs.push_back({local, on_map ? Json("column-" + std::to_string((local + alternative.id) % kColumns) + "/rim")
                                    : Json(nullptr)});
-    rival.known.push_back(local);
+    alternative.known.push_back(local);
   }
 
   void grow_some() {
-    for (std::size_t k = 0; k < rivals_.size(); k += 10) {
-      Rival& rival = rivals_[k];
-      if (std::find(rival.known.begin(), rival.known.end(), local_.back()) != rival.known.end()) continue;
+    for (std::size_t k = 0; k < alternatives_.size(); k += 10) {
+      Alternative& alternative = alternatives_[k];
+      if (std::find(alternative.known.begin(), alternative.known.end(), local_.back()) != alternative.known.end()) continue;
       auto grown = event("associated");
-      grown["hypothesis"] = rival.id;
-      associate(rival, local_.back(), grown["pairs"]);
+      grown["hypothesis"] = alternative.id;
+      associate(alternative, local_.back(), grown["pairs"]);
       events_.write(grown);
-      if (rival.known.size() > 20) {
+      if (alternative.known.size() > 20) {
         auto lost = event("dissociated");
-        lost["hypothesis"] = rival.id;
-        lost["local_features"] = {rival.known.front()};
+        lost["hypothesis"] = alternative.id;
+        lost["local_features"] = {alternative.known.front()};
         lost["reason"] = "the local feature is gone";
-        rival.known.erase(rival.known.begin());
+        alternative.known.erase(alternative.known.begin());
         events_.write(lost);
       }
       auto tried = event("rejected");
-      tried["hypothesis"] = rival.id;
+      tried["hypothesis"] = alternative.id;
       tried["pairs"] = {{local_.back(), "column-2/rim"}};
       tried["reason"] = "0.7 m off";
       events_.write(tried);
@@ -308,13 +308,13 @@ class Run {
     e["status"] = sure ? "localized" : "ambiguous";
     e["probability"] = sure ? 0.98 : 0.4;
     e["none"] = 0.01;
-    e["hypothesis"] = rivals_.front().id;
-    e["T_map_base"] = json_of(rivals_.front().T_map_base);
+    e["hypothesis"] = alternatives_.front().id;
+    e["T_map_base"] = json_of(alternatives_.front().T_map_base);
     auto& rows = e["hypotheses"] = Json::array();
-    for (std::size_t k = 0; k < rivals_.size(); ++k)
-      rows.push_back({{"hypothesis", rivals_[k].id},
-                      {"T_map_base", json_of(rivals_[k].T_map_base)},
-                      {"log_likelihood", rivals_[k].nat},
+    for (std::size_t k = 0; k < alternatives_.size(); ++k)
+      rows.push_back({{"hypothesis", alternatives_[k].id},
+                      {"T_map_base", json_of(alternatives_[k].T_map_base)},
+                      {"log_likelihood", alternatives_[k].nat},
                       {"scan_nat", uniform(-3, 3)},
                       {"probability", k == 0 ? (sure ? 0.98 : 0.4) : 0.01 / double(k * k)},
                       {"scores", scores()}});
@@ -331,7 +331,7 @@ class Run {
   const RunSize size_;
   EventSink& events_;
   std::mt19937 random_;
-  std::vector<Rival> rivals_;
+  std::vector<Alternative> alternatives_;
   std::deque<int> local_;
   Json stable_;
   int next_hypothesis_ = 0, next_local_ = 0, keyframe_ = 0;

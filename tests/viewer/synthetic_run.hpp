@@ -4,7 +4,7 @@
 
 namespace opal::synthetic {
 
-/// A made-up run, as large as one likes: a robot drives round a hall and every event of docs/events.md
+/// A synthetic run, as large as one likes: a robot drives round a hall and every event of docs/events.md
 /// happens.
 struct RunSize {
   int updates = 100;

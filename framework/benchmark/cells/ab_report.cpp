@@ -21,7 +21,7 @@ const std::vector<st::Metric>& known_metrics() {
       {"distance_to_success_m", Kind::distance_until, false, "m", "is right", 0},
       {"localized", Kind::proportion, true, "", "localizes in", 0},
       {"distance_to_localized_m", Kind::distance_until, false, "m", "calls itself localized", 0},
-      {"honest", Kind::proportion, true, "", "never vouches for a wrong pose in", 0},
+      {"honest", Kind::proportion, true, "", "never calls a wrong pose localized in", 0},
       {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
       {"strict", Kind::proportion, true, "", "is right within 0.5 m and 10 degrees in", 0},
       {"time_to_success_s", Kind::distance_until, false, "s", "is right", 0},

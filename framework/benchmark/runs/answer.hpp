@@ -18,5 +18,5 @@ std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer);
 
 std::string pose_text(const opal::Pose2& pose);
 
-/// Status, pose, rivals and associations, on stdout.
+/// Status, pose, alternatives and associations, on stdout.
 void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer);

@@ -17,8 +17,8 @@ void add_rows(RunRecord& record, const std::string& query, const opal::LaserMode
   const opal::PoseEstimate& said = record.last;
   record.rows.push_back(
       {query, said.stamp_s, said.T_map_base * laser.T_base_laser, said.status, said.probability, said.none});
-  for (const auto& rival : said.rivals)
-    record.rivals.push_back({query, said.stamp_s, rival.T_map_base * laser.T_base_laser, rival.probability});
+  for (const auto& alternative : said.alternatives)
+    record.alternatives.push_back({query, said.stamp_s, alternative.T_map_base * laser.T_base_laser, alternative.probability});
   record.trajectory.push_back({said.stamp_s, said.T_map_base});
 }
 
@@ -31,7 +31,7 @@ void extend(std::vector<T>& all, const std::vector<T>& more) {
 
 void RunRecord::append(const RunRecord& other) {
   extend(rows, other.rows);
-  extend(rivals, other.rivals);
+  extend(alternatives, other.alternatives);
   extend(trajectory, other.trajectory);
   extend(update_cpu_ms, other.update_cpu_ms);
   add(stages, other.stages);

@@ -12,7 +12,7 @@
 /// What one replay of a log through a localizer leaves behind.
 struct RunRecord {
   std::vector<opal::ResultRow> rows;          ///< one per scan that had a pose
-  std::vector<opal::RivalRow> rivals;         ///< of the same scans
+  std::vector<opal::AlternativeRow> alternatives;         ///< of the same scans
   std::vector<opal::StampedPose> trajectory;  ///< T_map_base, the same scans
   std::vector<double> update_cpu_ms;          ///< per keyframe: cleaning, detection and everything after
   opal::StageTimes stages;                    ///< sums

@@ -22,7 +22,7 @@ std::vector<std::string> arms_of(const ResultsTable& table) {
   return arms;
 }
 
-std::vector<std::string> rivals_of(const ResultsTable& table, const ComparisonOptions& options) {
+std::vector<std::string> baselines_of(const ResultsTable& table, const ComparisonOptions& options) {
   std::vector<std::string> arms = arms_of(table);
   if (std::erase(arms, options.baseline) == 0)
     throw Error("comparison: no result of the baseline " + options.baseline + ", expected one per query");
@@ -78,7 +78,7 @@ std::vector<Verdict> compare(const ResultsTable& table, const ComparisonOptions&
   const double level = look_level(options.level, options.look, options.looks);
   std::vector<Verdict> verdicts;
   std::vector<PairedSample> samples;
-  for (const std::string& arm : rivals_of(table, options)) {
+  for (const std::string& arm : baselines_of(table, options)) {
     verdicts.push_back(new_verdict(table, arm, options, level));
     for (const Metric& metric : options.metrics) {
       samples.push_back(pair_rows(table, metric, options.baseline, arm));

@@ -1,4 +1,4 @@
-#include "cli/bench/bench_splices.hpp"
+#include "cli/bench/bench_kidnappings.hpp"
 #include "cli/options/join_options.hpp"
 #include "cli/options/overlay_options.hpp"
 #include "session/overlays.hpp"
@@ -29,8 +29,8 @@ struct BenchOptions {
   DamageOptions damage;
   bool joined = false;
   JoinOptions join;
-  std::optional<std::uint64_t> splice;  ///< seed
-  opal::SpliceOptions splices;
+  std::optional<std::uint64_t> sequence;  ///< seed
+  opal::KidnappingSequenceOptions sequences;
   OverlayFiles overlays;
 };
 
@@ -88,10 +88,10 @@ RunRecord run_queries(opal::Localizer& localizer, const BenchPlace& place) {
   return all;
 }
 
-SplicedRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options) {
-  opal::SpliceOptions splices = options.splices;
-  splices.seed = *options.splice;
-  return run_splices(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), splices);
+KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options) {
+  opal::KidnappingSequenceOptions sequences = options.sequences;
+  sequences.seed = *options.sequence;
+  return run_kidnappings(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), sequences);
 }
 
 /// Where the results of a place go.
@@ -104,10 +104,10 @@ struct BenchFiles {
 void write_record(RunRecord& all, const BenchSite& site, const BenchFiles& files) {
   const opal::Pose2 T_site_map = site.T_map_site.inverse();
   for (opal::ResultRow& row : all.rows) row.T_map_laser = T_site_map * row.T_map_laser;
-  for (opal::RivalRow& row : all.rivals) row.T_map_laser = T_site_map * row.T_map_laser;
-  auto results = writable(files.results), rivals = writable(files.folder / "rivals.csv");
+  for (opal::AlternativeRow& row : all.alternatives) row.T_map_laser = T_site_map * row.T_map_laser;
+  auto results = writable(files.results), alternatives = writable(files.folder / "alternatives.csv");
   opal::write_results(results, all.rows);
-  opal::write_rivals(rivals, all.rivals);
+  opal::write_alternatives(alternatives, all.alternatives);
 }
 
 /// All queries of a place, or as many kidnappings.
@@ -117,10 +117,10 @@ nlohmann::ordered_json run_place(const BenchPlace& place, const opal::PluginRegi
   opal::Localizer localizer(opal::build_parts(place.deployment, registry, place.site.map));
   BenchCost cost{place.queries.size(), place.site.import_s, allocated_mb() - before_mb};
   RunRecord all;
-  if (options.splice) {
-    SplicedRuns kidnapped = run_kidnappings(localizer, place, options);
-    auto splices = writable(files.folder / "splices.csv");
-    opal::write_kidnappings(splices, kidnapped.verdicts);
+  if (options.sequence) {
+    KidnappingRuns kidnapped = run_kidnappings(localizer, place, options);
+    auto sequences = writable(files.folder / "kidnappings.csv");
+    opal::write_kidnappings(sequences, kidnapped.verdicts);
     std::cout << opal::summary_of(kidnapped.verdicts);
     cost.queries = kidnapped.verdicts.size();
     all = std::move(kidnapped.all);
@@ -147,7 +147,7 @@ int bench(const BenchOptions& options) {
   opal::MapJoin join = options.join.join;
   join.seed = options.damage.seed;
   if (join.copies > 0 && !options.joined) throw opal::ConfigError("bench: --copies without --join");
-  if (options.splice && options.joined) throw opal::ConfigError("bench: --splice with --join, expected one of them");
+  if (options.sequence && options.joined) throw opal::ConfigError("bench: --kidnap with --join, expected one of them");
   std::vector<BenchSite> sites = load_sites(registry, options.prefixes, options.damage.asked());
   std::vector<std::string> overlays = deployment.overlays;
   overlays.insert(overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
@@ -175,7 +175,7 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
                    "PREFIX.map.jsonld (or PREFIX.map.yaml, a grid), PREFIX.info.json, PREFIX.queries.json and PREFIX.log.gz are read")
       ->required();
   verb->add_option("-o,--out", options->out,
-                   "folder for results.csv, rivals.csv and summary.json; for several places: NAME.csv and the rest in NAME/")
+                   "folder for results.csv, alternatives.csv and summary.json; for several places: NAME.csv and the rest in NAME/")
       ->required();
   options->damage.add_to(*verb);
   options->overlays.add_to(*verb, ", beside those of the deployment; of a single place");
@@ -183,10 +183,10 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
                  "run every query on the maps of all places side by side; results are in the frame of the place's own map");
   options->join.add_to(*verb);
   verb->add_option("--config", options->config, "deployment to run (default: configs/default.jsonld)");
-  verb->add_option("--splice", options->splice,
+  verb->add_option("--kidnap", options->sequence,
                    "kidnap the robot instead: join windows with a cut that nothing tells, drawn by this seed; reads "
-                   "PREFIX.gt.csv to choose and to judge, and also writes splices.csv");
-  verb->add_option("--splices", options->splices.count, "so many (default: as many as there are queries)")
+                   "PREFIX.gt.csv to choose and to judge, and also writes kidnappings.csv");
+  verb->add_option("--kidnappings", options->sequences.count, "so many (default: as many as there are queries)")
       ->check(CLI::Range(1, 100000));
   verb->callback([options, &exit_code] { exit_code = bench(*options); });
 }

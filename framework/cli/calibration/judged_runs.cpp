@@ -30,20 +30,20 @@ fs::path truth_of(const fs::path& run, const std::string& folder) {
 }
 
 using Moment = std::pair<std::string, double>;  // query and stamp
-std::map<Moment, std::vector<opal::RivalRow>> rivals_by_moment(const fs::path& run) {
-  std::map<Moment, std::vector<opal::RivalRow>> rivals;
-  for (opal::RivalRow& row : opal::read_rivals((run / "rivals.csv").string())) {
+std::map<Moment, std::vector<opal::AlternativeRow>> alternatives_by_moment(const fs::path& run) {
+  std::map<Moment, std::vector<opal::AlternativeRow>> alternatives;
+  for (opal::AlternativeRow& row : opal::read_alternatives((run / "alternatives.csv").string())) {
     Moment moment{row.query, row.stamp_s};
-    rivals[std::move(moment)].push_back(std::move(row));
+    alternatives[std::move(moment)].push_back(std::move(row));
   }
-  return rivals;
+  return alternatives;
 }
 
 }  // namespace
 
 void JudgedRuns::add(const std::string& run, const std::string& folder, double within_m) {
   const opal::GroundTruth truth = opal::GroundTruth::read(truth_of(run, folder).string());
-  const auto rivals = rivals_by_moment(run);
+  const auto alternatives = alternatives_by_moment(run);
   const std::string number = std::to_string(++runs);  // the same query in another run is another one
   std::set<std::string> seen, flagged, falsely;
   const std::size_t rows_before = rows;
@@ -57,11 +57,11 @@ void JudgedRuns::add(const std::string& run, const std::string& folder, double w
     ++rows;
     best.push_back({query, row.probability, right});
     places.push_back(best.back());
-    if (const auto found = rivals.find({row.query, row.stamp_s}); found != rivals.end())
-      for (const opal::RivalRow& rival : found->second) {
-        const bool rival_right = distance_m(*pose, rival.T_map_laser) < within_m;
-        any_right = any_right || rival_right;
-        places.push_back({query, rival.probability, rival_right});
+    if (const auto found = alternatives.find({row.query, row.stamp_s}); found != alternatives.end())
+      for (const opal::AlternativeRow& alternative : found->second) {
+        const bool alternative_right = distance_m(*pose, alternative.T_map_laser) < within_m;
+        any_right = any_right || alternative_right;
+        places.push_back({query, alternative.probability, alternative_right});
       }
     none.push_back({query, row.none, !any_right});
     if (!row.localized()) continue;

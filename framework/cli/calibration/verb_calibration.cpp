@@ -66,7 +66,7 @@ int calibrate(const CalibrationOptions& options) {
   for (const std::string& run : options.runs) runs.add(run, options.truth, options.within_m);
   print_flags(runs);
   print("the best place is right", runs.best);
-  print("a place is right, best or rival", runs.places);
+  print("a place is right, best or alternative", runs.places);
   print("none of the places is right", runs.none);
   if (options.out.empty()) return 0;
   const fs::path out(options.out);

@@ -84,7 +84,7 @@ void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) c
   std::snprintf(note, sizeof note, "From (%.1f, %.1f) to the goal (%.1f, %.1f): %.0f s, %.1f m.", task.start.x(), task.start.y(),
                 task.goal.x(), task.goal.y(), record.time_s, record.driven_m);
   scene.notes.emplace_back(note);
-  scene.notes.emplace_back("The circle is the goal; the estimated trajectory is drawn where it was vouched for.");
+  scene.notes.emplace_back("The circle is the goal; the estimated trajectory is drawn where it was called localized.");
   const std::string name = (out_ / ("drive_" + std::to_string(task.seed))).string();
   opal::write_svg(scene, name + ".svg");
   opal::write_png(scene, name + ".png");

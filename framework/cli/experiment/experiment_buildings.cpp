@@ -115,7 +115,7 @@ int buildings(const BuildingsVerbOptions& options) {
 void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
   auto o = std::make_shared<BuildingsVerbOptions>();
   CLI::App* verb = experiment.add_subcommand(
-      "buildings", "the 14 challenges of section 3.5.2 in many made-up buildings, ever more difficult");
+      "buildings", "the 14 challenges of section 3.5.2 in many synthetic buildings, ever more difficult");
   verb->add_option("-o,--out", o->out, "folder for buildings.json, table.txt and report.html")->required();
   verb->add_option("--buildings", o->suite.buildings,
                    "how many: one of each kind at each difficulty, and again")

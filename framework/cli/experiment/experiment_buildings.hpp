@@ -2,5 +2,5 @@
 
 #include <CLI/CLI.hpp>
 
-/// `opal experiment buildings -o OUT`: the challenges of Hendrikx (2023), 3.5.2, in many made-up buildings.
+/// `opal experiment buildings -o OUT`: the challenges of Hendrikx (2023), 3.5.2, in many synthetic buildings.
 void add_experiment_buildings(CLI::App& experiment, int& exit_code);

@@ -4,7 +4,7 @@
 
 #include "benchmark/experiments/challenges/challenge_report.hpp"
 #include "benchmark/experiments/kit/in_parallel.hpp"
-#include "benchmark/experiments/challenges/rival.hpp"
+#include "benchmark/experiments/challenges/baseline.hpp"
 #include "benchmark/experiments/kit/thesis_robot.hpp"
 
 #include "map_tools/map_raster.hpp"
@@ -25,8 +25,8 @@ class Challenges {
         registry_(registry),
         contenders_(contenders(options.configs)),
         map_(building(registry, options.map, "atlas")) {
-    for (const std::string& program : options.rivals)
-      rivals_.push_back({program, fs::path(program).stem().string()});
+    for (const std::string& program : options.baselines)
+      baselines_.push_back({program, fs::path(program).stem().string()});
     if (!keeps_logs()) return;
     fs::create_directories(logs_);
     opal::write_raster(opal::rasterized(*map_), grid());
@@ -41,9 +41,9 @@ class Challenges {
     std::vector<ChallengeRun> runs;
     for (const Contender& contender : contenders_)
       runs.push_back(run_challenge(contender, registry_, map_, driven));
-    for (const Rival& rival : rivals_)
-      runs.push_back(run_rival(rival, driven, prefix, grid(), static_cast<std::uint64_t>(seed)));
-    if (options_.logs && rivals_.empty())
+    for (const Baseline& baseline : baselines_)
+      runs.push_back(run_baseline(baseline, driven, prefix, grid(), static_cast<std::uint64_t>(seed)));
+    if (options_.logs && baselines_.empty())
       sim::write_recording(driven.recording, prefix);
     for (ChallengeRun& run : runs) {
       run.challenge = challenge.id;
@@ -53,13 +53,13 @@ class Challenges {
   }
 
  private:
-  bool keeps_logs() const { return options_.logs || !rivals_.empty(); }
+  bool keeps_logs() const { return options_.logs || !baselines_.empty(); }
   std::string grid() const { return (logs_ / "map.yaml").string(); }
 
   const ExperimentOptions& options_;
   const opal::PluginRegistry& registry_;
   std::vector<Contender> contenders_;
-  std::vector<Rival> rivals_;
+  std::vector<Baseline> baselines_;
   std::shared_ptr<const opal::SemanticMap> map_;
   fs::path logs_ = fs::path(options_.out) / "logs";
 };

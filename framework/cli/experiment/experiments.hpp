@@ -13,7 +13,7 @@ struct ExperimentOptions {
   int seeds = 20, jobs = 2;
   double duration_s = 60, most_s = 900;
   std::string behaviour, trees;  ///< of the closed loop
-  std::vector<std::string> rivals;
+  std::vector<std::string> baselines;
   bool logs = false;
 };
 

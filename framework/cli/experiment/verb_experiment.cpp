@@ -9,9 +9,9 @@ namespace {
 
 int experiment(ExperimentOptions options) {
   const bool third = options.name == "thesis3";
-  if (!third && (!options.rivals.empty() || options.logs))
+  if (!third && (!options.baselines.empty() || options.logs))
     throw opal::ConfigError(
-        "--rival and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
+        "--baseline and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
   if (options.configs.empty())
     options.configs = third ? std::vector<std::string>{"thesis3", "default"}
                             : std::vector<std::string>{"thesis4", "default"};
@@ -42,7 +42,7 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
   verb->add_option("--duration", options->duration_s, "thesis3: of each run [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--rival", options->rivals,
+  verb->add_option("--baseline", options->baselines,
                    "thesis3: programs that localize on the same logs, one more block each");
   verb->add_flag("--logs", options->logs,
                  "thesis3: keep what was recorded, and the map as a grid, in OUT/logs");

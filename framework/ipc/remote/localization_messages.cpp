@@ -61,12 +61,12 @@ PoseEstimate estimate_in(ConfigObject& object) {
   estimate.none = number_in(object, "none", kShare);
   estimate.hypotheses = object.integer("hypotheses", 0, {0, 1e6});
   estimate.best = object.integer("best", -1, {-1, 2e9});
-  auto rivals = object.list("rivals");
-  if (!rivals) object.refuse("rivals", "a list");
-  for (ConfigObject& rival : *rivals) {
-    estimate.rivals.push_back({rival.integer("hypothesis", -1, {-1, 2e9}), pose_in(rival, "T_map_base"),
-                               number_in(rival, "probability", kShare)});
-    rival.expect_no_more();
+  auto alternatives = object.list("alternatives");
+  if (!alternatives) object.refuse("alternatives", "a list");
+  for (ConfigObject& alternative : *alternatives) {
+    estimate.alternatives.push_back({alternative.integer("hypothesis", -1, {-1, 2e9}), pose_in(alternative, "T_map_base"),
+                               number_in(alternative, "probability", kShare)});
+    alternative.expect_no_more();
   }
   return estimate;
 }
@@ -132,17 +132,17 @@ ScanMessage scan_from(const json& message) {
 
 json to_json(const Answer& answer) {
   const PoseEstimate& said = answer.estimate;
-  json rivals = json::array(), pattern = json::array();
-  for (const PoseEstimate::Rival& rival : said.rivals)
-    rivals.push_back({{"hypothesis", rival.hypothesis},
-                      {"T_map_base", json(pose_json(rival.T_map_base))},
-                      {"probability", rival.probability}});
+  json alternatives = json::array(), pattern = json::array();
+  for (const PoseEstimate::Alternative& alternative : said.alternatives)
+    alternatives.push_back({{"hypothesis", alternative.hypothesis},
+                      {"T_map_base", json(pose_json(alternative.T_map_base))},
+                      {"probability", alternative.probability}});
   for (const Geometry& geometry : answer.pattern) pattern.push_back(geometry_json(geometry));
   return {{"stamp_s", said.stamp_s},         {"status", name_of(said.status)},
           {"has_pose", said.has_pose},       {"T_map_base", json(pose_json(said.T_map_base))},
           {"probability", said.probability}, {"none", said.none},
           {"hypotheses", said.hypotheses},   {"best", said.best},
-          {"rivals", std::move(rivals)},     {"pattern", std::move(pattern)}};
+          {"alternatives", std::move(alternatives)},     {"pattern", std::move(pattern)}};
 }
 
 Answer answer_from(const json& message) {

@@ -17,14 +17,14 @@ Eigen::Matrix3d PoseFilter::known_here(const Pose2& predicted, const Pose2& T_lo
   return there_of_here.transpose() * known_ * there_of_here;
 }
 
-Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double novelty, const Pose2& T_local_base,
+Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double tempering_weight, const Pose2& T_local_base,
                          const PoseFilterOptions& options) {
   constexpr double kNothing = 1e-3;
-  const Eigen::Matrix3d said = novelty * (scan.by_points + scan.by_guess);
+  const Eigen::Matrix3d said = tempering_weight * (scan.by_points + scan.by_guess);
   if (!said.allFinite()) return scan.T_map_base;
   const Eigen::Vector3d step = step_between(predicted, scan.T_map_base);
-  const Eigen::Matrix3d kept = known_here(predicted, T_local_base) * std::pow(options.memory, novelty);
-  known_ = kept + novelty * scan.by_points;
+  const Eigen::Matrix3d kept = known_here(predicted, T_local_base) * std::pow(options.memory, tempering_weight);
+  known_ = kept + tempering_weight * scan.by_points;
   T_local_base_ = T_local_base;
   if (kept.trace() < kNothing) return scan.T_map_base;
   const double trust = robust_weight(step.head<2>().norm(), options.jump_m);

@@ -19,10 +19,10 @@ class OPAL_EXPORT PoseFilter {
  public:
   /// @param predicted     T_map_base by dead reckoning from the pose of the update before.
   /// @param scan          the newest scan, aligned with the map from there.
-  /// @param novelty       how much of a new piece of evidence it is, in (0, 1].
+  /// @param tempering_weight       how much of a new piece of evidence it is, in (0, 1].
   /// @param T_local_base  where the robot is in a frame in which dead reckoning has it drive.
   /// @return T_map_base by all of them; the scan's own, as long as nothing is known.
-  Pose2 update(const Pose2& predicted, const Alignment& scan, double novelty, const Pose2& T_local_base,
+  Pose2 update(const Pose2& predicted, const Alignment& scan, double tempering_weight, const Pose2& T_local_base,
                const PoseFilterOptions& options);
 
   /// Nothing is known any more.

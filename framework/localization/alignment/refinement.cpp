@@ -89,9 +89,9 @@ Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Poi
   return align_with_map(map, points, laser, guess, options).T_map_base;
 }
 
-double mean_nearness(const MapView& map, std::span<const Point> points, const Pose2& T_map_base) {
+double likelihood_field_score(const MapView& map, std::span<const Point> points, const Pose2& T_map_base) {
   float sum = 0;
-  for (const Point& point : points) sum += map.nearness(T_map_base * point);
+  for (const Point& point : points) sum += map.likelihood_field(T_map_base * point);
   return points.empty() ? 0 : sum / static_cast<double>(points.size());
 }
 

@@ -64,7 +64,7 @@ OPAL_EXPORT Alignment align_with_map(const MapView& map, std::span<const Point> 
 OPAL_EXPORT Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Point& laser,
                                 const Pose2& guess, const RefinementOptions& options);
 
-/// Mean nearness of points to mapped surfaces at a pose, in [0, 1].
-OPAL_EXPORT double mean_nearness(const MapView& map, std::span<const Point> points, const Pose2& T_map_base);
+/// Mean likelihood-field score of points to mapped surfaces at a pose, in [0, 1].
+OPAL_EXPORT double likelihood_field_score(const MapView& map, std::span<const Point> points, const Pose2& T_map_base);
 
 }  // namespace opal

@@ -10,7 +10,7 @@ namespace opal {
 namespace {
 
 constexpr double kSamePlace_m = 0.7, kSamePlace_rad = 0.2;
-constexpr double kRivalProbability = 0.01;
+constexpr double kAlternativeProbability = 0.01;
 
 bool same_place(const Pose2& a, const Pose2& b) {
   return distance_m(a, b) < kSamePlace_m && angle_between_rad(a, b) < kSamePlace_rad;
@@ -57,16 +57,16 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
       estimate.probability += probability;
       continue;
     }
-    const auto rival = std::find_if(estimate.rivals.begin(), estimate.rivals.end(),
+    const auto alternative = std::find_if(estimate.alternatives.begin(), estimate.alternatives.end(),
                                     [&](const auto& r) { return same_place(r.T_map_base, pose); });
-    if (rival != estimate.rivals.end())
-      rival->probability += probability;
-    else if (probability > kRivalProbability)
-      estimate.rivals.push_back({live.hypothesis.id, pose, probability});
+    if (alternative != estimate.alternatives.end())
+      alternative->probability += probability;
+    else if (probability > kAlternativeProbability)
+      estimate.alternatives.push_back({live.hypothesis.id, pose, probability});
   }
 }
 
-double StatusEstimator::novelty_asked(double unmapped_walls_m) const {
+double StatusEstimator::weight_asked(double unmapped_walls_m) const {
   const double beyond_m = std::max(0.0, unmapped_walls_m - options_.localized_unmapped_m);
   const double asked = options_.localized_novelty + options_.localized_novelty_per_m * beyond_m;
   return std::max(options_.localized_novelty, std::min(asked, options_.localized_most_novelty));
@@ -75,21 +75,21 @@ double StatusEstimator::novelty_asked(double unmapped_walls_m) const {
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,
                               const PoseEstimate& estimate, const Circumstances& now) {
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
-  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.novelty : 0;
+  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.tempering_weight : 0;
   constexpr double kMemory = 0.8;
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
                         : alive.front().scan_nat;
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
     return because(Status::lost, sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
                                           options_.lost_scan_nat));
-  const bool doubt = estimate.probability * (1 - now.carried) <= options_.localized_probability;
+  const bool doubt = estimate.probability * (1 - now.kidnapped) <= options_.localized_probability;
   if (was_localized_ && same && doubt && sure_ > 0)
     return because(Status::lost,
-                   sentence("the newest scans do not fit here: carried away with probability %.3f, not below %.3f",
-                            now.carried, 1 - options_.localized_probability));
-  const double asked = novelty_asked(now.unmapped_walls_m);
+                   sentence("the newest scans do not fit here: kidnapped with probability %.3f, not below %.3f",
+                            now.kidnapped, 1 - options_.localized_probability));
+  const double asked = weight_asked(now.unmapped_walls_m);
   const Status status = sure_ >= asked && !doubt   ? Status::localized
-                        : estimate.rivals.empty() ? Status::searching
+                        : estimate.alternatives.empty() ? Status::searching
                                                   : Status::ambiguous;
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
   if (same || estimate.probability <= options_.localized_probability)
@@ -116,7 +116,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   PoseEstimate estimate;
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
-  none_nat_ = (1 - now.novelty * (1 - options_.memory)) * none_nat_ + now.novelty * options_.none_scan_nat;
+  none_nat_ = (1 - now.tempering_weight * (1 - options_.memory)) * none_nat_ + now.tempering_weight * options_.none_scan_nat;
   believe(alive);
   estimate.none = belief_.none;
   if (alive.empty()) {
@@ -131,20 +131,20 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.T_map_base = alive.front().hypothesis.T_map_local * T_local_base;
   weigh(alive, T_local_base, estimate);
   estimate.status = judge(alive, T_local_base, estimate, now);
-  reckon_with(now.carried, estimate);
+  reckon_with(now.kidnapped, estimate);
   was_localized_ = was_localized_ || estimate.status == Status::localized;
   T_map_local_ = alive.front().hypothesis.T_map_local;
   last_ = estimate;
   return estimate;
 }
 
-/// All of them are wrong, too, if the robot was carried away.
-void StatusEstimator::reckon_with(double carried, PoseEstimate& estimate) {
-  for (double& probability : belief_.hypotheses) probability *= 1 - carried;
-  belief_.none = carried + (1 - carried) * belief_.none;
+/// All of them are wrong, too, if the robot was kidnapped.
+void StatusEstimator::reckon_with(double kidnapped, PoseEstimate& estimate) {
+  for (double& probability : belief_.hypotheses) probability *= 1 - kidnapped;
+  belief_.none = kidnapped + (1 - kidnapped) * belief_.none;
   estimate.none = belief_.none;
-  estimate.probability *= 1 - carried;
-  for (auto& rival : estimate.rivals) rival.probability *= 1 - carried;
+  estimate.probability *= 1 - kidnapped;
+  for (auto& alternative : estimate.alternatives) alternative.probability *= 1 - kidnapped;
 }
 
 PoseEstimate StatusEstimator::at(double stamp_s, const Pose2& T_local_base) const {
@@ -153,7 +153,7 @@ PoseEstimate StatusEstimator::at(double stamp_s, const Pose2& T_local_base) cons
   if (!last_.has_pose) return estimate;
   const Pose2 move = T_map_local_ * T_local_base * last_.T_map_base.inverse();
   estimate.T_map_base = T_map_local_ * T_local_base;
-  for (auto& rival : estimate.rivals) rival.T_map_base = move * rival.T_map_base;
+  for (auto& alternative : estimate.alternatives) alternative.T_map_base = move * alternative.T_map_base;
   return estimate;
 }
 

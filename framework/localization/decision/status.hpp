@@ -10,8 +10,8 @@ namespace opal {
 
 /// What the newest scan tells beside the hypotheses' evidence.
 struct Circumstances {
-  double novelty = 1;          ///< how much of a new piece of evidence the scan was, in (0, 1]
-  double carried = 0;          ///< probability that the robot has been carried away from all hypotheses
+  double tempering_weight = 1;          ///< how much of a new piece of evidence the scan was, in (0, 1]
+  double kidnapped = 0;          ///< probability that the robot has been kidnapped from all hypotheses
   double unmapped_walls_m = 0; ///< straight walls around the robot that the best hypothesis does not find on the map
 };
 
@@ -50,8 +50,8 @@ class StatusEstimator {
   Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
                const Circumstances& now);
   /// @return for how many pieces of new evidence the required probability has to hold.
-  double novelty_asked(double unmapped_walls_m) const;
-  void reckon_with(double carried, PoseEstimate& estimate);
+  double weight_asked(double unmapped_walls_m) const;
+  void reckon_with(double kidnapped, PoseEstimate& estimate);
   /// The status is what it is since the required probability has held for so long, and no longer.
   Status because_held(Status status, double asked, double unmapped_walls_m);
   Status because(Status status, std::string why);
@@ -61,7 +61,7 @@ class StatusEstimator {
   Belief belief_;
   Pose2 T_map_local_;
   double none_nat_ = 0;      ///< log weight of "none of these"
-  double sure_ = 0;          ///< novelty since the required probability holds at one place
+  double sure_ = 0;          ///< tempering_weight since the required probability holds at one place
   bool was_localized_ = false;
   double mean_scan_nat_ = 0; ///< of the best hypothesis, over the newest scans
 };

@@ -120,13 +120,13 @@ RunJournal::Json RunJournal::pairs_json(std::span<const Association> pairs) cons
 RunJournal::Json RunJournal::scores_json(const Live& live) const {
   auto json = Json::object();
   for (std::size_t k = 0; k < live.scores.size(); ++k)
-    for (const Score::Term& term : live.scores[k].breakdown) json[judge_.scorers()[k].name][term.name] = term.value;
+    for (const Score::Term& term : live.scores[k].breakdown) json[ensemble_.scorers()[k].name][term.name] = term.value;
   return json;
 }
 
 RunJournal::Json RunJournal::findings_json(const Live& live) const {
   auto json = Json::array();
-  for (const auto& [scorer, finding] : judge_.explain(live.hypothesis, *observation_)) {
+  for (const auto& [scorer, finding] : ensemble_.explain(live.hypothesis, *observation_)) {
     Json one{{"scorer", scorer}, {"words", finding.words}};
     if (finding.map_feature >= 0) one["map_feature"] = map_->feature(finding.map_feature).id;
     if (!finding.line.empty()) one["line"] = points_json(finding.line);
@@ -135,12 +135,12 @@ RunJournal::Json RunJournal::findings_json(const Live& live) const {
   return json;
 }
 
-void RunJournal::born(const Live& live, int parent, int pattern) {
+void RunJournal::spawned(const Live& live, int parent, int pattern) {
   if (!listening()) return;
-  auto e = event("born");
+  auto e = event("spawned");
   e["hypothesis"] = live.hypothesis.id;
   if (parent >= 0) e["parent"] = parent;
-  if (pattern >= 0) e["template"] = seeder_.pattern_name(pattern);
+  if (pattern >= 0) e["template"] = generator_.pattern_name(pattern);
   e["T_map_base"] = pose_json(T_map_base(live));
   e["log_likelihood"] = live.hypothesis.log_likelihood;
   e["pairs"] = pairs_json(live.hypothesis.associations);
@@ -190,19 +190,19 @@ void RunJournal::branch_rejected(const Live& parent, const Association& pair, co
 
 void RunJournal::candidate_rejected(const Candidate& candidate, const std::string& reason) {
   if (!listening()) return;
-  rejected_.push_back({{"template", seeder_.pattern_name(candidate.pattern)},
+  rejected_.push_back({{"template", generator_.pattern_name(candidate.pattern)},
                        {"T_map_base", pose_json(candidate.T_map_base)},
                        {"pairs", pairs_json(candidate.pairs)},
                        {"nat", candidate.score},
                        {"reason", reason}});
 }
 
-void RunJournal::searched(std::span<const Seeder::LookedUp> looked_up, std::size_t proposed) {
+void RunJournal::searched(std::span<const CandidateGenerator::LookedUp> looked_up, std::size_t proposed) {
   if (!listening()) return;
   auto e = event("searched");
   e["patterns"] = Json::array();
-  for (const Seeder::LookedUp& each : looked_up)
-    e["patterns"].push_back({{"template", seeder_.pattern_name(each.pattern)},
+  for (const CandidateGenerator::LookedUp& each : looked_up)
+    e["patterns"].push_back({{"template", generator_.pattern_name(each.pattern)},
                              {"local_features", each.local_features},
                              {"candidates", each.expected}});
   e["proposed"] = proposed;

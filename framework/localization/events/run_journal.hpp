@@ -4,6 +4,7 @@
 #include "localization/decision/status.hpp"
 
 #include <opal/localization/events/event_stream.hpp>
+#include <opal/localization/events/stage_times.hpp>
 
 #include <unordered_map>
 
@@ -12,8 +13,8 @@ namespace opal {
 /// Writes the event stream of a localizer (docs/events.md). Where nobody listens, every call returns at once.
 class RunJournal final : public HypothesisListener {
  public:
-  RunJournal(EventSink& events, std::shared_ptr<const MapView> map, const Judge& judge, const Seeder& seeder)
-      : events_(events), map_(std::move(map)), judge_(judge), seeder_(seeder) {}
+  RunJournal(EventSink& events, std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const CandidateGenerator& generator)
+      : events_(events), map_(std::move(map)), ensemble_(ensemble), generator_(generator) {}
 
   bool listening() const { return events_.listening(); }
 
@@ -21,14 +22,14 @@ class RunJournal final : public HypothesisListener {
   /// @param observation  what hypotheses are judged by; must outlive the update.
   void keyframe(double stamp_s, int keyframe, const Scan& scan, const Pose2& T_base_laser,
                 const Observation& observation);
-  void searched(std::span<const Seeder::LookedUp> looked_up, std::size_t proposed);
+  void searched(std::span<const CandidateGenerator::LookedUp> looked_up, std::size_t proposed);
   void estimate(const PoseEstimate& estimate, const std::vector<Live>& alive, const StatusEstimator::Belief& belief);
   /// Ends an update.
   void cost(const StageTimes& times, double total_s);
   /// The localizer was reset.
   void reset();
 
-  void born(const Live& live, int parent, int pattern) override;
+  void spawned(const Live& live, int parent, int pattern) override;
   void ended(const Live& live, const Ending& ending) override;
   void associated(const Live& live, std::span<const Association> pairs) override;
   void dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) override;
@@ -56,8 +57,8 @@ class RunJournal final : public HypothesisListener {
 
   EventSink& events_;
   std::shared_ptr<const MapView> map_;
-  const Judge& judge_;
-  const Seeder& seeder_;
+  const ScorerEnsemble& ensemble_;
+  const CandidateGenerator& generator_;
   double stamp_s_ = 0;
   int keyframe_ = 0;
   const Observation* observation_ = nullptr;  ///< of the update that is under way

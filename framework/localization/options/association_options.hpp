@@ -15,17 +15,17 @@ struct RegionPrior {
   double radius_m = 0;
 };
 
-/// How hypotheses are born, grown, tracked and ended. Defaults are the best known; configs/thesis3.jsonld sets those of
+/// How hypotheses are spawned, grown, tracked and ended. Defaults are the best known; configs/thesis3.jsonld sets those of
 /// Hendrikx (2023), table 3.1.
 struct AssociationOptions {
-  // Birth: which patterns are looked up, and how many candidates survive each sieve.
+  // Birth: which patterns are looked up, and how many candidates survive each filter.
   int seed_features = 8;            ///< best supported features per geometry that templates are offered
   int seed_patterns = 10;           ///< patterns looked up per scan, fewest expected candidates first
   int seed_lookup_limit = 2000;     ///< candidates per scan and template,
   int seed_places = 2000;           ///< and of all templates together: patterns that are expected least often first,
                                     ///< at least three of them; 0: any number
   int seed_close_looks = 200;       ///< of these, judged by all points of a thinned scan
-  int seed_candidates = 30;         ///< kept by nearness of the scan to the map, one per place
+  int seed_candidates = 30;         ///< kept by likelihood-field score of the scan to the map, one per place
   int seed_hypotheses = 12;         ///< kept by the scorers
   double seed_every_m = 0.5;        ///< driving, or
   double seed_every_rad = 1.0;      ///< turning, between searches for new hypotheses
@@ -77,19 +77,19 @@ struct AssociationOptions {
   double none_scan_nat = 0.12;      ///< what a scan at a place that is not on the map would say for a wrong pose:
                                     ///< hypotheses must gather more than this to be believed
   double localized_probability = 0.99;
-  double localized_novelty = 2;     ///< sum of the scans' novelty over which that must hold,
+  double localized_novelty = 2;     ///< sum of the scans' tempering_weight over which that must hold,
   double localized_novelty_per_m = 1; ///< and so much more of it per metre of straight walls around the robot that are
   double localized_unmapped_m = 6;  ///< not on the map, beyond this much: it lacks walls, or the robot is elsewhere.
   double localized_most_novelty = 20; ///< Whatever walls are missing, this is enough, or localized_novelty if that is more
   double lost_scan_nat = -0.2;      ///< mean of the newest scans below this: lost
 
-  // Being carried away.
-  double carried_nat = -5.6;        ///< log prior that a robot was carried away whose scan does not continue those before
+  // Being kidnapped.
+  double carried_nat = -5.6;        ///< log prior that a robot was kidnapped whose scan does not continue those before
   double carried_unseen_nat = -10;  ///< the same if every scan continued those before
   double carried_drop = 0.5;        ///< a scan that does not continue those before says at least this share of what they said, on average
   double carried_match_share = 0.5; ///< a scan of whose points fewer lie on what was seen before does not continue it
   double carried_place_nat = -10;   ///< log prior of one place among all where it may have been put down
-  double carried_scan_nat = 0.15;   ///< what a scan says for the place that the robot was carried away from
+  double carried_scan_nat = 0.15;   ///< what a scan says for the place that the robot was kidnapped from
   double carried_most_nat = 8;      ///< suspicion grows up to this, so that good scans can take it back
   double carried_search_nat = 3;    ///< suspicion from which on the whole map is searched for where it was put down
   double carried_alarm_nat = 0.5;   ///< a scan that alone gives this suspicion is looked at even if the robot stands

@@ -29,7 +29,7 @@ void Amounts::fade(double keep) {
 }
 
 void Encounters::take(const Encounters& newer, double weight, double keep) {
-  for (Amounts Encounters::*kind : {&Encounters::patches_met, &Encounters::lines_met, &Encounters::ends_met,
+  for (Amounts Encounters::*kind : {&Encounters::cells_met, &Encounters::lines_met, &Encounters::ends_met,
                                     &Encounters::lines_ended, &Encounters::objects_met, &Encounters::objects_passed}) {
     (this->*kind).fade(keep);
     for (const Amounts::Entry& entry : (newer.*kind).entries()) (this->*kind).add(entry.thing, weight * entry.amount);

@@ -77,7 +77,7 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
     listener_.associated(child, std::span(&choice, 1));
   } else {
     child.hypothesis.id = next_id_++;
-    listener_.born(child, parent.hypothesis.id, -1);
+    listener_.spawned(child, parent.hypothesis.id, -1);
   }
   return true;
 }
@@ -115,7 +115,7 @@ void HypothesisSet::grow(const std::vector<const LocalFeature*>& features, const
     for (const LocalFeature* feature : rarest_first(features)) {
       branch(*feature, local_map);
       merge_similar();
-      prune_surplus();  // a newborn has much to say at once: its branches would double with every feature
+      prune_surplus();  // a spawned has much to say at once: its branches would double with every feature
     }
     prune();
     return;

@@ -21,18 +21,18 @@ void sort_best_first(std::vector<Live>& alive) { std::stable_sort(alive.begin(),
 bool ended(const Live& live) { return live.leaf < 0; }
 
 /// The same place and associations, as if it had met nothing yet.
-Hypothesis born_anew(const Hypothesis& old) {
-  Hypothesis newborn;
-  newborn.T_map_local = old.T_map_local;
-  newborn.associations = old.associations;
-  return newborn;
+Hypothesis as_new(const Hypothesis& old) {
+  Hypothesis spawned;
+  spawned.T_map_local = old.T_map_local;
+  spawned.associations = old.associations;
+  return spawned;
 }
 
 }  // namespace
 
-HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge,
+HypothesisSet::HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble,
                              const AssociationOptions& options, HypothesisListener& listener)
-    : map_(std::move(map)), index_(*map_), judge_(judge), options_(options), listener_(listener) {}
+    : map_(std::move(map)), index_(*map_), ensemble_(ensemble), options_(options), listener_(listener) {}
 
 void HypothesisSet::clear() {
   alive_.clear();
@@ -58,7 +58,7 @@ Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Po
         const Pose2 pose(predicted.x() + i * kStep_m, predicted.y() + j * kStep_m,
                          predicted.heading_rad() + turn * kStep_rad);
         const double far = std::hypot(i, j) * kStep_m / window.x() + std::abs(turn) * kStep_rad / window.y();
-        const double value = mean_nearness(*map_, coarse, pose) - kCostOfDistance * far;
+        const double value = likelihood_field_score(*map_, coarse, pose) - kCostOfDistance * far;
         if (value > best_value) {
           best_value = value;
           best = pose;
@@ -75,7 +75,7 @@ Alignment HypothesisSet::align(const Pose2& predicted, const Observation& observ
   return align_with_map(*map_, observation.points, observation.laser_position, predicted, refinement);
 }
 
-void HypothesisSet::track(const Observation& observation, double novelty, std::span<const Point> coarse,
+void HypothesisSet::track(const Observation& observation, double tempering_weight, std::span<const Point> coarse,
                           const Eigen::Vector2d& window) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
   int rank = 0;
@@ -89,16 +89,16 @@ void HypothesisSet::track(const Observation& observation, double novelty, std::s
     const Alignment scan = align(predicted, observation);
     // The scan is judged where it fits best: a wall that is not where the map says is the map's error, not its own.
     hypothesis.T_map_local = scan.T_map_base * T_local_base.inverse();
-    Judge::Verdict verdict = judge_.judge(hypothesis, observation);
-    hypothesis.T_map_local = live.pose.update(predicted, scan, novelty, T_local_base,
+    ScorerEnsemble::Verdict verdict = ensemble_.judge(hypothesis, observation);
+    hypothesis.T_map_local = live.pose.update(predicted, scan, tempering_weight, T_local_base,
                                               {options_.track_memory, options_.track_jump_m}) *
                              T_local_base.inverse();
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
     ++live.updates;
-    const double kept = 1 - novelty * (1 - options_.memory);
-    hypothesis.log_likelihood = kept * hypothesis.log_likelihood + novelty * verdict.nat;
-    hypothesis.encounters.take(verdict.encounters, novelty, 1 - novelty * (1 - options_.encounter_memory));
+    const double kept = 1 - tempering_weight * (1 - options_.memory);
+    hypothesis.log_likelihood = kept * hypothesis.log_likelihood + tempering_weight * verdict.nat;
+    hypothesis.encounters.take(verdict.encounters, tempering_weight, 1 - tempering_weight * (1 - options_.encounter_memory));
     live.inherited_nat *= kept;
     if (!verdict.veto.empty()) end(live, "veto by " + verdict.veto);
   }
@@ -117,8 +117,8 @@ Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_loca
   return found == alive_.end() ? nullptr : &*found;
 }
 
-void HypothesisSet::renew(Live& old, const Pose2& T_map_local, Judge::Verdict verdict, const Observation& observation) const {
-  const double gain = verdict.nat - judge_.decide(born_anew(old.hypothesis), observation);
+void HypothesisSet::renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::Verdict verdict, const Observation& observation) const {
+  const double gain = verdict.nat - ensemble_.decide(as_new(old.hypothesis), observation);
   if (gain <= 0.3) return;
   old.hypothesis.log_likelihood += gain;
   old.hypothesis.T_map_local = T_map_local;
@@ -127,47 +127,47 @@ void HypothesisSet::renew(Live& old, const Pose2& T_map_local, Judge::Verdict ve
   old.scores = std::move(verdict.scores);
 }
 
-HypothesisSet::Newborn HypothesisSet::look_back(Hypothesis hypothesis, const Judge::Verdict& verdict,
-                                                const Observation& observation, double novelty,
-                                                const Hindsight& hindsight) const {
-  const double share = hindsight.since_newest(novelty);
+HypothesisSet::Spawned HypothesisSet::verify_in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict,
+                                                const Observation& observation, double tempering_weight,
+                                                const RetrospectiveVerification& retrospective) const {
+  const double share = retrospective.since_newest(tempering_weight);
   hypothesis.encounters.take(verdict.encounters, share, 1);
-  Hindsight::Verdict past = hindsight.look_back(hypothesis, observation.local_map);
+  RetrospectiveVerification::Verdict past = retrospective.verify_in_retrospect(hypothesis, observation.local_map);
   const double nat = options_.birth_nat + share * verdict.nat + past.nat;
   return {std::move(past), nat};
 }
 
-double HypothesisSet::surplus_of_looking_back(const Observation& observation, double novelty,
-                                              const Hindsight& hindsight) const {
-  if (alive_.empty() || alive_.front().carried_after >= 0) return 0;
-  const Hypothesis best = born_anew(alive_.front().hypothesis);
-  const Newborn anew = look_back(best, judge_.judge(best, observation), observation, novelty, hindsight);
-  if (anew.past.scans == 0 || anew.past.hopeless || anew.past.carried_after >= 0) return 0;
+double HypothesisSet::surplus_in_retrospect(const Observation& observation, double tempering_weight,
+                                              const RetrospectiveVerification& retrospective) const {
+  if (alive_.empty() || alive_.front().kidnapped_after >= 0) return 0;
+  const Hypothesis best = as_new(alive_.front().hypothesis);
+  const Spawned anew = verify_in_retrospect(best, ensemble_.judge(best, observation), observation, tempering_weight, retrospective);
+  if (anew.past.scans == 0 || anew.past.hopeless || anew.past.kidnapped_after >= 0) return 0;
   return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
 }
 
-void HypothesisSet::bear(Live live, Newborn newborn, Candidate candidate) {
+void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate) {
   live.hypothesis.id = next_id_++;
-  live.hypothesis.log_likelihood = newborn.nat;
-  live.hypothesis.encounters = std::move(newborn.past.encounters);
+  live.hypothesis.log_likelihood = spawned.nat;
+  live.hypothesis.encounters = std::move(spawned.past.encounters);
   live.hypothesis.associations = candidate.pairs;
-  live.carried_after = newborn.past.carried_after;
-  live.inherited_nat = newborn.past.inherited_nat;
+  live.kidnapped_after = spawned.past.kidnapped_after;
+  live.inherited_nat = spawned.past.inherited_nat;
   live.leaf = tree_.add(-1, std::move(candidate.pairs));
   live.updates = 1;
-  listener_.born(live, -1, candidate.pattern);
+  listener_.spawned(live, -1, candidate.pattern);
   alive_.push_back(std::move(live));
 }
 
-void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
-                          const Hindsight& hindsight) {
+void HypothesisSet::spawn(std::vector<Candidate> candidates, const Observation& observation, double tempering_weight,
+                          const RetrospectiveVerification& retrospective) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
   std::optional<double> surplus;
   for (Candidate& candidate : candidates) {
     Live live;
     live.hypothesis.T_map_local = candidate.T_map_base * T_local_base.inverse();
-    Judge::Verdict verdict =
-        judge_.judges_associations() ? judge_.judge(live.hypothesis, observation) : std::move(candidate.verdict);
+    ScorerEnsemble::Verdict verdict =
+        ensemble_.judges_associations() ? ensemble_.judge(live.hypothesis, observation) : std::move(candidate.verdict);
     if (!verdict.veto.empty()) {
       listener_.candidate_rejected(candidate, "veto by " + verdict.veto);
       continue;
@@ -176,17 +176,17 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
       renew(*old, live.hypothesis.T_map_local, std::move(verdict), observation);
       continue;
     }
-    Newborn newborn = look_back(live.hypothesis, verdict, observation, novelty, hindsight);
-    if (newborn.past.hopeless) {
+    Spawned spawned = verify_in_retrospect(live.hypothesis, verdict, observation, tempering_weight, retrospective);
+    if (spawned.past.hopeless) {
       listener_.candidate_rejected(candidate,
-                                   "would be far behind after the " + std::to_string(newborn.past.scans) + " scans before");
+                                   "would be far behind after the " + std::to_string(spawned.past.scans) + " scans before");
       continue;
     }
-    if (!surplus) surplus = surplus_of_looking_back(observation, novelty, hindsight);
-    if (newborn.past.carried_after < 0) newborn.nat -= *surplus;
+    if (!surplus) surplus = surplus_in_retrospect(observation, tempering_weight, retrospective);
+    if (spawned.past.kidnapped_after < 0) spawned.nat -= *surplus;
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
-    bear(std::move(live), std::move(newborn), std::move(candidate));
+    insert(std::move(live), std::move(spawned), std::move(candidate));
   }
   sort_best_first(alive_);
   prune();
@@ -195,8 +195,8 @@ void HypothesisSet::adopt(std::vector<Candidate> candidates, const Observation& 
 double HypothesisSet::settle() {
   const double inherited_nat = alive_.front().inherited_nat;
   for (Live& live : alive_) {
-    if (live.carried_after < 0) end(live, "the robot was carried away");
-    live.carried_after = -1;
+    if (live.kidnapped_after < 0) end(live, "the robot was kidnapped");
+    live.kidnapped_after = -1;
     live.inherited_nat = 0;
     live.hypothesis.log_likelihood -= inherited_nat;
   }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "map/view/feature_index.hpp"
-#include "localization/search/hindsight.hpp"
-#include "localization/scoring/judge.hpp"
-#include "localization/search/seeding.hpp"
+#include "localization/search/retrospective_verification.hpp"
+#include "localization/scoring/scorer_ensemble.hpp"
+#include "localization/search/candidate_generation.hpp"
 
 #include "localization/options/association_options.hpp"
 #include "localization/tree/association_tree.hpp"
@@ -18,13 +18,13 @@ struct Live {
   Hypothesis hypothesis;
   int leaf = -1;                ///< in the tree
   double scan_nat = 0;          ///< what the newest scan said
-  int updates = 0;              ///< scans judged since birth
+  int updates = 0;              ///< scans judged since it was spawned
   int not_on_map = 0;           ///< associations with nothing, along the branch
   int consecutive_not_on_map = 0;
-  int carried_after = -1;       ///< the robot was carried away after this keyframe, if it is right; -1: it was not
+  int kidnapped_after = -1;       ///< the robot was kidnapped after this keyframe, if it is right; -1: it was not
   double inherited_nat = 0;     ///< part of its evidence that the best hypothesis had gathered by then
-  PoseFilter pose;              ///< what the scans since birth say about where it is
-  std::vector<Score> scores;    ///< of the newest scan, in the judge's order
+  PoseFilter pose;              ///< what the scans since it was spawned say about where it is
+  std::vector<Score> scores;    ///< of the newest scan, in the ensemble's order
 };
 
 /// Why a hypothesis ended.
@@ -38,8 +38,8 @@ class HypothesisListener {
  public:
   virtual ~HypothesisListener() = default;
   /// @param parent    the hypothesis that it branches from, or -1.
-  /// @param pattern   the seeder's template that it comes from, or -1.
-  virtual void born(const Live& live, int parent, int pattern) = 0;
+  /// @param pattern   the generator's template that it comes from, or -1.
+  virtual void spawned(const Live& live, int parent, int pattern) = 0;
   virtual void ended(const Live& live, const Ending& ending) = 0;
   virtual void associated(const Live& live, std::span<const Association> pairs) = 0;
   virtual void dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) = 0;
@@ -52,20 +52,20 @@ class HypothesisListener {
 /// All hypotheses that are alive, and the tree that they are the leaves of. Best first after every public call.
 class HypothesisSet {
  public:
-  HypothesisSet(std::shared_ptr<const MapView> map, const Judge& judge, const AssociationOptions& options,
+  HypothesisSet(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const AssociationOptions& options,
                 HypothesisListener& listener);
 
   /// Carries every hypothesis to the newest scan, aligns it with the map, and takes the scan's evidence.
-  /// @param novelty  how much of a new piece of evidence the scan is, in (0, 1].
+  /// @param tempering_weight  how much of a new piece of evidence the scan is, in (0, 1].
   /// @param coarse   a few dozen points for the alignment search.
   /// @param window   half widths of that search (x and y [m], heading [rad]); zero: none.
-  void track(const Observation& observation, double novelty, std::span<const Point> coarse,
+  void track(const Observation& observation, double tempering_weight, std::span<const Point> coarse,
              const Eigen::Vector2d& window);
 
-  /// Takes candidates that the sieves let pass as new hypotheses; those at the place of an old one renew it.
-  /// @param novelty  of the scan, as for `track`.
-  void adopt(std::vector<Candidate> candidates, const Observation& observation, double novelty,
-             const Hindsight& hindsight);
+  /// Takes candidates that the coarse-to-fine filters let pass as new hypotheses; those at the place of an old one renew it.
+  /// @param tempering_weight  of the scan, as for `track`.
+  void spawn(std::vector<Candidate> candidates, const Observation& observation, double tempering_weight,
+             const RetrospectiveVerification& retrospective);
 
   /// Algorithm 2: every hypothesis says for each of these local features what it is on the map, or that it is not. The
   /// features that the map's index expects least often go first: they leave fewest branches.
@@ -75,7 +75,7 @@ class HypothesisSet {
   /// decides on these features anew.
   void forget(const LocalMap& local_map);
 
-  /// The best hypothesis is right and the robot was carried away: ends those by which it was not. What is left has
+  /// The best hypothesis is right and the robot was kidnapped: ends those by which it was not. What is left has
   /// gathered nothing before that.
   /// @return what was taken off everybody's evidence [nat].
   double settle();
@@ -95,20 +95,20 @@ class HypothesisSet {
   Live* at_place_of(const Candidate& candidate, const Pose2& T_local_base);
   /// Moves an old hypothesis to where a candidate at its place has it, if that is clearly better aligned; both are judged
   /// as if they had met nothing yet.
-  void renew(Live& old, const Pose2& T_map_local, Judge::Verdict verdict, const Observation& observation) const;
-  /// What a hypothesis starts with that is born now.
-  struct Newborn {
-    Hindsight::Verdict past;
-    double nat = 0;  ///< of the scans before, the newest one, and being born
+  void renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::Verdict verdict, const Observation& observation) const;
+  /// What a hypothesis starts with that is spawned now.
+  struct Spawned {
+    RetrospectiveVerification::Verdict past;
+    double nat = 0;  ///< of the scans before, the newest one, and being spawned
   };
   /// @param hypothesis  that has met nothing yet. @param verdict  on the newest scan.
-  Newborn look_back(Hypothesis hypothesis, const Judge::Verdict& verdict, const Observation& observation, double novelty,
-                    const Hindsight& hindsight) const;
+  Spawned verify_in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict, const Observation& observation, double tempering_weight,
+                    const RetrospectiveVerification& retrospective) const;
   /// Adds it to those that are alive.
-  void bear(Live live, Newborn newborn, Candidate candidate);
-  /// How much more the best hypothesis would have if it were born now [nat], >= 0. Looking back takes scans in larger pieces
+  void insert(Live live, Spawned spawned, Candidate candidate);
+  /// How much more the best hypothesis would have if it were spawned now [nat], >= 0. retrospective verification takes scans in larger pieces
   /// than tracking did, and what is seen for the first time counts most: that is no merit of who comes late.
-  double surplus_of_looking_back(const Observation& observation, double novelty, const Hindsight& hindsight) const;
+  double surplus_in_retrospect(const Observation& observation, double tempering_weight, const RetrospectiveVerification& retrospective) const;
   Alignment align(const Pose2& predicted, const Observation& observation) const;
   Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
   void end(Live& live, const std::string& reason, int merged_into = -1);
@@ -119,7 +119,7 @@ class HypothesisSet {
 
   std::shared_ptr<const MapView> map_;
   FeatureIndex index_;
-  const Judge& judge_;
+  const ScorerEnsemble& ensemble_;
   AssociationOptions options_;
   HypothesisListener& listener_;
   AssociationTree tree_;

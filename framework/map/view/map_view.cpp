@@ -67,7 +67,7 @@ std::vector<SurfaceGrid::NumberedShape> shapes_of(const SemanticMap& map, const 
 constexpr int kMostSlack_cm = 50;
 
 /// By distance plus kMostSlack_cm.
-std::array<float, kMostSlack_cm + 256> nearness_by_cm() {
+std::array<float, kMostSlack_cm + 256> likelihood_field_by_cm() {
   constexpr double sigma_cm = 20;
   std::array<float, kMostSlack_cm + 256> table{};
   for (int k = 0; k < kMostSlack_cm + 255; ++k) {
@@ -200,7 +200,7 @@ struct MapView::Index {
   std::vector<Surface> by_number;
   RTree tree;
   FaceEnds ends;
-  std::array<float, kMostSlack_cm + 256> nearness = nearness_by_cm();
+  std::array<float, kMostSlack_cm + 256> likelihood_field = likelihood_field_by_cm();
 };
 
 MapView::MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor)
@@ -245,21 +245,21 @@ double MapView::clearance_m(const Point& p) const {
   return cm == 255 ? clearance_cap_m() : 0.01 * cm;
 }
 
-float MapView::nearness(const Point& p) const {
-  return index_->nearness[kMostSlack_cm + index_->surfaces.distance_cm(p)];
+float MapView::likelihood_field(const Point& p) const {
+  return index_->likelihood_field[kMostSlack_cm + index_->surfaces.distance_cm(p)];
 }
 
-float MapView::nearness_sum(std::span<const Point> points, const Point& position, double slack_m) const {
-  const float* table = &index_->nearness[std::clamp(kMostSlack_cm - static_cast<int>(100 * slack_m), 0, kMostSlack_cm)];
+float MapView::likelihood_field_sum(std::span<const Point> points, const Point& position, double slack_m) const {
+  const float* table = &index_->likelihood_field[std::clamp(kMostSlack_cm - static_cast<int>(100 * slack_m), 0, kMostSlack_cm)];
   float sum = 0;
   for (const Point& point : points) sum += table[index_->surfaces.distance_cm(position + point)];
   return sum;
 }
 
-float MapView::coarse_nearness_sum(std::span<const Point> points, const Point& position) const {
+float MapView::coarse_likelihood_field_sum(std::span<const Point> points, const Point& position) const {
   float sum = 0;
   for (const Point& point : points)
-    sum += index_->nearness[kMostSlack_cm + index_->surfaces.coarse_distance_cm(position + point)];
+    sum += index_->likelihood_field[kMostSlack_cm + index_->surfaces.coarse_distance_cm(position + point)];
   return sum;
 }
 

@@ -111,13 +111,13 @@ void write_local_features(const RunFrame& frame, RecordText& record) {
 }
 
 void write_tree(const RunFrame& frame, RecordText& record) {
-  write_list("born", frame.births, record, [&](const RecordedBirth& birth) {
-    record.integer(birth.id)
-        .integer(birth.parent)
-        .text(birth.pattern_template)
-        .pose(birth.T_map_base, kPoseDecimals);
-    record.number(birth.log_likelihood, kNatDecimals);
-    write_pairs(birth.pairs, record);
+  write_list("spawned", frame.spawns, record, [&](const RecordedSpawn& spawn) {
+    record.integer(spawn.id)
+        .integer(spawn.parent)
+        .text(spawn.pattern_template)
+        .pose(spawn.T_map_base, kPoseDecimals);
+    record.number(spawn.log_likelihood, kNatDecimals);
+    write_pairs(spawn.pairs, record);
   });
   write_list("grown", frame.growths, record, [&](const RecordedGrowth& growth) {
     record.integer(growth.hypothesis);

@@ -12,7 +12,7 @@ namespace opal {
 
 void write_mapped_feature(const RunHeader::Feature& feature, RecordText& record);
 void write_local_features(const RunFrame& frame, RecordText& record);
-/// How the hypothesis tree changed: born, grown, lost, tried, ended.
+/// How the hypothesis tree changed: spawned, grown, lost, tried, ended.
 void write_tree(const RunFrame& frame, RecordText& record);
 void write_search(const RecordedSearch& search, RecordText& record);
 /// Probabilities of the hypotheses that have rows, and the scores of the best few.

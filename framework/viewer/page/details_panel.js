@@ -51,7 +51,7 @@ export class DetailsPanel {
 
   absent(scene) {
     const known = scene?.recording.hypotheses.byId.get(this.state.selected);
-    return element('p', { class: 'quiet', text: known ? 'Not born yet at this moment.' : 'There is no such hypothesis.' });
+    return element('p', { class: 'quiet', text: known ? 'Not spawned yet at this moment.' : 'There is no such hypothesis.' });
   }
 
   describe(scene, hypothesis) {
@@ -83,7 +83,7 @@ export class DetailsPanel {
         ['Last scan', `${fixed(hypothesis.end.scan_nat, 2)} nat`],
       );
     const origin = hypothesis.parent >= 0 ? `branch of #${hypothesis.parent}` : shortName(hypothesis.template);
-    facts.push(['Born', this.moment(at(hypothesis.bornFrame), hypothesis.bornFrame, origin && `, ${origin}`)]);
+    facts.push(['Spawned', this.moment(at(hypothesis.spawnedFrame), hypothesis.spawnedFrame, origin && `, ${origin}`)]);
     if (over) facts.push(['Ended', this.moment(at(hypothesis.endFrame), hypothesis.endFrame)]);
     const list = element('dl', { class: 'facts' });
     for (const [name, value] of facts) {
@@ -160,7 +160,7 @@ export class DetailsPanel {
       .filter((node) => node.frame <= frame && node.kind !== 'grown')
       .slice(-6)
       .reverse();
-    const branches = children.filter((child) => child.bornFrame <= frame);
+    const branches = children.filter((child) => child.spawnedFrame <= frame);
     const parts = [];
     if (past.length > 0) {
       const entries = past.map((node) =>

@@ -6,15 +6,15 @@ const kBand_px = 16,
   kTicks_px = 14,
   kGap_px = 2,
   kNames_px = 9;
-const kBorn = kEventKinds.indexOf('born'),
+const kBorn = kEventKinds.indexOf('spawned'),
   kEnded = kEventKinds.indexOf('ended'),
   kSearch = kEventKinds.indexOf('search');
 
-/// Over the whole time line: the status of each run as a band with words; births (up), ends (down) and searches (dots) of
+/// Over the whole time line: the status of each run as a band with words; spawns (up), ends (down) and searches (dots) of
 /// the first, or of the one that is worked with.
 export class EventStrip {
   constructor() {
-    this.canvas = element('canvas', { role: 'img', 'aria-label': 'Status over time, with births, ends and searches' });
+    this.canvas = element('canvas', { role: 'img', 'aria-label': 'Status over time, with spawns, ends and searches' });
     this.root = element('div', { class: 'event-strip' }, this.canvas);
     this.context = this.canvas.getContext('2d');
   }
@@ -92,7 +92,7 @@ export class EventStrip {
       const at = x(timeLine.timeOf(part, frame));
       if (at - last[kind] < 1) continue;
       last[kind] = at;
-      if (kind === kBorn) fill(context, palette.rival, at, top, 1.5, kTicks_px / 2 - 2);
+      if (kind === kBorn) fill(context, palette.alternative, at, top, 1.5, kTicks_px / 2 - 2);
       else if (kind === kEnded) fill(context, palette.finding, at, middle + 2, 1.5, kTicks_px / 2 - 2);
       else if (kind === kSearch) fill(context, palette.pattern, at - 0.5, middle - 1.5, 3, 3);
     }

@@ -3,7 +3,7 @@ import { element } from './dom.js';
 const kKeyNames = { ' ': 'Space', ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓', Escape: 'Esc' };
 const kSigns = [
   ['best', 'the best hypothesis: where the robot is believed to be'],
-  ['rival', 'its rivals: the larger and fuller, the more probable'],
+  ['alternative', 'its alternatives: the larger and fuller, the more probable'],
   ['scan', 'the scan'],
   ['free', 'free space: what the beams passed through'],
   ['local', 'local features, stable'],

@@ -11,9 +11,9 @@ const kBest_px = 17,
 const kAfterglow_s = 1;
 
 /// The more probable, the larger and the more opaque, as in the static pictures.
-const rivalSize_px = (probability) => 9 + 6 * Math.sqrt(Math.min(1, Math.max(0, probability)));
+const alternativeSize_px = (probability) => 9 + 6 * Math.sqrt(Math.min(1, Math.max(0, probability)));
 
-const rivalOpacity = (probability) => 0.42 + 0.58 * Math.sqrt(Math.min(1, Math.max(0, probability)));
+const alternativeOpacity = (probability) => 0.42 + 0.58 * Math.sqrt(Math.min(1, Math.max(0, probability)));
 
 /// Crosses where hypotheses have ended, and small hollow squares where places were refused, a moment ago.
 export function paintEnded({ context, view, palette, marks, scene }) {
@@ -46,9 +46,9 @@ export function paintHypotheses({ context, view, palette, marks, scene }) {
   const best = recording.bestRow.values[frame];
   context.strokeStyle = palette.plot;
   context.lineWidth = 1;
-  context.fillStyle = palette.rival;
+  context.fillStyle = palette.alternative;
   for (let row = rows.end(frame) - 1; row >= rows.begin(frame); --row)
-    if (row !== best) paintDart(context, view, rows, row, rivalSize_px(rows.probability.values[row]), marks);
+    if (row !== best) paintDart(context, view, rows, row, alternativeSize_px(rows.probability.values[row]), marks);
   if (best < 0) return;
   context.fillStyle = palette.best;
   paintDart(context, view, rows, best, kBest_px, marks);
@@ -60,7 +60,7 @@ function paintDart(context, view, rows, row, size_px, marks) {
     y = rows.y.values[row],
     heading = rows.heading.values[row],
     p = rows.probability.values[row];
-  context.globalAlpha = size_px === kBest_px ? 1 : rivalOpacity(p);
+  context.globalAlpha = size_px === kBest_px ? 1 : alternativeOpacity(p);
   context.beginPath();
   dartPath(context, view.x(x), view.y(y), heading, size_px);
   context.fill();

@@ -1,13 +1,13 @@
 import { coordinate, integer, list, numberOrNull, optionalList, position, refuse, text } from './record_error.js';
 
-/// One hypothesis, from birth to end. `links` are its associations with the frames [from, to) in which they held;
+/// One hypothesis, from spawn to end. `links` are its associations with the frames [from, to) in which they held;
 /// `nodes` what happened to it: `{frame, kind: grown | lost | tried, pairs or locals, reason}`.
-function newborn(id, frame) {
+function spawnedNow(id, frame) {
   return {
     id,
     parent: -1,
     template: '',
-    bornFrame: frame,
+    spawnedFrame: frame,
     pose: null,
     nat: NaN,
     pairs: [],
@@ -40,7 +40,7 @@ export function findingsOf(value, features, place) {
   });
 }
 
-/// All hypotheses of a run by id, in order of birth.
+/// All hypotheses of a run by id, in order of spawn.
 export class HypothesisLog {
   constructor() {
     this.byId = new Map();
@@ -48,19 +48,19 @@ export class HypothesisLog {
     this.features = 0; ///< how many the map has
   }
 
-  /// The hypothesis of that id; one that was never announced as born begins here.
+  /// The hypothesis of that id; one that was never announced as spawned begins here.
   of(id, frame, place) {
     integer(id, place);
     let hypothesis = this.byId.get(id);
     if (!hypothesis) {
-      hypothesis = newborn(id, frame);
+      hypothesis = spawnedNow(id, frame);
       this.byId.set(id, hypothesis);
       this.inOrder.push(hypothesis);
     }
     return hypothesis;
   }
 
-  born(entry, frame, place) {
+  spawned(entry, frame, place) {
     const [id, parent, template, x, y, heading, nat, pairs] = list(entry, place);
     const hypothesis = this.of(id, frame, place);
     if (hypothesis.known) refuse(place, 'a new id', id);

@@ -12,7 +12,7 @@ const kInks = [
   'match',
   'association',
   'best',
-  'rival',
+  'alternative',
   'selected',
   'trajectory',
   'truth',

@@ -10,7 +10,7 @@ import { RunMap } from './run_map.js';
 import { WrittenRecords } from './written_records.js';
 
 /// What one can jump to, each with how the page calls it.
-export const kEventKinds = ['status', 'born', 'ended', 'search'];
+export const kEventKinds = ['status', 'spawned', 'ended', 'search'];
 
 const kNone = [];
 
@@ -130,7 +130,7 @@ export class Recording {
       entries.forEach((entry, k) => this.hypotheses[name](entry, frame, `${name}[${k}]`));
       return entries.length > 0;
     };
-    const born = each('born');
+    const spawned = each('spawned');
     each('lost'); // before they grow: the same local feature may find another counterpart
     each('grown');
     each('tried');
@@ -147,7 +147,7 @@ export class Recording {
         frame,
         record.search.rejected.map(([, x, y]) => [x, y]),
       );
-    if (born) this.mark(frame, 'born');
+    if (spawned) this.mark(frame, 'spawned');
     if (ended) this.mark(frame, 'ended');
     if (record.search) this.mark(frame, 'search');
   }

@@ -18,6 +18,6 @@ export function sceneAt(recording, frame, selected) {
     T_map_base,
     T_map_local: T_map_base && recording.registrationAt(frame, T_map_base),
     pairs: shown < 0 ? [] : pairsAt(hypotheses.byId.get(shown), frame),
-    picked: picked && picked.bornFrame <= frame ? picked : null,
+    picked: picked && picked.spawnedFrame <= frame ? picked : null,
   };
 }

@@ -5,7 +5,7 @@ import { seconds } from './words_of.js';
 const kEventChoices = [
   [-1, 'any event'],
   [0, 'status change'],
-  [1, 'birth'],
+  [1, 'spawn'],
   [2, 'end'],
   [3, 'search'],
 ];

@@ -32,19 +32,19 @@ export class TreeModel {
     return rows;
   }
 
-  /// Hypotheses of this time line that are looked for, in order of birth: alive, ended of late (or ever), and their ancestors.
+  /// Hypotheses of this time line that are looked for, in order of spawn: alive, ended of late (or ever), and their ancestors.
   wantedHypotheses() {
     const { recording, frame } = this;
     const { byId, inOrder } = recording.hypotheses;
     const { begin } = recording.windows[recording.window.values[frame]];
     const wanted = new Set();
-    for (let k = inOrder.length - 1; k >= 0 && inOrder[k].bornFrame >= begin; --k) {
+    for (let k = inOrder.length - 1; k >= 0 && inOrder[k].spawnedFrame >= begin; --k) {
       const hypothesis = inOrder[k];
-      if (hypothesis.bornFrame > frame || !this.isLookedFor(hypothesis)) continue;
+      if (hypothesis.spawnedFrame > frame || !this.isLookedFor(hypothesis)) continue;
       if (wanted.size >= kMostHypotheses && !this.isFresh(hypothesis)) this.left += 1;
       else for (let h = hypothesis; h && !wanted.has(h); h = byId.get(h.parent)) wanted.add(h);
     }
-    return new Set([...wanted].sort((a, b) => a.bornFrame - b.bornFrame || a.id - b.id));
+    return new Set([...wanted].sort((a, b) => a.spawnedFrame - b.spawnedFrame || a.id - b.id));
   }
 
   isLookedFor(hypothesis) {
@@ -85,7 +85,7 @@ export class TreeModel {
       id: hypothesis.id,
       expandable: children.length + nodes.length > 0,
       state: alive ? 'alive' : 'ended',
-      frame: hypothesis.bornFrame,
+      frame: hypothesis.spawnedFrame,
       words: `#${hypothesis.id} ${nodeWords(this.ownPairs(hypothesis), recording.map)}`,
       note: alive ? this.aliveNote(hypothesis) : this.endedNote(hypothesis),
     });
@@ -104,7 +104,7 @@ export class TreeModel {
     const parent = this.recording.hypotheses.byId.get(hypothesis.parent);
     if (!parent) return hypothesis.pairs;
     const inherited = new Set(
-      parent.links.filter((link) => link.from < hypothesis.bornFrame).map((l) => `${l.local} ${l.mapped}`),
+      parent.links.filter((link) => link.from < hypothesis.spawnedFrame).map((l) => `${l.local} ${l.mapped}`),
     );
     const own = hypothesis.pairs.filter(([local, mapped]) => !inherited.has(`${local} ${mapped}`));
     return own.length > 0 ? own : hypothesis.pairs;

@@ -2,7 +2,7 @@ import { element, setText } from './dom.js';
 import { kStatuses } from './frame_check.js';
 import { probabilityWords } from './words_of.js';
 
-const kKinds = { answer: 'Answer', support: 'For it', against: 'Against it', rival: 'Rivals', fell: 'Fell', note: 'Note' };
+const kKinds = { answer: 'Answer', support: 'For it', against: 'Against it', alternative: 'Alternatives', fell: 'Fell', note: 'Note' };
 
 /// The explanation of the moment, in the words that the record brings, and the status above it.
 export class WordsPanel {

@@ -124,8 +124,8 @@ void read_searched(const EventPlace& event, const FeaturePositions& features, Ru
     }
 }
 
-void read_born(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
-  frame.births.push_back({event.member("hypothesis").count(), optional_id(event, "parent"),
+void read_spawned(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
+  frame.spawns.push_back({event.member("hypothesis").count(), optional_id(event, "parent"),
                           optional_name(event, "template"), event.member("T_map_base").pose(),
                           optional_nat(event, "log_likelihood"), read_pairs(event, features)});
 }
@@ -203,7 +203,7 @@ const std::map<std::string, Reader>& readers() {
                                                       {"local_features", read_local_features},
                                                       {"pruned", read_pruned},
                                                       {"searched", read_searched},
-                                                      {"born", read_born},
+                                                      {"spawned", read_spawned},
                                                       {"associated", read_associated},
                                                       {"dissociated", read_dissociated},
                                                       {"rejected", read_rejected},

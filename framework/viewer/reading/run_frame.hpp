@@ -70,7 +70,7 @@ struct RecordedHypothesis {
   std::vector<RecordedTerm> scores;
 };
 
-struct RecordedBirth {
+struct RecordedSpawn {
   int id = -1;
   int parent = -1;  ///< -1: from a search
   std::string pattern_template;
@@ -138,7 +138,7 @@ struct RunFrame {
   std::vector<RecordedLocalFeature> changed;
   std::vector<int> gone;
   std::optional<RecordedSearch> search;
-  std::vector<RecordedBirth> births;
+  std::vector<RecordedSpawn> spawns;
   std::vector<RecordedGrowth> growths;
   std::vector<RecordedLoss> losses;
   std::vector<RecordedRejection> rejections;

@@ -18,7 +18,7 @@ void RunState::apply(const RunFrame& frame) {
   frame_ = frame;
   ++frames_;
   apply_local_features();
-  for (const RecordedBirth& birth : frame_.births) bear(birth);
+  for (const RecordedSpawn& spawn : frame_.spawns) insert(spawn);
   // What no longer fits is dropped before hypotheses grow; the same local feature may find another
   // counterpart.
   for (const RecordedLoss& loss : frame_.losses) lose(loss);
@@ -42,19 +42,19 @@ TracedHypothesis& RunState::traced(int id) {
   const auto [found, is_new] = alive_.try_emplace(id);
   if (is_new) {
     found->second.id = id;
-    found->second.born_s = frame_.time_s;
-    found->second.born_keyframe = frame_.keyframe;
+    found->second.spawned_s = frame_.time_s;
+    found->second.spawned_keyframe = frame_.keyframe;
   }
   return found->second;
 }
 
-void RunState::bear(const RecordedBirth& birth) {
-  TracedHypothesis& hypothesis = traced(birth.id);
-  hypothesis.parent = birth.parent;
-  hypothesis.pattern_template = birth.pattern_template;
-  hypothesis.pairs = birth.pairs;
-  hypothesis.T_map_base = birth.T_map_base;
-  hypothesis.log_likelihood = birth.log_likelihood;
+void RunState::insert(const RecordedSpawn& spawn) {
+  TracedHypothesis& hypothesis = traced(spawn.id);
+  hypothesis.parent = spawn.parent;
+  hypothesis.pattern_template = spawn.pattern_template;
+  hypothesis.pairs = spawn.pairs;
+  hypothesis.T_map_base = spawn.T_map_base;
+  hypothesis.log_likelihood = spawn.log_likelihood;
 }
 
 void RunState::grow(const RecordedGrowth& growth) {

@@ -7,13 +7,13 @@
 
 namespace opal {
 
-/// A hypothesis from birth to end, as far as the frames that were applied tell.
+/// A hypothesis from spawn to end, as far as the frames that were applied tell.
 struct TracedHypothesis {
   int id = -1;
   int parent = -1;
   std::string pattern_template;
-  double born_s = 0;  ///< time since the start of the time line
-  int born_keyframe = 0;
+  double spawned_s = 0;  ///< time since the start of the time line
+  int spawned_keyframe = 0;
   std::vector<RecordedPair>
       pairs;  ///< associations that hold now (at the end, if it has ended), oldest first
 
@@ -65,7 +65,7 @@ class RunState {
 
  private:
   void apply_local_features();
-  void bear(const RecordedBirth& birth);
+  void insert(const RecordedSpawn& spawn);
   void grow(const RecordedGrowth& growth);
   void lose(const RecordedLoss& loss);
   void end(const RecordedEnd& end);

@@ -10,7 +10,7 @@ const char* name_of(SentenceKind kind) {
     case SentenceKind::answer: return "answer";
     case SentenceKind::support: return "support";
     case SentenceKind::against: return "against";
-    case SentenceKind::rival: return "rival";
+    case SentenceKind::alternative: return "alternative";
     case SentenceKind::fell: return "fell";
     case SentenceKind::note: return "note";
   }
@@ -36,7 +36,7 @@ std::vector<Sentence> Explainer::explanation() const {
   add_answer(*moment_, sentences);
   add_support(*moment_, sentences);
   add_findings(*moment_, sentences);
-  add_rivals(*moment_, sentences);
+  add_alternatives(*moment_, sentences);
   add_fallen(*moment_, sentences);
   add_search(*moment_, sentences);
   return sentences;

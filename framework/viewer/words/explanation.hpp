@@ -11,7 +11,7 @@ namespace opal {
 
 struct ExplainedMoment;
 
-enum class SentenceKind { answer, support, against, rival, fell, note };
+enum class SentenceKind { answer, support, against, alternative, fell, note };
 const char* name_of(SentenceKind kind);
 
 /// One thing to know about the answer. Names, times and numbers in it come from the event stream, or are computed
@@ -36,7 +36,7 @@ class Explainer {
 
   void take(const RunFrame& frame);
 
-  /// The newest frame in words: the answer first, then what speaks for and against it, its rivals, those that fell.
+  /// The newest frame in words: the answer first, then what speaks for and against it, its alternatives, those that fell.
   /// Empty before the first frame. Deterministic, and independent of the order of a frame's unordered events.
   std::vector<Sentence> explanation() const;
 

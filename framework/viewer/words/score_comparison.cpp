@@ -26,10 +26,10 @@ const KnownTerm* known_term(const TermName& name) {
   return it == known.end() ? nullptr : &it->second;
 }
 
-std::string term_text(const TermName& name, double rival, double best) {
+std::string term_text(const TermName& name, double alternative, double best) {
   if (const KnownTerm* known = known_term(name))
-    return std::string(known->words) + " " + percent_text(rival) + ", of the best one " + percent_text(best);
-  return name.first + " " + name.second + " " + fixed_text(rival, 2) + ", of the best one " + fixed_text(best, 2);
+    return std::string(known->words) + " " + percent_text(alternative) + ", of the best one " + percent_text(best);
+  return name.first + " " + name.second + " " + fixed_text(alternative, 2) + ", of the best one " + fixed_text(best, 2);
 }
 
 std::map<TermName, double> terms_of(const TracedHypothesis& hypothesis) {
@@ -44,11 +44,11 @@ struct Difference {
 };
 
 /// Known terms that are worse than the best one's, the largest difference first; then all others that differ.
-std::vector<Difference> differences(const TracedHypothesis& rival, const TracedHypothesis& best) {
+std::vector<Difference> differences(const TracedHypothesis& alternative, const TracedHypothesis& best) {
   constexpr double kShownDifference = 0.01;
   const std::map<TermName, double> of_best = terms_of(best);
   std::vector<Difference> found;
-  for (const auto& [name, value] : terms_of(rival)) {
+  for (const auto& [name, value] : terms_of(alternative)) {
     const auto it = of_best.find(name);
     if (it == of_best.end() || !(std::abs(value - it->second) >= kShownDifference)) continue;
     const KnownTerm* known = known_term(name);
@@ -61,13 +61,13 @@ std::vector<Difference> differences(const TracedHypothesis& rival, const TracedH
 
 }  // namespace
 
-std::string comparison_text(const TracedHypothesis& rival, const TracedHypothesis& best) {
+std::string comparison_text(const TracedHypothesis& alternative, const TracedHypothesis& best) {
   constexpr std::size_t kNamedTerms = 2;
-  std::vector<Difference> found = differences(rival, best);
+  std::vector<Difference> found = differences(alternative, best);
   if (found.size() > kNamedTerms) found.resize(kNamedTerms);
   std::string text;
   for (const Difference& difference : found) text += difference.text + "; ";
-  return text + "gathered " + nat_text(rival.log_likelihood) + ", the best one " + nat_text(best.log_likelihood);
+  return text + "gathered " + nat_text(alternative.log_likelihood) + ", the best one " + nat_text(best.log_likelihood);
 }
 
 }  // namespace opal

@@ -16,8 +16,8 @@ void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
 void add_support(const ExplainedMoment& moment, std::vector<Sentence>& sentences);
 /// What scorers recorded about the best hypothesis, in their words.
 void add_findings(const ExplainedMoment& moment, std::vector<Sentence>& sentences);
-/// Living rivals, and what they score less than the best one.
-void add_rivals(const ExplainedMoment& moment, std::vector<Sentence>& sentences);
+/// Living alternatives, and what they score less than the best one.
+void add_alternatives(const ExplainedMoment& moment, std::vector<Sentence>& sentences);
 /// Former best and once probable hypotheses that ended, with the recorded reason.
 void add_fallen(const ExplainedMoment& moment, std::vector<Sentence>& sentences);
 /// While it does not know where it is: what it looked for, and what is missing. And the recorded truth.

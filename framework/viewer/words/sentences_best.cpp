@@ -95,11 +95,11 @@ class Support {
   std::set<int> not_on_map_;
 };
 
-/// Empty if its birth is not recorded.
+/// Empty if its spawn is not recorded.
 std::string origin_text(const TracedHypothesis& hypothesis) {
   if (hypothesis.parent < 0 && hypothesis.pattern_template.empty()) return {};
-  std::string text = hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "born";
-  text += " at " + seconds_text(hypothesis.born_s);
+  std::string text = hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "spawned";
+  text += " at " + seconds_text(hypothesis.spawned_s);
   return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
 }
 

@@ -2,7 +2,7 @@
 
 #include "benchmark/experiments/challenges/challenge_report.hpp"
 #include "benchmark/experiments/kit/published.hpp"
-#include "benchmark/experiments/challenges/rival.hpp"
+#include "benchmark/experiments/challenges/baseline.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,8 +14,8 @@ using Catch::Contains;
 
 namespace {
 
-/// A robot that drives 1 m per moment, and what is said of it: how far off, and whether that is vouched for.
-ChallengeRun made_up(const std::vector<std::pair<double, bool>>& said) {
+/// A robot that drives 1 m per moment, and what is said of it: how far off, and whether that is called localized.
+ChallengeRun synthetic(const std::vector<std::pair<double, bool>>& said) {
   ChallengeRun run;
   run.contender = "somebody";
   run.challenge = "B1";
@@ -49,7 +49,7 @@ simulation::Recording recording_of(int scans) {
 }  // namespace
 
 TEST_CASE("success is to come within 1 m and to stay there") {
-  const ChallengeRun good = made_up({{5, false}, {0.5, false}, {0.2, true}, {0.1, true}});
+  const ChallengeRun good = synthetic({{5, false}, {0.5, false}, {0.2, true}, {0.1, true}});
   CHECK(good.success);
   CHECK(good.right_after_m == 1);
   CHECK(good.localized_after_m == 2);
@@ -57,7 +57,7 @@ TEST_CASE("success is to come within 1 m and to stay there") {
   CHECK(good.hypotheses_before == 10);
   CHECK(good.hypotheses_after == 7);
   CHECK(good.false_rows == 0);
-  const ChallengeRun lost = made_up({{0.1, true}, {0.1, true}, {3, true}});
+  const ChallengeRun lost = synthetic({{0.1, true}, {0.1, true}, {3, true}});
   CHECK(!lost.success);
   CHECK(lost.right_after_m < 0);
   CHECK(lost.localized_rows == 3);
@@ -65,7 +65,7 @@ TEST_CASE("success is to come within 1 m and to stay there") {
 }
 
 TEST_CASE("the table has what was published beside what was measured") {
-  const std::vector<ChallengeRun> runs{made_up({{0.1, true}}), made_up({{3, true}})};
+  const std::vector<ChallengeRun> runs{synthetic({{0.1, true}}), synthetic({{3, true}})};
   const std::string text = text_of(challenge_table(runs));
   CHECK_THAT(text, Contains("1/2"));
   CHECK_THAT(text, Contains("AMCL, as published") && Contains("2/5"));
@@ -85,10 +85,10 @@ TEST_CASE("what AMCL is said to have done in all is what it did in each") {
   for (const Table::Row& row : closed_loop.rows) CHECK(row.cells.size() == table_4_1_columns().size());
 }
 
-TEST_CASE("a rival's answer is judged by the robot's pose, and where it says nothing it has none") {
+TEST_CASE("a baseline's answer is judged by the robot's pose, and where it says nothing it has none") {
   const TemporaryFile file(
       "rows.csv", "timestamp,x,y,theta,localized,hypotheses,cpu_ms\n0,0.2,0.5,0,0,50000,90\n0.4,2.2,0,0,1,200,3\n");
-  const std::vector<Moment> moments = read_rival(file.path(), recording_of(3));
+  const std::vector<Moment> moments = read_baseline(file.path(), recording_of(3));
   REQUIRE(moments.size() == 3);
   CHECK(moments[0].error_m() == Approx(0.5));
   CHECK(moments[0].hypotheses == 50000);
@@ -98,11 +98,11 @@ TEST_CASE("a rival's answer is judged by the robot's pose, and where it says not
   CHECK(moments[2].driven_m == 2);
 }
 
-TEST_CASE("a rival's table that is none is refused by file and line") {
+TEST_CASE("a baseline's table that is none is refused by file and line") {
   const std::string header = "timestamp,x,y,theta,localized,hypotheses,cpu_ms\n";
   const auto reading = [](const std::string& text) {
     const TemporaryFile file("rows.csv", text);
-    return read_rival(file.path(), recording_of(1));
+    return read_baseline(file.path(), recording_of(1));
   };
   CHECK_THROWS_WITH(reading("a,b\n"), Contains("line 1") && Contains("expected timestamp"));
   CHECK_THROWS_WITH(reading(header + "0,1,2,3,1,1,1\n0.2,1,two,3,1,1,1\n"),
@@ -110,11 +110,11 @@ TEST_CASE("a rival's table that is none is refused by file and line") {
   CHECK_THROWS_WITH(reading(header + "0,1,2,3\n"), Contains("4 columns"));
 }
 
-TEST_CASE("a rival that is not there, or fails, is named") {
+TEST_CASE("a baseline that is not there, or fails, is named") {
   const TemporaryFolder folder;
   const simulation::ChallengeDrive driven{recording_of(1), std::nullopt};
-  CHECK_THROWS_WITH(run_rival({"/nowhere/filter", "filter"}, driven, folder.path_of("a"), "map.yaml", 1),
+  CHECK_THROWS_WITH(run_baseline({"/nowhere/filter", "filter"}, driven, folder.path_of("a"), "map.yaml", 1),
                     Contains("/nowhere/filter"));
-  CHECK_THROWS_WITH(run_rival({"/bin/false", "false"}, driven, folder.path_of("a"), "map.yaml", 1),
+  CHECK_THROWS_WITH(run_baseline({"/bin/false", "false"}, driven, folder.path_of("a"), "map.yaml", 1),
                     Contains("/bin/false"));
 }

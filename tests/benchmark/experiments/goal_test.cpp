@@ -35,8 +35,8 @@ std::vector<GoalRun> driven(int jobs) {
   const GoalExperiment experiment = in_the_room();
   const Contender contender{"default", read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld"),
                             "disambiguate"};
-  const std::vector<GoalTask> tasks{{"A1", {"opal:Binary"}, 2, Pose2(2, 2, 1), {6, 4}},
-                                    {"A2", {"opal:Binary"}, 2, Pose2(6, 4, 0), {2, 2}}};
+  const std::vector<GoalTask> tasks{{"A1", {"opal:ColumnPair"}, 2, Pose2(2, 2, 1), {6, 4}},
+                                    {"A2", {"opal:ColumnPair"}, 2, Pose2(6, 4, 0), {2, 2}}};
   std::vector<GoalRun> runs(tasks.size());
   in_parallel(runs.size(), jobs,
               [&](std::size_t k) { runs[k] = run_task(experiment, registry, contender, tasks[k], 1); });

@@ -35,11 +35,11 @@ void check_equal(const PoseEstimate& a, const PoseEstimate& b) {
   CHECK(a.none == b.none);
   CHECK(a.hypotheses == b.hypotheses);
   CHECK(a.best == b.best);
-  REQUIRE(a.rivals.size() == b.rivals.size());
-  for (std::size_t k = 0; k < a.rivals.size(); ++k) {
-    CHECK(a.rivals[k].hypothesis == b.rivals[k].hypothesis);
-    CHECK(equal(a.rivals[k].T_map_base, b.rivals[k].T_map_base));
-    CHECK(a.rivals[k].probability == b.rivals[k].probability);
+  REQUIRE(a.alternatives.size() == b.alternatives.size());
+  for (std::size_t k = 0; k < a.alternatives.size(); ++k) {
+    CHECK(a.alternatives[k].hypothesis == b.alternatives[k].hypothesis);
+    CHECK(equal(a.alternatives[k].T_map_base, b.alternatives[k].T_map_base));
+    CHECK(a.alternatives[k].probability == b.alternatives[k].probability);
   }
 }
 

@@ -31,11 +31,11 @@ PoseFilter settled_at(const Pose2& T_map_base) {
 
 Pose2 shifted(const Pose2& pose, double x_m, double y_m) { return {pose.x() + x_m, pose.y() + y_m, pose.heading_rad()}; }
 
-/// The pose of a robot that stands, after twenty scans of so much novelty that lie elsewhere.
-Pose2 after_twenty(const Pose2& known, const Pose2& elsewhere, double novelty) {
+/// The pose of a robot that stands, after twenty scans of so much tempering_weight that lie elsewhere.
+Pose2 after_twenty(const Pose2& known, const Pose2& elsewhere, double tempering_weight) {
   PoseFilter filter = settled_at(known);
   Pose2 pose = known;
-  for (int k = 0; k < 20; ++k) pose = filter.update(pose, seen_from_all_sides(elsewhere), novelty, known, {});
+  for (int k = 0; k < 20; ++k) pose = filter.update(pose, seen_from_all_sides(elsewhere), tempering_weight, known, {});
   return pose;
 }
 

@@ -10,10 +10,10 @@ using nlohmann::ordered_json;
 TEST_CASE("an event is one line, with its members in the order they were given") {
   std::ostringstream out;
   opal::JsonLinesSink sink(out);
-  sink.write({{"event", "born"}, {"stamp_s", 1.5}, {"keyframe", 3}});
+  sink.write({{"event", "spawned"}, {"stamp_s", 1.5}, {"keyframe", 3}});
   sink.write({{"event", "pruned"}, {"reason", "two\nlines"}});
   CHECK(out.str() ==
-        "{\"event\":\"born\",\"stamp_s\":1.5,\"keyframe\":3}\n"
+        "{\"event\":\"spawned\",\"stamp_s\":1.5,\"keyframe\":3}\n"
         "{\"event\":\"pruned\",\"reason\":\"two\\nlines\"}\n");
 }
 

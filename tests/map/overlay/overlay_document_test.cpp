@@ -52,7 +52,7 @@ TEST_CASE("faults of an overlay document are errors that name the place") {
   CHECK_THAT(refused("", R"({"@type": "MapChange", "target": "a", "x": 1})"), Contains("belongs to no MapOverlay"));
   CHECK_THAT(refused("", R"({"@type": "MapOverlay"})"), Contains("a second MapOverlay"));
   CHECK_THAT(refused("", R"({"@type": "SemanticMap", "name": "a"})"), Contains("a SemanticMap, expected objects"));
-  CHECK_THAT(refused("", R"({"@id": "p", "@type": "FeaturePattern", "template": "opal:Binary", "features": ["a"]})"),
+  CHECK_THAT(refused("", R"({"@id": "p", "@type": "FeaturePattern", "template": "opal:ColumnPair", "features": ["a"]})"),
              Contains("a FeaturePattern, expected objects"));
   CHECK_THROWS_WITH(opal::parse_overlay(R"({"@context": "urn:opal:v1", "@id": "w", "@type": "Wall"})", "w.jsonld"),
                     Contains("w.jsonld: the document holds no MapOverlay"));

@@ -36,7 +36,7 @@ const char* const kRoom = R"({
       {"@type": "ObjectFeatureRepresentation", "perceivable_by": "PlanarLidar2D",
        "represented_by": {"@id": "c1/rim", "@type": "Circle", "center": {"@type": "Point", "x": 3, "y": 2},
                           "radius_m": 0.2}}},
-    {"@id": "pair", "@type": "FeaturePattern", "template": "opal:Binary", "features": ["face-1", "c1/rim"],
+    {"@id": "pair", "@type": "FeaturePattern", "template": "opal:ColumnPair", "features": ["face-1", "c1/rim"],
      "dimensions": [2]},
     {"@id": "whole", "@type": "FeaturePattern", "template": "opal:Whole", "features": ["face-3", "face-1"],
      "subpatterns": ["pair"]}]})";

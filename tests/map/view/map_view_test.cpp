@@ -134,11 +134,11 @@ TEST_CASE("far outside the map there is nothing, whatever is asked") {
   for (const Point& p : {Point(1e9, 1e9), Point(-1e9, 3), Point(std::nan(""), 0)}) {
     CHECK(view.nearest_facing(p, {0, -1}) == -1);
     CHECK(view.clearance_m(p) == MapView::clearance_cap_m());
-    CHECK(view.nearness(p) == 0);
+    CHECK(view.likelihood_field(p) == 0);
   }
 }
 
-TEST_CASE("nearness with slack, and in large cells, is no less than what it stands for") {
+TEST_CASE("likelihood_field with slack, and in large cells, is no less than what it stands for") {
   const MapView view(map_of(random_walls(40, 9)), "PlanarLidar2D");
   std::mt19937 random(10);
   std::uniform_real_distribution<double> place(-2, 62), step(-0.2, 0.2), direction(-8, 8);
@@ -148,10 +148,10 @@ TEST_CASE("nearness with slack, and in large cells, is no less than what it stan
     for (int n = 0; n < 12; ++n) points.emplace_back(direction(random), direction(random));
     const Point here(place(random), place(random)), near(here + Point(step(random), step(random)));
     float sum = 0;
-    for (const Point& point : points) sum += view.nearness(here + point);
-    CHECK(view.nearness_sum(points, here) == Approx(sum));
-    CHECK(view.coarse_nearness_sum(points, here) >= sum - 1e-4f);
-    CHECK(view.nearness_sum(points, near, (near - here).norm() + kCellDiagonal_m) >= sum - 1e-4f);
+    for (const Point& point : points) sum += view.likelihood_field(here + point);
+    CHECK(view.likelihood_field_sum(points, here) == Approx(sum));
+    CHECK(view.coarse_likelihood_field_sum(points, here) >= sum - 1e-4f);
+    CHECK(view.likelihood_field_sum(points, near, (near - here).norm() + kCellDiagonal_m) >= sum - 1e-4f);
   }
 }
 

@@ -1,5 +1,5 @@
 // A robot in a room of 8 x 6 m, and maps that draw this room in different ways.
-#include "made_up_map.hpp"
+#include "synthetic_map.hpp"
 
 using namespace opal;
 
@@ -71,11 +71,11 @@ TEST_CASE("what was seen from here before is hardly news, and what is new is") {
   CHECK(one->score(hypothesis, left, map).log_likelihood == Approx(one->score(at(Pose2()), left, map).log_likelihood));
 }
 
-TEST_CASE("who judges a scan of before by its patches of then judges as then") {
+TEST_CASE("who judges a scan of before by its evidence_cells of then judges as then") {
   Observation then = seen();
-  then.patches = no_local_map().patches(then.points);
+  then.evidence_cells = no_local_map().evidence_cells(then.points);
   CHECK(nat(room(), at(Pose2()), then) == nat(room()));
-  std::fill(then.patches.begin(), then.patches.end(), 7);  // all of it one thing
+  std::fill(then.evidence_cells.begin(), then.evidence_cells.end(), 7);  // all of it one thing
   CHECK(nat(room(), at(Pose2()), then) < nat(room()) - 1);
 }
 

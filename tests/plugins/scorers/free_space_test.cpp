@@ -1,5 +1,5 @@
 // A robot in the middle of an empty round room of 5 m, and maps of what should stand there.
-#include "made_up_map.hpp"
+#include "synthetic_map.hpp"
 
 using namespace opal;
 

@@ -1,4 +1,4 @@
-/// The page of `opal view` in a real browser, over made-up runs: what it shows is what the records say.
+/// The page of `opal view` in a real browser, over synthetic runs: what it shows is what the records say.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, open } from './browser.js';

@@ -53,7 +53,7 @@ function updatesOf(events) {
     for (const [feature, mapped] of added) pairs.get(hypothesis).set(feature, mapped);
   };
   const on = {
-    born: add,
+    spawned: add,
     associated: add,
     dissociated: ({ hypothesis, local_features: ended }) => ended.forEach((feature) => pairs.get(hypothesis)?.delete(feature)),
     local_features: ({ changed = [], gone = [] }) => {

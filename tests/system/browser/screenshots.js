@@ -1,5 +1,5 @@
 /// Pictures of the page for the eye: node screenshots.js OUT [PAGE.html]; with a page, of its data in the page as it is in
-/// these sources, else of a made-up run.
+/// these sources, else of a synthetic run.
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { launch, open } from './browser.js';

@@ -1,4 +1,4 @@
-/// A made-up run as records of framework/viewer/page/README.md: a robot on a round through a hall, hypotheses at places that
+/// A synthetic run as records of framework/viewer/page/README.md: a robot on a round through a hall, hypotheses at places that
 /// look alike, most of which fall. Returns `{lines, truth}`; truth[f] is what the page has to show of frame f.
 import { compose, inverse, wrapAngle } from '../../framework/viewer/page/pose.js';
 
@@ -83,7 +83,7 @@ function hall(names) {
   add('corner-1', 'opal:Corner', [['tip', 'opal:Corner', { oriented_point: [0.1, 0.1, Math.PI / 4, Math.PI / 2] }]]);
   const patterns = [0, 1, 2].map((k) => ({
     id: `pattern-${k}`,
-    template: 'opal:Binary',
+    template: 'opal:ColumnPair',
     features: [features[12 + k].id, features[13 + k].id],
   }));
   return { name: 'hall', objects, features, patterns };
@@ -247,26 +247,26 @@ function end(run, frame, hypothesis, k) {
 
 function give(run, frame, alive, T_map_base, count, stable, pairOf) {
   const { random } = run;
-  frame.born = [];
+  frame.spawned = [];
   for (let n = 0; n < count; ++n) {
     const id = run.nextId++,
       first = alive.length === 0;
     const pose = first ? T_map_base : [random() * kWidth_m, random() * kDepth_m, wrapAngle(random() * 6.28)];
-    const born = pose.map((v) => Number(v.toFixed(6)));
+    const spawned = pose.map((v) => Number(v.toFixed(6)));
     const pairs = stable.slice(0, 2).map((feature) => pairOf(feature, !first));
     const parent = alive.length > 3 && n % 4 === 3 ? alive[1].id : -1;
-    frame.born.push([id, parent, parent < 0 ? 'opal:Binary' : '', ...born, 2.5, pairs]);
-    alive.push({ id, pose: born, nat: 2.5, pairs: new Map(pairs), fresh: true });
+    frame.spawned.push([id, parent, parent < 0 ? 'opal:ColumnPair' : '', ...spawned, 2.5, pairs]);
+    alive.push({ id, pose: spawned, nat: 2.5, pairs: new Map(pairs), fresh: true });
   }
   frame.search = {
     patterns: [
-      ['opal:Binary', stable.slice(0, 2).map(({ id }) => id), 14],
+      ['opal:ColumnPair', stable.slice(0, 2).map(({ id }) => id), 14],
       ['opal:LShape', stable.slice(0, 3).map(({ id }) => id), 5],
     ],
     proposed: count + 3,
     rejected: [
       [
-        'opal:Binary',
+        'opal:ColumnPair',
         33.5,
         4.25,
         1.57,
@@ -347,7 +347,7 @@ function weigh(frame, alive, run, T_map_base, k) {
       ['answer', `${frame.status} with probability ${best.p}`],
       ['support', 'column column-1 is 0.04 m from where it should be'],
       ['support', 'wall wall-1 agrees within 0.02 m'],
-      ['rival', alive[1] ? `the rival #${alive[1].id} explains 3 features less` : 'there is no rival'],
+      ['alternative', alive[1] ? `the alternative #${alive[1].id} explains 3 features less` : 'there is no alternative'],
       ['fell', 'the one at (33.5, 4.3) fell at 0.00 s: a column would stand in free space'],
     ];
   if (best && k % 4 === 0)

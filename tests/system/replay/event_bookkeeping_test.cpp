@@ -22,7 +22,7 @@ struct Books {
 
   void take(const ordered_json& e) {
     const std::string kind = e["event"];
-    if (kind == "born") {
+    if (kind == "spawned") {
       REQUIRE(associations.count(e["hypothesis"]) == 0);
       associations[e["hypothesis"]];
       add(e);

@@ -15,12 +15,12 @@ class SearchCounter final : public EventSink {
   bool listening() const override { return true; }
   void write(const nlohmann::ordered_json& event) override {
     if (event["keyframe"] <= 10) return;
-    if (event["event"] == "born") ++born;
+    if (event["event"] == "spawned") ++spawned;
     if (event["event"] != "searched") return;
     for (const auto& rejected : event["rejected"])
       contradicted += rejected["reason"].get<std::string>().find("scans before") != std::string::npos;
   }
-  int born = 0, contradicted = 0;
+  int spawned = 0, contradicted = 0;
 };
 
 struct Outcome {
@@ -61,7 +61,7 @@ std::shared_ptr<const SemanticMap> with_glass(const RecordedSite& site, int pane
   return SemanticMap::make("with glass", std::move(objects), std::move(features));
 }
 
-/// Keeps when the pose was vouched for first, and in which words the status was told otherwise.
+/// Keeps when the pose was called localized first, and in which words the status was told otherwise.
 class StatusReader final : public EventSink {
  public:
   bool listening() const override { return true; }
@@ -88,7 +88,7 @@ StatusReader read_status(const RecordedSite& site, std::shared_ptr<const Semanti
 
 }  // namespace
 
-TEST_CASE("a robot among walls that its map lacks waits longer until it vouches for its pose") {
+TEST_CASE("a robot among walls that its map lacks waits longer until it calls its pose localized") {
   const RecordedSite site("malaga");
   MapDamage damage;
   damage.plan_m = 1.5;
@@ -120,12 +120,12 @@ TEST_CASE("late candidates that earlier scans contradict are rejected, and the a
   const Outcome with = outcome_of(site, site.parts()), without = outcome_of(site, blind);
   CHECK(without.counts.contradicted == 0);
   CHECK(with.counts.contradicted > 5);
-  CHECK(with.counts.born < without.counts.born);
+  CHECK(with.counts.spawned < without.counts.spawned);
   CHECK(with.error_m < 0.3);
   CHECK(without.error_m < 0.3);
 }
 
-TEST_CASE("who is born late beside the right place does not overtake it by what it is told of the scans before") {
+TEST_CASE("who is spawned late beside the right place does not overtake it by what it is told of the scans before") {
   const RecordedSite site("malaga", RecordedSite::Extent::whole_log);
   Localizer localizer(site.parts());
   int checked = 0;

@@ -1,7 +1,7 @@
 #include "recorded_site.hpp"
 
 #include "evaluation/kidnapping.hpp"
-#include "evaluation/splice.hpp"
+#include "evaluation/kidnapping_sequence.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -10,9 +10,9 @@ using namespace opal;
 namespace {
 
 /// The first stretch of the recording, and then the last one, joined.
-SplicedLog kidnapped(const RecordedSite& site) {
+KidnappingLog kidnapped(const RecordedSite& site) {
   const std::span<const Sample> all(site.samples);
-  return spliced(all.first(all.size() * 45 / 100), all.last(all.size() * 40 / 100));
+  return with_kidnapping(all.first(all.size() * 45 / 100), all.last(all.size() * 40 / 100));
 }
 
 struct Run {
@@ -21,7 +21,7 @@ struct Run {
 };
 
 Run run_kidnapping(const RecordedSite& site) {
-  const SplicedLog log = kidnapped(site);
+  const KidnappingLog log = kidnapped(site);
   Localizer localizer(site.parts());
   Run run;
   const auto replayed = replay(localizer, log.samples);
@@ -37,7 +37,7 @@ Run run_kidnapping(const RecordedSite& site) {
 
 }  // namespace
 
-TEST_CASE("a robot that is carried away says so before it says anything wrong, and finds itself again") {
+TEST_CASE("a robot that is kidnapped says so before it says anything wrong, and finds itself again") {
   const RecordedSite site("malaga");
   const Run run = run_kidnapping(site);
   const KidnappingVerdict verdict = judge_kidnapping(run.rows, run.cut, site.truth);
@@ -48,16 +48,16 @@ TEST_CASE("a robot that is carried away says so before it says anything wrong, a
   CHECK(verdict.right_after_m < 8);
 }
 
-TEST_CASE("a probability, its rivals' and that of none of them never add up to more than one") {
+TEST_CASE("a probability, its alternatives' and that of none of them never add up to more than one") {
   const RecordedSite site("malaga");
-  const SplicedLog log = kidnapped(site);
+  const KidnappingLog log = kidnapped(site);
   Localizer localizer(site.parts());
   double most_none = 0;
   for (const ReplayedScan& scan : replay(localizer, log.samples)) {
     double sum = scan.estimate.probability + scan.estimate.none;
-    for (const auto& rival : scan.estimate.rivals) sum += rival.probability;
+    for (const auto& alternative : scan.estimate.alternatives) sum += alternative.probability;
     CHECK(sum <= 1 + 1e-9);
-    CHECK(sum > 0.8);  // rivals below one percent are not listed
+    CHECK(sum > 0.8);  // alternatives below one percent are not listed
     if (scan.estimate.has_pose) most_none = std::max(most_none, scan.estimate.none);
   }
   CHECK(most_none > 0.5);  // right after the cut

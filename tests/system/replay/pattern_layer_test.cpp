@@ -29,7 +29,7 @@ std::shared_ptr<const SemanticMap> with_layer(const RecordedSite& site, const st
 
 TEST_CASE("with a pattern layer, only its patterns are looked up, and each gives a root with all its members") {
   const RecordedSite site("malaga");
-  const std::vector<std::string> names{"opal:Binary", "opal:Collinear", "opal:LShape"};
+  const std::vector<std::string> names{"opal:ColumnPair", "opal:Collinear", "opal:LShape"};
   const LocalizerParts parts = site.parts(with_layer(site, names));
   std::set<std::string> running;
   for (const auto& pattern : parts.patterns) running.insert(pattern.name);
@@ -38,13 +38,13 @@ TEST_CASE("with a pattern layer, only its patterns are looked up, and each gives
   EventRecorder recorder;
   Localizer localizer(parts, &recorder);
   const auto scans = replay(localizer, site.samples);
-  int born = 0;
+  int spawned = 0;
   for (const auto& event : recorder.events) {
-    if (event["event"] != "born") continue;
-    ++born;
-    CHECK(event["pairs"].size() == (event["template"] == "opal:Binary" ? 2u : 3u));
+    if (event["event"] != "spawned") continue;
+    ++spawned;
+    CHECK(event["pairs"].size() == (event["template"] == "opal:ColumnPair" ? 2u : 3u));
   }
-  CHECK(born > 0);
+  CHECK(spawned > 0);
   const ReplayedScan& last = scans.back();
   REQUIRE(last.estimate.has_pose);
   const auto truth = site.truth.T_map_laser_at(last.stamp_s);

@@ -1,4 +1,4 @@
-// synthetic_run FILE [UPDATES HYPOTHESES POINTS TIME_LINES]: writes a made-up event stream, to measure `opal
+// synthetic_run FILE [UPDATES HYPOTHESES POINTS TIME_LINES]: writes a synthetic event stream, to measure `opal
 // view` with.
 #include "tests/viewer/synthetic_run.hpp"
 

@@ -9,14 +9,14 @@ namespace {
 
 const Pose2 kHere(4, -2, 0.5), kThere(12.1, 3.4, 0);
 
-/// A best hypothesis that stands where the local map says, with a birth and associations.
+/// A best hypothesis that stands where the local map says, with a spawn and associations.
 RunFrame first_frame() {
   RunFrame frame = with(frame_at(0, "searching", 0.5, 0.4), {hypothesis(7, kHere, 0.5, 2)});
   frame.changed = {{0, "opal:Wall", true, 4, Segment{{7, -0.03}, {1, -0.03}}},
                    {1, "opal:Column", true, 4, Circle{{2.1, -3}, 0.3}},
                    {2, "opal:Column", false, 1, Circle{{8, -3}, 0.3}},
                    {3, "opal:Column", true, 5, Circle{{5, -3}, 0.3}}};
-  frame.births = {{7, -1, "opal:LinePair", kHere, 2, {{0, kWallFace}, {-1, kColumnB}}}};
+  frame.spawns = {{7, -1, "opal:LinePair", kHere, 2, {{0, kWallFace}, {-1, kColumnB}}}};
   frame.growths = {{7, {{1, kColumnA}, {3, -1}}}};
   return frame;
 }
@@ -54,7 +54,7 @@ TEST_CASE("without a hypothesis the answer says so") {
 TEST_CASE("objects that the best hypothesis rests on are named, the nearest first, with their distances now") {
   CHECK(said(SentenceKind::support, {first_frame()}) ==
         Texts{"rests on 2 associations with 2 objects: Wall wall-1 (0.03 m), Column A.008 (0.10 m)",
-              "says of 1 local feature that it is not on the map: 3", "born at 0.0 s from opal:LinePair"});
+              "says of 1 local feature that it is not on the map: 3", "spawned at 0.0 s from opal:LinePair"});
   RunFrame moved = later(1);
   moved.hypotheses.front().T_map_base = Pose2(0, 0.13, 0) * kHere;
   CHECK(said(SentenceKind::support, {first_frame(), moved}).front() ==
@@ -69,10 +69,10 @@ TEST_CASE("an association that ended is not what it rests on, a new one of the s
         "rests on 1 association with 1 object: acme:Column B (5.90 m)");
 }
 
-TEST_CASE("what is known of a birth only is said if it is recorded") {
+TEST_CASE("what is known of a spawn only is said if it is recorded") {
   CHECK(said(SentenceKind::support, {later(0)}).empty());
   RunFrame branch = later(0);
-  branch.births = {{7, 3, "", kHere, 2, {}}};
+  branch.spawns = {{7, 3, "", kHere, 2, {}}};
   CHECK(said(SentenceKind::support, {branch}) == Texts{"branched from hypothesis 3 at 0.0 s"});
 }
 
@@ -90,12 +90,12 @@ TEST_CASE("findings are repeated word for word, the weightiest ones") {
   CHECK(said(SentenceKind::against, {first_frame(), frame}) == Texts{"the newest scan scores -0.50 nat"});
 }
 
-TEST_CASE("rivals at other places are compared with the best one by what the scorers recorded for both") {
+TEST_CASE("alternatives at other places are compared with the best one by what the scorers recorded for both") {
   RunFrame frame = with(frame_at(0, "ambiguous", 0.7, 0.05),
                         {hypothesis(7, kHere, 0.7, 15.3, {{"opal:Beams", "hit", 0.88}, {"opal:Beams", "through", 0.02}}),
                          hypothesis(8, kThere, 0.12, 12.1, {{"opal:Beams", "hit", 0.44}, {"opal:Beams", "through", 0.31}}),
                          hypothesis(9, Pose2(4.1, -2, 0.5), 0.1, 12, {}), hypothesis(10, kThere, 0.001, 3, {})});
-  CHECK(said(SentenceKind::rival, {frame}) ==
+  CHECK(said(SentenceKind::alternative, {frame}) ==
         Texts{"hypothesis 8 at (12.10, 3.40), heading 0.0 deg has probability 0.120: beams on mapped surfaces 44 %, of the "
               "best one 88 %; beams through mapped surfaces 31 %, of the best one 2 %; gathered 12.10 nat, the best one "
               "15.30 nat"});
@@ -105,20 +105,20 @@ TEST_CASE("terms of scorers that are not known are given by name and value, whic
   RunFrame frame = with(frame_at(0, "ambiguous", 0.7, 0.05),
                         {hypothesis(7, kHere, 0.7, 15, {{"acme:X", "fit", 1}, {"acme:X", "same", 2}, {"acme:X", "only", 2}}),
                          hypothesis(8, kThere, 0.2, 12, {{"acme:X", "fit", 4}, {"acme:X", "same", 2}})});
-  CHECK(said(SentenceKind::rival, {frame}).front() ==
+  CHECK(said(SentenceKind::alternative, {frame}).front() ==
         "hypothesis 8 at (12.10, 3.40), heading 0.0 deg has probability 0.200: acme:X fit 4.00, of the best one 1.00; "
         "gathered 12.00 nat, the best one 15.00 nat");
 }
 
-TEST_CASE("two rivals are named and the rest are counted") {
+TEST_CASE("two alternatives are named and the rest are counted") {
   std::vector<RecordedHypothesis> all{hypothesis(0, kHere, 0.5, 9)};
   for (int k = 1; k < 6; ++k) all.push_back(hypothesis(k, Pose2(5.0 * k, 50, 0), 0.1, 5));
-  const Texts rivals = said(SentenceKind::rival, {with(frame_at(0, "ambiguous", 0.5, 0), all)});
-  REQUIRE(rivals.size() == 3);
-  CHECK(rivals.back() == "3 more rivals with at least 0.010");
+  const Texts alternatives = said(SentenceKind::alternative, {with(frame_at(0, "ambiguous", 0.5, 0), all)});
+  REQUIRE(alternatives.size() == 3);
+  CHECK(alternatives.back() == "3 more alternatives with at least 0.010");
 }
 
-TEST_CASE("a rival that fell is told with place, time, reason and finding") {
+TEST_CASE("an alternative that fell is told with place, time, reason and finding") {
   RunFrame before = first_frame(), now = later(14.2);
   before.hypotheses.push_back(hypothesis(12, kThere, 0.3, 1));
   now.ends = {ended(12, "worse than the best by more than 17 nat")};

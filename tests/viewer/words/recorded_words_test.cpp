@@ -50,14 +50,14 @@ void shuffle(RunFrame& frame, std::mt19937& random) {
   const auto mix = [&](auto& list) { std::shuffle(list.begin(), list.end(), random); };
   mix(frame.changed);
   mix(frame.gone);
-  mix(frame.births);
+  mix(frame.spawns);
   mix(frame.growths);
   mix(frame.losses);
   mix(frame.rejections);
   mix(frame.ends);
   mix(frame.hypotheses);
   for (auto& hypothesis : frame.hypotheses) mix(hypothesis.scores);
-  for (auto& birth : frame.births) mix(birth.pairs);
+  for (auto& spawn : frame.spawns) mix(spawn.pairs);
   if (!frame.search) return;
   mix(frame.search->patterns);
   mix(frame.search->rejected);
@@ -86,7 +86,7 @@ TEST_CASE("every name, time and number that is said about a recorded run is in i
       ++said[sentence.kind];
     }
   }
-  for (SentenceKind kind : {SentenceKind::answer, SentenceKind::support, SentenceKind::against, SentenceKind::rival,
+  for (SentenceKind kind : {SentenceKind::answer, SentenceKind::support, SentenceKind::against, SentenceKind::alternative,
                             SentenceKind::fell, SentenceKind::note})
     CHECK((!branching || site != "malaga" || said[kind] > 0));
 }

@@ -113,11 +113,11 @@ void check_not_on_map(const std::string& text, const StreamBooks& books) {
 void check_support(const std::string& text, const StreamBooks& books) {
   if (text.starts_with("rests")) return check_rests_on(text, books);
   if (text.starts_with("says of")) return check_not_on_map(text, books);
-  const ordered_json& born = books.born.at(books.estimate["hypothesis"]);
-  const auto said = match(text, R"(^(born|branched from hypothesis (\d+)) at (\S+) s( from (\S+))?$)");
-  if (said[2].matched) CHECK(std::stoi(said[2]) == born["parent"]);
-  check_number(said[3], born["time"], 1);
-  if (said[5].matched) CHECK(said[5] == born["template"].get<std::string>());
+  const ordered_json& spawned = books.spawned.at(books.estimate["hypothesis"]);
+  const auto said = match(text, R"(^(spawned|branched from hypothesis (\d+)) at (\S+) s( from (\S+))?$)");
+  if (said[2].matched) CHECK(std::stoi(said[2]) == spawned["parent"]);
+  check_number(said[3], spawned["time"], 1);
+  if (said[5].matched) CHECK(said[5] == spawned["template"].get<std::string>());
 }
 
 void check_findings(const std::string& text, const ordered_json& findings, std::size_t most) {
@@ -135,14 +135,14 @@ void check_against(const std::string& text, const StreamBooks& books) {
   check_number(match(text, R"(scores (\S+) nat$)")[1], nat, 2);
 }
 
-void check_rival(const std::string& text, const StreamBooks& books) {
-  if (text.find("more rival") != std::string::npos) return;
+void check_alternative(const std::string& text, const StreamBooks& books) {
+  if (text.find("more alternative") != std::string::npos) return;
   const auto said = match(text, R"(^hypothesis (\d+) at \((\S+), (\S+)\), heading \S+ deg has probability (\S+): (.*)gathered (\S+) nat, the best one (\S+) nat$)");
-  const ordered_json *rival = row_of(books, std::stoi(said[1])), *best = row_of(books, books.estimate["hypothesis"]);
-  REQUIRE(rival);
-  check_pose(said, 2, pose_of((*rival)["T_map_base"]));
-  check_number(said[4], (*rival)["probability"], 3);
-  check_number(said[6], (*rival)["log_likelihood"], 2);
+  const ordered_json *alternative = row_of(books, std::stoi(said[1])), *best = row_of(books, books.estimate["hypothesis"]);
+  REQUIRE(alternative);
+  check_pose(said, 2, pose_of((*alternative)["T_map_base"]));
+  check_number(said[4], (*alternative)["probability"], 3);
+  check_number(said[6], (*alternative)["log_likelihood"], 2);
   check_number(said[7], (*best)["log_likelihood"], 2);
   const std::map<std::string, std::string> terms{{"beams on mapped surfaces", "hit"},
                                                  {"beams that end where nothing is mapped", "short"},
@@ -151,7 +151,7 @@ void check_rival(const std::string& text, const StreamBooks& books) {
   const std::regex term(R"(([a-z ]+?) (\d+) %, of the best one (\d+) %; )");
   for (std::sregex_iterator it(compared.begin(), compared.end(), term), end; it != end; ++it) {
     const std::string& name = terms.at((*it)[1]);
-    check_number((*it)[2], 100 * (*rival)["scores"]["opal:Beams"][name].get<double>(), 0);
+    check_number((*it)[2], 100 * (*alternative)["scores"]["opal:Beams"][name].get<double>(), 0);
     check_number((*it)[3], 100 * (*best)["scores"]["opal:Beams"][name].get<double>(), 0);
   }
 }
@@ -206,7 +206,7 @@ void check_sentence(const Sentence& sentence, const StreamBooks& books) {
     case SentenceKind::answer: return check_answer(sentence.text, books);
     case SentenceKind::support: return check_support(sentence.text, books);
     case SentenceKind::against: return check_against(sentence.text, books);
-    case SentenceKind::rival: return check_rival(sentence.text, books);
+    case SentenceKind::alternative: return check_alternative(sentence.text, books);
     case SentenceKind::fell: return check_fell(sentence.text, books);
     case SentenceKind::note: return check_note(sentence.text, books);
   }

@@ -33,9 +33,9 @@ void StreamBooks::take(const ordered_json& e) {
   } else if (kind == "local_features") {
     for (const auto& changed : e["changed"]) local[changed["id"]] = changed;
     for (int id : e["gone"]) local.erase(id);
-  } else if (kind == "born") {
-    born[e["hypothesis"]] = e;
-    born[e["hypothesis"]]["time"] = now_s;
+  } else if (kind == "spawned") {
+    spawned[e["hypothesis"]] = e;
+    spawned[e["hypothesis"]]["time"] = now_s;
     add_pairs(e);
   } else if (kind == "associated") {
     add_pairs(e);

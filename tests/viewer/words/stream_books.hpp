@@ -19,7 +19,7 @@ struct StreamBooks {
   std::map<std::string, std::string> types;                    ///< of objects
   nlohmann::ordered_json objects;
   std::map<int, std::set<std::pair<int, std::string>>> pairs;  ///< by hypothesis; "": not on the map
-  std::map<int, nlohmann::ordered_json> local, born, pruned;   ///< by id, the latter two with "time"
+  std::map<int, nlohmann::ordered_json> local, spawned, pruned;   ///< by id, the latter two with "time"
   std::map<int, std::pair<double, double>> highest;            ///< probability of a hypothesis, and when
   nlohmann::ordered_json keyframe, estimate, searched;         ///< the newest
   double first_s = 0, status_since_s = 0, searched_s = 0, now_s = 0;

@@ -35,12 +35,12 @@ class Gathering {
     after_s_.emplace_back();
     for (const ChallengeRun& run : building.runs) {
       if (run.contender != contender) continue;
-      const Outcome outcome = outcome_of(run);
+      const NodeStatus outcome = outcome_of(run);
       const auto count = [](Tally& tally, bool holds) { tally.part += holds, ++tally.whole; };
       count(success, run.success);
-      count(localized, outcome == Outcome::localized);
-      count(wrong, outcome == Outcome::wrong);
-      count(unknown, outcome == Outcome::unknown);
+      count(localized, outcome == NodeStatus::localized);
+      count(wrong, outcome == NodeStatus::wrong);
+      count(unknown, outcome == NodeStatus::unknown);
       after_m_.back().push_back(run.localized_after_m < 0 ? kNever : run.localized_after_m);
       after_s_.back().push_back(localized_after_s(run));
       cpu_ms_.push_back(run.cpu_ms);

@@ -16,10 +16,10 @@ struct BuildingGroup {
   std::string contender;
   std::size_t buildings = 0, runs = 0;
   BuildingShare success;                                ///< the best hypothesis is right up to the end
-  BuildingShare localized;                              ///< and was vouched for, and no other
-  BuildingShare wrong;                                  ///< a wrong pose was vouched for
+  BuildingShare localized;                              ///< and was called localized, and no other
+  BuildingShare wrong;                                  ///< a wrong pose was called localized
   BuildingShare unknown;                                ///< not right, and honest
-  BuildingMedian localized_after_m, localized_after_s;  ///< until the first pose that was vouched for
+  BuildingMedian localized_after_m, localized_after_s;  ///< until the first pose that was called localized
   double cpu_ms = 0;                                    ///< per update, median of the runs
 
   /// "hall, difficulty 0.75"; "all"

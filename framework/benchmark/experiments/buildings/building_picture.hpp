@@ -13,7 +13,7 @@ namespace opal::experiments {
 std::string outline_symbol(const BuildingRuns& building);
 /// All ways of a contender in the building, by outcome, those that went wrong on top.
 std::string ways_picture(const BuildingRuns& building, const std::string& contender);
-/// One run: the way in truth from its start on, wrong poses that were vouched for, and what is believed at
+/// One run: the way in truth from its start on, wrong poses that were called localized, and what is believed at
 /// the end.
 std::string run_picture(const BuildingRuns& building, const ChallengeRun& run);
 

@@ -39,24 +39,24 @@ void keep(const BuildingRuns& in, const simulation::Challenge& challenge, int se
 
 }  // namespace
 
-const char* name_of(Outcome outcome) {
+const char* name_of(NodeStatus outcome) {
   switch (outcome) {
-    case Outcome::localized:
+    case NodeStatus::localized:
       return "localized";
-    case Outcome::unsure:
+    case NodeStatus::unsure:
       return "unsure";
-    case Outcome::unknown:
+    case NodeStatus::unknown:
       return "unknown";
-    case Outcome::wrong:
+    case NodeStatus::wrong:
       break;
   }
   return "wrong";
 }
 
-Outcome outcome_of(const ChallengeRun& run) {
-  if (run.false_rows > 0) return Outcome::wrong;
-  if (!run.success) return Outcome::unknown;
-  return run.localized_rows > 0 ? Outcome::localized : Outcome::unsure;
+NodeStatus outcome_of(const ChallengeRun& run) {
+  if (run.false_rows > 0) return NodeStatus::wrong;
+  if (!run.success) return NodeStatus::unknown;
+  return run.localized_rows > 0 ? NodeStatus::localized : NodeStatus::unsure;
 }
 
 double localized_after_s(const ChallengeRun& run) {

@@ -10,16 +10,16 @@
 namespace opal::experiments {
 
 /// How a run ended, from best to worst.
-enum class Outcome {
-  localized,  ///< the best hypothesis is right up to the end, and was vouched for
+enum class NodeStatus {
+  localized,  ///< the best hypothesis is right up to the end, and was called localized
   unsure,     ///< it is right up to the end, and never was
-  unknown,    ///< it is not right at the end, and no wrong one was vouched for: honest, as it must be where
+  unknown,    ///< it is not right at the end, and no wrong one was called localized: honest, as it must be where
               ///< places are alike
-  wrong       ///< a pose more than 1 m off was vouched for at some time
+  wrong       ///< a pose more than 1 m off was called localized at some time
 };
-const char* name_of(Outcome outcome);
-Outcome outcome_of(const ChallengeRun& run);
-/// Since the start until the first pose that was vouched for, and until the first that was so wrongly [s];
+const char* name_of(NodeStatus outcome);
+NodeStatus outcome_of(const ChallengeRun& run);
+/// Since the start until the first pose that was called localized, and until the first that was so wrongly [s];
 /// kNever.
 double localized_after_s(const ChallengeRun& run);
 double wrong_after_s(const ChallengeRun& run);

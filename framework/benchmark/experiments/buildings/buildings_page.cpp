@@ -11,7 +11,7 @@
 namespace opal::experiments {
 namespace {
 
-constexpr std::array kOutcomes{Outcome::localized, Outcome::unsure, Outcome::unknown, Outcome::wrong};
+constexpr std::array kOutcomes{NodeStatus::localized, NodeStatus::unsure, NodeStatus::unknown, NodeStatus::wrong};
 
 /// Colours that can be told apart by everyone (Okabe and Ito 2008).
 constexpr const char* kStyle = R"(
@@ -32,9 +32,9 @@ i.localized{background:#009e73}i.unsure{background:#0072b2}i.unknown{background:
 constexpr const char* kMeaning =
     "<p><i class=localized></i>localized: the best hypothesis is right (within 1 m) up to the end, and was "
     "vouched for"
-    "<i class=unsure></i>unsure: right up to the end, never vouched for"
-    "<i class=unknown></i>unknown: not right at the end, and nothing wrong was vouched for"
-    "<i class=wrong></i>wrong: a pose more than 1 m off was vouched for at some time</p>\n";
+    "<i class=unsure></i>unsure: right up to the end, never called localized"
+    "<i class=unknown></i>unknown: not right at the end, and nothing wrong was called localized"
+    "<i class=wrong></i>wrong: a pose more than 1 m off was called localized at some time</p>\n";
 
 using Shares = std::array<std::size_t, kOutcomes.size()>;
 
@@ -51,7 +51,7 @@ Shares outcomes_in(const BuildingsExperiment& experiment, const BuildingGroup& g
 
 std::string bar_of(const Shares& counts) {
   std::string bar = "<div class=bar>";
-  for (Outcome outcome : kOutcomes) {
+  for (NodeStatus outcome : kOutcomes) {
     const std::string count = std::to_string(counts[static_cast<std::size_t>(outcome)]),
                       name = name_of(outcome);
     if (count != "0")
@@ -79,7 +79,7 @@ std::string groups_of(const BuildingsExperiment& experiment) {
     if (!contender || *contender != group.contender)
       html += std::string(contender ? "</table>\n" : "") + "<h2>" + html_text(group.contender) +
               "</h2>\n<table><tr><th>buildings<th>outcomes<th>buildings<th>runs<th>success %<th>localized, "
-              "right %<th>vouched wrongly %"
+              "right %<th>falsely localized %"
               "<th>honestly unknown %<th>m to localized<th>s to localized<th>CPU ms</tr>\n";
     contender = &group.contender;
     html += "<tr><td>" + group.name() + "</td><td>" + bar_of(outcomes_in(experiment, group)) + "</td><td>" +
@@ -96,7 +96,7 @@ std::string sentence_about(const ChallengeRun& run) {
   std::string text = run.challenge + " (seed " + std::to_string(run.seed) + ", " + run.contender +
                      "): " + name_of(outcome_of(run));
   if (run.false_rows > 0)
-    text += "; vouched wrongly for " + std::to_string(run.false_rows) + " of " +
+    text += "; called localized wrongly: " + std::to_string(run.false_rows) + " of " +
             std::to_string(run.moments.size()) + " scans, first after " + number(wrong_after_s(run), 1) +
             " s";
   if (run.localized_after_m >= 0) text += "; localized after " + number(run.localized_after_m, 1) + " m";
@@ -114,7 +114,7 @@ std::vector<Failure> failures_of(const BuildingsExperiment& experiment) {
   std::vector<Failure> failures;
   for (const BuildingRuns& building : experiment.buildings)
     for (const ChallengeRun& run : building.runs)
-      if (outcome_of(run) != Outcome::localized) failures.push_back({&building, &run});
+      if (outcome_of(run) != NodeStatus::localized) failures.push_back({&building, &run});
   std::stable_sort(failures.begin(), failures.end(), [](const Failure& a, const Failure& b) {
     return outcome_of(*a.run) > outcome_of(*b.run);
   });
@@ -132,7 +132,7 @@ std::string failures_html(const BuildingsExperiment& experiment) {
       "<h2>Runs that were not localized, or were so wrongly: " + std::to_string(failures.size()) + "</h2>\n" +
       (failures.size() > kMost ? "<p>The first " + std::to_string(kMost) + " of them.</p>\n"
                                : std::string()) +
-      "<p>The way in truth from the green dot on; orange-red dots: wrong poses that were vouched for; black "
+      "<p>The way in truth from the green dot on; orange-red dots: wrong poses that were called localized; black "
       "ring: what is "
       "believed at the end. <code>--record</code> keeps the recording for <code>opal bench</code>, "
       "<code>localize</code> and "

@@ -107,7 +107,7 @@ std::string buildings_table(const BuildingsExperiment& experiment) {
       char head[240];
       std::snprintf(head, sizeof head, "%s%s\n%-27s%5s%6s  %-23s %-23s %-23s %-23s %-20s %-20s %6s\n",
                     contender ? "\n" : "", group.contender.c_str(), "", "bldgs", "runs", "success %",
-                    "localized, right %", "vouched wrongly %", "honestly unknown %", "m to localized",
+                    "localized, right %", "falsely localized %", "honestly unknown %", "m to localized",
                     "s to localized", "ms");
       table += head;
     }

@@ -76,7 +76,7 @@ std::string challenge_page(const SemanticMap& map, std::span<const Run> runs) {
             status_legend();
     for (const Run* run : shown)
       body += figure(one_way(map, *run) + time_plot(run->moments),
-                     caption_of(*run) + "; red: estimate where it was vouched for");
+                     caption_of(*run) + "; red: estimate where it was called localized");
   }
   return page_of("Global localization: the challenges of table 3.3", body);
 }

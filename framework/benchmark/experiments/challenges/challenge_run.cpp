@@ -23,8 +23,8 @@ void judge_success(ChallengeRun& run) {
 /// Of the best hypothesis at a place.
 double probability_of(const PoseEstimate& said, const Pose2& place) {
   if (said.has_pose && distance_m(said.T_map_base, place) < kRight_m) return said.probability;
-  for (const PoseEstimate::Rival& rival : said.rivals)
-    if (distance_m(rival.T_map_base, place) < kRight_m) return rival.probability;
+  for (const PoseEstimate::Baseline& baseline : said.baselines)
+    if (distance_m(baseline.T_map_base, place) < kRight_m) return baseline.probability;
   return 0;
 }
 

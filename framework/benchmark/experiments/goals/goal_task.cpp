@@ -9,7 +9,7 @@ std::vector<GoalTask> thesis4_tasks() {
   std::vector<GoalTask> tasks;
   for (const char set : {'A', 'B'})
     for (std::size_t route = 0; route < starts.size(); ++route) {
-      GoalTask task{set + std::to_string(route + 1), {"opal:Binary"}, 2, starts[route], goal};
+      GoalTask task{set + std::to_string(route + 1), {"opal:ColumnPair"}, 2, starts[route], goal};
       if (set == 'B') {
         task.patterns = {"opal:LShape", "opal:Collinear"};
         task.pattern_size = 3;

@@ -7,18 +7,18 @@ namespace opal::experiments {
 namespace {
 
 using behaviours::Node;
-using behaviours::Outcome;
-using behaviours::Situation;
+using behaviours::NodeStatus;
+using behaviours::Blackboard;
 
 /// Tells that its node is ticked.
 class Told : public Node {
  public:
   using Tell = std::function<void(bool begins)>;
   Told(std::unique_ptr<Node> node, Tell tell) : node_(std::move(node)), tell_(std::move(tell)) {}
-  Outcome tick(Situation& situation) override {
+  NodeStatus tick(Blackboard& blackboard) override {
     tell_(!running_);
-    const Outcome outcome = node_->tick(situation);
-    running_ = outcome == Outcome::running;
+    const NodeStatus outcome = node_->tick(blackboard);
+    running_ = outcome == NodeStatus::running;
     return outcome;
   }
   void halt() override {
@@ -35,18 +35,18 @@ class Told : public Node {
 /// A tree, and somebody who looks on after each tick.
 class LookedOn : public Node {
  public:
-  LookedOn(std::unique_ptr<Node> tree, std::function<void(const Situation&)> look)
+  LookedOn(std::unique_ptr<Node> tree, std::function<void(const Blackboard&)> look)
       : tree_(std::move(tree)), look_(std::move(look)) {}
-  Outcome tick(Situation& situation) override {
-    const Outcome outcome = tree_->tick(situation);
-    look_(situation);
+  NodeStatus tick(Blackboard& blackboard) override {
+    const NodeStatus outcome = tree_->tick(blackboard);
+    look_(blackboard);
     return outcome;
   }
   void halt() override { tree_->halt(); }
 
  private:
   std::unique_ptr<Node> tree_;
-  std::function<void(const Situation&)> look_;
+  std::function<void(const Blackboard&)> look_;
 };
 
 bool is_right(const Pose2& said, const Pose2& truth) {
@@ -56,8 +56,8 @@ bool is_right(const Pose2& said, const Pose2& truth) {
 
 bool some_is_right(const PoseEstimate& estimate, const Pose2& truth) {
   if (is_right(estimate.T_map_base, truth)) return true;
-  return std::any_of(estimate.rivals.begin(), estimate.rivals.end(),
-                     [&](const PoseEstimate::Rival& rival) { return is_right(rival.T_map_base, truth); });
+  return std::any_of(estimate.alternatives.begin(), estimate.alternatives.end(),
+                     [&](const PoseEstimate::Alternative& alternative) { return is_right(alternative.T_map_base, truth); });
 }
 
 /// The first columns of what a hypothesis rests on, at most so many.
@@ -81,7 +81,7 @@ std::string letter_of(const std::vector<Point>& columns, int size) {
 }
 
 int places_of(const PoseEstimate& estimate) {
-  return estimate.has_pose ? 1 + static_cast<int>(estimate.rivals.size()) : 0;
+  return estimate.has_pose ? 1 + static_cast<int>(estimate.alternatives.size()) : 0;
 }
 
 }  // namespace
@@ -95,14 +95,14 @@ std::unique_ptr<Node> GoalWatch::watched_tree(const std::string& trees, const st
     return std::make_unique<Told>(std::move(node), [this](bool) { under_way_ = true; });
   });
   return std::make_unique<LookedOn>(read_tree(nodes, trees, name),
-                                    [this](const Situation& situation) { look(situation); });
+                                    [this](const Blackboard& blackboard) { look(blackboard); });
 }
 
-void GoalWatch::look(const Situation& situation) {
-  const PoseEstimate& said = situation.estimate();
+void GoalWatch::look(const Blackboard& blackboard) {
+  const PoseEstimate& said = blackboard.estimate();
   if (under_way_ && run_.places_after_inspection < 0) run_.places_after_inspection = places_of(said);
   run_.places_at_end = places_of(said);
-  look_at_hypotheses(situation);
+  look_at_hypotheses(blackboard);
   Moment moment{simulation_.now_s(), 0,           simulation_.T_map_base(), said.T_map_base,
                 said.has_pose,       said.status, said.hypotheses,          0,
                 under_way_};
@@ -112,11 +112,11 @@ void GoalWatch::look(const Situation& situation) {
   under_way_ = false;
 }
 
-void GoalWatch::look_at_hypotheses(const Situation& situation) {
-  const PoseEstimate& said = situation.estimate();
+void GoalWatch::look_at_hypotheses(const Blackboard& blackboard) {
+  const PoseEstimate& said = blackboard.estimate();
   const bool right = said.has_pose && some_is_right(said, simulation_.T_map_base());
-  if (said.has_pose && !had_pose_) note_start(situation, right);
-  if (right && run_.right_after_s == kNever) note_right(situation);
+  if (said.has_pose && !had_pose_) note_start(blackboard, right);
+  if (right && run_.right_after_s == kNever) note_right(blackboard);
   if (right && !run_.starts.empty()) run_.starts.back().right = true;
   right_since_start_ = right_since_start_ || right;
   if (!said.has_pose && had_pose_) {
@@ -127,19 +127,19 @@ void GoalWatch::look_at_hypotheses(const Situation& situation) {
   had_pose_ = said.has_pose;
 }
 
-void GoalWatch::note_start(const Situation& situation, bool right) {
+void GoalWatch::note_start(const Blackboard& blackboard, bool right) {
   const Pose2& truth = simulation_.T_map_base();
   GoalRun::Start start{truth.position(), {}, right};
-  const std::vector<Point> columns = columns_of(situation.localization.pattern(), pattern_size_);
+  const std::vector<Point> columns = columns_of(blackboard.localization.pattern(), pattern_size_);
   for (const Point& column : columns) start.features.push_back(truth * column);
   if (run_.right_after_s == kNever) run_.pattern = letter_of(columns, pattern_size_);
   run_.starts.push_back(std::move(start));
 }
 
-void GoalWatch::note_right(const Situation& situation) {
+void GoalWatch::note_right(const Blackboard& blackboard) {
   run_.right_after_s = simulation_.now_s();
   if (run_.pattern.empty())
-    run_.pattern = letter_of(columns_of(situation.localization.pattern(), pattern_size_), pattern_size_);
+    run_.pattern = letter_of(columns_of(blackboard.localization.pattern(), pattern_size_), pattern_size_);
   for (const LocalFeature& local : localizer_.local_map().features()) {
     if (!std::holds_alternative<Circle>(local.feature.geometry)) continue;
     ++run_.candidates;

@@ -20,10 +20,10 @@ class GoalWatch {
   void finish();
 
  private:
-  void look(const behaviours::Situation& situation);
-  void look_at_hypotheses(const behaviours::Situation& situation);
-  void note_start(const behaviours::Situation& situation, bool right);
-  void note_right(const behaviours::Situation& situation);
+  void look(const behaviours::Blackboard& blackboard);
+  void look_at_hypotheses(const behaviours::Blackboard& blackboard);
+  void note_start(const behaviours::Blackboard& blackboard, bool right);
+  void note_right(const behaviours::Blackboard& blackboard);
 
   const simulation::Simulation& simulation_;
   const Localizer& localizer_;

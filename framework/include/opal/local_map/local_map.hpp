@@ -89,10 +89,10 @@ class OPAL_EXPORT LocalMap {
   /// For each feature of the last scan, by its position in `features` given to add: the id of its local feature;
   /// -1 if the feature was not usable (not finite, or a segment without length).
   const std::vector<int>& last_associations() const;
-  /// The patches, squares of 1 m, that points lie on as the robot stands now. What lies on one patch is one thing, whatever the
+  /// The evidence cells, squares of 1 m, that points lie on as the robot stands now. What lies on one evidence cell is one thing, whatever the
   /// map calls it, however long the robot looks at it, and however it moves.
   /// @param points  base_link frame [m].
-  std::vector<int> patches(const std::vector<Point>& points) const;
+  std::vector<int> evidence_cells(const std::vector<Point>& points) const;
   /// Quality of the last scan match; converged = false if there was none.
   const ScanMatch& last_match() const;
 

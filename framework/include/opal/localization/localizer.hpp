@@ -3,6 +3,7 @@
 #include <opal/common/named.hpp>
 #include <opal/localization/decision/pose_estimate.hpp>
 #include <opal/localization/events/event_stream.hpp>
+#include <opal/localization/events/stage_times.hpp>
 #include <opal/localization/scoring/active_scorer.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/local_map/local_map.hpp>
@@ -19,12 +20,6 @@
 #include <vector>
 
 namespace opal {
-
-/// CPU time per stage of one update [s], in pipeline order.
-struct StageTimes {
-  double detect_s = 0, local_map_s = 0, associate_s = 0, verify_s = 0, track_s = 0, status_s = 0;
-  double total_s() const { return detect_s + local_map_s + associate_s + verify_s + track_s + status_s; }
-};
 
 struct KeyframeOptions {
   double distance_m = 0.1;

@@ -80,10 +80,10 @@ TEST_CASE("results do not depend on threads and order, and come again") {
 }
 
 TEST_CASE("a run is called what it was") {
-  CHECK(outcome_of(run_of({moment(0, 5, false), moment(1, 0.1, true)})) == Outcome::localized);
-  CHECK(outcome_of(run_of({moment(0, 5, false), moment(1, 0.1, false)})) == Outcome::unsure);
-  CHECK(outcome_of(run_of({moment(0, 0.1, false), moment(1, 7, false)})) == Outcome::unknown);
-  CHECK(outcome_of(run_of({moment(0, 7, true), moment(1, 0.1, true)})) == Outcome::wrong);
+  CHECK(outcome_of(run_of({moment(0, 5, false), moment(1, 0.1, true)})) == NodeStatus::localized);
+  CHECK(outcome_of(run_of({moment(0, 5, false), moment(1, 0.1, false)})) == NodeStatus::unsure);
+  CHECK(outcome_of(run_of({moment(0, 0.1, false), moment(1, 7, false)})) == NodeStatus::unknown);
+  CHECK(outcome_of(run_of({moment(0, 7, true), moment(1, 0.1, true)})) == NodeStatus::wrong);
   CHECK(wrong_after_s(run_of({moment(0, 0, true), moment(2, 7, true)})) == 2);
   CHECK(localized_after_s(run_of({moment(0, 0, false), moment(3, 0, true)})) == 3);
 }

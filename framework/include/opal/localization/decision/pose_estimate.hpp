@@ -19,12 +19,12 @@ struct PoseEstimate {
   double none = 1;          ///< that neither the best nor any other hypothesis is right
   int hypotheses = 0;
   int best = -1;            ///< Hypothesis::id
-  struct Rival {
+  struct Alternative {
     int hypothesis = -1;
     Pose2 T_map_base;
     double probability = 0;
   };
-  std::vector<Rival> rivals;  ///< at other places, most probable first
+  std::vector<Alternative> alternatives;  ///< at other places, most probable first
 };
 
 }  // namespace opal

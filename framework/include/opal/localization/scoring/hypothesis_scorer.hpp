@@ -14,7 +14,7 @@ class OPAL_EXPORT HypothesisScorer {
   /// The robot under this hypothesis stands at hypothesis.T_map_local * observation.local_map.T_local_base().
   virtual Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map) const = 0;
 
-  /// Whether a score depends on Hypothesis::associations. A candidate is ranked with those by which it was found, and born
+  /// Whether a score depends on Hypothesis::associations. A candidate is ranked with those by which it was found, and spawned
   /// with what the scan alone says of it: a scorer that says no is asked once for both.
   virtual bool judges_associations() const;
 

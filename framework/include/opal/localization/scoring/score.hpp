@@ -40,8 +40,8 @@ struct Observation {
   std::vector<Feature> features;
   /// For each of `points`, the number of its beam.
   std::vector<int> beams = {};
-  /// For each of `points`, its patch of the local map (LocalMap::patches): the same for whoever is judged. Empty: as they are now.
-  std::vector<int> patches = {};
+  /// For each of `points`, its evidence cell of the local map (LocalMap::evidence cells): the same for whoever is judged. Empty: as they are now.
+  std::vector<int> evidence_cells = {};
 };
 
 }  // namespace opal

@@ -84,14 +84,14 @@ class OPAL_EXPORT MapView {
   static constexpr double cell_m() { return 0.1; }
 
   /// exp(-d^2 / (2 * 0.2^2)) of the distance d to the nearest surface, by grid lookup: for coarse, fast judgements.
-  float nearness(const Point& p) const;
-  /// Sum of the nearness of `position + point`, over all points.
+  float likelihood_field(const Point& p) const;
+  /// Sum of the likelihood-field score of `position + point`, over all points.
   /// @param slack_m  0 to 0.5: every surface counts as nearer by that, so that this is the most that any position within
   ///                 slack_m can have.
-  float nearness_sum(std::span<const Point> points, const Point& position, double slack_m = 0) const;
+  float likelihood_field_sum(std::span<const Point> points, const Point& position, double slack_m = 0) const;
   /// The same by the least distance in cells of 0.4 m: about the most that positions 0.2 m around can have. Far cheaper in
   /// a large map, where every lookup waits for memory.
-  float coarse_nearness_sum(std::span<const Point> points, const Point& position) const;
+  float coarse_likelihood_field_sum(std::span<const Point> points, const Point& position) const;
 
   /// First surface that a ray from `origin` crosses on its way to `target`.
   struct Crossing {

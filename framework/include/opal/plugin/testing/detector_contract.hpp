@@ -8,7 +8,7 @@
 
 namespace opal::testing {
 
-/// Scans of made-up rooms with slanted walls, corners, columns, doorways and clutter: 541 beams over 270
+/// Scans of synthetic rooms with slanted walls, corners, columns, doorways and clutter: 541 beams over 270
 /// degrees, 1 cm of noise, always the same.
 OPAL_EXPORT std::vector<Scan> example_scans();
 

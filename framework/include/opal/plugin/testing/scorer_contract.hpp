@@ -10,7 +10,7 @@
 
 namespace opal::testing {
 
-/// A made-up building of two rooms with a doorway and columns, 14 m by 8 m, perceivable by "PlanarLidar2D".
+/// A synthetic building of two rooms with a doorway and columns, 14 m by 8 m, perceivable by "PlanarLidar2D".
 OPAL_EXPORT std::shared_ptr<const SemanticMap> example_map();
 
 /// What a scorer is tried on.

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "benchmark/runs/bench_place.hpp"
+
+#include "evaluation/kidnapping.hpp"
+#include "evaluation/kidnapping_sequence.hpp"
+
+/// Kidnaps the robot of a recorded place again and again.
+struct KidnappingRuns {
+  RunRecord all;  ///< stamps of rows are those of the recording; queries are the sequences
+  std::vector<opal::KidnappingVerdict> verdicts;
+};
+
+/// The truth serves to choose the cuts and to judge; the localizer never sees it.
+KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const opal::GroundTruth& truth,
+                        const opal::KidnappingSequenceOptions& options);

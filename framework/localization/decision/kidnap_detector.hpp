@@ -1,0 +1,58 @@
+#pragma once
+
+#include "localization/options/association_options.hpp"
+
+#include <optional>
+
+namespace opal {
+
+/// Asks after every scan whether the robot has been kidnapped: a cumulative sum test (Page 1954) of "the best
+/// hypothesis was right up to some scan, and no scan since then was taken where it says" against "it is right". Who is
+/// kidnapped also sees something else from one scan to the next; who enters a part of the building that the map has
+/// wrong does not.
+class KidnapDetector {
+ public:
+  explicit KidnapDetector(const AssociationOptions& options) : options_(options) {}
+
+  /// A scan beside the best hypothesis.
+  struct Evidence {
+    int keyframe = 0;         ///< its number, increasing
+    double tempering_weight = 1;       ///< how much of a new piece of evidence it is, in (0, 1]
+    double match_share = 0;   ///< of its points that lie on what was seen before
+    double scan_nat = 0;      ///< what it says for the hypothesis
+    double gathered_nat = 0;  ///< what the hypothesis has gathered, this scan included
+    bool established = false; ///< the hypothesis had been believed before: suspicion begins with nothing else
+  };
+  void add(const Evidence& evidence);
+  void reset();
+
+  /// The probability that the robot has been kidnapped, at the time that explains it best.
+  double probability() const;
+  /// Whether a scan that says this would be reason enough to look at it.
+  bool alarming(double scan_nat) const;
+
+  /// The time that explains it best.
+  struct Break {
+    int keyframe = 0;  ///< the last one before
+    double nat = 0;    ///< what a hypothesis starts with that takes over from the best one then, the price of being
+                       ///< kidnapped, and to this place of all places, included
+  };
+  /// Where there is reason to search the whole map anew.
+  std::optional<Break> suspected() const;
+
+ private:
+  /// Some scan since then, or just before, did not continue those before.
+  bool discontinued() const { return discontinued_ + 1 >= last_good_.keyframe; }
+  /// What a scan has to say, or it is a reason for suspicion [nat]: where it does not continue those before, about what
+  /// they said, which a place that looks alike by chance does not.
+  double wanted_nat() const;
+  double share_of_usual_nat() const;
+
+  AssociationOptions options_;
+  double suspicion_nat_ = 0;
+  double usual_nat_ = 0;  ///< what scans said on average before there was suspicion
+  Break last_good_;
+  int discontinued_ = -2;  ///< the newest keyframe that did not continue those before
+};
+
+}  // namespace opal

@@ -1,0 +1,79 @@
+#include "localization/search/retrospective_verification.hpp"
+
+#include "localization/alignment/registration.hpp"
+
+namespace opal {
+namespace {
+
+/// Half of the beams tell nearly as much, at half the price.
+template <class T>
+std::vector<T> every_other(const std::vector<T>& all) {
+  std::vector<T> half;
+  for (std::size_t k = 0; k < all.size(); k += 2) half.push_back(all[k]);
+  return half;
+}
+
+}  // namespace
+
+void RetrospectiveVerification::remember(const Observation& observation, int keyframe, double tempering_weight, double best_nat) {
+  pending_ += tempering_weight;
+  if (options_.hindsight_scans == 0 || observation.points.empty() || (pending_ < 1 && !scans_.empty())) return;
+  scans_.push_front({observation.local_map.T_local_base(), every_other(observation.points),
+                     every_other(observation.evidence_cells), every_other(observation.free_bearings_rad),
+                     observation.range_max_m, observation.laser_position, observation.features, pending_, best_nat, keyframe});
+  pending_ = 0;
+  if (scans_.size() > static_cast<std::size_t>(options_.hindsight_scans)) scans_.pop_back();
+}
+
+RetrospectiveVerification::Verdict RetrospectiveVerification::verify_in_retrospect(const Hypothesis& hypothesis, const LocalMap& local_map) const {
+  RefinementOptions refinement;
+  refinement.iterations = 2;
+  const Pose2& T_local_now = local_map.T_local_base();
+  const Pose2 T_now_local = T_local_now.inverse();
+  Pose2 T_later_local = T_now_local, T_map_base = hypothesis.T_map_local * T_local_now;
+  Hypothesis trial = hypothesis;
+  Verdict verdict;
+  double weight = 1, behind_nat = 0;
+  std::optional<Verdict> kidnapped;  // the verdict if the robot was kidnapped
+  for (const PastScan& scan : scans_) {
+    if (kidnapping_ && !kidnapped && scan.keyframe <= kidnapping_->keyframe) {
+      verdict.encounters = trial.encounters;
+      kidnapped = if_kidnapped(verdict);
+    }
+    T_map_base = refine_on_map(*map_, scan.points, scan.laser_position,
+                               T_map_base * (T_later_local * scan.T_local_base), refinement);
+    T_later_local = scan.T_local_base.inverse();
+    trial.T_map_local = T_map_base * T_now_local;  // scorers place the robot by the newest pose
+    const Observation seen{local_map,         scan.points,         scan.free_bearings_rad, scan.range_max_m,
+                           scan.laser_position, scan.features, {}, scan.evidence_cells};
+    weight *= std::pow(options_.memory, scan.tempering_weight);
+    ScorerEnsemble::Verdict judged = ensemble_.judge(trial, seen);
+    const double nat = judged.nat;
+    trial.encounters.take(judged.encounters, scan.tempering_weight, 1);
+    verdict.nat += weight * scan.tempering_weight * nat;
+    behind_nat += weight * scan.tempering_weight * (scan.best_nat - nat);
+    ++verdict.scans;
+    verdict.hopeless = behind_nat > options_.hindsight_behind_nat;
+    if (verdict.hopeless) break;
+  }
+  verdict.encounters = trial.encounters;
+  if (kidnapping_ && !kidnapped && !verdict.hopeless) kidnapped = if_kidnapped(verdict);
+  if (kidnapped && (verdict.hopeless || kidnapped->nat > verdict.nat)) return *kidnapped;
+  return verdict;
+}
+
+RetrospectiveVerification::Verdict RetrospectiveVerification::if_kidnapped(const Verdict& since) const {
+  return {since.nat + kidnapping_->nat, since.encounters, kidnapping_->keyframe, kidnapping_->nat, since.scans, false};
+}
+
+void RetrospectiveVerification::forget_until(int keyframe) {
+  std::erase_if(scans_, [&](const PastScan& scan) { return scan.keyframe <= keyframe; });
+}
+
+void RetrospectiveVerification::clear() {
+  scans_.clear();
+  pending_ = 0;
+  kidnapping_.reset();
+}
+
+}  // namespace opal

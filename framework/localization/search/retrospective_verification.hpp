@@ -1,0 +1,75 @@
+#pragma once
+
+#include "localization/decision/kidnap_detector.hpp"
+#include "localization/scoring/scorer_ensemble.hpp"
+
+#include "localization/options/association_options.hpp"
+
+#include <algorithm>
+#include <deque>
+
+namespace opal {
+
+/// What was seen before. A candidate is judged by it as if it had been a hypothesis all along: who comes late neither
+/// starts with nothing against alternatives that have gathered evidence, nor escapes what was seen at places it must have
+/// come from.
+class RetrospectiveVerification {
+ public:
+  RetrospectiveVerification(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const AssociationOptions& options)
+      : map_(std::move(map)), ensemble_(ensemble), options_(options) {}
+
+  /// Keeps an observation once the newest ones add up to a whole new piece of evidence.
+  /// @param keyframe  its number, increasing.
+  /// @param tempering_weight   how much of a new piece of evidence it is, in (0, 1].
+  /// @param best_nat  what it said for the hypothesis that was the best then.
+  void remember(const Observation& observation, int keyframe, double tempering_weight, double best_nat);
+
+  /// From now on a candidate may also be where the robot was kidnapped to: it is judged by what was seen since then only,
+  /// and takes over what the best hypothesis had gathered by then, at a price.
+  void suspect(const std::optional<KidnapDetector::Break>& carried_away) { kidnapping_ = carried_away; }
+  /// The robot was kidnapped: what was seen up to this keyframe says nothing any more.
+  void forget_until(int keyframe);
+
+  struct Verdict {
+    double nat = 0;            ///< evidence of the scans that were kept, weighted as tracking would have weighted them
+    Encounters encounters;     ///< the hypothesis' own and those of these scans
+    int kidnapped_after = -1;    ///< that evidence rests on being kidnapped after this keyframe; -1: it does not
+    double inherited_nat = 0;  ///< part of it that another hypothesis had gathered by then
+    int scans = 0;             ///< how many of them were looked at
+    bool hopeless = false;  ///< fell so far behind the best ones of the time that the rest was not looked at
+  };
+  /// @param hypothesis  registration to the local map as it is now.
+  Verdict verify_in_retrospect(const Hypothesis& hypothesis, const LocalMap& local_map) const;
+
+  /// How much of a whole new piece of evidence a scan is after the newest one that is kept, in (0, 1].
+  /// @param tempering_weight  of the scan after its predecessor.
+  double since_newest(double tempering_weight) const { return scans_.empty() ? 1 : std::min(1.0, pending_ + tempering_weight); }
+
+  void clear();
+
+ private:
+  struct PastScan {
+    Pose2 T_local_base;
+    std::vector<Point> points;
+    std::vector<int> evidence_cells;
+    std::vector<double> free_bearings_rad;
+    double range_max_m = 0;
+    Point laser_position;
+    std::vector<Feature> features;
+    double tempering_weight = 0;  ///< of the observations since the one before
+    double best_nat = 0;
+    int keyframe = 0;
+  };
+
+  /// What a verdict on the scans since then becomes.
+  Verdict if_kidnapped(const Verdict& since) const;
+
+  std::shared_ptr<const MapView> map_;
+  const ScorerEnsemble& ensemble_;
+  AssociationOptions options_;
+  std::deque<PastScan> scans_;  ///< newest first
+  double pending_ = 0;          ///< tempering_weight since the newest
+  std::optional<KidnapDetector::Break> kidnapping_;
+};
+
+}  // namespace opal

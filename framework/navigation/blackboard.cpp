@@ -1,0 +1,93 @@
+#include "navigation/blackboard.hpp"
+
+#include "navigation/path.hpp"
+
+#include "map_tools/building_outside.hpp"
+#include <opal/common/error.hpp>
+
+#include <algorithm>
+
+namespace opal::behaviours {
+
+FloorGrid mapped_floor(const MapView& map, double radius_m) {
+  const MapRaster raster = floor_raster(map.map());
+  FloorGrid floor = seen_floor(raster, [&](const Point& p) { return map.clearance_m(p) > radius_m; }, FloorGrid::Parts::all);
+  if (floor.cells().empty())
+    throw MapError(map.map().name() + ": has no floor for a robot of " + std::to_string(radius_m) + " m radius");
+  floor.close_off(outside_cells(map.map(), raster));
+  return floor;
+}
+
+void Blackboard::look() {
+  before_ = velocity_;
+  estimate_ = localization.estimate();
+  obstacles_.add(localization.newest_scan(), T_odom_base(), localization.laser().T_base_laser);
+  near_ = obstacles_.near(motion.reach_m());
+  notice_progress();
+  velocity_ = {};
+  wants_pattern_alone_ = false;
+}
+
+double Blackboard::met_share() const {
+  const Scan& scan = localization.newest_scan();
+  const std::size_t all = scan.points.size() + scan.free_bearings_rad.size();
+  return all == 0 ? 0 : static_cast<double>(scan.points.size()) / static_cast<double>(all);
+}
+
+void Blackboard::notice_progress() {
+  constexpr double kSpacing_m = 0.3, kProgress_m = 0.2;
+  const Point& here = T_odom_base().position();
+  if (trail_.empty() || (trail_.back().p_odom - here).norm() > kSpacing_m) trail_.push_back({here, met_share()});
+  if (!wanted_odom_ || (here - moved_from_).norm() > kProgress_m) {
+    moved_from_ = here;
+    moved_at_s_ = now_s();
+  }
+  notice_impasse();
+  wanted_odom_.reset();
+}
+
+void Blackboard::notice_impasse() {
+  constexpr double kOnce_s = 60, kAgain_s = 600, kApart_m = 0.3;
+  if (!is_stuck() || !wanted_odom_) return;
+  const Point here = T_odom_base().position(), way = *wanted_odom_ - here;
+  if (way.isZero()) return;
+  const double ahead_m = motion.options().radius_m + motion.options().margin_m;
+  const Point p = here + std::min(ahead_m, way.norm()) * way.normalized();
+  for (Impasse& impasse : impasses_) {
+    if ((impasse.p_odom - p).norm() > kApart_m) continue;
+    if (now_s() > impasse.until_s) impasse.until_s = now_s() + kAgain_s;
+    return;
+  }
+  impasses_.push_back({p, now_s() + kOnce_s});
+}
+
+std::vector<Point> Blackboard::impasses() const {
+  std::vector<Point> points;
+  for (const Impasse& impasse : impasses_)
+    if (now_s() < impasse.until_s) points.push_back(impasse.p_odom);
+  return points;
+}
+
+bool Blackboard::drive_towards(const Point& target_odom) {
+  wanted_odom_ = target_odom;
+  const auto velocity = motion.towards(T_odom_base().inverse() * target_odom, near_, before_);
+  velocity_ = velocity.value_or(Velocity{});
+  return velocity.has_value();
+}
+
+bool Blackboard::drive_along(const std::vector<Point>& path_odom) {
+  wanted_odom_ = point_along(path_odom, motion.along_m());
+  std::vector<Point> path;
+  for (const Point& p : path_odom) path.push_back(T_odom_base().inverse() * p);
+  const auto velocity = motion.along(path, near_, before_);
+  velocity_ = velocity.value_or(Velocity{});
+  return velocity.has_value();
+}
+
+std::vector<Point> Blackboard::around(double reach_m) const {
+  std::vector<Point> points;
+  for (const Obstacle& obstacle : obstacles_.near(reach_m)) points.push_back(obstacle.position);
+  return points;
+}
+
+}  // namespace opal::behaviours

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <opal/patterns/pattern_template.hpp>
+
+#include <nlohmann/json.hpp>
+
+/// One face: fixes the heading and the distance, and leaves the place along the wall free. Loose, so it is looked up
+/// only where patterns that fix the pose say too little. Invariant: the length, a lower bound on the mapped one.
+class WallSweep final : public opal::PatternTemplate {
+ public:
+  explicit WallSweep(const nlohmann::json& options);
+  opal::PatternShape shape() const override;
+  std::optional<opal::PatternInstance> match(std::span<const opal::Feature* const> features) const override;
+
+ private:
+  double min_length_m_, overhang_m_, overhang_share_;
+};
