@@ -46,11 +46,12 @@ def filled(name, lines, made, keep_cost=False):
     header = [plain(cell) for cell in cells_of(lines[0])]
     rows = [cells_of(line) for line in lines[2:]]
     labels = [plain(row[0]) for row in rows]
-    changes = []
+    changes, filled_lines = [], list(lines)
     for label, values in made.items():
         if label not in labels:
             raise ValueError(f"table {name}: no row '{label}'; there are {', '.join(labels)}")
-        row = rows[labels.index(label)]
+        index = labels.index(label)
+        row = rows[index]
         if len(row) != len(header):
             raise ValueError(f"table {name}, row '{label}': {len(row)} cells, expected {len(header)}")
         for column, text in values.items():
@@ -64,7 +65,8 @@ def filled(name, lines, made, keep_cost=False):
                 continue
             changes.append(change)
             row[at] = text
-    return lines[:2] + ["| " + " | ".join(row) + " |" for row in rows], changes
+            filled_lines[2 + index] = re.sub(r"  +", " ", "| " + " | ".join(row) + " |")
+    return filled_lines, changes
 
 
 def table_in(page, name):
