@@ -45,11 +45,11 @@ struct Localizer::State {
       : parts(std::move(parts_given)),
         options(read_association_options(parts.association, "association")),
         local_map(parts.local_map, parts.matcher),
-        judge(parts.scorers, parts.map, failures),
+        ensemble(parts.scorers, parts.map, failures),
         generator(parts.map, parts.patterns, options),
-        journal(sink ? *sink : nobody, parts.map, judge, generator),
-        retrospective(parts.map, judge, options),
-        hypotheses(parts.map, judge, options, journal),
+        journal(sink ? *sink : nobody, parts.map, ensemble, generator),
+        retrospective(parts.map, ensemble, options),
+        hypotheses(parts.map, ensemble, options, journal),
         change(options),
         schedule(options),
         status(options) {}
@@ -80,7 +80,7 @@ struct Localizer::State {
   AssociationOptions options;
   std::map<std::string, int> failures;
   LocalMap local_map;
-  ScorerEnsemble judge;
+  ScorerEnsemble ensemble;
   CandidateGenerator generator;
   RunJournal journal;
   RetrospectiveVerification retrospective;

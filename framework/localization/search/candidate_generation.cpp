@@ -198,7 +198,7 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std:
   const auto close_looks = static_cast<std::size_t>(options_.seed_close_looks);
   std::vector<TellingPoints> points;
   std::vector<Place> places;
-  BestShare sieve(close_looks, 30);
+  BestShare filter(close_looks, 30);
   for (std::size_t k = 0; k < lookups.size(); ++k) {
     points.emplace_back(lookups[k].observed, coarse);
     if (points.back().enough()) look_up(lookups[k], static_cast<int>(k), points.back(), filter, places);
