@@ -28,7 +28,7 @@
 ///
 /// The map holds only the static building, so a beam that ends early met something unmapped and costs little. The form is
 /// that of a conditional logit model (McFadden 1974) of the true pose among its alternatives, fitted to recorded scans on intact,
-/// simplified and damaged maps; the weights of evidence cells and ends were chosen by whole runs on them (docs/experiments.md).
+/// simplified and damaged maps; the weights of evidence cells and ends were chosen by whole runs on them (docs/notebook/evidence.md).
 class BeamScorer final : public opal::HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);

@@ -78,7 +78,7 @@ TEST_CASE("the same arm twice is told apart in three to seven of a hundred exper
   }
 }
 
-TEST_CASE("rates of false claims in 5,000 experiments, for docs/experiments.md", "[.][rates]") {
+TEST_CASE("rates of false claims in 5,000 experiments, for docs/notebook/statistics_and_page.md", "[.][rates]") {
   constexpr int kExperiments = 5000;
   const auto show = [](const char* name, const std::vector<std::size_t>& cluster_sizes, double success, double correlated) {
     SimulatedExperiment experiment{cluster_sizes};

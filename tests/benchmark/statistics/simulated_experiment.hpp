@@ -20,5 +20,5 @@ opal::statistics::ResultsTable simulate(const SimulatedExperiment& experiment, s
 /// Baseline "a", those three metrics, no bootstrap.
 opal::statistics::ComparisonOptions simulated_comparison();
 
-/// The seven recorded places of docs/experiments.md, by their queries.
+/// The seven recorded places of docs/results.md, by their queries.
 inline const std::vector<std::size_t> kRecordedSites{25, 10, 24, 10, 5, 10, 16};

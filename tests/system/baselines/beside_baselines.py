@@ -3,7 +3,7 @@
 
 For every kind of map and every site, Opal, exhaustive matching with a vote and a particle filter take their turns, so
 that all three meet the same machine at its best and at its worst; several sites run at a time. What each found is judged
-by the same program, and the table has CPU per update as a ratio to Opal's. Reasons in docs/experiments.md.
+by the same program, and the table has CPU per update as a ratio to Opal's. Reasons in docs/results.md.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-// What the map store costs: build/release/bin/map_store_tests "[.measurement]". docs/experiments.md has the table.
+// What the map store costs: build/release/bin/map_store_tests "[.measurement]". docs/notebook/maps_and_kidnapping.md has the table.
 #include "made_maps.hpp"
 
 #include <opal/map/view/map_view.hpp>
