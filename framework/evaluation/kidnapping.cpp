@@ -46,7 +46,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t cut, const GroundTruth& truth,
-                                   const KidnappingOptions& options) {
+                                   const RecoveryOptions& options) {
   cut = std::min(cut, rows.size());
   const auto right = [&](const JudgedRow& row) { return row.error_m < options.right_within_m; };
   const auto falsely = [&](const JudgedRow& row) { return row.status == Status::localized && !right(row); };
@@ -88,7 +88,7 @@ void write_kidnappings(std::ostream& out, std::span<const KidnappingVerdict> ver
   }
 }
 
-std::string summary_of(std::span<const KidnappingVerdict> verdicts, const KidnappingOptions& options) {
+std::string summary_of(std::span<const KidnappingVerdict> verdicts, const RecoveryOptions& options) {
   std::vector<double> recovered_m, localized_m;
   int knew = 0, honest = 0, once = 0, false_rows = 0, lost = 0;
   double false_m = 0;

@@ -11,7 +11,7 @@
 namespace opal {
 
 /// When a robot that was kidnapped may be called recovered.
-struct KidnappingOptions {
+struct RecoveryOptions {
   double right_within_m = 1.0;   ///< an error below this is right
   double recover_within_m = 15;  ///< of driving after the cut
   double least_kept_m = 2;       ///< of driving that it must stay right for, up to the end
@@ -40,12 +40,12 @@ struct KidnappingVerdict {
 /// @param rows  by increasing stamp, as the localizer gave them; stamps are those by which `truth` is looked up.
 /// @param cut   the first row after the cut. Rows without truth are not judged.
 OPAL_EXPORT KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t cut,
-                                               const GroundTruth& truth, const KidnappingOptions& options = {});
+                                               const GroundTruth& truth, const RecoveryOptions& options = {});
 
 /// One row per sequence: the verdict's members by name.
 OPAL_EXPORT void write_kidnappings(std::ostream& out, std::span<const KidnappingVerdict> verdicts);
 
 /// The same in a few lines for people.
-OPAL_EXPORT std::string summary_of(std::span<const KidnappingVerdict> verdicts, const KidnappingOptions& options = {});
+OPAL_EXPORT std::string summary_of(std::span<const KidnappingVerdict> verdicts, const RecoveryOptions& options = {});
 
 }  // namespace opal
