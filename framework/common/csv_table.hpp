@@ -1,5 +1,7 @@
 #pragma once
 
+#include <opal/common/export.hpp>
+
 #include <fstream>
 #include <map>
 #include <optional>
@@ -9,10 +11,10 @@
 namespace opal {
 
 /// RFC 4180: quoted where it has to be.
-std::string csv_field(const std::string& text);
+OPAL_EXPORT std::string csv_field(const std::string& text);
 
 /// A CSV file with a header, row by row.
-class CsvTable {
+class OPAL_EXPORT CsvTable {
  public:
   /// @throws LogError if it cannot be read, or lacks one of these columns.
   CsvTable(std::string path, const std::vector<std::string>& columns);

@@ -75,7 +75,7 @@ inline constexpr std::string_view kIfMissing = "urn:opal:v1#if_missing";
 }  // namespace iri
 
 extern const char* const kContextText;  ///< of maps/context/opal.jsonld, built in
-const nlohmann::json& context_document();
+OPAL_EXPORT const nlohmann::json& context_document();
 
 /// Prefixes of names, and the IRIs that they stand for.
 using Prefixes = std::map<std::string, std::string>;

@@ -52,11 +52,11 @@ inline constexpr double kFarthest_m = 1e6;
 inline constexpr double kRounding_m = 1e-6;
 
 /// The points that make a geometry, in the order of MapFeature::points.
-std::vector<Point*> points_of(Geometry& geometry);
-std::vector<Point> points_of(const Geometry& geometry);
+OPAL_EXPORT std::vector<Point*> points_of(Geometry& geometry);
+OPAL_EXPORT std::vector<Point> points_of(const Geometry& geometry);
 /// What each of them is to the geometry: "begin" and "end", "point", "center".
 std::vector<const char*> point_roles(const Geometry& geometry);
 /// "12.5": as short as reads back exactly.
-std::string text_of(double number);
+OPAL_EXPORT std::string text_of(double number);
 
 }  // namespace opal
