@@ -62,7 +62,7 @@ TEST_CASE("the experiment of the documentation is JSON-LD of Opal's vocabulary")
   opal::json_ld::Options options;
   options.contexts["urn:opal:v1"] = opal::read_json(OPAL_SOURCE_DIR "/maps/context/opal.jsonld");
   options.reject_unknown_terms = true;
-  const std::string path = OPAL_SOURCE_DIR "/tests/sdk/likelihood_field/three_scorers.jsonld";
+  const std::string path = OPAL_SOURCE_DIR "/docs/examples/outside_scorer/three_scorers.jsonld";
   const json expanded = opal::json_ld::expand(opal::read_json(path), options);
   REQUIRE(expanded.size() == 1);
   CHECK(expanded[0]["@type"][0] == "urn:opal:v1#Experiment");
