@@ -1,6 +1,7 @@
 #include <opal/plugin/testing/scorer_contract.hpp>
 
 #include "plugin/testing/scene.hpp"
+#include "plugin/testing/scorer_memory_laws.hpp"
 #include "plugin/testing/violations.hpp"
 
 #include <algorithm>
@@ -157,21 +158,18 @@ class Judging {
                                     std::to_string(term.value));
     }
     const auto again = ask(name, hypothesis, seen, view);
-    if (!(again && same(*again, *score)) && std::isfinite(score->log_likelihood))
+    if (!(again && same_score(*again, *score)) && std::isfinite(score->log_likelihood))
       violations_.add("repeat", "gives " + name + " another score when it is asked again");
     check_findings(name, hypothesis, seen, view);
+    check_memory({scorer_, name, hypothesis, seen, view}, violations_);
     if (!scorer_.judges_associations()) check_without_associations(name, *score, hypothesis, seen, view);
-  }
-
-  static bool same(const Score& a, const Score& b) {
-    return a.log_likelihood == b.log_likelihood && a.veto == b.veto && a.breakdown.size() == b.breakdown.size();
   }
 
   void check_without_associations(const std::string& name, const Score& score, Hypothesis hypothesis,
                                   const Observation& seen, const MapView& view) {
     hypothesis.associations.clear();
     const auto alone = ask(name, hypothesis, seen, view);
-    if (alone && !same(*alone, score))
+    if (alone && !same_score(*alone, score))
       violations_.add("associations", "gives " + name + " another score than without its associations, which it says it does not judge");
   }
 
