@@ -32,11 +32,12 @@ class OPAL_EXPORT HypothesisScorer {
   Score score_new(const Hypothesis& hypothesis, const Observation& observation, const MapView& map) const;
 
   /// Adds to a memory what one scan has shown (Score::seen).
-  /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1].
+  /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1]. In retrospective verification
+  ///                a scan stands for those just before it as well, and weighs less than 2.
   virtual void remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const;
 
   /// Lets a memory fade as one more scan is tracked; called before `remember`, not in retrospective verification.
-  /// @param weight  as for `remember`.
+  /// @param weight  as for `remember`, in (0, 1].
   virtual void fade(ScorerMemory& memory, double weight) const;
 
   /// Whether a score depends on Hypothesis::associations. A candidate is ranked with those by which it was found, and begins
