@@ -1,0 +1,7 @@
+include(${CMAKE_CURRENT_LIST_DIR}/build_outside.cmake)
+build_outside(${outside_source})
+run("installing the outside project" ${CMAKE_COMMAND} --install ${outside_build} --prefix ${work_folder}/installed)
+set(installed ${work_folder}/installed/lib/opal/plugins)
+run("testing the installed plugin" ${outside_build}/check_posts ${installed}/posts.so)
+run("listing plugins" ${CMAKE_COMMAND} -E env OPAL_PLUGIN_PATH=${installed} ${opal} plugins)
+expect("opal plugins does not list acme:PostDetector:\n${output}" output MATCHES "acme:PostDetector")

@@ -1,0 +1,4 @@
+include(${CMAKE_CURRENT_LIST_DIR}/build_outside.cmake)
+build_outside(${outside_source})
+count_right_queries(acme:NewObjects)
+expect("the scorer with a memory is right in ${right} of 5 queries of malaga-demo, expected 5" right EQUAL 5)
