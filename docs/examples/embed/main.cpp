@@ -5,6 +5,7 @@
 #include <opal/sensing/replay.hpp>
 
 #include <cstdio>
+#include <numbers>
 
 /// What is described beside libopal.so. A plugin is opened when something of it is needed.
 opal::PluginRegistry plugins() {
@@ -15,9 +16,10 @@ opal::PluginRegistry plugins() {
 }
 
 void print(const opal::PoseEstimate& answer) {
-  std::printf("%.6f %s", answer.stamp_s, opal::name_of(answer.status));
+  std::printf("%.2f s: %s", answer.stamp_s, opal::name_of(answer.status));
   const opal::Pose2& pose = answer.T_map_base;
-  if (answer.has_pose) std::printf(" x %.3f m, y %.3f m, heading %.3f rad", pose.x(), pose.y(), pose.heading_rad());
+  const double heading_deg = pose.heading_rad() * 180 / std::numbers::pi;
+  if (answer.has_pose) std::printf(", x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(), heading_deg);
   std::printf("\n");
 }
 

@@ -57,21 +57,25 @@ class MemoryTrial {
   void check_without() {
     const auto now = score(nullptr);
     if (now && now->seen)
-      violations_.add("memory is missing", "says what it has seen of " + ask_.name + ", but makes no new memory to remember it in");
+      violations_.add("memory is missing",
+                      "says what it has seen of " + ask_.name + ", but makes no new memory to remember it in");
   }
 
   void check_reading(const ScorerMemory& memory) {
     const auto once = score(&memory);
-    expect_same(once, score(&memory), "memory is read only", "gives " + ask_.name + " another score when the same memory is used again");
+    expect_same(once, score(&memory), "memory is read only",
+                "gives " + ask_.name + " another score when the same memory is used again");
   }
 
   void check_copy(const ScorerMemory& memory) {
     Memory copy;
     violations_.expect_no_throw("copying the memory of " + ask_.name, [&] { copy = memory.copy(); });
     if (!copy || typeid(*copy) != typeid(memory))
-      return violations_.add("memory copies itself", "has a memory whose copy is " + std::string(copy ? "of another type" : "null"));
+      return violations_.add("memory copies itself",
+                             "has a memory whose copy is " + std::string(copy ? "of another type" : "null"));
     const auto before = score(&memory);
-    expect_same(before, score(copy.get()), "memory copy is equal", "gives " + ask_.name + " another score with a copy of its memory");
+    expect_same(before, score(copy.get()), "memory copy is equal",
+                "gives " + ask_.name + " another score with a copy of its memory");
     live_on(*copy, 1);
     expect_same(before, score(&memory), "memory copy is independent",
                 "gives " + ask_.name + " another score after a copy of its memory has remembered a scan and faded");

@@ -324,8 +324,10 @@ TEST_CASE("a scorer whose memory does not copy itself well is told so") {
     std::unique_ptr<ScorerMemory> copy() const override { return std::make_unique<Other>(); }
   };
   CHECK_THAT(copy_offences([](const Count&) { return nullptr; }), Contains("a memory whose copy is null"));
-  CHECK_THAT(copy_offences([](const Count&) { return std::make_unique<Other>(); }), Contains("a memory whose copy is of another type"));
-  CHECK_THAT(copy_offences([](const Count&) { return std::make_unique<Count>(); }), Contains("another score with a copy of its memory"));
+  CHECK_THAT(copy_offences([](const Count&) { return std::make_unique<Other>(); }),
+             Contains("a memory whose copy is of another type"));
+  CHECK_THAT(copy_offences([](const Count&) { return std::make_unique<Count>(); }),
+             Contains("another score with a copy of its memory"));
   CHECK_THAT(copy_offences([](const Count& count) { return std::make_unique<Count>(count); }),
              Contains("another score after a copy of its memory has remembered a scan and faded"));
 }
@@ -335,9 +337,11 @@ TEST_CASE("a scorer that uses its memory badly is told how") {
              Contains("another score when the same memory is used again"));
   CHECK_THAT(memory_offences([](CountingScorer& s) { s.add = [](double&, double) { throw std::runtime_error("full"); }; }),
              Contains("throws on remembering a scan of the true hypothesis: full"));
-  CHECK_THAT(memory_offences([](CountingScorer& s) { s.forget = [](double&, double) { throw std::runtime_error("never"); }; }),
+  CHECK_THAT(memory_offences(
+                 [](CountingScorer& s) { s.forget = [](double&, double) { throw std::runtime_error("never"); }; }),
              Contains("throws on fading the memory of the true hypothesis: never"));
-  CHECK_THAT(memory_offences([](CountingScorer& s) { s.forget = [](double& scans, double weight) { scans /= 1 - weight; }; }),
+  CHECK_THAT(memory_offences(
+                 [](CountingScorer& s) { s.forget = [](double& scans, double weight) { scans /= 1 - weight; }; }),
              Contains("after it has remembered some scans"));
 }
 
