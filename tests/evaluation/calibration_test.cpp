@@ -1,5 +1,6 @@
 #include "tests/kit/temporary_folder.hpp"
 
+#include "drawing/reliability_diagram.hpp"
 #include "evaluation/calibration.hpp"
 #include <opal/common/error.hpp>
 

@@ -7,10 +7,8 @@ ScorerMemory::~ScorerMemory() = default;
 ScorerMemory* ScorerMemories::own(std::size_t scorer) {
   if (scorer >= memories_.size() || !memories_[scorer]) return nullptr;
   Shared& memory = memories_[scorer];
-  std::shared_ptr<ScorerMemory> mine(memory->copy());
-  ScorerMemory* changeable = mine.get();
-  memory = std::move(mine);
-  return changeable;
+  if (memory.use_count() > 1) memory = memory->copy();
+  return memory.get();
 }
 
 }  // namespace opal

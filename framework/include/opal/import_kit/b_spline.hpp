@@ -19,13 +19,13 @@ struct BSpline {
 };
 
 /// @return what is wrong with it, in words; empty if nothing is.
-OPAL_EXPORT std::string fault_of(const BSpline& spline);
+std::string fault_of(const BSpline& spline);
 
 /// By de Boor's algorithm (de Boor 1972). @pre fault_of(spline) is empty.
-OPAL_EXPORT Eigen::Vector3d point_at(const BSpline& spline, double parameter);
+Eigen::Vector3d point_at(const BSpline& spline, double parameter);
 
 /// Points along the curve, both ends included, whose chords are about `tolerance` off it at most, in its own unit.
 /// @pre fault_of(spline) is empty; tolerance > 0.
-OPAL_EXPORT std::vector<Eigen::Vector3d> chord_points(const BSpline& spline, double tolerance);
+std::vector<Eigen::Vector3d> chord_points(const BSpline& spline, double tolerance);
 
 }  // namespace opal

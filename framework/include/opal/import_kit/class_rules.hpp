@@ -14,7 +14,7 @@ namespace opal {
 /// Says what the layers or classes of a source become: names, with `*` for any characters and `?` for one, to object
 /// types. Upper and lower case are the same. If several rules fit a name, the one with the most characters of its own
 /// goes first.
-class OPAL_EXPORT ClassRules {
+class ClassRules {
  public:
   /// What a rule says of names that shall not come into the map.
   static constexpr const char* kLeaveOut = "leave_out";
@@ -47,6 +47,6 @@ class OPAL_EXPORT ClassRules {
 
 /// Whether a name fits a pattern with `*` and `?`, in upper or lower case. Time grows with the product of the lengths
 /// at most.
-OPAL_EXPORT bool fits_pattern(const std::string& name, const std::string& pattern);
+bool fits_pattern(const std::string& name, const std::string& pattern);
 
 }  // namespace opal

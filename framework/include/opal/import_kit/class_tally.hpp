@@ -10,7 +10,7 @@
 namespace opal {
 
 /// What was found of each class of a source (layers of a drawing, tags of areas), and what became of it.
-class OPAL_EXPORT ClassTally {
+class ClassTally {
  public:
   /// @param noun  what classes are called: "layer".
   explicit ClassTally(std::string noun) : noun_(std::move(noun)) {}

@@ -50,7 +50,7 @@ struct PlanOutcome {
 };
 
 /// How the sides were found, in metres of line, and what was put together.
-struct OPAL_EXPORT PlanTally {
+struct PlanTally {
   double outlines_m = 0;   ///< one-sided: massive on one side by an outline or a round column
   double pairs_m = 0;      ///< one-sided: with the wall's other face beside it, or as the end of such a wall
   double two_sided_m = 0;  ///< seen from both sides, since nothing said which
@@ -84,15 +84,15 @@ struct PlanAssembly {
 /// @throws MapError naming the source and the element, for coordinates that are no numbers or beyond 1e6 m, and for
 /// more than
 ///   400,000 strokes or 4,000,000 crossings.
-OPAL_EXPORT PlanAssembly assemble_plan(const std::string& source, const std::string& name,
+PlanAssembly assemble_plan(const std::string& source, const std::string& name,
                                        const std::vector<PlanElement>& elements, const PlanOptions& options = {});
 
 /// The circle that a closed line was drawn for: at least 12 points, all within `tolerance_m` of it and going around it
 /// once without a gap of more than 60 degrees. (An octagon is an octagon.)
-OPAL_EXPORT std::optional<Circle> circle_drawn_by(const std::vector<Point>& closed_line, double tolerance_m);
+std::optional<Circle> circle_drawn_by(const std::vector<Point>& closed_line, double tolerance_m);
 
 /// Points along an arc, both ends included, such that no chord is farther than `tolerance_m` from the arc.
 /// @param sweep_rad  counter-clockwise if positive; at most a full turn.
-OPAL_EXPORT std::vector<Point> arc_points(const Circle& circle, double from_rad, double sweep_rad, double tolerance_m);
+std::vector<Point> arc_points(const Circle& circle, double from_rad, double sweep_rad, double tolerance_m);
 
 }  // namespace opal

@@ -12,7 +12,7 @@ namespace opal {
 
 /// Options that all importers of plans have, as their plugin.jsonld describes them: `classes`, `perceivable`, `sensor`,
 /// `max_wall_thickness_m`, `min_face_m`.
-struct OPAL_EXPORT PlanImportOptions {
+struct PlanImportOptions {
   /// @param defaults  for ClassRules.
   PlanImportOptions(const nlohmann::json& options, const std::map<std::string, std::string>& defaults);
 
@@ -26,13 +26,13 @@ struct OPAL_EXPORT PlanImportOptions {
 };
 
 /// Puts what became of the plan's elements into the report: outline, status and reason of the things with the same ids.
-OPAL_EXPORT void report_outcomes(const std::vector<PlanElement>& plan, const PlanAssembly& assembly,
+void report_outcomes(const std::vector<PlanElement>& plan, const PlanAssembly& assembly,
                                  std::vector<ImportedElement>& things);
 
 /// In order of id, numbers inside ids counting as numbers, as importers hand them over.
-OPAL_EXPORT void sort_by_id(std::vector<ImportedElement>& elements);
+void sort_by_id(std::vector<ImportedElement>& elements);
 
 /// A sentence about the extent of a map, with a doubt if no building is so small or large.
-OPAL_EXPORT std::string extent_sentence(const SemanticMap& map);
+std::string extent_sentence(const SemanticMap& map);
 
 }  // namespace opal

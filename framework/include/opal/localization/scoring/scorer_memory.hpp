@@ -22,7 +22,7 @@ class OPAL_EXPORT ScorerMemory {
 /// share their memories until one of them is about to change (copy on write).
 class OPAL_EXPORT ScorerMemories {
  public:
-  using Shared = std::shared_ptr<const ScorerMemory>;
+  using Shared = std::shared_ptr<ScorerMemory>;
 
   ScorerMemories() = default;
   explicit ScorerMemories(std::vector<Shared> memories) : memories_(std::move(memories)) {}
