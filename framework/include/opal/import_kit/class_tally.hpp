@@ -1,6 +1,5 @@
 #pragma once
 
-#include <opal/common/export.hpp>
 
 #include <map>
 #include <string>
