@@ -19,7 +19,7 @@ inline std::shared_ptr<const SemanticMap> map_of(const std::vector<Segment>& fac
     features.push_back({name + "/face", static_cast<int>(objects.size()), "opal:Wall", "PlanarLidar2D", face});
     objects.push_back({name, "opal:Wall"});
   }
-  return SemanticMap::make("made up", std::move(objects), std::move(features));
+  return SemanticMap::make("synthetic", std::move(objects), std::move(features));
 }
 
 /// Faces of a polygon, visible from its inside.

@@ -82,7 +82,7 @@ class OPAL_EXPORT CandidateGenerator {
   bool is_in_region(const Point& position) const;
   void sweep(const PatternInstance& observed, const PatternInstance& mapped, const Point& position,
              std::vector<Point>& positions) const;
-  /// Nearness by all points. @param points  of each lookup.
+  /// Likelihood-field score by all points. @param points  of each lookup.
   void look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points, double slack_m) const;
   /// Each place, and those a step before and behind it along its sweep.
   std::vector<Place> with_neighbours(const std::vector<Place>& places, const std::vector<Lookup>& lookups) const;

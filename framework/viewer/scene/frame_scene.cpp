@@ -7,7 +7,7 @@
 namespace opal {
 namespace {
 
-/// The map as far as it is drawn. Ids are made up: the recording's are not needed for that, and may clash
+/// The map as far as it is drawn. Ids are new: the recording's are not needed for that, and may clash
 /// where one geometry stands once per sensor.
 std::shared_ptr<const SemanticMap> drawn_map(const RunHeader& header) {
   std::vector<MapObject> objects;

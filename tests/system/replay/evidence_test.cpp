@@ -75,11 +75,11 @@ class StatusReader final : public EventSink {
   int told = 0;
 };
 
-StatusReader read_status(const RecordedSite& site, std::shared_ptr<const SemanticMap> map, double novelty_per_m,
-                         double most_novelty = 20) {
+StatusReader read_status(const RecordedSite& site, std::shared_ptr<const SemanticMap> map, double weight_per_m,
+                         double most_weight = 20) {
   LocalizerParts parts = site.parts(std::move(map));
-  parts.stages.status.localized_weight_per_m = novelty_per_m;
-  parts.stages.status.localized_most_weight = most_novelty;
+  parts.stages.status.localized_weight_per_m = weight_per_m;
+  parts.stages.status.localized_most_weight = most_weight;
   StatusReader reader;
   Localizer localizer(std::move(parts), &reader);
   replay(localizer, site.samples);
