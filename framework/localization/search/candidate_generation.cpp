@@ -39,8 +39,8 @@ std::vector<SearchFeature> best_per_geometry(std::span<const SearchFeature> feat
   });
   std::array<int, 4> taken{};
   std::vector<SearchFeature> best;
-  for (SearchFeature& feature : sorted)
-    if (taken[feature.feature.geometry.index()]++ < most) best.push_back(std::move(feature));
+  for (SearchFeature& each : sorted)
+    if (taken[each.feature.geometry.index()]++ < most) best.push_back(std::move(each));
   return best;
 }
 
@@ -96,7 +96,7 @@ void CandidateGenerator::keep_rarest(std::vector<Lookup>& lookups, std::size_t m
 std::vector<CandidateGenerator::Lookup> CandidateGenerator::choose(std::span<const SearchFeature> best, bool under_constrained) const {
   constexpr std::size_t kFewest = 3;
   std::vector<Feature> features;
-  for (const SearchFeature& feature : best) features.push_back(feature.feature);
+  for (const SearchFeature& each : best) features.push_back(each.feature);
   std::vector<Lookup> chosen;
   for (int number = 0; number < static_cast<int>(tables_.size()); ++number)
     for (Lookup& lookup : shortlist(number, features, under_constrained)) chosen.push_back(std::move(lookup));
@@ -222,13 +222,13 @@ std::vector<Association> CandidateGenerator::pair_up(const Lookup& lookup, int m
   const PatternInstance& pattern = tables_[lookup.table].index.patterns()[mapped];
   std::vector<Association> pairs;
   for (std::size_t slot = 0; slot < lookup.observed.members.size(); ++slot) {
-    const SearchFeature& feature = features[lookup.observed.members[slot]];
+    const SearchFeature& observed = features[lookup.observed.members[slot]];
     const std::vector<int>& numbers = mapped_[pattern.members[slot]].numbers;
-    const Point place = T_map_base * anchor_of(feature.feature.geometry);
+    const Point place = T_map_base * anchor_of(observed.feature.geometry);
     const int nearest = *std::min_element(numbers.begin(), numbers.end(), [&](int a, int b) {
       return distance_m(map_->feature(a).geometry, place) < distance_m(map_->feature(b).geometry, place);
     });
-    pairs.push_back({feature.local, nearest});
+    pairs.push_back({observed.local, nearest});
   }
   return pairs;
 }
