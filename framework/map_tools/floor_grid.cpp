@@ -15,8 +15,10 @@ struct Step {
   int column, row;
   float length;  ///< in cells
 };
+// clang-format off
 constexpr std::array<Step, 8> kSteps{{{1, 0, 1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, 1},
                                       {1, 1, kDiagonal}, {1, -1, kDiagonal}, {-1, 1, kDiagonal}, {-1, -1, kDiagonal}}};
+// clang-format on
 
 /// A cell that a search will look at.
 struct Open {

@@ -10,10 +10,12 @@ namespace {
 
 using Kind = Treatment::Kind;
 
+// clang-format off
 constexpr std::array kSolid{"IfcWall",        "IfcColumn",  "IfcMember",     "IfcPlate", "IfcCurtainWall", "IfcSlab",
                             "IfcRoof",        "IfcStair",   "IfcStairFlight", "IfcRamp",  "IfcRampFlight",  "IfcRailing",
                             "IfcBeam",        "IfcCovering", "IfcFooting",    "IfcPile",  "IfcChimney",     "IfcShadingDevice",
                             "IfcBuildingElementPart", "IfcElementAssembly"};
+// clang-format on
 struct LeftOut {
   const char* name;
   const char* reason;

@@ -14,8 +14,10 @@ namespace {
 /// side.
 std::vector<Segment> house(double doorway_m) {
   const double low = 3 - doorway_m / 2, high = 3 + doorway_m / 2;
+  // clang-format off
   return room_of({{0, 0}, {8, 0}, {8, low}, {8.2, low}, {8.2, -0.2}, {-0.2, -0.2}, {-0.2, 6.2}, {8.2, 6.2},
                   {8.2, high}, {8, high}, {8, 6}, {0, 6}});
+  // clang-format on
 }
 
 int outside_of(const std::vector<char>& cells, const MapRaster& raster, const Point& p) {

@@ -87,6 +87,7 @@ class Corridors {
   /// Opposite the blocks; glass where blocks have doors.
   void add_outer_walls() {
     const int width = xs_.back(), height = ys_.back();
+    // clang-format off
     for (std::size_t column = 1; column + 1 < xs_.size(); column += 2)
       for (int x = xs_[column] + kCornerClear; x + kStep + kCornerClear <= xs_[column + 1]; x += kStep) {
         add_cut(x, [](int from, int to, int near, int far) { return Box{from, -far, to, -near}; }, true);
@@ -97,6 +98,7 @@ class Corridors {
         add_cut(y, [](int from, int to, int near, int far) { return Box{-far, from, -near, to}; }, true);
         add_cut(y, [&](int from, int to, int near, int far) { return Box{width + near, from, width + far, to}; }, true);
       }
+    // clang-format on
   }
 
   template <class BoxBehind>

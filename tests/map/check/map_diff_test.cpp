@@ -54,6 +54,7 @@ TEST_CASE("equal maps do not differ, however they were made") {
 
 TEST_CASE("maps do not differ if and only if their documents are equal") {
   const std::vector<std::function<void(Parts&)>> changes{
+      // clang-format off
       [](Parts& p) { p.name = "other"; },
       [](Parts& p) { p.origin.smear_m = 0.1; },
       [](Parts& p) { p.origin.placements[0].T_map_source = {1, 2.5, 0.5}; },
@@ -92,6 +93,7 @@ TEST_CASE("maps do not differ if and only if their documents are equal") {
       [](Parts& p) { p.patterns[0].dimensions = {0.1}; },
       [](Parts& p) { p.patterns.push_back({"p2", "acme:Pair", {2, 3}, {"p1"}}); },
       [](Parts& p) { p.patterns.clear(); },
+      // clang-format on
   };
   for (std::size_t k = 0; k < changes.size(); ++k) {
     CAPTURE(k);

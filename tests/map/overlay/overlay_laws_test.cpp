@@ -16,10 +16,12 @@ using Json = nlohmann::json;
 
 std::string node_of_kiosk(int number) {
   const std::string id = "kiosk-" + std::to_string(number);
+  // clang-format off
   return Json{{"@id", id}, {"@type", "acme:Kiosk"}, {"represented_by",
     {{"@type", "ObjectFeatureRepresentation"}, {"perceivable_by", "PlanarLidar2D"}, {"represented_by",
       {{"@id", id + "/rim"}, {"@type", "Circle"}, {"radius_m", 0.3},
        {"center", {{"@id", id + "/center"}, {"@type", "Point"}, {"x", number + 0.5}, {"y", 1.5}}}}}}}}.dump();
+  // clang-format on
 }
 
 /// Changes of one thing each, so that none contradicts another.

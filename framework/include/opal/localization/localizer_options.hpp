@@ -94,7 +94,7 @@ struct StatusOptions {
   double localized_weight = 2;          ///< sum of the scans' tempering weights over which that must hold,
   double localized_weight_per_m = 1;    ///< and so much more of it per metre of straight walls around the robot that are
   double localized_unmapped_m = 6;      ///< not on the map, beyond this much: it lacks walls, or the robot is elsewhere.
-  double localized_most_weight = 20;    ///< Whatever walls are missing, this is enough, or localized_weight if that is more
+  double localized_most_weight = 20;    ///< Whatever walls are missing, this is enough, or localized_weight if it is more
   double lost_scan_nat = -0.2;          ///< mean of the newest scans below this: lost
 };
 
