@@ -52,19 +52,26 @@ def order(includes, rooms):
             yield rooms.path, exception.line, "excuses no include line any more: remove it"
 
 
-def reachable(arrows, start):
-    seen, rest = set(), [start]
-    while rest:
-        for room in arrows[rest.pop()] - seen:
-            seen.add(room)
-            rest.append(room)
-    return seen
+def way(arrows, start, end):
+    """The shortest way along the arrows, as rooms; None if there is none."""
+    before, rest = {start: None}, [start]
+    while rest and end not in before:
+        room = rest.pop(0)
+        for target in sorted(arrows[room] - before.keys()):
+            before[target] = room
+            rest.append(target)
+    if end not in before:
+        return None
+    rooms = [end]
+    while rooms[-1] != start:
+        rooms.append(before[rooms[-1]])
+    return rooms[::-1]
 
 
 def circles(includes, rooms):
-    """No includes lead from a room back to it, but for exceptions that say so."""
-    lines, arrows = collections.defaultdict(list), collections.defaultdict(set)
-    closing = set()
+    """No includes lead from a room back to it, but for exceptions that say so. Each circle has an arrow against the order."""
+    place = {room: k for k, room in enumerate(rooms.order)}
+    arrows, against, closing = collections.defaultdict(set), {}, set()
     for file, room, include, target in includes:
         if room == target:
             continue
@@ -72,14 +79,16 @@ def circles(includes, rooms):
         closing.update((e, room, target) for e in excused)
         if not excused:
             arrows[room].add(target)
-            lines[room, target].append(include)
-    for (room, target), where in lines.items():
-        if room in reachable(arrows, target):
-            yield where[0].file, where[0].line, f"closes a circle: '{room}' includes '{target}', which includes lead back from"
+            if place.get(target, 0) > place.get(room, 0):
+                against.setdefault((room, target), include)
+    for (room, target), include in against.items():
+        back = way(arrows, target, room)
+        if back:
+            yield include.file, include.line, "closes a circle: " + " includes ".join(f"'{one}'" for one in [room, *back])
     for _, room, target in closing:
         arrows[room].add(target)
     for exception, room, target in sorted(closing):
-        if room not in reachable(arrows, target):
+        if not way(arrows, target, room):
             yield rooms.path, exception.line, "closes no circle: write 'except'"
 
 
