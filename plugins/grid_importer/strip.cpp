@@ -32,9 +32,7 @@ class SlicedLine {
       : line_(line), steep_(std::abs(line.tangent.y()) > std::abs(line.tangent.x())) {}
 
   double slice_length() const { return 1 / std::abs(major(line_.tangent)); }
-  CellPoint at(int slice) const {
-    return line_.at((slice - major(line_.through)) / major(line_.tangent));
-  }
+  CellPoint at(int slice) const { return line_.at((slice - major(line_.through)) / major(line_.tangent)); }
   int slice_of(const CellPoint& p) const { return static_cast<int>(std::lround(major(p))); }
 
   template <class Visit>

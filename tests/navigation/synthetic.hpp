@@ -65,7 +65,8 @@ struct ToldQueries : LocalizationQueries {
     said.status = places.size() == 1 ? Status::localized : Status::ambiguous;
     said.probability = places.empty() ? 0 : 1.0 / static_cast<double>(places.size());
     if (said.has_pose) said.T_map_base = places.front();
-    for (std::size_t k = 1; k < places.size(); ++k) said.alternatives.push_back({static_cast<int>(k), places[k], said.probability});
+    for (std::size_t k = 1; k < places.size(); ++k)
+      said.alternatives.push_back({static_cast<int>(k), places[k], said.probability});
   }
 
   MapView view;

@@ -18,7 +18,8 @@ struct Parts {
 
 Parts parts() {
   Parts made;
-  const std::vector<Geometry> geometries{Segment{{0, 0}, {4, 0}}, Circle{{2, 2}, 0.3}, OrientedPoint{{0, 0}, 0.5, 1.5}, Point(7, 7)};
+  const std::vector<Geometry> geometries{Segment{{0, 0}, {4, 0}}, Circle{{2, 2}, 0.3}, OrientedPoint{{0, 0}, 0.5, 1.5},
+                                         Point(7, 7)};
   for (const Geometry& geometry : geometries) {
     MapFeature feature;
     feature.id = "f" + std::to_string(made.features.size());
@@ -110,8 +111,9 @@ TEST_CASE("maps do not differ if and only if their documents are equal") {
 
 TEST_CASE("what is said in other vocabularies, and prefixes, are part of a map") {
   const auto map = [](const std::string& prefix, int price) {
-    return SemanticMap::parse(R"({"@context": ["urn:opal:v1", {")" + prefix + R"(": "urn:acme:"}], "@graph": [{"@id": "w", "@type": "Wall", ")" +
-                                  prefix + R"(:price": )" + std::to_string(price) + "}]}",
+    return SemanticMap::parse(R"({"@context": ["urn:opal:v1", {")" + prefix +
+                                  R"(": "urn:acme:"}], "@graph": [{"@id": "w", "@type": "Wall", ")" + prefix +
+                                  R"(:price": )" + std::to_string(price) + "}]}",
                               "hall");
   };
   CHECK(map_diff(*map("acme", 1), *map("acme", 1)).empty());

@@ -68,7 +68,8 @@ class StatusReader final : public EventSink {
   void write(const nlohmann::ordered_json& event) override {
     if (event["event"] != "estimate") return;
     if (event["status"] == "localized" && !first_localized) first_localized = event["keyframe"].get<int>();
-    const bool said = event["why"].get<std::string>().find("straight walls that were seen are not on the map") != std::string::npos;
+    const bool said =
+        event["why"].get<std::string>().find("straight walls that were seen are not on the map") != std::string::npos;
     told += said && event["status"] != "localized";
   }
   std::optional<int> first_localized;

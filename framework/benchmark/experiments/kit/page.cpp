@@ -27,8 +27,8 @@ std::string page_of(const std::string& title, const std::string& body) {
 }
 
 std::string figure(const std::string& svg, const std::string& caption, const std::string& kind) {
-  return "<figure" + (kind.empty() ? "" : " class=" + kind) + "><figcaption>" + html_text(caption) +
-         "</figcaption>\n" + svg + "</figure>\n";
+  return "<figure" + (kind.empty() ? "" : " class=" + kind) + "><figcaption>" + html_text(caption) + "</figcaption>\n" +
+         svg + "</figure>\n";
 }
 
 std::string status_legend() {
