@@ -140,7 +140,8 @@ std::string ConfigObject::where() const { return file_ + ": " + (place_.empty() 
 
 void ConfigObject::refuse(const std::string& key, const std::string& expected) const {
   const auto found = value_->find(key);
-  throw ConfigError(where(key) + ": " + (found == value_->end() ? "absent" : excerpt(*found)) + ", expected " + expected);
+  throw ConfigError(where(key) + ": " + (found == value_->end() ? "absent" : excerpt(*found)) + ", expected " +
+                    expected);
 }
 
 }  // namespace opal

@@ -32,9 +32,7 @@ struct DistanceTo {
 
 }  // namespace
 
-Geometry transformed(const Pose2& T_a_b, const Geometry& geometry_b) {
-  return std::visit(Move{T_a_b}, geometry_b);
-}
+Geometry transformed(const Pose2& T_a_b, const Geometry& geometry_b) { return std::visit(Move{T_a_b}, geometry_b); }
 
 Segment transformed(const Pose2& T_a_b, const Segment& segment_b) {
   return {T_a_b * segment_b.begin, T_a_b * segment_b.end};
@@ -42,9 +40,7 @@ Segment transformed(const Pose2& T_a_b, const Segment& segment_b) {
 
 Point anchor_of(const Geometry& geometry) { return std::visit(Anchor{}, geometry); }
 
-double distance_m(const Geometry& geometry, const Point& point) {
-  return std::visit(DistanceTo{point}, geometry);
-}
+double distance_m(const Geometry& geometry, const Point& point) { return std::visit(DistanceTo{point}, geometry); }
 
 double distance_m(const Segment& segment, const Point& point) {
   const Point along = segment.end - segment.begin;

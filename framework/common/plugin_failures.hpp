@@ -5,8 +5,8 @@
 
 namespace opal {
 
-/// Calls into plugins in the middle of a run. What a plugin throws is counted and told once, and the run goes on without
-/// that one contribution.
+/// Calls into plugins in the middle of a run. What a plugin throws is counted and told once, and the run goes on
+/// without that one contribution.
 class PluginFailures {
  public:
   /// @return whether the call came back.

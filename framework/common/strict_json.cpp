@@ -91,8 +91,7 @@ class StrictBuilder : public nlohmann::json_sax<Json> {
 
   /// @param byte  1-based offset, as the parser counts.
   std::string line_and_column(std::size_t byte) const {
-    const auto end =
-        text_.begin() + static_cast<std::ptrdiff_t>(std::min(byte > 0 ? byte - 1 : 0, text_.size()));
+    const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(byte > 0 ? byte - 1 : 0, text_.size()));
     const auto line = 1 + std::count(text_.begin(), end, '\n');
     const auto line_start =
         std::find(std::make_reverse_iterator(end), std::make_reverse_iterator(text_.begin()), '\n').base();
@@ -106,8 +105,7 @@ class StrictBuilder : public nlohmann::json_sax<Json> {
     const std::size_t colon = message.find(": ", column == std::string::npos ? 0 : column);
     if (column != std::string::npos && colon != std::string::npos) return message.substr(colon + 2);
     const std::size_t bracket = message.find("] ");
-    return bracket == std::string::npos ? message
-                                        : message.substr(bracket + 2) + ", expected a finite number";
+    return bracket == std::string::npos ? message : message.substr(bracket + 2) + ", expected a finite number";
   }
 
   const std::string& text_;

@@ -2,10 +2,10 @@
 
 #include "common/config_object.hpp"
 
-#include "deployment/localizer_options.hpp"
 #include <opal/common/error.hpp>
-#include "deployment/store_source.hpp"
 #include <opal/common/strict_json.hpp>
+#include "deployment/localizer_options.hpp"
+#include "deployment/store_source.hpp"
 
 #include <filesystem>
 #include <numbers>

@@ -1,5 +1,5 @@
-#include <opal/deployment/deployment.hpp>
 #include <opal/common/error.hpp>
+#include <opal/deployment/deployment.hpp>
 #include "deployment/pipeline_plan.hpp"
 
 #include <algorithm>
@@ -126,7 +126,8 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   check_parts(deployment, registry);
   const PipelinePlan plan = plan_pipeline(*map, deployment.laser.id, registry.types());
   const auto detectors = narrowed(plan.detectors, deployment.detectors);
-  const auto patterns = observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, registry);
+  const auto patterns =
+      observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, registry);
   if (detectors.empty()) refuse_empty(deployment, "detectors", plan);
   if (patterns.empty()) refuse_empty(deployment, "patterns", plan);
 
@@ -141,8 +142,8 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   parts.patterns = make_all<PatternTemplate>(patterns, registry);
   for (const ScorerConfig& scorer : deployment.scorers)
     parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
-                             registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options),
-                             scorer.decides, scorer.weight});
+                             registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options), scorer.decides,
+                             scorer.weight});
   parts.stages = deployment.stages;
   return parts;
 }

@@ -28,7 +28,8 @@ using Fields = std::vector<Field<Stage>>;
 const Fields<TemperingOptions>& fields_of(const TemperingOptions&) {
   using O = TemperingOptions;
   static const Fields<O> all = {
-      {"distance_m", &O::distance_m, "m", 0.001, 1000, "driving that makes a scan a whole, independent piece of evidence"},
+      {"distance_m", &O::distance_m, "m", 0.001, 1000,
+       "driving that makes a scan a whole, independent piece of evidence"},
       {"angle_rad", &O::angle_rad, "rad", 0.001, 1000, "turning that does"},
       {"least_weight", &O::least_weight, "", 0, 1, "weight of a scan that was taken where the one before was"},
   };
@@ -41,7 +42,8 @@ const Fields<SearchScheduleOptions>& fields_of(const SearchScheduleOptions&) {
       {"every_m", &O::every_m, "m", 0, 1000, "driving between chances to search"},
       {"every_rad", &O::every_rad, "rad", 0, 1000, "turning between chances to search"},
       {"every_when_localized", &O::every_when_localized, "", 1, kMany, "chances that make one search while localized"},
-      {"every_when_likely", &O::every_when_likely, "", 1, kMany, "chances that make one search while one place is likely"},
+      {"every_when_likely", &O::every_when_likely, "", 1, kMany,
+       "chances that make one search while one place is likely"},
       {"likely_probability", &O::likely_probability, "", 0, 1, "a place with more than this is likely"},
       {"places_per_chance", &O::places_per_chance, "", 0, kMany,
        "a search that expects more places lets a further chance pass for each so many; 0: none"},
@@ -83,7 +85,8 @@ const Fields<GrowthOptions>& fields_of(const GrowthOptions&) {
   using O = GrowthOptions;
   static const Fields<O> all = {
       {"max_branches", &O::max_branches, "", 1, 1000, "mapped features tried per local feature and hypothesis"},
-      {"branch_not_on_map", &O::branch_not_on_map, "", 0, 0, "also branch \"not on the map\" when there is a mapped feature"},
+      {"branch_not_on_map", &O::branch_not_on_map, "", 0, 0,
+       "also branch \"not on the map\" when there is a mapped feature"},
       {"max_consecutive_not_on_map", &O::max_consecutive_not_on_map, "", 0, kMany,
        "features in a row that may be not on the map; 0: no limit"},
       {"similar_depth", &O::similar_depth, "", 0, 1000, "leaves that share so many last associations are one; 0: off"},
@@ -131,7 +134,8 @@ const Fields<StatusOptions>& fields_of(const StatusOptions&) {
        "more of it per metre of straight walls that are seen and not mapped"},
       {"localized_unmapped_m", &O::localized_unmapped_m, "m", 0, kMany, "so many metres of these walls cost nothing"},
       {"localized_most_weight", &O::localized_most_weight, "", 0, kMany, "whatever walls are missing, this is enough"},
-      {"lost_scan_nat", &O::lost_scan_nat, "nat", -kMany, kMany, "mean of the newest scans below which the robot is lost"},
+      {"lost_scan_nat", &O::lost_scan_nat, "nat", -kMany, kMany,
+       "mean of the newest scans below which the robot is lost"},
   };
   return all;
 }
@@ -139,9 +143,12 @@ const Fields<StatusOptions>& fields_of(const StatusOptions&) {
 const Fields<KidnappingOptions>& fields_of(const KidnappingOptions&) {
   using O = KidnappingOptions;
   static const Fields<O> all = {
-      {"prior_nat", &O::prior_nat, "nat", -kMany, 0, "log prior of a kidnapping where a scan does not continue those before"},
-      {"scan_nat", &O::scan_nat, "nat", -kMany, kMany, "what a scan says for the place that the robot was kidnapped from"},
-      {"alarm_nat", &O::alarm_nat, "nat", 0, kMany, "suspicion from which a scan is looked at even if the robot stands"},
+      {"prior_nat", &O::prior_nat, "nat", -kMany, 0,
+       "log prior of a kidnapping where a scan does not continue those before"},
+      {"scan_nat", &O::scan_nat, "nat", -kMany, kMany,
+       "what a scan says for the place that the robot was kidnapped from"},
+      {"alarm_nat", &O::alarm_nat, "nat", 0, kMany,
+       "suspicion from which a scan is looked at even if the robot stands"},
   };
   return all;
 }
@@ -184,7 +191,8 @@ OptionInfo described(const Field<Stage>& field, const Stage& stage) {
 template <class Stage>
 void set(Stage& stage, const Field<Stage>& field, const nlohmann::json& value, const std::string& where) {
   const OptionInfo info = described(field, Stage());
-  if (!is_acceptable(info, value)) throw ConfigError(where + ": " + value.dump() + ", expected " + accepted_values(info));
+  if (!is_acceptable(info, value))
+    throw ConfigError(where + ": " + value.dump() + ", expected " + accepted_values(info));
   std::visit([&](auto member) { value.get_to(stage.*member); }, field.member);
 }
 
@@ -197,7 +205,8 @@ RegionPrior read_region(const nlohmann::json& value, const std::string& where) {
       throw ConfigError(where + "/" + key + ": " + value[key].dump() + ", expected " + accepted_values(info));
     return value[key].get<double>();
   };
-  if (!value.is_object() || value.size() != 3 || !value.contains("x_m") || !value.contains("y_m") || !value.contains("radius_m"))
+  if (!value.is_object() || value.size() != 3 || !value.contains("x_m") || !value.contains("y_m") ||
+      !value.contains("radius_m"))
     throw ConfigError(where + ": " + value.dump() + ", expected an object with x_m, y_m and radius_m");
   return {{number("x_m", -1e6), number("y_m", -1e6)}, number("radius_m", 1e-3)};
 }
@@ -220,7 +229,8 @@ void read_stage(Stage& stage, const nlohmann::json& given, const std::string& wh
     const std::string here = where + "/" + name;
     if (read_other(stage, name, value, here)) continue;
     const auto& fields = fields_of(stage);
-    const auto field = std::find_if(fields.begin(), fields.end(), [&, &key = name](const auto& f) { return key == f.name; });
+    const auto field =
+        std::find_if(fields.begin(), fields.end(), [&, &key = name](const auto& f) { return key == f.name; });
     if (field != fields.end()) {
       set(stage, *field, value, here);
       continue;

@@ -45,7 +45,8 @@ class Planner {
   Planner(const SemanticMap& map, const std::string& sensor) : sensor_(sensor), demand_(demand_of(map, sensor)) {}
 
   PipelinePlan plan(const std::vector<RegisteredType>& types) {
-    for (const RegisteredType& detector : of_kind(PluginKind::feature_detector, types)) consider_detector(detector.info);
+    for (const RegisteredType& detector : of_kind(PluginKind::feature_detector, types))
+      consider_detector(detector.info);
     report_unseen();
     for (const RegisteredType& pattern : of_kind(PluginKind::pattern_template, types)) consider_pattern(pattern);
     report_missing_templates(types);
@@ -59,7 +60,8 @@ class Planner {
       if (demand_.features_by_type.contains(type))
         found.push_back(std::to_string(demand_.features_by_type.at(type)) + " " + type);
     if (found.empty()) {
-      reject(detector, "the map holds no " + (detector.produces.empty() ? "feature type that it produces" : listed(detector.produces)) +
+      reject(detector, "the map holds no " +
+                           (detector.produces.empty() ? "feature type that it produces" : listed(detector.produces)) +
                            " for " + sensor_);
       return;
     }
@@ -83,8 +85,9 @@ class Planner {
     }
     for (const std::string& type : pattern.consumes)
       if (!produced_.contains(type) || !demand_.features_by_type.contains(type)) {
-        reject(pattern, "it consumes " + type + (produced_.contains(type) ? ", which the map does not hold for " + sensor_
-                                                                         : ", which no running detector produces"));
+        reject(pattern, "it consumes " + type +
+                            (produced_.contains(type) ? ", which the map does not hold for " + sensor_
+                                                      : ", which no running detector produces"));
         return;
       }
     if (produced_.empty()) {

@@ -10,10 +10,10 @@ namespace opal {
 
 /// Which detectors and pattern templates a map calls for.
 struct PipelinePlan {
-  std::vector<std::string> detectors;  ///< type names, sorted
-  std::vector<std::string> patterns;   ///< type names, sorted
-  std::vector<std::string> on_request; ///< pattern templates that run if a deployment names them, sorted
-  std::vector<std::string> reasons;    ///< one line per registered detector and template: runs or not, and why
+  std::vector<std::string> detectors;   ///< type names, sorted
+  std::vector<std::string> patterns;    ///< type names, sorted
+  std::vector<std::string> on_request;  ///< pattern templates that run if a deployment names them, sorted
+  std::vector<std::string> reasons;     ///< one line per registered detector and template: runs or not, and why
 };
 
 /// The map decides. A detector runs if it produces a feature type that the map holds for this sensor. A pattern

@@ -35,7 +35,8 @@ std::optional<StoreSource> read_store_source(const std::string& text) {
     if (is_number(suffix)) source.version = version_of(suffix, text);
     if (is_number(suffix) || suffix == kNewest) source.building = rest.substr(0, at);
   }
-  if (source.building.empty()) throw ConfigError(text + ": no building, expected store:BUILDING or store:BUILDING@VERSION");
+  if (source.building.empty())
+    throw ConfigError(text + ": no building, expected store:BUILDING or store:BUILDING@VERSION");
   return source;
 }
 

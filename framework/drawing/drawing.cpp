@@ -88,8 +88,7 @@ Page lay_out(const DrawingScene& scene) {
   page.frame.plot_size_px = extent_m * page.frame.px_per_m;
   const double top_px = kMargin_px + (scene.title.empty() ? 0 : kTitleRow_px);
   // A long, low plot is given room below, so that the legend fits beside it.
-  const double rows_px =
-      std::max({page.frame.plot_size_px.y(), legend_height_px(canvas, scene), kLeastPlotHeight_px});
+  const double rows_px = std::max({page.frame.plot_size_px.y(), legend_height_px(canvas, scene), kLeastPlotHeight_px});
   page.frame.map_min.y() -= (rows_px - page.frame.plot_size_px.y()) / 2 / page.frame.px_per_m;
   page.frame.plot_size_px.y() = rows_px;
   page.frame.plot_origin_px = {kMargin_px, top_px + rows_px};
@@ -97,8 +96,7 @@ Page lay_out(const DrawingScene& scene) {
   const double legend_width = legend_width_px(canvas, scene);
   const double title_width = canvas.text_width_px(scene.title, kTitle_px, true);
   page.legend_px = {kMargin_px + page.frame.plot_size_px.x() + kMargin_px, top_px};
-  const double width_px =
-      legend_width > 0 ? page.legend_px.x() + legend_width : page.legend_px.x() - kMargin_px;
+  const double width_px = legend_width > 0 ? page.legend_px.x() + legend_width : page.legend_px.x() - kMargin_px;
   page.size_px = {std::ceil(std::max(width_px, kMargin_px + title_width) + kMargin_px),
                   std::ceil(top_px + rows_px + kScaleRow_px + kMargin_px)};
   return page;
@@ -108,10 +106,8 @@ void draw(const DrawingScene& scene, const Page& page, cairo_surface_t* surface)
   DrawingCanvas canvas(surface, page.frame);
   canvas.page_rectangle(Point::Zero(), page.size_px, ink::kPaper);
   const PageFrame& frame = page.frame;
-  canvas.page_rectangle(frame.plot_origin_px - Point(0, frame.plot_size_px.y()), frame.plot_size_px,
-                        ink::kPlot);
-  if (!scene.title.empty())
-    canvas.text({kMargin_px, kMargin_px + kTitle_px}, scene.title, kTitle_px, ink::kText, true);
+  canvas.page_rectangle(frame.plot_origin_px - Point(0, frame.plot_size_px.y()), frame.plot_size_px, ink::kPlot);
+  if (!scene.title.empty()) canvas.text({kMargin_px, kMargin_px + kTitle_px}, scene.title, kTitle_px, ink::kText, true);
   draw_layers(canvas, scene);
   draw_scale_bar(canvas);
   draw_legend(canvas, scene, page.legend_px);

@@ -16,7 +16,7 @@ struct DrawingScene {
   std::vector<std::string> notes;  ///< sentences below the legend, of any length
 
   std::shared_ptr<const SemanticMap> map;  ///< objects are coloured by type
-  std::vector<Geometry> unmapped;  ///< what stands there besides
+  std::vector<Geometry> unmapped;          ///< what stands there besides
   std::vector<Point> scan_points;
   std::vector<Point> free_space;  ///< outline of what the laser sees to be empty, in order
 

@@ -29,17 +29,14 @@ DrawingCanvas::DrawingCanvas(cairo_surface_t* surface, const PageFrame& frame)
 
 void DrawingCanvas::clip_to_plot() {
   cairo_save(cairo_.get());
-  cairo_rectangle(cairo_.get(), frame_.plot_origin_px.x(),
-                  frame_.plot_origin_px.y() - frame_.plot_size_px.y(), frame_.plot_size_px.x(),
-                  frame_.plot_size_px.y());
+  cairo_rectangle(cairo_.get(), frame_.plot_origin_px.x(), frame_.plot_origin_px.y() - frame_.plot_size_px.y(),
+                  frame_.plot_size_px.x(), frame_.plot_size_px.y());
   cairo_clip(cairo_.get());
 }
 
 void DrawingCanvas::unclip() { cairo_restore(cairo_.get()); }
 
-void DrawingCanvas::set(const Color& c) {
-  cairo_set_source_rgba(cairo_.get(), c.red, c.green, c.blue, c.opacity);
-}
+void DrawingCanvas::set(const Color& c) { cairo_set_source_rgba(cairo_.get(), c.red, c.green, c.blue, c.opacity); }
 
 void DrawingCanvas::trace(std::span<const Point> points) {
   bool pen_down = false;
@@ -131,8 +128,7 @@ void DrawingCanvas::page_line(const Point& from_px, const Point& to_px, const Co
   stroke(color, width_px, dash_px);
 }
 
-void DrawingCanvas::page_disc(const Point& center_px, double radius_px, const Color& fill,
-                              const Color& outline) {
+void DrawingCanvas::page_disc(const Point& center_px, double radius_px, const Color& fill, const Color& outline) {
   cairo_new_sub_path(cairo_.get());
   cairo_arc(cairo_.get(), center_px.x(), center_px.y(), radius_px, 0, kFullTurn);
   set(fill);
@@ -140,8 +136,8 @@ void DrawingCanvas::page_disc(const Point& center_px, double radius_px, const Co
   stroke(outline, 1);
 }
 
-void DrawingCanvas::page_arrow_head(const Point& center_px, double heading_rad, double size_px,
-                                    const Color& fill, const Color& outline) {
+void DrawingCanvas::page_arrow_head(const Point& center_px, double heading_rad, double size_px, const Color& fill,
+                                    const Color& outline) {
   const Pose2 T_page_head(center_px, -heading_rad);  // the page's y axis points down
   const std::array corners{Point(0.65, 0), Point(-0.45, 0.42), Point(-0.22, 0), Point(-0.45, -0.42)};
   for (const Point& corner : corners) {
@@ -154,8 +150,8 @@ void DrawingCanvas::page_arrow_head(const Point& center_px, double heading_rad, 
   stroke(outline, 1);
 }
 
-void DrawingCanvas::text(const Point& baseline_px, const std::string& text, double size_px,
-                         const Color& color, bool bold) {
+void DrawingCanvas::text(const Point& baseline_px, const std::string& text, double size_px, const Color& color,
+                         bool bold) {
   cairo_select_font_face(cairo_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                          bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo_.get(), size_px);

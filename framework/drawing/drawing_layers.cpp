@@ -16,8 +16,7 @@ Color color_of(const std::string& type, std::size_t others) {
   if (type == "opal:Column") return {0.72, 0.36, 0.18};
   if (type == "opal:Door") return {0.08, 0.52, 0.58};
   if (type == "opal:Window") return {0.30, 0.60, 0.85};
-  static const Color kOthers[] = {
-      {0.55, 0.35, 0.60}, {0.45, 0.50, 0.15}, {0.75, 0.30, 0.45}, {0.35, 0.40, 0.65}};
+  static const Color kOthers[] = {{0.55, 0.35, 0.60}, {0.45, 0.50, 0.15}, {0.75, 0.30, 0.45}, {0.35, 0.40, 0.65}};
   return kOthers[others % std::size(kOthers)];
 }
 
@@ -56,8 +55,7 @@ void draw_map(DrawingCanvas& canvas, const SemanticMap& map) {
   const auto color = [&](const MapFeature& f) { return inks.at(type_of(map, f)).color; };
   for (const MapFeature& feature : map.features())
     if (const auto* face = std::get_if<Segment>(&feature.geometry)) draw_body(canvas, *face, color(feature));
-  for (const MapFeature& feature : map.features())
-    canvas.geometry(feature.geometry, color(feature), kWall_px);
+  for (const MapFeature& feature : map.features()) canvas.geometry(feature.geometry, color(feature), kWall_px);
 }
 
 /// Where a short line can show which mapped geometry a local one is taken for.
@@ -80,8 +78,8 @@ void draw_association_lines(DrawingCanvas& canvas, const DrawingScene& scene) {
   const Point robot = scene.hypotheses.front().T_map_base.position();
   for (const auto& pair : scene.associations) {
     const Point local = anchor_of(pair.local);
-    canvas.line(std::array{robot, local, nearest_on(pair.mapped, local)},
-                ink::kAssociation.with_opacity(0.55), kAssociation_px);
+    canvas.line(std::array{robot, local, nearest_on(pair.mapped, local)}, ink::kAssociation.with_opacity(0.55),
+                kAssociation_px);
   }
 }
 

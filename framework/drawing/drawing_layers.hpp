@@ -30,7 +30,8 @@ inline constexpr Color kTrajectory{0.48, 0.23, 0.68};
 inline constexpr Color kTruth{0.16, 0.18, 0.22, 0.75};
 }  // namespace ink
 
-inline constexpr double kScanDot_px = 1.3, kLocalFeature_px = 2.2, kUnmapped_px = 1.4, kAssociation_px = 1.2, kMatched_px = 7;
+inline constexpr double kScanDot_px = 1.3, kLocalFeature_px = 2.2, kUnmapped_px = 1.4, kAssociation_px = 1.2,
+                        kMatched_px = 7;
 inline constexpr double kTrajectory_px = 1.6, kTruth_px = 1.1, kDash_px = 4, kBestHead_px = 17;
 inline constexpr double kEndedHead_px = 10, kContradiction_px = 1.3, kPattern_px = 1.1;
 

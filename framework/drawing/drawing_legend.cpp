@@ -8,14 +8,13 @@
 namespace opal {
 namespace {
 
-constexpr double kSymbol_px = 30, kSymbolGap_px = 12, kRow_px = 24, kText_px = 13, kNote_px = 12,
-                 kNoteRow_px = 17, kNoteGap_px = 5, kNoteWidth_px = 380;
+constexpr double kSymbol_px = 30, kSymbolGap_px = 12, kRow_px = 24, kText_px = 13, kNote_px = 12, kNoteRow_px = 17,
+                 kNoteGap_px = 5, kNoteWidth_px = 380;
 constexpr double kNotesGap_px = 18;
 
 struct LegendRow {
   std::string label;
-  std::function<void(DrawingCanvas&, const Point& middle_px)>
-      symbol;  ///< at the middle of the symbol's place
+  std::function<void(DrawingCanvas&, const Point& middle_px)> symbol;  ///< at the middle of the symbol's place
 };
 
 auto stroke_symbol(const Color& color, double width_px, double dash_px = 0) {
@@ -30,9 +29,8 @@ std::function<void(DrawingCanvas&, const Point&)> shape_symbol(const TypeInk& in
   if (ink.shape == GeometryKind::segment) return stroke_symbol(ink.color, 2.2);
   const double radius_px = ink.shape == GeometryKind::circle ? 6 : 2.5;
   const Color fill = ink.shape == GeometryKind::circle ? ink.color.with_opacity(0.15) : ink.color;
-  return [=](DrawingCanvas& canvas, const Point& middle_px) {
-    canvas.page_disc(middle_px, radius_px, fill, ink.color);
-  };
+  return
+      [=](DrawingCanvas& canvas, const Point& middle_px) { canvas.page_disc(middle_px, radius_px, fill, ink.color); };
 }
 
 auto head_symbol(const Color& color, double size_px) {
@@ -43,8 +41,7 @@ auto head_symbol(const Color& color, double size_px) {
 
 void dots_symbol(DrawingCanvas& canvas, const Point& middle_px) {
   for (int k = -2; k <= 2; ++k)
-    canvas.page_disc(middle_px + Point(5 * k, std::abs(k) - 1), kScanDot_px, ink::kScan,
-                     ink::kScan.with_opacity(0));
+    canvas.page_disc(middle_px + Point(5 * k, std::abs(k) - 1), kScanDot_px, ink::kScan, ink::kScan.with_opacity(0));
 }
 
 void area_symbol(DrawingCanvas& canvas, const Point& middle_px) {
@@ -52,9 +49,7 @@ void area_symbol(DrawingCanvas& canvas, const Point& middle_px) {
   canvas.page_rectangle(middle_px - size / 2, size, ink::kFreeSpace.with_opacity(0.3));
 }
 
-std::string short_name(const std::string& type) {
-  return type.rfind("opal:", 0) == 0 ? type.substr(5) : type;
-}
+std::string short_name(const std::string& type) { return type.rfind("opal:", 0) == 0 ? type.substr(5) : type; }
 
 void ended_symbol(DrawingCanvas& canvas, const Point& middle_px) {
   const double half_px = kEndedHead_px / 2;
@@ -68,16 +63,14 @@ auto perception_symbol(DrawingScene::Perception perception) {
 }
 
 std::size_t count(const DrawingScene& scene, DrawingScene::Perception perception) {
-  return static_cast<std::size_t>(
-      std::count_if(scene.local_features.begin(), scene.local_features.end(),
-                    [&](const auto& feature) { return feature.perception == perception; }));
+  return static_cast<std::size_t>(std::count_if(scene.local_features.begin(), scene.local_features.end(),
+                                                [&](const auto& feature) { return feature.perception == perception; }));
 }
 
 std::vector<LegendRow> map_rows(const SemanticMap& map) {
   std::vector<LegendRow> rows;
   for (const auto& [type, type_ink] : inks_of_types(map))
-    rows.push_back(
-        {short_name(type) + " (" + std::to_string(type_ink.objects) + ")", shape_symbol(type_ink)});
+    rows.push_back({short_name(type) + " (" + std::to_string(type_ink.objects) + ")", shape_symbol(type_ink)});
   return rows;
 }
 
@@ -96,13 +89,14 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
                                          std::pair(Perception::matched, "local feature, associated (")})
     if (const std::size_t found = count(scene, perception); found > 0)
       add(true, name + std::to_string(found) + ")", perception_symbol(perception));
-  add(!scene.patterns.empty(), (scene.local_features.empty() ? "patterns (" : "patterns looked up (") + std::to_string(scene.patterns.size()) + ")",
+  add(!scene.patterns.empty(),
+      (scene.local_features.empty() ? "patterns (" : "patterns looked up (") + std::to_string(scene.patterns.size()) +
+          ")",
       stroke_symbol(ink::kPattern, kPattern_px, kDash_px));
   add(!scene.associations.empty(), "mapped counterpart (" + std::to_string(scene.associations.size()) + ")",
       stroke_symbol(ink::kAssociation.with_opacity(0.45), kMatched_px));
   if (!scene.hypotheses.empty())
-    add(true, "pose, " + percent(scene.hypotheses.front().probability),
-        head_symbol(ink::kBest, kBestHead_px));
+    add(true, "pose, " + percent(scene.hypotheses.front().probability), head_symbol(ink::kBest, kBestHead_px));
   add(scene.hypotheses.size() > 1, "other hypotheses (" + std::to_string(scene.hypotheses.size() - 1) + ")",
       head_symbol(alternative_color(0.5), alternative_head_px(0.5)));
   add(!scene.ended.empty(), "ended (" + std::to_string(scene.ended.size()) + ")", ended_symbol);
@@ -178,16 +172,15 @@ double legend_height_px(DrawingCanvas& canvas, const DrawingScene& scene) {
   double notes_px = 0;
   for (const auto& note : note_lines(canvas, scene))
     notes_px += static_cast<double>(note.size()) * kNoteRow_px + kNoteGap_px;
-  return static_cast<double>(legend_rows(scene).size()) * kRow_px +
-         (notes_px > 0 ? kNotesGap_px + notes_px : 0);
+  return static_cast<double>(legend_rows(scene).size()) * kRow_px + (notes_px > 0 ? kNotesGap_px + notes_px : 0);
 }
 
 void draw_legend(DrawingCanvas& canvas, const DrawingScene& scene, const Point& corner_px) {
   Point place_px = corner_px;
   for (const LegendRow& row : legend_rows(scene)) {
     row.symbol(canvas, place_px + Point(kSymbol_px / 2, kRow_px / 2));
-    canvas.text(place_px + Point(kSymbol_px + kSymbolGap_px, kRow_px / 2 + 0.36 * kText_px), row.label,
-                kText_px, ink::kText);
+    canvas.text(place_px + Point(kSymbol_px + kSymbolGap_px, kRow_px / 2 + 0.36 * kText_px), row.label, kText_px,
+                ink::kText);
     place_px.y() += kRow_px;
   }
   place_px.y() += kNotesGap_px;

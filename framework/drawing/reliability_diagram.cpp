@@ -36,8 +36,8 @@ class Panel {
 
  private:
   Point at(double said, double came_true) const {
-    return corner_px_ + Point(kPanel_px * (said - from_.x()) / (1 - from_.x()),
-                              kPanel_px * (1 - came_true) / (1 - from_.y()));
+    return corner_px_ +
+           Point(kPanel_px * (said - from_.x()) / (1 - from_.x()), kPanel_px * (1 - came_true) / (1 - from_.y()));
   }
 
   void draw_grid() {
@@ -48,7 +48,8 @@ class Panel {
       canvas_.page_line(at(said, 1), at(said, from_.y()), ink::kGrid, 1);
       canvas_.page_line(at(from_.x(), came_true), at(1, came_true), ink::kGrid, 1);
       const std::string x = sentence("%.2f", said), y = sentence("%.2f", came_true);
-      canvas_.text(at(said, from_.y()) + Point(-canvas_.text_width_px(x, kText_px) / 2, 20), x, kText_px, ink::kFaintText);
+      canvas_.text(at(said, from_.y()) + Point(-canvas_.text_width_px(x, kText_px) / 2, 20), x, kText_px,
+                   ink::kFaintText);
       canvas_.text(at(from_.x(), came_true) + Point(-canvas_.text_width_px(y, kText_px) - 8, 4), y, kText_px,
                    ink::kFaintText);
     }
@@ -59,15 +60,17 @@ class Panel {
     const double low = inside(bin.came_true_within.low), high = inside(bin.came_true_within.high);
     canvas_.page_line(at(bin.said, low), at(bin.said, high), ink::kLocalFeature.with_opacity(0.45), 3);
     canvas_.page_disc(at(bin.said, inside(bin.came_true)), 5, ink::kLocalFeature, ink::kPlot);
-    const double height_px = kBars_px * std::log1p(static_cast<double>(bin.statements)) / std::log1p(static_cast<double>(most));
+    const double height_px =
+        kBars_px * std::log1p(static_cast<double>(bin.statements)) / std::log1p(static_cast<double>(most));
     const Point left = at(bin.from, 0), right = at(bin.to, 0);
-    const double base_px = corner_px_.y() + kPanel_px + kGap_px + kBars_px, width_px = std::max(2.0, right.x() - left.x() - 2);
+    const double base_px = corner_px_.y() + kPanel_px + kGap_px + kBars_px,
+                 width_px = std::max(2.0, right.x() - left.x() - 2);
     const double left_px = std::min(left.x() + 1, right.x() - width_px);
-    canvas_.page_rectangle({left_px, base_px - height_px}, {width_px, height_px}, ink::kLocalFeature.with_opacity(0.35));
+    canvas_.page_rectangle({left_px, base_px - height_px}, {width_px, height_px},
+                           ink::kLocalFeature.with_opacity(0.35));
     const std::string count = std::to_string(bin.statements);
     const double text_px = canvas_.text_width_px(count, 10);
-    if (text_px < width_px)
-      canvas_.text({left_px + (width_px - text_px) / 2, base_px - 4}, count, 10, ink::kText);
+    if (text_px < width_px) canvas_.text({left_px + (width_px - text_px) / 2, base_px - 4}, count, 10, ink::kText);
   }
 
   DrawingCanvas& canvas_;
@@ -88,17 +91,20 @@ void draw(const Calibration& calibration, const std::string& title, cairo_surfac
   DrawingCanvas canvas(surface, {});
   canvas.page_rectangle(Point::Zero(), kPage_px, ink::kPaper);
   canvas.text({kLeft_px, 36}, title, 18, ink::kText, true);
-  const std::string scores = sentence(
-      "%zu statements in %zu queries; Brier score %.4f, log loss %.3f nat, expected calibration error %.4f",
-      calibration.statements, calibration.clusters, calibration.brier, calibration.log_loss, calibration.expected_error);
+  const std::string scores =
+      sentence("%zu statements in %zu queries; Brier score %.4f, log loss %.3f nat, expected calibration error %.4f",
+               calibration.statements, calibration.clusters, calibration.brier, calibration.log_loss,
+               calibration.expected_error);
   canvas.text({kLeft_px, 60}, scores, kText_px, ink::kFaintText);
   Panel(canvas, {kLeft_px, kTop_px}, 0, 0).draw(calibration.bins);
   Panel(canvas, {kLeft_px + kPanel_px + kBetween_px, kTop_px}, kClose, lowest_from(calibration.bins, kClose))
       .draw(calibration.bins);
   const double below_px = kPage_px.y() - kBelow_px;
-  canvas.text({kLeft_px, below_px + 28}, "Right: what was said (probability). Up: what came true (share), with 95 % by the number of queries.",
+  canvas.text({kLeft_px, below_px + 28},
+              "Right: what was said (probability). Up: what came true (share), with 95 % by the number of queries.",
               kText_px, ink::kText);
-  canvas.text({kLeft_px, below_px + 48}, "Dashed: perfectly calibrated. The second panel shows the same from 0.9 on.", kText_px, ink::kText);
+  canvas.text({kLeft_px, below_px + 48}, "Dashed: perfectly calibrated. The second panel shows the same from 0.9 on.",
+              kText_px, ink::kText);
   canvas.text({kLeft_px, below_px + 68}, "Bars: statements per bin, on a logarithmic scale.", kText_px, ink::kText);
 }
 

@@ -55,8 +55,7 @@ std::vector<Cluster> clusters_of(std::span<const Statement> statements, Weightin
   }
   std::map<std::string, Cluster> clusters;
   for (const Statement& statement : statements) {
-    const double weight =
-        weighting == Weighting::per_cluster ? 1 / static_cast<double>(sizes[statement.cluster]) : 1;
+    const double weight = weighting == Weighting::per_cluster ? 1 / static_cast<double>(sizes[statement.cluster]) : 1;
     Cluster& cluster = clusters[statement.cluster];
     const std::size_t bin = bin_of(statement.probability);
     cluster.binned[bin].add(sums_of(statement), weight);
@@ -88,7 +87,9 @@ void measure(const Binned& binned, Calibration& result) {
 
 Interval middle_95(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) { return values[static_cast<std::size_t>(share * double(values.size() - 1) + 0.5)]; };
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * double(values.size() - 1) + 0.5)];
+  };
   return {at(0.025), at(0.975)};
 }
 
@@ -115,8 +116,13 @@ void bootstrap(const std::vector<Cluster>& clusters, int resamples, std::uint64_
 }
 
 ReliabilityBin reliability_bin(std::size_t number, const Sums& sums, const std::vector<Cluster>& clusters) {
-  ReliabilityBin bin{number == 0 ? 0.0 : kEnds[number - 1], kEnds[number], 0, 0, sums.said / sums.weight,
-                     sums.came_true / sums.weight, {}};
+  ReliabilityBin bin{number == 0 ? 0.0 : kEnds[number - 1],
+                     kEnds[number],
+                     0,
+                     0,
+                     sums.said / sums.weight,
+                     sums.came_true / sums.weight,
+                     {}};
   for (const Cluster& cluster : clusters) {
     bin.statements += cluster.statements[number];
     bin.clusters += cluster.statements[number] > 0;

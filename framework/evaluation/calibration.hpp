@@ -30,7 +30,7 @@ struct Interval {
 
 /// Statements of nearly the same probability.
 struct ReliabilityBin {
-  double from = 0, to = 0;    ///< probability; `to` belongs to it in the last bin only
+  double from = 0, to = 0;  ///< probability; `to` belongs to it in the last bin only
   std::size_t statements = 0;
   std::size_t clusters = 0;   ///< that they are of
   double said = 0;            ///< mean probability
@@ -56,8 +56,8 @@ struct Calibration {
 /// Bins end at 0.1, 0.2, ... 0.9, 0.95, 0.99, 0.999 and 1: what matters is how sure is sure.
 /// @param resamples  of the bootstrap; the same seed gives the same intervals.
 /// @throws ConfigError if there is no statement, or a probability is not in [0, 1].
-OPAL_EXPORT Calibration calibration_of(std::span<const Statement> statements, Weighting weighting,
-                                       int resamples = 1000, std::uint64_t seed = 1);
+OPAL_EXPORT Calibration calibration_of(std::span<const Statement> statements, Weighting weighting, int resamples = 1000,
+                                       std::uint64_t seed = 1);
 
 /// 95 % interval of a share (Wilson 1927). @param trials  more than 0; need not be whole.
 OPAL_EXPORT Interval wilson_interval(double share, double trials);

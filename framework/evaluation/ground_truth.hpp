@@ -21,7 +21,8 @@ class OPAL_EXPORT GroundTruth {
 
   /// Interpolated between neighbouring poses; nullopt outside the recorded time.
   std::optional<Pose2> T_map_laser_at(double stamp_s) const;
-  /// Driven from the first pose until then [m], as the poses tell it; those outside the recorded time count as the nearest.
+  /// Driven from the first pose until then [m], as the poses tell it; those outside the recorded time count as the
+  /// nearest.
   double driven_m(double stamp_s) const;
   const std::vector<StampedPose>& poses() const { return poses_; }
 

@@ -66,11 +66,10 @@ KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t 
 
   verdict.noticed_after_m = driven_until(after, [&](const JudgedRow& row) { return !falsely(row); });
   verdict.lost_after_m = driven_until(after, [](const JudgedRow& row) { return row.status == Status::lost; });
-  verdict.localized_after_m = driven_until(
-      after, [&](const JudgedRow& row) { return row.status == Status::localized && right(row); });
+  verdict.localized_after_m =
+      driven_until(after, [&](const JudgedRow& row) { return row.status == Status::localized && right(row); });
   verdict.false_rows = static_cast<int>(std::count_if(after.begin(), after.end(), falsely));
-  verdict.false_rows_at_once =
-      static_cast<int>(std::find_if_not(after.begin(), after.end(), falsely) - after.begin());
+  verdict.false_rows_at_once = static_cast<int>(std::find_if_not(after.begin(), after.end(), falsely) - after.begin());
   for (std::size_t k = 1; k < after.size(); ++k)
     if (falsely(after[k - 1])) verdict.false_m += after[k].driven_m - after[k - 1].driven_m;
   return verdict;

@@ -49,9 +49,9 @@ class KidnappingDraw {
     const double apart_m = distance_m(before.poses[cut].pose, after.poses[on].pose);
     if (apart_m <= options_.least_apart_m) return std::nullopt;
     return KidnappingSequence{"",
-                  {queries_[a].id, queries_[a].start_s, before.poses[cut].stamp_s},
-                  {queries_[b].id, after.poses[on].stamp_s, queries_[b].end_s},
-                  apart_m};
+                              {queries_[a].id, queries_[a].start_s, before.poses[cut].stamp_s},
+                              {queries_[b].id, after.poses[on].stamp_s, queries_[b].end_s},
+                              apart_m};
   }
 
  private:
@@ -81,8 +81,9 @@ double usual_step_s(std::span<const Sample> samples) {
 
 }  // namespace
 
-std::vector<KidnappingSequence> draw_kidnapping_sequences(const std::string& name, std::span<const Query> queries, const GroundTruth& truth,
-                                 const KidnappingSequenceOptions& options) {
+std::vector<KidnappingSequence> draw_kidnapping_sequences(const std::string& name, std::span<const Query> queries,
+                                                          const GroundTruth& truth,
+                                                          const KidnappingSequenceOptions& options) {
   constexpr int kTriesPerSequence = 200;
   const std::size_t count = options.count > 0 ? options.count : queries.size();
   std::vector<KidnappingSequence> sequences;
@@ -90,9 +91,9 @@ std::vector<KidnappingSequence> draw_kidnapping_sequences(const std::string& nam
   KidnappingDraw draw(queries, truth, options);
   for (std::size_t tries = 0; sequences.size() < count; ++tries) {
     if (tries == count * kTriesPerSequence)
-      throw ConfigError(name + ": " + std::to_string(sequences.size()) + " sequences found in " + std::to_string(tries) +
-                        " tries, expected " + std::to_string(count) + " with places more than " +
-                        std::to_string(options.least_apart_m) + " m apart");
+      throw ConfigError(name + ": " + std::to_string(sequences.size()) + " sequences found in " +
+                        std::to_string(tries) + " tries, expected " + std::to_string(count) +
+                        " with places more than " + std::to_string(options.least_apart_m) + " m apart");
     std::optional<KidnappingSequence> sequence = draw.draw();
     if (!sequence) continue;
     sequence->id = numbered(name, sequences.size() + 1);
@@ -109,8 +110,7 @@ KidnappingLog with_kidnapping(std::span<const Sample> before, std::span<const Sa
     log.recorded_s.push_back(sample.scan.stamp_s);
   }
   const bool both = !before.empty() && !after.empty();
-  const double later_s =
-      both ? before.back().scan.stamp_s + usual_step_s(after) - after.front().scan.stamp_s : 0;
+  const double later_s = both ? before.back().scan.stamp_s + usual_step_s(after) - after.front().scan.stamp_s : 0;
   const Pose2 T_before_after = both ? before.back().T_odom_base * after.front().T_odom_base.inverse() : Pose2();
   for (const Sample& sample : after) {
     log.samples.push_back({sample.scan, T_before_after * sample.T_odom_base});

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "evaluation/ground_truth.hpp"
 #include <opal/sensing/replay.hpp>
+#include "evaluation/ground_truth.hpp"
 #include "evaluation/site.hpp"
 
 #include <cstdint>
@@ -15,24 +15,26 @@ namespace opal {
 /// goes on in another one.
 struct KidnappingSequence {
   std::string id;
-  Query before;       ///< up to the cut
-  Query after;        ///< from the cut on
-  double apart_m = 0; ///< between the two places at the cut
+  Query before;        ///< up to the cut
+  Query after;         ///< from the cut on
+  double apart_m = 0;  ///< between the two places at the cut
 };
 
 struct KidnappingSequenceOptions {
-  int count = 0;               ///< 0: as many as there are queries
+  int count = 0;  ///< 0: as many as there are queries
   std::uint64_t seed = 1;
   double least_apart_m = 5;
-  double before_m = 8;         ///< driving before the cut, at least, where the window has it
-  double after_m = 20;         ///< and after it
+  double before_m = 8;  ///< driving before the cut, at least, where the window has it
+  double after_m = 20;  ///< and after it
 };
 
 /// Draws pairs of windows and a cut in each of them. The same queries, truth and options give the same sequences.
 /// @param name  begins the ids.
 /// @throws ConfigError if the windows hold no two places that are far enough apart.
-OPAL_EXPORT std::vector<KidnappingSequence> draw_kidnapping_sequences(const std::string& name, std::span<const Query> queries,
-                                             const GroundTruth& truth, const KidnappingSequenceOptions& options);
+OPAL_EXPORT std::vector<KidnappingSequence> draw_kidnapping_sequences(const std::string& name,
+                                                                      std::span<const Query> queries,
+                                                                      const GroundTruth& truth,
+                                                                      const KidnappingSequenceOptions& options);
 
 /// What the localizer is given, and when each of it was recorded.
 struct KidnappingLog {

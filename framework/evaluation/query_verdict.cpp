@@ -27,7 +27,8 @@ struct WindowEnd {
   double stamp_s = 0, driven_m = 0;
 };
 
-/// First row from which on all are as wanted, if the window's end is reached and enough is driven from there on; else none.
+/// First row from which on all are as wanted, if the window's end is reached and enough is driven from there on; else
+/// none.
 template <class Wanted>
 std::span<const JudgedRow> kept(std::span<const JudgedRow> rows, const WindowEnd& end, const QueryJudgeOptions& options,
                                 Wanted&& wanted) {

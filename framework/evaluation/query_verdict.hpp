@@ -11,27 +11,27 @@ namespace opal {
 
 /// When a robot that began without any idea of its pose may be called localized in truth.
 struct QueryJudgeOptions {
-  double right_within_m = 1.0;      ///< an error below this is right
-  double strictly_within_m = 0.5;   ///< an error below these two is strictly right
+  double right_within_m = 1.0;     ///< an error below this is right
+  double strictly_within_m = 0.5;  ///< an error below these two is strictly right
   double strictly_within_rad = 10 * std::numbers::pi / 180;
-  double least_kept_m = 2;          ///< of driving that it must stay right for, up to the end: no lucky last row
-  double end_gap_m = 3;             ///< the last row may lie so much driving before the window's end,
-  double end_gap_s = 5;             ///< or so much time
+  double least_kept_m = 2;  ///< of driving that it must stay right for, up to the end: no lucky last row
+  double end_gap_m = 3;     ///< the last row may lie so much driving before the window's end,
+  double end_gap_s = 5;     ///< or so much time
 };
 
-/// What became of one localization from scratch. Distances are driven along the truth from the window's begin [m]; negative:
-/// never.
+/// What became of one localization from scratch. Distances are driven along the truth from the window's begin [m];
+/// negative: never.
 struct QueryVerdict {
-  bool success = false;           ///< right from some row on, and up to the end
-  double right_after_m = -1;      ///< until it was so
-  double right_after_s = -1;      ///< the same in time
-  double error_m = -1;            ///< of the position, mean over the rows from there on
-  bool strict = false;            ///< the same, strictly
+  bool success = false;       ///< right from some row on, and up to the end
+  double right_after_m = -1;  ///< until it was so
+  double right_after_s = -1;  ///< the same in time
+  double error_m = -1;        ///< of the position, mean over the rows from there on
+  bool strict = false;        ///< the same, strictly
   double strict_after_m = -1;
   double localized_after_m = -1;  ///< until the first row that is `localized` and right
   int rows = 0;                   ///< with truth
   int localized_rows = 0;
-  int false_rows = 0;             ///< of these, the ones that are wrong
+  int false_rows = 0;  ///< of these, the ones that are wrong
 
   /// It never called a wrong pose localized.
   bool honest() const { return false_rows == 0; }

@@ -14,7 +14,7 @@ namespace opal {
 struct ResultRow {
   std::string query;
   double stamp_s = 0;
-  Pose2 T_map_laser;       ///< the laser's pose, not the robot's
+  Pose2 T_map_laser;  ///< the laser's pose, not the robot's
   Status status = Status::searching;
   double probability = 0;  ///< that the pose is right
   double none = 1;         ///< that neither this place nor any alternative is right
@@ -30,8 +30,8 @@ struct AlternativeRow {
   double probability = 0;
 };
 
-/// Writes a CSV table `query_id,timestamp,x,y,theta,localized_flag,probability,none,status` [s, m, rad] with its header.
-/// What is not finite is left out.
+/// Writes a CSV table `query_id,timestamp,x,y,theta,localized_flag,probability,none,status` [s, m, rad] with its
+/// header. What is not finite is left out.
 OPAL_EXPORT void write_results(std::ostream& out, std::span<const ResultRow> rows);
 /// Writes a CSV table `query_id,timestamp,x,y,theta,probability` [s, m, rad] with its header.
 OPAL_EXPORT void write_alternatives(std::ostream& out, std::span<const AlternativeRow> rows);

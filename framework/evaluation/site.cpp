@@ -1,5 +1,5 @@
-#include <opal/common/error.hpp>
 #include "evaluation/site.hpp"
+#include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
 #include <set>
@@ -80,15 +80,13 @@ LaserModel read_site_laser(const std::string& path) {
   LaserModel model;
   model.beams = laser.member("n_beams", "an integer").count(kMostBeams);
   model.angle_min_rad = radians(number_in(laser, "angle_min_deg", -360, 360, "degrees in [-360, 360]"));
-  model.angle_increment_rad =
-      radians(number_in(laser, "angle_increment_deg", 1e-6, 90, "degrees in (0, 90]"));
-  model.no_return_m =
-      number_in(laser, "no_return_at_or_above_m", model.range_min_m, 1e6, "metres, more than 0.05");
+  model.angle_increment_rad = radians(number_in(laser, "angle_increment_deg", 1e-6, 90, "degrees in (0, 90]"));
+  model.no_return_m = number_in(laser, "no_return_at_or_above_m", model.range_min_m, 1e6, "metres, more than 0.05");
   model.range_max_m = std::min(model.no_return_m, kUsableRangeM);
   const std::string offset = "metres in [-100, 100]";
-  model.T_base_laser = Pose2(number_in(laser, "offset_x_m", -100, 100, offset),
-                             number_in(laser, "offset_y_m", -100, 100, offset),
-                             number_in(laser, "offset_theta", -7, 7, "radians in [-7, 7]"));
+  model.T_base_laser =
+      Pose2(number_in(laser, "offset_x_m", -100, 100, offset), number_in(laser, "offset_y_m", -100, 100, offset),
+            number_in(laser, "offset_theta", -7, 7, "radians in [-7, 7]"));
   return model;
 }
 

@@ -31,7 +31,8 @@ double distance(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen:
 }
 
 /// Adds the points after `from` up to `to`.
-void add_span(const BSpline& spline, double from, double to, double tolerance, int halvings, std::vector<Eigen::Vector3d>& points) {
+void add_span(const BSpline& spline, double from, double to, double tolerance, int halvings,
+              std::vector<Eigen::Vector3d>& points) {
   const Eigen::Vector3d end = point_at(spline, to);
   const Eigen::Vector3d begin = points.back();
   const bool is_near = std::all_of(std::begin(kProbes), std::end(kProbes), [&](double share) {
@@ -52,17 +53,23 @@ std::string fault_of(const BSpline& spline) {
   const std::size_t points = spline.control_points.size(), knots = spline.knots.size();
   if (spline.degree < 1 || spline.degree > kMaxDegree) return "a spline of degree " + std::to_string(spline.degree);
   if (points <= degree_of(spline))
-    return "a spline of degree " + std::to_string(spline.degree) + " with " + std::to_string(points) + " control points";
+    return "a spline of degree " + std::to_string(spline.degree) + " with " + std::to_string(points) +
+           " control points";
   if (knots != points + degree_of(spline) + 1)
-    return "a spline with " + std::to_string(knots) + " knots, expected " + std::to_string(points + degree_of(spline) + 1);
+    return "a spline with " + std::to_string(knots) + " knots, expected " +
+           std::to_string(points + degree_of(spline) + 1);
   const auto is_finite = [](double value) { return std::isfinite(value); };
-  if (!std::all_of(spline.knots.begin(), spline.knots.end(), is_finite) || !std::is_sorted(spline.knots.begin(), spline.knots.end()) ||
+  if (!std::all_of(spline.knots.begin(), spline.knots.end(), is_finite) ||
+      !std::is_sorted(spline.knots.begin(), spline.knots.end()) ||
       !(spline.knots[points] > spline.knots[degree_of(spline)]))
     return "a spline whose knots do not rise";
-  if (!spline.weights.empty() && spline.weights.size() != points) return "a spline with a weight for some control points only";
-  if (!std::all_of(spline.weights.begin(), spline.weights.end(), [](double weight) { return weight > 1e-9 && weight < 1e9; }))
+  if (!spline.weights.empty() && spline.weights.size() != points)
+    return "a spline with a weight for some control points only";
+  if (!std::all_of(spline.weights.begin(), spline.weights.end(),
+                   [](double weight) { return weight > 1e-9 && weight < 1e9; }))
     return "a spline with weights that are not positive";
-  if (!std::all_of(spline.control_points.begin(), spline.control_points.end(), [](const auto& p) { return p.allFinite(); }))
+  if (!std::all_of(spline.control_points.begin(), spline.control_points.end(),
+                   [](const auto& p) { return p.allFinite(); }))
     return "a spline with a control point that is nowhere";
   return "";
 }

@@ -30,9 +30,7 @@ void add_outline(const PlanElement& element, ImportedElement& thing) {
 
 void explain(const PlanOutcome& outcome, ImportedElement& element) {
   switch (outcome.status) {
-    case PlanOutcome::Status::mapped:
-      element.status = ImportStatus::imported;
-      break;
+    case PlanOutcome::Status::mapped: element.status = ImportStatus::imported; break;
     case PlanOutcome::Status::merged:
       element.status = ImportStatus::merged;
       element.reason = "its lines run where those of " + outcome.with + " do";

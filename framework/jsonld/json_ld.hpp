@@ -13,7 +13,8 @@ namespace opal::json_ld {
 /// A document that breaks JSON-LD 1.1.
 class OPAL_EXPORT JsonLdError : public MapError {
  public:
-  /// @param code     W3C error code, e.g. "invalid term definition". Of our own are "nested too deeply", "colliding containers" and,
+  /// @param code     W3C error code, e.g. "invalid term definition". Of our own are "nested too deeply", "colliding
+  /// containers" and,
   ///                 for Options::reject_unknown_terms, "unknown term", "unknown prefix", "unknown keyword",
   ///                 "misplaced keyword" and "free-floating value".
   /// @param pointer  JSON pointer into the source document, "" for the whole; inside a context that was named
@@ -65,12 +66,12 @@ OPAL_EXPORT nlohmann::json compact(const nlohmann::json& document, const nlohman
 
 /// What holds where a frame does not say. JSON-LD 1.1 Framing, 5.2.
 struct FrameOptions {
-  std::string embed = "@once";   ///< @once, @always or @never
-  bool explicit_values = false;  ///< leave out properties that the frame does not name
-  bool require_all = false;      ///< a node must match all that the frame asks for, not one of it
-  bool omit_default = false;     ///< leave out what the frame names and the node lacks, instead of null
-  bool omit_graph = true;        ///< a single node stands for itself, outside of @graph
-  bool prune_blank_nodes = true;  ///< no @id for blank nodes that nothing refers to
+  std::string embed = "@once";     ///< @once, @always or @never
+  bool explicit_values = false;    ///< leave out properties that the frame does not name
+  bool require_all = false;        ///< a node must match all that the frame asks for, not one of it
+  bool omit_default = false;       ///< leave out what the frame names and the node lacks, instead of null
+  bool omit_graph = true;          ///< a single node stands for itself, outside of @graph
+  bool prune_blank_nodes = true;   ///< no @id for blank nodes that nothing refers to
   std::size_t bytes = 128u << 20;  ///< the result is no larger than about this, and its work no longer than that takes
 };
 

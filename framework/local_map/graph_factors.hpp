@@ -72,8 +72,8 @@ class MotionFactor : public ceres::SizedCostFunction<3, 3, 3> {
   Eigen::Matrix3d W_;
 };
 
-/// A position `apart` from a pose in the frame of both, seen from the pose: R^T apart - seen, and its derivatives by the pose
-/// and by the position.
+/// A position `apart` from a pose in the frame of both, seen from the pose: R^T apart - seen, and its derivatives by
+/// the pose and by the position.
 inline void evaluate_seen_point(double heading_rad, const Point& apart, const Point& seen, const Eigen::Matrix2d& W,
                                 double* residuals, double** jacobians) {
   const Turn base(heading_rad);

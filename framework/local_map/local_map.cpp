@@ -37,8 +37,7 @@ struct IsUsable {
 };
 
 bool is_usable(const Feature& feature) {
-  return feature.covariance.allFinite() && std::isfinite(feature.support_m) &&
-         std::visit(IsUsable{}, feature.geometry);
+  return feature.covariance.allFinite() && std::isfinite(feature.support_m) && std::visit(IsUsable{}, feature.geometry);
 }
 
 /// The feature with a covariance that is one: symmetric, without negative variances.
@@ -112,8 +111,7 @@ void LocalMap::State::append_keyframe(Keyframe keyframe, bool superseding) {
   const std::size_t back = superseding ? 3 : 2;
   if (keyframes.size() < back) return;
   const Keyframe& before = keyframes[keyframes.size() - back];
-  keyframes.back().driven_m =
-      before.driven_m + driven_between_m(before.T_local_base, T_local_base, options);
+  keyframes.back().driven_m = before.driven_m + driven_between_m(before.T_local_base, T_local_base, options);
   if (superseding) motions.pop_back();
   motions.push_back(motion_to_newest(before));
 }
@@ -213,9 +211,8 @@ void LocalMap::clear() {
 }
 
 void LocalMap::keep_only(const std::vector<int>& ids) {
-  std::erase_if(state_->features, [&](const LocalFeature& local) {
-    return std::find(ids.begin(), ids.end(), local.id) == ids.end();
-  });
+  std::erase_if(state_->features,
+                [&](const LocalFeature& local) { return std::find(ids.begin(), ids.end(), local.id) == ids.end(); });
 }
 
 const std::vector<LocalFeature>& LocalMap::features() const { return state_->features; }

@@ -8,9 +8,7 @@ namespace {
 
 using Cost = std::optional<double>;
 
-Cost gated(double value, double gate) {
-  return std::abs(value) <= gate ? Cost(std::abs(value) / gate) : std::nullopt;
-}
+Cost gated(double value, double gate) { return std::abs(value) <= gate ? Cost(std::abs(value) / gate) : std::nullopt; }
 
 Cost sum(Cost a, Cost b) { return a && b ? Cost(*a + *b) : std::nullopt; }
 
@@ -26,8 +24,8 @@ Gap gap_between(const Segment& line, const std::array<bool, 2>& line_true, const
   const Point along = line.direction();
   const double begin = along.dot(piece.begin - line.begin);
   const double end = along.dot(piece.end - line.begin);
-  const double before = -end;                     // the piece ends this far before the line begins
-  const double after = begin - line.length_m();   // the piece begins this far after the line ends
+  const double before = -end;                    // the piece ends this far before the line begins
+  const double after = begin - line.length_m();  // the piece begins this far after the line ends
   if (before > after) return {before, line_true[0] || piece_true[1]};
   return {after, line_true[1] || piece_true[0]};
 }
@@ -46,8 +44,8 @@ Cost segment_cost(const Feature& a, const Feature& b, const LocalMapOptions& opt
   const Segment& piece = a_longer ? segment_b : segment_a;
   const Cost heading = gated(wrap_angle(line.heading_rad() - piece.heading_rad()), options.association_angle_rad);
   if (!heading) return std::nullopt;
-  const Gap gap = a_longer ? gap_between(line, a.true_end, piece, b.true_end)
-                           : gap_between(line, b.true_end, piece, a.true_end);
+  const Gap gap =
+      a_longer ? gap_between(line, a.true_end, piece, b.true_end) : gap_between(line, b.true_end, piece, a.true_end);
   if (gap.length_m > (gap.closed ? 0.0 : options.association_distance_m)) return std::nullopt;
   return sum(heading, gated(farthest_end_m(line, piece), options.association_offset_m));
 }

@@ -174,7 +174,8 @@ class Graph {
     Pose2 correction;
     for (const Keyframe& keyframe : keyframes) {
       if (const auto found = poses_.find(keyframe.id); found != poses_.end())
-        correction = T_local_origin_ * to_pose({found->second[0], found->second[1], found->second[2]}) * keyframe.T_local_base.inverse();
+        correction = T_local_origin_ * to_pose({found->second[0], found->second[1], found->second[2]}) *
+                     keyframe.T_local_base.inverse();
       solved.push_back(correction * keyframe.T_local_base);
     }
     return solved;

@@ -8,9 +8,8 @@ namespace opal {
 namespace {
 
 bool forget_measurements(LocalFeature& local, int oldest_kept, int superseded) {
-  return std::erase_if(local.measurements, [&](const Measurement& m) {
-           return m.keyframe < oldest_kept || m.keyframe == superseded;
-         }) > 0;
+  return std::erase_if(local.measurements,
+                       [&](const Measurement& m) { return m.keyframe < oldest_kept || m.keyframe == superseded; }) > 0;
 }
 
 }  // namespace

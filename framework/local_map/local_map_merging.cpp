@@ -267,8 +267,8 @@ void refresh(LocalFeature& local, const std::deque<Keyframe>& keyframes, const L
   local.last_keyframe = local.measurements.back().keyframe;
 }
 
-void merge_pieces(std::vector<LocalFeature>& features, std::vector<int>& renamed,
-                  const std::deque<Keyframe>& keyframes, const LocalMapOptions& options) {
+void merge_pieces(std::vector<LocalFeature>& features, std::vector<int>& renamed, const std::deque<Keyframe>& keyframes,
+                  const LocalMapOptions& options) {
   for (std::size_t a = 0; a < features.size(); ++a) {
     for (std::size_t b = a + 1; b < features.size();) {
       if (!are_pieces_of_one(features[a], features[b], options)) {

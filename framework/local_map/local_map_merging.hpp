@@ -20,7 +20,7 @@ void refresh(LocalFeature& local, const std::deque<Keyframe>& keyframes, const L
 
 /// Joins local features that have turned out to be pieces of one; the smaller id keeps all measurements.
 /// @param renamed  ids of detections (last_associations), changed along.
-void merge_pieces(std::vector<LocalFeature>& features, std::vector<int>& renamed,
-                  const std::deque<Keyframe>& keyframes, const LocalMapOptions& options);
+void merge_pieces(std::vector<LocalFeature>& features, std::vector<int>& renamed, const std::deque<Keyframe>& keyframes,
+                  const LocalMapOptions& options);
 
 }  // namespace opal

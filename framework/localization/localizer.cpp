@@ -1,14 +1,14 @@
 #include <opal/localization/localizer.hpp>
 
-#include "localization/tree/hypothesis_set.hpp"
-#include "localization/scoring/scorer_ensemble.hpp"
-#include "localization/scoring/observation.hpp"
 #include "localization/decision/kidnap_detector.hpp"
-#include "localization/events/run_journal.hpp"
-#include "localization/search/search_schedule.hpp"
-#include "localization/search/global_search.hpp"
 #include "localization/decision/status.hpp"
 #include "localization/decision/unmapped_walls.hpp"
+#include "localization/events/run_journal.hpp"
+#include "localization/scoring/observation.hpp"
+#include "localization/scoring/scorer_ensemble.hpp"
+#include "localization/search/global_search.hpp"
+#include "localization/search/search_schedule.hpp"
+#include "localization/tree/hypothesis_set.hpp"
 
 #include "common/plugin_failures.hpp"
 #include "common/stage_clock.hpp"
@@ -69,9 +69,9 @@ struct Localizer::State {
   bool started = false;
   double stamp_s = 0;
   int keyframe = 0;
-  Pose2 T_odom_base;        ///< at the newest keyframe
+  Pose2 T_odom_base;                ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
-  bool search_now = false;  ///< there is reason to believe that the robot was kidnapped, since this scan
+  bool search_now = false;          ///< there is reason to believe that the robot was kidnapped, since this scan
   StageTimes times;
 };
 
@@ -92,7 +92,7 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   s.T_odom_base = T_odom_base;
   const Observation observation = observe(s.local_map, scan, s.parts.laser.T_base_laser, features);  // base_link frame
   s.journal.keyframe(s.stamp_s, s.keyframe, scan, s.parts.laser.T_base_laser, observation);
-  s.track(observation, scan);                              // map frame from here on
+  s.track(observation, scan);  // map frame from here on
   s.watch();
   if (s.time_to_search()) s.search_map(observation, scan);
   s.grow();
@@ -143,8 +143,10 @@ double Localizer::State::tempering_weight() const {
 PoseEstimate Localizer::State::estimate() {
   StageClock clock(times.status_s);
   const auto& all = hypotheses.alive();
-  const double unmapped_m = all.empty() ? 0 : unmapped_walls_m(local_map, *parts.map, all.front().hypothesis.T_map_local);
-  return status.estimate(all, local_map.T_local_base(), stamp_s, {tempering_weight(), kidnapping.probability(), unmapped_m});
+  const double unmapped_m =
+      all.empty() ? 0 : unmapped_walls_m(local_map, *parts.map, all.front().hypothesis.T_map_local);
+  return status.estimate(all, local_map.T_local_base(), stamp_s,
+                         {tempering_weight(), kidnapping.probability(), unmapped_m});
 }
 
 void Localizer::State::track(const Observation& observation, const Scan& scan) {
@@ -165,7 +167,7 @@ void Localizer::State::watch() {
   const bool suspected = kidnapping.suspected().has_value();
   const bool established = status.believed() || best.kidnapped_after >= 0;
   kidnapping.add({keyframe, tempering_weight(), local_map.last_match().inlier_share, best.scan_nat,
-              best.hypothesis.log_likelihood, established});
+                  best.hypothesis.log_likelihood, established});
   retrospective.suspect(kidnapping.suspected());
   search_now = !suspected && kidnapping.suspected().has_value();
 }
@@ -188,7 +190,8 @@ int Localizer::State::searched_every() const {
   return likely && !search_now ? parts.stages.schedule.every_when_likely : 1;
 }
 
-/// Some hypothesis has gathered so much evidence that patterns with a free parameter are not worth their many candidates.
+/// Some hypothesis has gathered so much evidence that patterns with a free parameter are not worth their many
+/// candidates.
 bool Localizer::State::has_gathered_much() const {
   const auto& alive_now = hypotheses.alive();
   return !alive_now.empty() &&
@@ -198,8 +201,8 @@ bool Localizer::State::has_gathered_much() const {
 void Localizer::State::search_map(const Observation& observation, const Scan& scan) {
   if (observation.points.size() < GlobalSearch::kFewestPoints) return;
   const bool under_constrained = !has_gathered_much() || kidnapping.suspected();
-  GlobalSearch::Result found = search.search(
-      {scan, parts.laser.T_base_laser, observation, under_constrained, journal.listening()}, times);
+  GlobalSearch::Result found =
+      search.search({scan, parts.laser.T_base_laser, observation, under_constrained, journal.listening()}, times);
   for (const GlobalSearch::Result::Rejected& rejected : found.rejected)
     journal.candidate_rejected(rejected.candidate, rejected.reason);
   {
@@ -269,8 +272,7 @@ std::map<std::string, Score> Localizer::scores_of(int hypothesis) const {
   std::map<std::string, Score> scores;
   for (const Live& live : state_->hypotheses.alive())
     if (live.hypothesis.id == hypothesis)
-      for (std::size_t k = 0; k < live.scores.size(); ++k)
-        scores[state_->ensemble.scorers()[k].name] = live.scores[k];
+      for (std::size_t k = 0; k < live.scores.size(); ++k) scores[state_->ensemble.scorers()[k].name] = live.scores[k];
   return scores;
 }
 

@@ -13,12 +13,9 @@ Json written(const ImportedElement& element) {
   Json outline = Json::array(), circles = Json::array();
   for (const Segment& s : element.outline) outline.push_back({s.begin.x(), s.begin.y(), s.end.x(), s.end.y()});
   for (const Circle& c : element.circles) circles.push_back({c.center.x(), c.center.y(), c.radius_m});
-  return {{"guid", element.id},
-          {"class", element.source_class},
-          {"name", element.name},
-          {"status", name_of(element.status)},
-          {"reason", element.reason},
-          {"outline", std::move(outline)},
+  return {{"guid", element.id},           {"class", element.source_class},
+          {"name", element.name},         {"status", name_of(element.status)},
+          {"reason", element.reason},     {"outline", std::move(outline)},
           {"circles", std::move(circles)}};
 }
 

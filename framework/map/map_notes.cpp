@@ -18,7 +18,9 @@ double length_of(const GraphNode& node, std::string_view iri) {
 std::optional<Segment> axis_of(const GraphNode& node) {
   const std::vector<double> ends = node.number_list(iri::kAxis);
   if (ends.empty()) return std::nullopt;
-  if (ends.size() != 4) node.fail("axis of " + node.description() + " has " + std::to_string(ends.size()) + " numbers, expected 4: x, y of both ends");
+  if (ends.size() != 4)
+    node.fail("axis of " + node.description() + " has " + std::to_string(ends.size()) +
+              " numbers, expected 4: x, y of both ends");
   return Segment{{ends[0], ends[1]}, {ends[2], ends[3]}};
 }
 
@@ -37,8 +39,8 @@ bool ObjectNotes::operator==(const ObjectNotes& other) const {
     if (!axis || !other.axis) return axis.has_value() == other.axis.has_value();
     return axis->begin == other.axis->begin && axis->end == other.axis->end;
   };
-  return name == other.name && source_class == other.source_class && storey == other.storey && thickness_m == other.thickness_m &&
-         width_m == other.width_m && merged_ids == other.merged_ids && same_axis();
+  return name == other.name && source_class == other.source_class && storey == other.storey &&
+         thickness_m == other.thickness_m && width_m == other.width_m && merged_ids == other.merged_ids && same_axis();
 }
 
 ObjectNotes read_object_notes(const GraphNode& node) {
@@ -59,7 +61,8 @@ void write_notes(const ObjectNotes& notes, Json& node) {
   write_text(node, "storey", notes.storey);
   write_length(node, "thickness_m", notes.thickness_m);
   write_length(node, "width_m", notes.width_m);
-  if (notes.axis) node["axis"] = {notes.axis->begin.x(), notes.axis->begin.y(), notes.axis->end.x(), notes.axis->end.y()};
+  if (notes.axis)
+    node["axis"] = {notes.axis->begin.x(), notes.axis->begin.y(), notes.axis->end.x(), notes.axis->end.y()};
   if (!notes.merged_ids.empty()) node["merged_ids"] = notes.merged_ids;
 }
 
@@ -70,7 +73,9 @@ void read_origin_notes(const GraphNode& node, MapOrigin& origin) {
   origin.north_rad = node.number(iri::kNorth);
   const std::optional<std::string> crs = node.text(iri::kCrs);
   for (const std::string_view word : {iri::kEastings, iri::kNorthings, iri::kCrsHeight, iri::kCrsHeading})
-    if (node.has(word) && !crs) node.fail(node.description() + " has " + short_term(word) + " without crs, expected the name of the coordinate system");
+    if (node.has(word) && !crs)
+      node.fail(node.description() + " has " + short_term(word) +
+                " without crs, expected the name of the coordinate system");
   if (crs)
     origin.georeference = {*crs, node.required_number(iri::kEastings), node.required_number(iri::kNorthings),
                            node.number(iri::kCrsHeight).value_or(0), node.number(iri::kCrsHeading).value_or(0)};

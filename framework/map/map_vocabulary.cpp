@@ -11,8 +11,8 @@ namespace {
 using Names = std::unordered_map<std::string, std::string>;
 
 struct Terms {
-  Prefixes prefixes;   // "opal" -> "urn:opal:v1#"
-  Names iri_of_term;   // "Wall" -> "urn:opal:v1#Wall"
+  Prefixes prefixes;  // "opal" -> "urn:opal:v1#"
+  Names iri_of_term;  // "Wall" -> "urn:opal:v1#Wall"
   Names term_of_iri;
 };
 
@@ -88,8 +88,8 @@ std::string short_term(std::string_view name) {
 bool is_own_term(const std::string& iri) { return is_own(iri) && terms().term_of_iri.contains(iri); }
 
 bool is_reserved_type(std::string_view iri) {
-  return iri == iri::kSemanticMap || iri == iri::kRepresentation || iri == iri::kPattern ||
-         iri == iri::kPlacement || iri == iri::kOverlay || iri == iri::kChange;
+  return iri == iri::kSemanticMap || iri == iri::kRepresentation || iri == iri::kPattern || iri == iri::kPlacement ||
+         iri == iri::kOverlay || iri == iri::kChange;
 }
 
 bool is_geometry_type(std::string_view iri) {

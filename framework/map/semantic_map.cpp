@@ -30,7 +30,8 @@ bool is_word(const std::string& text) {
 std::string type_name(MapDraft& draft, const std::string& place, const std::string& type) {
   const std::string name = vocabulary::compact_name(vocabulary::full_iri(type), draft.prefixes);
   const std::string prefix = vocabulary::prefix_of(name);
-  const bool has_colon = name.find(':') != std::string::npos, blank = name.find_first_of(" \t\r\n") != std::string::npos;
+  const bool has_colon = name.find(':') != std::string::npos,
+             blank = name.find_first_of(" \t\r\n") != std::string::npos;
   if (!has_colon || blank || vocabulary::is_term(prefix) || (!prefix.empty() && !is_word(prefix)))
     draft.fail(place, "type '" + type + "', expected a term of " + vocabulary::kContextIri +
                           " or a name with a prefix, such as opal:Wall");
@@ -85,8 +86,7 @@ template <class Element, class Before>
 std::vector<int> sort_elements(std::vector<Element>& elements, std::vector<std::string>& places, Before before) {
   std::vector<int> order(elements.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return before(elements[a], elements[b]); });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return before(elements[a], elements[b]); });
   std::vector<Element> sorted;
   std::vector<std::string> sorted_places;
   std::vector<int> new_position(elements.size());
@@ -189,8 +189,8 @@ std::shared_ptr<const SemanticMap> SemanticMap::finish(MapDraft draft) {
 }
 
 std::shared_ptr<const SemanticMap> SemanticMap::make(std::string name, std::vector<MapObject> objects,
-                                                     std::vector<MapFeature> features,
-                                                     std::vector<MapPattern> patterns, MapOrigin origin) {
+                                                     std::vector<MapFeature> features, std::vector<MapPattern> patterns,
+                                                     MapOrigin origin) {
   MapDraft draft{name, name, std::move(objects), std::move(features), std::move(patterns), std::move(origin)};
   draft.object_places = places_in("/objects", draft.objects);
   draft.feature_places = places_in("/features", draft.features);
@@ -207,7 +207,8 @@ std::shared_ptr<const SemanticMap> SemanticMap::with_contents(std::vector<MapObj
                                                               std::vector<MapPattern> patterns,
                                                               const std::map<std::string, std::string>& more_prefixes,
                                                               const nlohmann::json& more_unused) const {
-  MapDraft draft{name_, name_, std::move(objects), std::move(features), std::move(patterns), origin_, prefixes_, unused_};
+  MapDraft draft{name_,     name_,  std::move(objects), std::move(features), std::move(patterns), origin_,
+                 prefixes_, unused_};
   draft.prefixes.insert(more_prefixes.begin(), more_prefixes.end());
   add_unused(draft.unused, more_unused);
   draft.object_places = places_in("/objects", draft.objects);

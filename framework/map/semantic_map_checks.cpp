@@ -21,8 +21,7 @@ bool in_range(int position, std::size_t size) { return position >= 0 && position
 
 void check_listed_features(const MapDraft& draft, std::size_t object) {
   for (const int position : draft.objects[object].features)
-    if (!in_range(position, draft.features.size()) ||
-        draft.features[position].object != static_cast<int>(object))
+    if (!in_range(position, draft.features.size()) || draft.features[position].object != static_cast<int>(object))
       draft.fail(draft.object_places[object], "lists feature number " + std::to_string(position) +
                                                   ", which does not name this object; leave the list empty");
 }
@@ -31,8 +30,8 @@ void check_point_names(const MapDraft& draft, std::size_t i) {
   const MapFeature& feature = draft.features[i];
   const std::size_t expected = point_roles(feature.geometry).size();
   if (!feature.points.empty() && feature.points.size() != expected)
-    draft.fail(draft.feature_places[i], "names " + std::to_string(feature.points.size()) +
-                                            " points, expected " + std::to_string(expected) + ", or none");
+    draft.fail(draft.feature_places[i], "names " + std::to_string(feature.points.size()) + " points, expected " +
+                                            std::to_string(expected) + ", or none");
   const bool own_point = kind_of(feature.geometry) == GeometryKind::point && !feature.points.empty();
   if (own_point && feature.points[0] != feature.id)
     draft.fail(draft.feature_places[i],
@@ -133,10 +132,10 @@ void check_same_id(const MapDraft& draft, std::size_t i) {
   if (a.sensor == b.sensor)
     draft.fail(place, "two features have the id '" + a.id + "' and the sensor '" + a.sensor +
                           "', expected an id of its own for each geometry");
-  if (!same_geometry(a.geometry, b.geometry) || a.points != b.points ||
-      a.position_sigma_m != b.position_sigma_m || a.existence != b.existence)
-    draft.fail(place, "feature '" + a.id + "' has different geometry, position_sigma_m or existence for '" +
-                          a.sensor + "' and '" + b.sensor + "', expected the same, or another id");
+  if (!same_geometry(a.geometry, b.geometry) || a.points != b.points || a.position_sigma_m != b.position_sigma_m ||
+      a.existence != b.existence)
+    draft.fail(place, "feature '" + a.id + "' has different geometry, position_sigma_m or existence for '" + a.sensor +
+                          "' and '" + b.sensor + "', expected the same, or another id");
 }
 
 std::string explicit_type(const MapFeature& feature) {
@@ -151,9 +150,9 @@ void check_representations(const MapDraft& draft) {
     const MapFeature& first = draft.features[first_use.try_emplace(feature.representation, i).first->second];
     if (first.object != feature.object || first.sensor != feature.sensor ||
         explicit_type(first) != explicit_type(feature))
-      draft.fail(draft.feature_places[i],
-                 "features '" + first.id + "' and '" + feature.id + "' share the representation '" +
-                     feature.representation + "', but not object, sensor and feature type");
+      draft.fail(draft.feature_places[i], "features '" + first.id + "' and '" + feature.id +
+                                              "' share the representation '" + feature.representation +
+                                              "', but not object, sensor and feature type");
   }
 }
 
@@ -173,11 +172,11 @@ void check_geometry(const MapDraft& draft, const std::string& place, const Geome
       check_range(draft, place, (std::string("coordinate of ") + roles[k]).c_str(), coordinate,
                   std::abs(coordinate) <= kFarthest_m, "metres in the map frame, at most 1e6 from its origin");
   if (const auto* segment = std::get_if<Segment>(&geometry))
-    check_range(draft, place, "length of the segment", segment->length_m(),
-                segment->length_m() > kRounding_m, "two different points");
+    check_range(draft, place, "length of the segment", segment->length_m(), segment->length_m() > kRounding_m,
+                "two different points");
   if (const auto* circle = std::get_if<Circle>(&geometry))
-    check_range(draft, place, "radius_m", circle->radius_m,
-                circle->radius_m > 0 && circle->radius_m <= kFarthest_m, "a positive number of metres up to 1e6");
+    check_range(draft, place, "radius_m", circle->radius_m, circle->radius_m > 0 && circle->radius_m <= kFarthest_m,
+                "a positive number of metres up to 1e6");
   if (const auto* corner = std::get_if<OrientedPoint>(&geometry)) {
     check_range(draft, place, "heading_rad", corner->heading_rad, true, "a finite angle");
     check_range(draft, place, "opening_rad", corner->opening_rad,

@@ -5,9 +5,9 @@
 #include "map/semantic_map_reader.hpp"
 
 #include <opal/common/error.hpp>
-#include "jsonld/json_ld.hpp"
-#include <opal/map/semantic_map.hpp>
 #include <opal/common/strict_json.hpp>
+#include <opal/map/semantic_map.hpp>
+#include "jsonld/json_ld.hpp"
 
 #include <filesystem>
 
@@ -62,7 +62,8 @@ void add_prefixes(const nlohmann::json& context, vocabulary::Prefixes& prefixes)
   for (const auto& [word, definition] : context.items()) {
     if (!definition.is_string() || vocabulary::is_term(word) || vocabulary::is_prefix(word)) continue;
     const std::string iri = definition;
-    if (json_ld::is_spelled_out(iri) && json_ld::ends_with_delimiter(iri) && word.find_first_of(":@") == std::string::npos)
+    if (json_ld::is_spelled_out(iri) && json_ld::ends_with_delimiter(iri) &&
+        word.find_first_of(":@") == std::string::npos)
       prefixes[word] = iri;
   }
 }
@@ -100,8 +101,8 @@ MapDraft draft_of(const nlohmann::json& document, const MapSource& source, bool 
 }  // namespace
 
 // Where things stand in the document is only of interest if something is wrong with it, and knowing it takes more
-// memory and time than all the rest: so a document with a fault is read a second time. Faults of patterns show later, when
-// their templates are at hand, so a document with patterns is read with places at once.
+// memory and time than all the rest: so a document with a fault is read a second time. Faults of patterns show later,
+// when their templates are at hand, so a document with patterns is read with places at once.
 std::shared_ptr<const SemanticMap> SemanticMap::from_document(const nlohmann::json& document, const MapSource& source) {
   try {
     MapDraft draft = draft_of(document, source, false);

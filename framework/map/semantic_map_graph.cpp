@@ -32,8 +32,8 @@ std::string written(const json& value) {
 /// Numbers that went through RDF come back as typed text: "1.5E0"^^xsd:double.
 std::optional<double> typed_number(const json& value) {
   const std::string type = value.value("@type", "");
-  const bool numeric = type.ends_with("#double") || type.ends_with("#decimal") || type.ends_with("#integer") ||
-                       type.ends_with("#float");
+  const bool numeric =
+      type.ends_with("#double") || type.ends_with("#decimal") || type.ends_with("#integer") || type.ends_with("#float");
   if (!numeric || !type.starts_with("http://www.w3.org/2001/XMLSchema#")) return std::nullopt;
   const std::string text = value["@value"];
   double number = 0;
@@ -58,7 +58,11 @@ json without_pointers(const json& value) {
 }
 
 GraphNode::GraphNode(const json& node, std::size_t position, const std::string& source)
-    : node_(&node), id_(node.at("@id").get_ptr<const std::string*>()), types_(&values_of(node, "@type")), position_(position), source_(&source) {}
+    : node_(&node),
+      id_(node.at("@id").get_ptr<const std::string*>()),
+      types_(&values_of(node, "@type")),
+      position_(position),
+      source_(&source) {}
 
 void GraphNode::fail_at(const std::string& place, const std::string& message) const {
   throw MapError(*source_ + ": " + (place.empty() ? "the document" : place) + ": " + message);
@@ -122,14 +126,15 @@ std::optional<std::string> GraphNode::text(std::string_view iri) const {
   const json* value = single_value(iri);
   if (!value) return std::nullopt;
   if (!value->contains("@value") || !(*value)["@value"].is_string())
-    fail_at(place_of(*value), short_term(iri) + " of " + description() + " is " + written(*value) + ", expected a text");
+    fail_at(place_of(*value),
+            short_term(iri) + " of " + description() + " is " + written(*value) + ", expected a text");
   return (*value)["@value"].get<std::string>();
 }
 
 GraphReference GraphNode::reference_in(const json& value, std::string_view iri) const {
   if (!value.contains("@id"))
-    fail_at(place_of(value), short_term(iri) + " of " + description() + " is " + written(value) +
-                                 ", expected a node or its @id");
+    fail_at(place_of(value),
+            short_term(iri) + " of " + description() + " is " + written(value) + ", expected a node or its @id");
   return {value["@id"], place_of(value)};
 }
 
@@ -160,8 +165,8 @@ const json* GraphNode::single_list(std::string_view iri) const {
   const json* value = single_value(iri);
   if (!value) return nullptr;
   if (!value->contains("@list"))
-    fail_at(place_of(*value), short_term(iri) + " of " + description() + " is " + written(*value) +
-                                  ", expected an ordered list (@list)");
+    fail_at(place_of(*value),
+            short_term(iri) + " of " + description() + " is " + written(*value) + ", expected an ordered list (@list)");
   return &(*value)["@list"];
 }
 
@@ -185,7 +190,8 @@ std::vector<std::string> GraphNode::text_list(std::string_view iri) const {
   if (!list) return texts;
   for (const json& value : *list) {
     if (!value.contains("@value") || !value["@value"].is_string())
-      fail_at(place_of(value), short_term(iri) + " of " + description() + " holds " + written(value) + ", expected texts");
+      fail_at(place_of(value),
+              short_term(iri) + " of " + description() + " holds " + written(value) + ", expected texts");
     texts.push_back(value["@value"]);
   }
   return texts;
@@ -197,8 +203,7 @@ Graph::Graph(json flattened, std::string source) : flattened_(std::move(flattene
   for (const json& node : flattened_) {
     nodes_.emplace_back(node, nodes_.size(), source_);
     positions_[nodes_.back().id()] = nodes_.back().position();
-    if (node.contains("@graph"))
-      nodes_.back().fail("a named graph, expected all nodes in the document's one graph");
+    if (node.contains("@graph")) nodes_.back().fail("a named graph, expected all nodes in the document's one graph");
   }
 }
 
@@ -210,8 +215,8 @@ const GraphNode* Graph::find(const std::string& id) const {
 const GraphNode& Graph::at(const GraphReference& reference, const GraphNode& from) const {
   const GraphNode* node = find(reference.id);
   if (!node)
-    from.fail_at(reference.place, from.description() + " refers to '" + reference.id +
-                                      "', which the document does not define");
+    from.fail_at(reference.place,
+                 from.description() + " refers to '" + reference.id + "', which the document does not define");
   return *node;
 }
 

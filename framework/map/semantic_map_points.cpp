@@ -17,9 +17,7 @@ struct PlacedPoint {
   std::size_t feature;
 };
 
-std::string text_of(const Point& point) {
-  return nlohmann::json{point.x(), point.y()}.dump();
-}
+std::string text_of(const Point& point) { return nlohmann::json{point.x(), point.y()}.dump(); }
 
 }  // namespace
 
@@ -51,10 +49,9 @@ void unify_shared_points(MapDraft& draft) {
       const auto [entry, is_new] = known.try_emplace(feature.points[k], PlacedPoint{*points[k], i});
       const PlacedPoint& first = entry->second;
       if ((first.position - *points[k]).norm() > kRounding_m)
-        draft.fail(draft.feature_places[i],
-                   "point '" + feature.points[k] + "' is at " + text_of(*points[k]) + ", but feature '" +
-                       draft.features[first.feature].id + "' has it at " + text_of(first.position) +
-                       "; expected one position for one id");
+        draft.fail(draft.feature_places[i], "point '" + feature.points[k] + "' is at " + text_of(*points[k]) +
+                                                ", but feature '" + draft.features[first.feature].id + "' has it at " +
+                                                text_of(first.position) + "; expected one position for one id");
       *points[k] = first.position;
     }
   }

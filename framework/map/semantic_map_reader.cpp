@@ -65,7 +65,8 @@ class Reader {
     for (const auto& [key, value] : node.content().items())
       if (is_own(key) && !use.holds_property(key)) {
         std::string expected;
-        for (const std::string& property : use.properties()) expected += (expected.empty() ? "" : ", ") + short_term(property);
+        for (const std::string& property : use.properties())
+          expected += (expected.empty() ? "" : ", ") + short_term(property);
         node.fail(node.description() + " has " + short_term(key) + ", which means nothing there; expected " +
                   (expected.empty() ? "none of Opal's properties" : expected));
       }
@@ -105,8 +106,7 @@ class Reader {
     };
     std::vector<std::string> types = node.types();
     if (types.empty()) node.fail(node.description() + " has no @type, expected one: Wall, Column, Door, ...");
-    std::stable_sort(types.begin(), types.end(),
-                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    std::stable_sort(types.begin(), types.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     return types.front();
   }
 
@@ -149,7 +149,8 @@ class Reader {
   }
 
   std::string sensor_name(const GraphReference& reference, const GraphNode& from) {
-    if (is_blank(reference.id)) from.fail_at(reference.place, "a sensor without @id, expected a name such as PlanarLidar2D");
+    if (is_blank(reference.id))
+      from.fail_at(reference.place, "a sensor without @id, expected a name such as PlanarLidar2D");
     if (const GraphNode* node = graph_.find(reference.id)) use_of(*node).add(NodeRole::sensor);
     return reference.id;
   }
@@ -173,8 +174,8 @@ class Reader {
   }
 
   void read_geometry(const GraphNode& node, MapFeature& feature) {
-    const bool shapes[] = {node.has_type(iri::kLineSegment), node.has_type(iri::kCorner),
-                           node.has_type(iri::kCircle), node.has_type(iri::kPoint)};
+    const bool shapes[] = {node.has_type(iri::kLineSegment), node.has_type(iri::kCorner), node.has_type(iri::kCircle),
+                           node.has_type(iri::kPoint)};
     if (std::count(std::begin(shapes), std::end(shapes), true) != 1)
       node.fail(node.description() + " is a geometry, expected one of the types LineSegment, Corner, Circle, Point");
     if (shapes[0]) read_segment(node, feature);

@@ -22,10 +22,11 @@ using namespace vocabulary;
 /// In the order of NodeRole.
 const std::array<RoleWords, 12>& words_by_role() {
   static const std::array<RoleWords, 12> words{{
-      {{iri::kName, iri::kSmear, iri::kCutHeight, iri::kStorey, iri::kWidestDoor, iri::kNorth, iri::kCrs, iri::kEastings,
-        iri::kNorthings, iri::kCrsHeight, iri::kCrsHeading},
+      {{iri::kName, iri::kSmear, iri::kCutHeight, iri::kStorey, iri::kWidestDoor, iri::kNorth, iri::kCrs,
+        iri::kEastings, iri::kNorthings, iri::kCrsHeight, iri::kCrsHeading},
        {iri::kSemanticMap}},
-      {{iri::kRepresentedBy, iri::kName, iri::kSourceClass, iri::kStorey, iri::kThickness, iri::kWidth, iri::kAxis, iri::kMergedIds},
+      {{iri::kRepresentedBy, iri::kName, iri::kSourceClass, iri::kStorey, iri::kThickness, iri::kWidth, iri::kAxis,
+        iri::kMergedIds},
        {}},
       {{}, {iri::kElement}},
       {{iri::kRepresentedBy, iri::kHasGeometry, iri::kPerceivableBy, iri::kFeatureType, iri::kPositionSigma,
@@ -139,7 +140,8 @@ std::vector<std::string> NodeUse::properties() const {
 
 void add_unused(json& unused, const json& more) {
   for (const json& node : more) {
-    const auto known = std::find_if(unused.begin(), unused.end(), [&](const json& one) { return one["@id"] == node["@id"]; });
+    const auto known =
+        std::find_if(unused.begin(), unused.end(), [&](const json& one) { return one["@id"] == node["@id"]; });
     if (known == unused.end()) {
       unused.push_back(node);
       continue;

@@ -10,12 +10,25 @@
 namespace opal {
 
 /// What a node is to the map. A node may be several: a point that is also a feature.
-enum class NodeRole { map, object, element, representation, sensor, segment, corner, circle, point, feature, pattern, placement };
+enum class NodeRole {
+  map,
+  object,
+  element,
+  representation,
+  sensor,
+  segment,
+  corner,
+  circle,
+  point,
+  feature,
+  pattern,
+  placement
+};
 
 /// Which properties and types of a node the typed map holds, by the roles that the node plays.
 struct NodeUse {
-  std::uint32_t roles = 0;   ///< one bit for each NodeRole
-  std::string object_type;   ///< of an object: types are open
+  std::uint32_t roles = 0;  ///< one bit for each NodeRole
+  std::string object_type;  ///< of an object: types are open
 
   bool any() const { return roles != 0; }
   bool plays(NodeRole role) const { return (roles >> static_cast<int>(role) & 1) != 0; }

@@ -59,7 +59,8 @@ class OpenGround {
   void enter(int column, int row) {
     if (column < 0 || row < 0 || column >= raster_.columns || row >= raster_.rows) return;
     const int cell = row * raster_.columns + column;
-    if (outside_[cell] || walls_[cell] || !is_open(raster_.origin + raster_.resolution_m * Point(column + 0.5, row + 0.5)))
+    if (outside_[cell] || walls_[cell] ||
+        !is_open(raster_.origin + raster_.resolution_m * Point(column + 0.5, row + 0.5)))
       return;
     outside_[cell] = 1;
     open_.push_back(cell);
@@ -99,6 +100,8 @@ class OpenGround {
 
 }  // namespace
 
-std::vector<char> outside_cells(const SemanticMap& map, const MapRaster& raster) { return OpenGround(map, raster).run(); }
+std::vector<char> outside_cells(const SemanticMap& map, const MapRaster& raster) {
+  return OpenGround(map, raster).run();
+}
 
 }  // namespace opal

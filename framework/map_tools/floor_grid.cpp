@@ -15,8 +15,10 @@ struct Step {
   int column, row;
   float length;  ///< in cells
 };
+// clang-format off
 constexpr std::array<Step, 8> kSteps{{{1, 0, 1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, 1},
                                       {1, 1, kDiagonal}, {1, -1, kDiagonal}, {-1, 1, kDiagonal}, {-1, -1, kDiagonal}}};
+// clang-format on
 
 /// A cell that a search will look at.
 struct Open {
@@ -152,7 +154,8 @@ FloorWays FloorGrid::search(int start, int goal, const Surcharge& surcharge) con
   const bool begins_inside = !is_outside(start);
   const auto left = [&](int cell) {
     if (goal < 0) return 0.f;
-    return std::hypot(static_cast<float>(cell % columns_ - goal % columns_), static_cast<float>(cell / columns_ - goal / columns_));
+    return std::hypot(static_cast<float>(cell % columns_ - goal % columns_),
+                      static_cast<float>(cell / columns_ - goal / columns_));
   };
   FloorWays ways{start, std::vector<float>(clearance_m_.size(), std::numeric_limits<float>::infinity()),
                  std::vector<int>(clearance_m_.size(), -1)};
@@ -183,7 +186,8 @@ std::optional<std::vector<Point>> FloorGrid::way(const Point& from, const Point&
   const FloorWays ways = search(start, goal, surcharge);
   if (goal != start && ways.before[goal] < 0) return std::nullopt;
   std::vector<Point> way{to};
-  for (int cell = ways.before[goal]; cell >= 0 && cell != start; cell = ways.before[cell]) way.push_back(center_of(cell));
+  for (int cell = ways.before[goal]; cell >= 0 && cell != start; cell = ways.before[cell])
+    way.push_back(center_of(cell));
   way.push_back(from);
   std::reverse(way.begin(), way.end());
   return way;
@@ -237,10 +241,12 @@ MapRaster floor_raster(const SemanticMap& map) {
   return rasterized(map, options);
 }
 
-FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room, FloorGrid::Parts parts) {
+FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room,
+                     FloorGrid::Parts parts) {
   std::vector<char> free(raster.cells.size(), 0);
   for (int cell = 0; cell < raster.columns * raster.rows; ++cell) {
-    const Point center = raster.origin + raster.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
+    const Point center =
+        raster.origin + raster.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
     free[cell] = raster.cells[cell] == MapRaster::Cell::free && has_room(center);
   }
   return {raster.origin, raster.resolution_m, raster.columns, raster.rows, std::move(free), parts};

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "map_tools/map_raster.hpp"
 #include <opal/map/semantic_map.hpp>
+#include "map_tools/map_raster.hpp"
 
 #include <array>
 #include <functional>
@@ -13,12 +13,13 @@ namespace opal {
 
 /// The cheapest ways from one place of a floor to all others.
 struct FloorWays {
-  int start = -1;             ///< cell
-  std::vector<float> cost;    ///< by cell [cells walked, dearer along walls]; infinite: no way
-  std::vector<int> before;    ///< by cell: where its way comes from; -1: the start, or no way
+  int start = -1;           ///< cell
+  std::vector<float> cost;  ///< by cell [cells walked, dearer along walls]; infinite: no way
+  std::vector<int> before;  ///< by cell: where its way comes from; -1: the start, or no way
 };
 
-/// Where somebody can be: the largest connected part of a grid's free cells, or all, and ways along them. Frame: that of `low`.
+/// Where somebody can be: the largest connected part of a grid's free cells, or all, and ways along them. Frame: that
+/// of `low`.
 class OPAL_EXPORT FloorGrid {
  public:
   enum class Parts {
@@ -27,7 +28,8 @@ class OPAL_EXPORT FloorGrid {
   };
   /// @param low   lower left corner of the first cell [m].
   /// @param free  row by row, the lowest one first; cells at the border count as not free.
-  FloorGrid(const Point& low, double cell_m, int columns, int rows, std::vector<char> free, Parts parts = Parts::largest);
+  FloorGrid(const Point& low, double cell_m, int columns, int rows, std::vector<char> free,
+            Parts parts = Parts::largest);
 
   /// Cells of the parts that are kept; none if nothing is free.
   const std::vector<int>& cells() const { return free_; }
@@ -48,15 +50,15 @@ class OPAL_EXPORT FloorGrid {
   /// Makes cells that are near to one of the points at least so dear.
   void raise(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const;
 
-  /// Makes these cells ground outside the building: no way leads there that begins inside, and one that begins there leads
-  /// inside as soon as it can.
+  /// Makes these cells ground outside the building: no way leads there that begins inside, and one that begins there
+  /// leads inside as soon as it can.
   /// @param outside  by cell of the grid, not 0: outside.
   void close_off(std::vector<char> outside) { outside_ = std::move(outside); }
   bool is_outside(const Point& p) const;
 
   /// The way from one place to another, along cell centres, that keeps its distance from what is not free where it can
-  /// (A*, Hart, Nilsson and Raphael 1968); the ends are those given. Nullopt if one of them is not on the floor, or next
-  /// to it, or no way leads there.
+  /// (A*, Hart, Nilsson and Raphael 1968); the ends are those given. Nullopt if one of them is not on the floor, or
+  /// next to it, or no way leads there.
   std::optional<std::vector<Point>> way(const Point& from, const Point& to, const Surcharge& surcharge = {}) const;
   /// The same to everywhere (Dijkstra 1959). Nullopt if `from` is not on the floor, or next to it.
   std::optional<FloorWays> ways(const Point& from, const Surcharge& surcharge = {}) const;
@@ -81,8 +83,8 @@ class OPAL_EXPORT FloorGrid {
   std::vector<char> outside_;       ///< by cell; empty: none
 };
 
-/// Where somebody can be in a building, in cells of 0.1 m: from where some mapped surface is seen on its visible side, and there
-/// is room. Frame: `map`.
+/// Where somebody can be in a building, in cells of 0.1 m: from where some mapped surface is seen on its visible side,
+/// and there is room. Frame: `map`.
 /// @param has_room  at the centre of a cell.
 OPAL_EXPORT FloorGrid seen_floor(const SemanticMap& map, const std::function<bool(const Point&)>& has_room);
 /// The same from a raster of the map in cells of any size, which takes longer to make than all that follows from it.

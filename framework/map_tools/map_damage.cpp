@@ -17,7 +17,11 @@ namespace {
 class Vandal {
  public:
   Vandal(const SemanticMap& map, const MapDamage& damage)
-      : map_(map), damage_(damage), random_(damage.seed), features_(map.features()), gone_(features_.size(), false),
+      : map_(map),
+        damage_(damage),
+        random_(damage.seed),
+        features_(map.features()),
+        gone_(features_.size(), false),
         moved_by_(features_.size(), Point::Zero()) {
     for (std::size_t k = 0; k < features_.size(); ++k)
       for (const std::string& point : features_[k].points) users_[point].push_back(k);
@@ -163,15 +167,17 @@ MapDamage read_map_damage(const std::string& text, MapDamage damage) {
     double* value;
     double most;
   };
-  const std::map<std::string, Part> parts{{"thick", {&damage.thick_m, 2}},         {"plan", {&damage.plan_m, 100}},       {"drop", {&damage.drop, 1}},
-                                          {"wall", {&damage.wall_m, 10}},        {"wall_share", {&damage.wall_share, 1}},
-                                          {"shift", {&damage.shift_m, 10}},      {"false", {&damage.false_share, 10}}};
+  const std::map<std::string, Part> parts{
+      {"thick", {&damage.thick_m, 2}},     {"plan", {&damage.plan_m, 100}},         {"drop", {&damage.drop, 1}},
+      {"wall", {&damage.wall_m, 10}},      {"wall_share", {&damage.wall_share, 1}}, {"shift", {&damage.shift_m, 10}},
+      {"false", {&damage.false_share, 10}}};
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
     const std::size_t equals = word.find('=');
     const auto part = parts.find(word.substr(0, equals));
     if (equals == std::string::npos || part == parts.end())
-      throw ConfigError("damage: '" + word + "', expected thick=, plan=, drop=, wall=, wall_share=, shift= or false= and a number");
+      throw ConfigError("damage: '" + word +
+                        "', expected thick=, plan=, drop=, wall=, wall_share=, shift= or false= and a number");
     *part->second.value = read_number(part->first, word.substr(equals + 1), part->second.most);
   }
   return damage;

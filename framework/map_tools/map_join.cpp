@@ -127,9 +127,7 @@ class Join {
   }
 
   /// Five to thirty per cent. Not std::uniform_real_distribution, which may differ between libraries.
-  static double stretch(std::mt19937_64& random) {
-    return 1.05 + 0.25 * static_cast<double>(random() >> 11) * 0x1p-53;
-  }
+  static double stretch(std::mt19937_64& random) { return 1.05 + 0.25 * static_cast<double>(random() >> 11) * 0x1p-53; }
 
   static void put_before(const std::string& prefix, std::string& id) {
     if (!id.empty()) id = prefix + id;
@@ -138,7 +136,8 @@ class Join {
   void add(const SemanticMap& map, const MapPlacement& placement) {
     const std::string prefix = placement.id + "/";
     const int first_object = static_cast<int>(objects_.size()), first_feature = static_cast<int>(features_.size());
-    for (const MapObject& object : map.objects()) objects_.push_back({prefix + object.id, object.type, {}, object.notes});
+    for (const MapObject& object : map.objects())
+      objects_.push_back({prefix + object.id, object.type, {}, object.notes});
     for (MapFeature feature : map.features()) {
       feature.object += first_object;
       put_before(prefix, feature.id);

@@ -23,15 +23,17 @@ struct MapJoin {
   std::uint64_t seed = 1;
 };
 
-/// Puts maps side by side in one map, in rows, moved by whole metres and not turned; the copies come after the originals,
-/// named "copy-1/acapulco/...". origin().placements says where each lies. Patterns come along except those of stretched
-/// copies, whose dimensions are no longer true; what other vocabularies say does not. The same arguments give the same map.
-/// @throws ConfigError if there is nothing to join, if a prefix is used twice or is empty, or if a number makes no sense.
+/// Puts maps side by side in one map, in rows, moved by whole metres and not turned; the copies come after the
+/// originals, named "copy-1/acapulco/...". origin().placements says where each lies. Patterns come along except those
+/// of stretched copies, whose dimensions are no longer true; what other vocabularies say does not. The same arguments
+/// give the same map.
+/// @throws ConfigError if there is nothing to join, if a prefix is used twice or is empty, or if a number makes no
+/// sense.
 /// @throws MapError if a source has placements of its own, or nothing that has a position.
 OPAL_EXPORT std::shared_ptr<const SemanticMap> joined_map(std::span<const MapSourcePart> sources, const MapJoin& join);
 
-/// A shape in a placed map, in the joined map's frame. The visible side stays visible when it is mirrored; a circle gets
-/// the mean radius of the ellipse that it becomes.
+/// A shape in a placed map, in the joined map's frame. The visible side stays visible when it is mirrored; a circle
+/// gets the mean radius of the ellipse that it becomes.
 OPAL_EXPORT Geometry placed(const MapPlacement& placement, const Geometry& geometry_source);
 
 /// The placement of a source. @throws ConfigError naming those that there are.

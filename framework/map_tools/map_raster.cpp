@@ -100,7 +100,8 @@ class Rasterization {
   void look_ahead(const Point& from, const Point& ahead) {
     constexpr double kStep_rad = 0.01;
     const double straight_rad = std::atan2(ahead.y(), ahead.x());
-    for (double off_rad = -1.55; off_rad <= 1.55; off_rad += kStep_rad) look_along(from, unit_vector(straight_rad + off_rad));
+    for (double off_rad = -1.55; off_rad <= 1.55; off_rad += kStep_rad)
+      look_along(from, unit_vector(straight_rad + off_rad));
   }
 
   void look_along(const Point& from, const Point& direction) {

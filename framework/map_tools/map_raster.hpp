@@ -14,9 +14,9 @@ struct MapRaster {
 
   int columns = 0;
   int rows = 0;
-  double resolution_m = 0;           ///< side of a cell
-  Point origin = Point::Zero();      ///< lower left corner of the first cell, frame `map`
-  std::vector<Cell> cells;           ///< row by row, the lowest one first
+  double resolution_m = 0;       ///< side of a cell
+  Point origin = Point::Zero();  ///< lower left corner of the first cell, frame `map`
+  std::vector<Cell> cells;       ///< row by row, the lowest one first
 
   Cell at(int column, int row) const { return cells[static_cast<std::size_t>(row) * columns + column]; }
   /// The cell that a point of the map lies in; unknown outside.
@@ -28,8 +28,8 @@ struct RasterOptions {
   double border_m = 1;  ///< around everything that is mapped
 };
 
-/// Cells just behind a face, and those of a round column, are occupied. Others are free if some surface can be seen from
-/// there, within 15 m, and unknown if not.
+/// Cells just behind a face, and those of a round column, are occupied. Others are free if some surface can be seen
+/// from there, within 15 m, and unknown if not.
 /// @throws MapError if nothing on the map has a surface, or the grid would have more than 10^8 cells.
 /// @throws ConfigError if a number makes no sense.
 OPAL_EXPORT MapRaster rasterized(const SemanticMap& map, const RasterOptions& options = {});

@@ -35,8 +35,8 @@ class BackOff : public Node {
   double began_s_ = 0;
 };
 
-/// Drives to where there is room, straight on where it can, and rather to where it has not been yet, nor hypotheses have the
-/// building end. From the open, where much of the laser meets nothing, it goes back the way it came.
+/// Drives to where there is room, straight on where it can, and rather to where it has not been yet, nor hypotheses
+/// have the building end. From the open, where much of the laser meets nothing, it goes back the way it came.
 class DriveFreely : public Node {
  public:
   /// @param distance_m  after which it succeeds; 0: never.
@@ -60,8 +60,8 @@ class KeepPattern : public Node {
   NodeStatus tick(Blackboard& blackboard) override;
 };
 
-/// Drives between the first two features of the best hypothesis' pattern, to see both well (Hendrikx 2023, 4.4.2). Fails
-/// if there are none, or no way leads there.
+/// Drives between the first two features of the best hypothesis' pattern, to see both well (Hendrikx 2023, 4.4.2).
+/// Fails if there are none, or no way leads there.
 class DriveBetweenFeatures : public Node {
  public:
   NodeStatus tick(Blackboard& blackboard) override;
@@ -87,8 +87,8 @@ class Disambiguate : public Node {
   DisambiguateOptions options_;
   std::vector<Point> visited_odom_;  ///< places that were expected to help
   std::optional<PathDrive> drive_;
-  std::set<int> compared_;           ///< hypotheses that were there when the place was chosen
-  int best_ = -1;                    ///< of them
+  std::set<int> compared_;  ///< hypotheses that were there when the place was chosen
+  int best_ = -1;           ///< of them
   double failed_at_s_ = -1e9;
 };
 

@@ -2,8 +2,8 @@
 
 #include "navigation/path.hpp"
 
-#include "map_tools/building_outside.hpp"
 #include <opal/common/error.hpp>
+#include "map_tools/building_outside.hpp"
 
 #include <algorithm>
 
@@ -11,7 +11,8 @@ namespace opal::behaviours {
 
 FloorGrid mapped_floor(const MapView& map, double radius_m) {
   const MapRaster raster = floor_raster(map.map());
-  FloorGrid floor = seen_floor(raster, [&](const Point& p) { return map.clearance_m(p) > radius_m; }, FloorGrid::Parts::all);
+  FloorGrid floor = seen_floor(
+      raster, [&](const Point& p) { return map.clearance_m(p) > radius_m; }, FloorGrid::Parts::all);
   if (floor.cells().empty())
     throw MapError(map.map().name() + ": has no floor for a robot of " + std::to_string(radius_m) + " m radius");
   floor.close_off(outside_cells(map.map(), raster));

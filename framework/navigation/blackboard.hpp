@@ -21,7 +21,7 @@ class Blackboard {
  public:
   /// What is given must outlive this.
   Blackboard(const LocalizationQueries& queries, const MotionPrimitives& primitives, const FloorGrid& mapped_floor,
-            const Point& wanted)
+             const Point& wanted)
       : localization(queries), motion(primitives), floor(mapped_floor), goal(wanted) {}
 
   const LocalizationQueries& localization;
@@ -50,7 +50,8 @@ class Blackboard {
   void turn(double radps) { velocity_ = {Point::Zero(), radps}; }
   /// Drives to a place by the best free primitive. @param target  frame odom. @return false if there is none.
   bool drive_towards(const Point& target_odom);
-  /// Drives along a path from where the robot is on it. @param path_odom  not empty. @return false if there is no free primitive.
+  /// Drives along a path from where the robot is on it. @param path_odom  not empty. @return false if there is no free
+  /// primitive.
   bool drive_along(const std::vector<Point>& path_odom);
   /// Wants a local map of the pattern alone (Localization::keep_pattern).
   void keep_pattern() { wants_pattern_alone_ = true; }
@@ -83,7 +84,7 @@ class Blackboard {
   std::vector<Impasse> impasses_;
   std::optional<Point> wanted_odom_;  ///< where some node wanted to get at the tick before
   Point moved_from_ = Point::Zero();
-  double moved_at_s_ = 0;    ///< or did not want to get anywhere
+  double moved_at_s_ = 0;  ///< or did not want to get anywhere
 };
 
 }  // namespace opal::behaviours

@@ -10,11 +10,12 @@ bool Disambiguate::choose(Blackboard& blackboard) {
   const PoseEstimate& estimate = blackboard.estimate();
   std::vector<PossiblePlace> places{{estimate.T_map_base, estimate.probability}};
   for (const PoseEstimate::Alternative& alternative : estimate.alternatives)
-    if (static_cast<int>(places.size()) < options_.most_places) places.push_back({alternative.T_map_base, alternative.probability});
+    if (static_cast<int>(places.size()) < options_.most_places)
+      places.push_back({alternative.T_map_base, alternative.probability});
   std::vector<Point> avoided;
   for (const Point& p : visited_odom_) avoided.push_back(blackboard.T_map_odom() * p);
-  const auto viewpoint = best_viewpoint(blackboard.localization.map(), blackboard.localization.laser(), blackboard.floor,
-                                        unmapped_surcharge(blackboard), places, avoided, options_);
+  const auto viewpoint = best_viewpoint(blackboard.localization.map(), blackboard.localization.laser(),
+                                        blackboard.floor, unmapped_surcharge(blackboard), places, avoided, options_);
   compared_.clear();
   for (const PoseEstimate::Alternative& alternative : estimate.alternatives) compared_.insert(alternative.hypothesis);
   compared_.insert(estimate.best);
@@ -28,12 +29,13 @@ bool Disambiguate::choose(Blackboard& blackboard) {
 }
 
 bool Disambiguate::has_new_alternatives(const PoseEstimate& estimate) const {
-  return std::any_of(estimate.alternatives.begin(), estimate.alternatives.end(),
-                     [&](const PoseEstimate::Alternative& alternative) { return !compared_.contains(alternative.hypothesis); });
+  return std::any_of(
+      estimate.alternatives.begin(), estimate.alternatives.end(),
+      [&](const PoseEstimate::Alternative& alternative) { return !compared_.contains(alternative.hypothesis); });
 }
 
-/// A place is chosen again when the robot is there, when another hypothesis is best, when new ones come, and when no way leads
-/// there.
+/// A place is chosen again when the robot is there, when another hypothesis is best, when new ones come, and when no
+/// way leads there.
 NodeStatus Disambiguate::tick(Blackboard& blackboard) {
   constexpr double kArrived_m = 0.3, kAskAgain_s = 3;
   const PoseEstimate& estimate = blackboard.estimate();

@@ -19,7 +19,8 @@ void LocalizerQueries::take(const RawScan& scan) {
   localizer_.update(scan_, T_odom_base_);
   estimate_ = localizer_.estimate_at(scan_.stamp_s, T_odom_base_);
   estimate_.T_map_base = of_three_numbers(estimate_.T_map_base);
-  for (PoseEstimate::Alternative& alternative : estimate_.alternatives) alternative.T_map_base = of_three_numbers(alternative.T_map_base);
+  for (PoseEstimate::Alternative& alternative : estimate_.alternatives)
+    alternative.T_map_base = of_three_numbers(alternative.T_map_base);
 }
 
 std::vector<Geometry> LocalizerQueries::pattern() const {

@@ -62,9 +62,9 @@ class LocalizerQueries : public Localization {
   bool keep_pattern_ = false;
 };
 
-/// The pose of three numbers. One that was computed has a sine and cosine of its own, which may differ in the last digit, as
-/// those of an angle do from those of the same angle wrapped: all that behaviours see is rounded like this, so that they do the
-/// same wherever localization runs.
+/// The pose of three numbers. One that was computed has a sine and cosine of its own, which may differ in the last
+/// digit, as those of an angle do from those of the same angle wrapped: all that behaviours see is rounded like this,
+/// so that they do the same wherever localization runs.
 inline Pose2 of_three_numbers(const Pose2& pose) {
   return {pose.x(), pose.y(), Pose2(pose.position(), pose.heading_rad()).heading_rad()};
 }

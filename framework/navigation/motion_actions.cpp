@@ -7,8 +7,10 @@ namespace opal::behaviours {
 
 NodeStatus Rotate::tick(Blackboard& blackboard) {
   const Pose2 now = blackboard.T_odom_base();
-  if (!before_) turned_rad_ = 0;
-  else turned_rad_ += wrap_angle(now.heading_rad() - before_->heading_rad());
+  if (!before_)
+    turned_rad_ = 0;
+  else
+    turned_rad_ += wrap_angle(now.heading_rad() - before_->heading_rad());
   before_ = now;
   if (std::abs(turned_rad_) >= 2 * std::numbers::pi * std::abs(turns_)) {
     before_.reset();
@@ -25,7 +27,8 @@ NodeStatus BackOff::tick(Blackboard& blackboard) {
     began_s_ = blackboard.now_s();
   }
   const bool there = (*target_odom_ - blackboard.T_odom_base().position()).norm() < kArrived_m;
-  if (!there && blackboard.now_s() - began_s_ < kLongest_s && blackboard.drive_towards(*target_odom_)) return NodeStatus::running;
+  if (!there && blackboard.now_s() - began_s_ < kLongest_s && blackboard.drive_towards(*target_odom_))
+    return NodeStatus::running;
   halt();
   blackboard.forget_being_stuck();
   return NodeStatus::success;
@@ -59,7 +62,8 @@ constexpr double kOpen = 0.7, kEnclosed = 0.8;  ///< shares of beams that meet s
 std::optional<Point> way_back_in(const Blackboard& blackboard) {
   constexpr double kAhead_m = 2, kElsewhere_m = 0.4;
   const auto& trail = blackboard.trail();
-  const auto enclosed = std::find_if(trail.rbegin(), trail.rend(), [](const Blackboard::Been& been) { return been.met_share >= kEnclosed; });
+  const auto enclosed = std::find_if(trail.rbegin(), trail.rend(),
+                                     [](const Blackboard::Been& been) { return been.met_share >= kEnclosed; });
   if (enclosed == trail.rend()) return std::nullopt;
   const Point here = blackboard.T_odom_base().position();
   const auto ahead = std::find_if(enclosed.base() - 1, trail.end(), [&](const Blackboard::Been& been) {
@@ -100,8 +104,10 @@ Point DriveFreely::choose(const Blackboard& blackboard) const {
 NodeStatus DriveFreely::tick(Blackboard& blackboard) {
   constexpr double kArrived_m = 0.4, kLongest_s = 15;
   const Pose2 now = blackboard.T_odom_base();
-  if (!before_) driven_m_ = 0;
-  else driven_m_ += opal::distance_m(*before_, now);
+  if (!before_)
+    driven_m_ = 0;
+  else
+    driven_m_ += opal::distance_m(*before_, now);
   before_ = now;
   if (distance_m_ > 0 && driven_m_ >= distance_m_) {
     halt();

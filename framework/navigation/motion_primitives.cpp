@@ -102,7 +102,8 @@ std::optional<Velocity> MotionPrimitives::along(std::span<const Point> path, std
   const auto left_m = [&](const MotionPrimitive& primitive) {
     const Pose2& end = primitive.footprints.back();
     const PlaceOnPath there = nearest_on_path(path, end.position(), 0, along_m());
-    const PlaceOnPath halfway = nearest_on_path(path, primitive.footprints[primitive.footprints.size() / 2].position(), 0, along_m());
+    const PlaceOnPath halfway =
+        nearest_on_path(path, primitive.footprints[primitive.footprints.size() / 2].position(), 0, along_m());
     return whole_m - std::min(there.along_m, whole_m) + kEndOff * there.off_m + kHalfwayOff * halfway.off_m +
            misdirection_m(end, point_along(path, there.along_m + kAhead_m));
   };

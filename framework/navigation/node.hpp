@@ -10,8 +10,8 @@ namespace opal::behaviours {
 
 enum class NodeStatus { running, success, failure };
 
-/// A node of a behaviour tree (Colledanchise and Ögren 2018). It is ticked until it has succeeded or failed; then the next
-/// tick begins anew.
+/// A node of a behaviour tree (Colledanchise and Ögren 2018). It is ticked until it has succeeded or failed; then the
+/// next tick begins anew.
 class Node {
  public:
   virtual ~Node() = default;

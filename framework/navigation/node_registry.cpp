@@ -50,7 +50,8 @@ std::string NodeRegistry::names() const {
 void NodeRegistry::wrap(const std::string& type, Around around) {
   const auto found = types_.find(type);
   if (found == types_.end()) throw ConfigError("no node is called '" + type + "', expected one of: " + names());
-  found->second.factory = [made = found->second.factory, around = std::move(around)](ConfigObject& options, Children children) {
+  found->second.factory = [made = found->second.factory, around = std::move(around)](ConfigObject& options,
+                                                                                     Children children) {
     return around(made(options, std::move(children)));
   };
 }

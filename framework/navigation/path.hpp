@@ -11,11 +11,12 @@ namespace opal::behaviours {
 struct PlaceOnPath {
   std::size_t piece = 0;  ///< begins at this point of the path
   Point position = Point::Zero();
-  double along_m = 0;     ///< from the first piece that was looked at
+  double along_m = 0;                                      ///< from the first piece that was looked at
   double off_m = std::numeric_limits<double>::infinity();  ///< from the other place
 };
 
-/// The place on a path that is nearest to p, on piece `first` or later, no farther along than `most_m` where pieces end.
+/// The place on a path that is nearest to p, on piece `first` or later, no farther along than `most_m` where pieces
+/// end.
 /// @param path  not empty; a single point is a path, too.
 PlaceOnPath nearest_on_path(std::span<const Point> path, const Point& p, std::size_t first = 0,
                             double most_m = std::numeric_limits<double>::infinity());

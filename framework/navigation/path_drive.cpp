@@ -38,7 +38,8 @@ void PathDrive::drive(Blackboard& blackboard) {
   const PlaceOnPath here = nearest_on_path(path_, blackboard.T_odom_base().position(), passed_, kLookAhead_m);
   passed_ = here.piece;
   std::vector<Point> left{here.position};
-  left.insert(left.end(), path_.begin() + static_cast<std::ptrdiff_t>(std::min(here.piece + 1, path_.size() - 1)), path_.end());
+  left.insert(left.end(), path_.begin() + static_cast<std::ptrdiff_t>(std::min(here.piece + 1, path_.size() - 1)),
+              path_.end());
   blackboard.drive_along(left);
 }
 

@@ -49,7 +49,8 @@ void SeenObstacles::add(const Scan& scan, const Pose2& T_odom_base, const Pose2&
   constexpr double kBeside_m = 0.5, kNever_s = -1e9;
   for (const ScanPoint& point : scan.points) {
     const Point p = T_odom_laser_ * point.position;
-    const bool moves = std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
+    const bool moves =
+        std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
     SeenPoint& seen = points_.try_emplace(key_of(p), SeenPoint{p, now_s_, kNever_s}).first->second;
     seen = {p, now_s_, moves ? now_s_ : seen.moved_s};
   }
@@ -66,11 +67,13 @@ std::vector<Point> SeenObstacles::moved(const Scan& scan) const {
   for (const ScanPoint& point : scan.points) {
     if (point.range_m > kReach_m) continue;
     const Point p = T_before_now * point.position;
-    if (before.range_at(std::atan2(p.y(), p.x()), 4) > p.norm() + kPassed_m) found.push_back(T_odom_laser_ * point.position);
+    if (before.range_at(std::atan2(p.y(), p.x()), 4) > p.norm() + kPassed_m)
+      found.push_back(T_odom_laser_ * point.position);
   }
   std::vector<Point> together;
   for (const Point& p : found)
-    if (std::count_if(found.begin(), found.end(), [&](const Point& q) { return (p - q).norm() < kTogether_m; }) >= kLeast)
+    if (std::count_if(found.begin(), found.end(), [&](const Point& q) { return (p - q).norm() < kTogether_m; }) >=
+        kLeast)
       together.push_back(p);
   return together;
 }

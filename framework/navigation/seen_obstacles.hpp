@@ -53,8 +53,8 @@ class SeenObstacles {
 
   ObstacleMemory memory_;
   std::unordered_map<long, SeenPoint> points_;
-  Sweep sweep_;                  ///< of the newest scan
-  std::deque<Sweep> earlier_;    ///< oldest first
+  Sweep sweep_;                ///< of the newest scan
+  std::deque<Sweep> earlier_;  ///< oldest first
   double now_s_ = 0;
   Pose2 T_odom_base_, T_odom_laser_;
 };

@@ -13,7 +13,9 @@ class Condition : public Node {
  public:
   using Question = bool (*)(const Blackboard&);
   explicit Condition(Question question) : question_(question) {}
-  NodeStatus tick(Blackboard& blackboard) override { return question_(blackboard) ? NodeStatus::success : NodeStatus::failure; }
+  NodeStatus tick(Blackboard& blackboard) override {
+    return question_(blackboard) ? NodeStatus::success : NodeStatus::failure;
+  }
 
  private:
   Question question_;
@@ -46,8 +48,10 @@ void add_conditions(NodeRegistry& registry) {
     registry.add(name, Arity::none, [=](ConfigObject&, Children) { return std::make_unique<Condition>(question); });
   };
   condition("opal:IsLocalized", [](const Blackboard& s) { return s.estimate().status == Status::localized; });
-  condition("opal:HasPose", [](const Blackboard& s) { return s.estimate().has_pose && s.estimate().status != Status::lost; });
-  condition("opal:HasAlternatives", [](const Blackboard& s) { return s.estimate().has_pose && !s.estimate().alternatives.empty(); });
+  condition("opal:HasPose",
+            [](const Blackboard& s) { return s.estimate().has_pose && s.estimate().status != Status::lost; });
+  condition("opal:HasAlternatives",
+            [](const Blackboard& s) { return s.estimate().has_pose && !s.estimate().alternatives.empty(); });
   condition("opal:IsStuck", [](const Blackboard& s) { return s.is_stuck(); });
 }
 
@@ -59,7 +63,8 @@ void add_actions(NodeRegistry& registry) {
   registry.add("opal:DriveFreely", Arity::none, [](ConfigObject& options, Children) {
     return std::make_unique<DriveFreely>(options.number("distance_m", 0, {0, 1000}));
   });
-  registry.add("opal:KeepPattern", Arity::none, [](ConfigObject&, Children) { return std::make_unique<KeepPattern>(); });
+  registry.add("opal:KeepPattern", Arity::none,
+               [](ConfigObject&, Children) { return std::make_unique<KeepPattern>(); });
   registry.add("opal:DriveBetweenFeatures", Arity::none,
                [](ConfigObject&, Children) { return std::make_unique<DriveBetweenFeatures>(); });
   registry.add("opal:Disambiguate", Arity::none, [](ConfigObject& options, Children) {

@@ -12,8 +12,7 @@ class Comparison {
  public:
   Comparison(const MapView& map, const LaserModel& laser, const FloorGrid& floor, std::span<const PossiblePlace> places,
              const DisambiguateOptions& options)
-      : map_(map), laser_(laser), floor_(floor), places_(places), options_(options),
-        here_(separations(Pose2())) {}
+      : map_(map), laser_(laser), floor_(floor), places_(places), options_(options), here_(separations(Pose2())) {}
 
   /// Expected to be gained at a pose, frame base_link, weighted by what the pairs' probabilities are.
   double gain(const Pose2& T_base_there) const {
@@ -59,7 +58,8 @@ std::vector<int> candidates(const FloorGrid& floor, const FloorWays& ways) {
   for (int cell : floor.cells()) {
     const Point cells = floor.center_of(cell) / floor.cell_m();
     const auto on_raster = [&](double x) { return static_cast<long>(std::floor(x)) % every == 0; };
-    if (on_raster(cells.x()) && on_raster(cells.y()) && ways.cost[cell] * floor.cell_m() < kFarthest_m) chosen.push_back(cell);
+    if (on_raster(cells.x()) && on_raster(cells.y()) && ways.cost[cell] * floor.cell_m() < kFarthest_m)
+      chosen.push_back(cell);
   }
   return chosen;
 }

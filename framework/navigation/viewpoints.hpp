@@ -8,9 +8,9 @@
 namespace opal::behaviours {
 
 struct DisambiguateOptions {
-  double view_m = 12;             ///< expected scans reach so far
-  int most_places = 6;            ///< hypotheses that are compared: the most probable ones
-  double least_separation = 0.05; ///< in [0, 1]; places expected to tell less are not gone to
+  double view_m = 12;              ///< expected scans reach so far
+  int most_places = 6;             ///< hypotheses that are compared: the most probable ones
+  double least_separation = 0.05;  ///< in [0, 1]; places expected to tell less are not gone to
 };
 
 /// A place where the robot may be.
@@ -33,8 +33,8 @@ struct Viewpoint {
   double separation = 0;    ///< expected there beyond what is seen from here, over pairs of hypotheses, in [0, 1]
 };
 
-/// The place that tells hypotheses apart at the least expense of driving: for each of them, what would be seen from there
-/// if it was right is computed from the map, and compared.
+/// The place that tells hypotheses apart at the least expense of driving: for each of them, what would be seen from
+/// there if it was right is computed from the map, and compared.
 /// @param places   most probable first; the first is the one by which the way is planned.
 /// @param avoided  where it has been tried, frame `map` by the first place.
 /// @return nullopt if no place is expected to help.

@@ -38,13 +38,15 @@ class LayerPattern {
 
  private:
   [[noreturn]] void fail(const std::string& complaint) const {
-    throw MapError(pattern_.place + ": pattern '" + pattern_.id + "' of " + pattern_.pattern_template + " " + complaint);
+    throw MapError(pattern_.place + ": pattern '" + pattern_.id + "' of " + pattern_.pattern_template + " " +
+                   complaint);
   }
   const std::string& id(int member) const { return map_.features()[pattern_.features[member]].id; }
 
   void check_shapes() const {
     if (pattern_.features.size() != shape_.slots.size())
-      fail("has " + std::to_string(pattern_.features.size()) + " features, expected " + std::to_string(shape_.slots.size()));
+      fail("has " + std::to_string(pattern_.features.size()) + " features, expected " +
+           std::to_string(shape_.slots.size()));
     for (std::size_t k = 0; k < shape_.slots.size(); ++k) {
       const GeometryKind kind = kind_of(map_.features()[pattern_.features[k]].geometry);
       if (kind != shape_.slots[k])
@@ -81,11 +83,12 @@ class LayerPattern {
   void check_dimensions(const PatternInstance& found) const {
     const std::vector<double>& given = pattern_.dimensions;
     if (given.size() > found.invariants.size())
-      fail("has " + std::to_string(given.size()) + " dimensions, expected at most " + std::to_string(found.invariants.size()));
+      fail("has " + std::to_string(given.size()) + " dimensions, expected at most " +
+           std::to_string(found.invariants.size()));
     for (std::size_t k = 0; k < given.size(); ++k)
       if (std::abs(given[k] - found.invariants[k].value) > found.invariants[k].tolerance + 1e-9)
-        fail("has the dimension " + number_text(given[k]) + " at position " + std::to_string(k) + ", but its features give " +
-             number_text(found.invariants[k].value));
+        fail("has the dimension " + number_text(given[k]) + " at position " + std::to_string(k) +
+             ", but its features give " + number_text(found.invariants[k].value));
   }
 
   const SemanticMap& map_;

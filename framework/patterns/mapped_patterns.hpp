@@ -4,15 +4,15 @@
 
 #include <opal/common/named.hpp>
 #include <opal/map/view/map_view.hpp>
-#include <opal/patterns/pattern_template.hpp>
 #include <opal/patterns/pattern.hpp>
+#include <opal/patterns/pattern_template.hpp>
 
 #include <vector>
 
 namespace opal {
 
-/// The map's side of all patterns. The map decides: what its pattern layer names if it has one, else all there are among
-/// its features and support lines.
+/// The map's side of all patterns. The map decides: what its pattern layer names if it has one, else all there are
+/// among its features and support lines.
 struct MappedPatterns {
   std::vector<MappedFeature> features;
   /// For each template its instances; members are positions in `features`.

@@ -3,7 +3,7 @@
 namespace opal {
 namespace {
 
-constexpr double kGrazing_m = 0.05;     // a map's faces do not meet to the centimetre
+constexpr double kGrazing_m = 0.05;  // a map's faces do not meet to the centimetre
 constexpr double kGrazing_rad = 0.1;
 
 Point nearest_point(const Segment& face, const Point& p) {

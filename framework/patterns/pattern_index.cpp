@@ -28,9 +28,9 @@ Interval accepted_by(const Invariant& observed) {
 
 }  // namespace
 
-/// A k-d tree (Bentley 1975) over the invariants of all patterns. Each node halves its range of patterns at the median of
-/// the widest dimension, down to buckets of a few; children of node k are 2 k + 1 and 2 k + 2. Every node has a bounding
-/// box, so that whole subtrees are counted or skipped.
+/// A k-d tree (Bentley 1975) over the invariants of all patterns. Each node halves its range of patterns at the median
+/// of the widest dimension, down to buckets of a few; children of node k are 2 k + 1 and 2 k + 2. Every node has a
+/// bounding box, so that whole subtrees are counted or skipped.
 struct PatternIndex::Tree {
   static constexpr std::size_t kBucket = 16;
 
@@ -87,7 +87,8 @@ struct PatternIndex::Tree {
   }
 
   template <class Visit>
-  bool search(const std::vector<Interval>& query, std::size_t node, std::size_t from, std::size_t to, Visit& visit) const {
+  bool search(const std::vector<Interval>& query, std::size_t node, std::size_t from, std::size_t to,
+              Visit& visit) const {
     const Interval* box = &boxes[node * dimensions];
     bool inside = true;
     for (std::size_t d = 0; d < dimensions; ++d) {

@@ -83,7 +83,8 @@ void add_patterns(const TemplatePatterns& found, PatternNames& names, Pairs& pai
   for (const PatternInstance& instance : found.instances) {
     MapPattern pattern{names.next(found.name), found.name, instance.members, subpatterns_of(instance, pairs)};
     for (const Invariant& invariant : instance.invariants) pattern.dimensions.push_back(invariant.value);
-    if (instance.members.size() == 2) pairs.try_emplace(std::minmax(instance.members[0], instance.members[1]), pattern.id);
+    if (instance.members.size() == 2)
+      pairs.try_emplace(std::minmax(instance.members[0], instance.members[1]), pattern.id);
     layer.patterns.push_back(std::move(pattern));
   }
 }
@@ -105,7 +106,8 @@ void add_uniqueness(const MapView& map, const TemplatePatterns& found, PatternLa
     summary.most_alike = alike.back();
   }
   summary.members = static_cast<int>(members.size());
-  for (const int number : map.features()) summary.candidates += found.kinds.contains(kind_of(map.feature(number).geometry));
+  for (const int number : map.features())
+    summary.candidates += found.kinds.contains(kind_of(map.feature(number).geometry));
   layer.summaries.push_back(summary);
 }
 
@@ -120,7 +122,9 @@ PatternLayer find_pattern_layer(const MapView& map, const std::vector<Named<Patt
   const std::vector<Feature> features = perceivable_features(map);
   std::vector<TemplatePatterns> found;
   for (const auto& each : templates) found.push_back(neighbouring(map, features, each, options.size_m));
-  const auto arity = [](const TemplatePatterns& t) { return t.instances.empty() ? 0 : t.instances.front().members.size(); };
+  const auto arity = [](const TemplatePatterns& t) {
+    return t.instances.empty() ? 0 : t.instances.front().members.size();
+  };
   std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return arity(a) < arity(b); });
   PatternLayer layer;
   PatternNames names(map.map());
@@ -136,8 +140,8 @@ PatternLayer read_pattern_layer(const MapView& map, const std::vector<Named<Patt
   PatternLayer layer;
   for (const auto& each : templates) {
     const PatternShape shape = each.part->shape();
-    add_uniqueness(map, {each.name, layer_instances(map, each.name, *each.part), {shape.slots.begin(), shape.slots.end()}},
-                   layer);
+    add_uniqueness(
+        map, {each.name, layer_instances(map, each.name, *each.part), {shape.slots.begin(), shape.slots.end()}}, layer);
     for (const MapPattern& pattern : map.map().patterns())
       if (pattern.pattern_template == each.name && is_for_sensor(map, pattern)) layer.patterns.push_back(pattern);
   }
@@ -145,11 +149,12 @@ PatternLayer read_pattern_layer(const MapView& map, const std::vector<Named<Patt
 }
 
 std::string sentence_of(const PatternSummary& s) {
-  if (s.patterns == 0) return s.pattern_template + ": no pattern among " + count_of(s.candidates, "feature") + " of its shapes";
+  if (s.patterns == 0)
+    return s.pattern_template + ": no pattern among " + count_of(s.candidates, "feature") + " of its shapes";
   return s.pattern_template + ": " + count_of(s.patterns, "pattern") + ", " + std::to_string(s.unique) +
          " unique; half have at most " + count_of(s.median_alike, "look-alike") + ", the worst " +
-         std::to_string(s.most_alike) + "; " + std::to_string(s.members) + " of " +
-         count_of(s.candidates, "feature") + " of its shapes are in one";
+         std::to_string(s.most_alike) + "; " + std::to_string(s.members) + " of " + count_of(s.candidates, "feature") +
+         " of its shapes are in one";
 }
 
 }  // namespace opal

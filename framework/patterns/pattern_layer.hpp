@@ -20,8 +20,8 @@ struct PatternSummary {
   int unique = 0;        ///< patterns that no other looks like
   int median_alike = 0;  ///< half of them have at most this many look-alikes
   int most_alike = 0;
-  int members = 0;       ///< features that are in a pattern,
-  int candidates = 0;    ///< of those whose shape could be
+  int members = 0;     ///< features that are in a pattern,
+  int candidates = 0;  ///< of those whose shape could be
 };
 /// "opal:ColumnPair: 26 patterns, 2 unique; ...": for people.
 OPAL_EXPORT std::string sentence_of(const PatternSummary& summary);
@@ -33,8 +33,8 @@ struct PatternLayer {
   std::vector<PatternSummary> summaries;
 };
 
-/// Finds them: neighbours see each other, that is, the line between them meets no geometry that the sensor perceives, and
-/// are no farther apart than options.size_m. Patterns that contain smaller ones name them as subpatterns.
+/// Finds them: neighbours see each other, that is, the line between them meets no geometry that the sensor perceives,
+/// and are no farther apart than options.size_m. Patterns that contain smaller ones name them as subpatterns.
 OPAL_EXPORT PatternLayer find_pattern_layer(const MapView& map, const std::vector<Named<PatternTemplate>>& templates,
                                             const PatternLayerOptions& options = {});
 

@@ -9,8 +9,8 @@ double heading_to(const OrientedPoint& corner, const Point& axis) {
   return corner.heading_rad - std::atan2(axis.y(), axis.x());
 }
 
-/// One number per member that tells unequal ones apart: corners that look at each other, or along one wall, differ in the
-/// sine, and those of a niche and of a pillar in the opening.
+/// One number per member that tells unequal ones apart: corners that look at each other, or along one wall, differ in
+/// the sine, and those of a niche and of a pillar in the opening.
 double rank_of(const Geometry& member, const Point& axis) {
   if (const auto* circle = std::get_if<Circle>(&member)) return circle->radius_m;
   const auto* corner = std::get_if<OrientedPoint>(&member);

@@ -23,9 +23,7 @@ struct Corners {
     const Point r = Point::Constant(c.radius_m);
     return span(c.center - r, c.center + r);
   }
-  static Box span(const Point& low, const Point& high) {
-    return {{low.x(), low.y()}, {high.x(), high.y()}};
-  }
+  static Box span(const Point& low, const Point& high) { return {{low.x(), low.y()}, {high.x(), high.y()}}; }
 };
 
 bool crosses(const Segment& a, const Segment& b) {
@@ -69,7 +67,8 @@ class Enumeration {
   void fill(int candidate) {
     if (kind_of(features_[candidate].geometry) != shape_.slots[chosen_.size()]) return;
     for (int earlier : chosen_)
-      if (earlier == candidate || is_farther(earlier, candidate, earlier == chosen_.back() ? neighbour_m_ : shape_.reach_m))
+      if (earlier == candidate ||
+          is_farther(earlier, candidate, earlier == chosen_.back() ? neighbour_m_ : shape_.reach_m))
         return;
     chosen_.push_back(candidate);
     if (chosen_.size() == shape_.slots.size())
@@ -115,8 +114,7 @@ class Enumeration {
 
 }  // namespace
 
-std::vector<PatternInstance> find_patterns(const PatternTemplate& pattern_template,
-                                           std::span<const Feature> features) {
+std::vector<PatternInstance> find_patterns(const PatternTemplate& pattern_template, std::span<const Feature> features) {
   return Enumeration(pattern_template, features).run();
 }
 

@@ -25,8 +25,8 @@ std::string segment_defect(ElfFile& file, const Elf64_Ehdr& header) {
   if (segments.empty()) return kTruncated + std::string("its program headers are beyond the end of the file");
   for (const Elf64_Phdr& segment : segments) {
     if (segment.p_type == PT_LOAD && !file.holds(segment.p_offset, segment.p_filesz))
-      return kTruncated + std::string("it has ") + std::to_string(file.size()) +
-             " bytes, a segment ends at byte " + std::to_string(segment.p_offset + segment.p_filesz);
+      return kTruncated + std::string("it has ") + std::to_string(file.size()) + " bytes, a segment ends at byte " +
+             std::to_string(segment.p_offset + segment.p_filesz);
   }
   return {};
 }

@@ -19,9 +19,7 @@ class ElfFile {
 
   bool readable() const { return file_.is_open() && file_.good(); }
   std::uint64_t size() const { return size_; }
-  bool holds(std::uint64_t offset, std::uint64_t bytes) const {
-    return offset <= size_ && bytes <= size_ - offset;
-  }
+  bool holds(std::uint64_t offset, std::uint64_t bytes) const { return offset <= size_ && bytes <= size_ - offset; }
 
   /// @return empty if the file does not hold that many.
   template <class T>

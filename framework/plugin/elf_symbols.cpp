@@ -29,8 +29,7 @@ std::vector<ExportedSymbol> symbols_in(ElfFile& file, const Elf64_Shdr& table, c
   names.push_back('\0');
   for (const Elf64_Sym& symbol : file.read<Elf64_Sym>(table.sh_offset, table.sh_size / sizeof(Elf64_Sym))) {
     if (!is_exported(symbol) || symbol.st_name >= names.size()) continue;
-    exported.push_back(
-        {demangled(names.data() + symbol.st_name), ELF64_ST_BIND(symbol.st_info) != STB_GLOBAL});
+    exported.push_back({demangled(names.data() + symbol.st_name), ELF64_ST_BIND(symbol.st_info) != STB_GLOBAL});
   }
   return exported;
 }

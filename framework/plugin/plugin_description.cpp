@@ -17,9 +17,8 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kContext = "urn:opal:v1";
-constexpr std::array<const char*, 7> kKindNames{"FeatureDetector", "PatternTemplate", "HypothesisScorer",
-                                                "LogSource",       "MapImporter",     "ScanMatcher",
-                                                "MapStore"};
+constexpr std::array<const char*, 7> kKindNames{"FeatureDetector", "PatternTemplate", "HypothesisScorer", "LogSource",
+                                                "MapImporter",     "ScanMatcher",     "MapStore"};
 
 template <class Texts>
 std::string listed(const Texts& texts) {
@@ -48,8 +47,7 @@ class Node {
 
   const json& value() const { return value_; }
 
-  void expect_object(const std::vector<std::string>& required,
-                     const std::vector<std::string>& optional) const {
+  void expect_object(const std::vector<std::string>& required, const std::vector<std::string>& optional) const {
     if (!value_.is_object()) refuse_value("an object");
     std::vector<std::string> known = required;
     known.insert(known.end(), optional.begin(), optional.end());
@@ -83,8 +81,7 @@ class Node {
   std::string word() const {
     const std::string word = value_.is_string() ? value_.get<std::string>() : "";
     const auto is_space = [](unsigned char c) { return std::isspace(c) != 0; };
-    if (word.empty() || std::any_of(word.begin(), word.end(), is_space))
-      refuse_value("a word without spaces");
+    if (word.empty() || std::any_of(word.begin(), word.end(), is_space)) refuse_value("a word without spaces");
     return word;
   }
 
@@ -110,9 +107,8 @@ void check_context(const Node& context) {
   if (!value.is_array() || value.empty() || value.front() != kContext)
     context.refuse_value("\"urn:opal:v1\", or an array that begins with it");
   for (std::size_t i = 1; i < value.size(); ++i) {
-    const bool prefixes =
-        value[i].is_object() &&
-        std::all_of(value[i].begin(), value[i].end(), [](const json& iri) { return iri.is_string(); });
+    const bool prefixes = value[i].is_object() && std::all_of(value[i].begin(), value[i].end(),
+                                                              [](const json& iri) { return iri.is_string(); });
     if (!prefixes) context.refuse_value("an object of prefixes after \"urn:opal:v1\"");
   }
 }
@@ -165,8 +161,7 @@ std::vector<OptionInfo> read_options(const Node& type) {
     OptionInfo option = read_option(node);
     const auto same_name = [&](const OptionInfo& other) { return other.name == option.name; };
     if (std::any_of(options.begin(), options.end(), same_name)) node.at("name").refuse("is there twice");
-    if (!is_acceptable(option, option.default_value))
-      node.at("default").refuse_value(accepted_values(option));
+    if (!is_acceptable(option, option.default_value)) node.at("default").refuse_value(accepted_values(option));
     options.push_back(std::move(option));
   }
   return options;
@@ -197,8 +192,7 @@ DescribedType read_type(const Node& node) {
 
 json read_document(const std::string& path) {
   if (!std::ifstream(path))
-    throw PluginError(
-        path + ": cannot be read; every plugin has its description beside it (docs/write_a_plugin.md)");
+    throw PluginError(path + ": cannot be read; every plugin has its description beside it (docs/write_a_plugin.md)");
   try {
     return read_json(path);
   } catch (const JsonError& error) {

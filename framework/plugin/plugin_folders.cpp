@@ -40,8 +40,7 @@ std::vector<std::string> plugin_folders() {
   std::istringstream path(added == nullptr ? "" : added);
   for (std::string entry; std::getline(path, entry, ':');) {
     const std::string folder = normal_form(entry);
-    if (!entry.empty() && std::find(folders.begin(), folders.end(), folder) == folders.end())
-      folders.push_back(folder);
+    if (!entry.empty() && std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
   }
   return folders;
 }

@@ -20,9 +20,7 @@ constexpr const char* kSymbol = "opal_plugin_v1";
 constexpr const char* kSection = "opal_v1";
 constexpr const char* kApi = "1";
 
-[[noreturn]] void refuse(const std::string& file, const std::string& cause) {
-  throw PluginError(file + ": " + cause);
-}
+[[noreturn]] void refuse(const std::string& file, const std::string& cause) { throw PluginError(file + ": " + cause); }
 
 std::vector<std::string> sections_of(const std::string& file) {
   std::vector<std::string> sections;
@@ -36,8 +34,7 @@ std::string api_of(const std::string& section) {
   const std::string prefix = "opal_v";
   if (section.size() <= prefix.size() || section.compare(0, prefix.size(), prefix) != 0) return {};
   const std::string number = section.substr(prefix.size());
-  const bool digits =
-      std::all_of(number.begin(), number.end(), [](unsigned char c) { return std::isdigit(c); });
+  const bool digits = std::all_of(number.begin(), number.end(), [](unsigned char c) { return std::isdigit(c); });
   return digits ? number : std::string{};
 }
 
@@ -82,8 +79,7 @@ std::shared_ptr<const PluginDescriptor> open_plugin(const std::string& file) {
   std::error_code error;
   library->load(file, error, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
   if (error) refuse(file, "cannot be opened: " + loader_error(file));
-  if (!library->has(kSymbol))
-    refuse(file, std::string("has a section ") + kSection + ", but no symbol " + kSymbol);
+  if (!library->has(kSymbol)) refuse(file, std::string("has a section ") + kSection + ", but no symbol " + kSymbol);
   const PluginDescriptor& descriptor = library->get_alias<const PluginDescriptor>(kSymbol);
   require_same_abi(file, descriptor);
   require_complete(file, descriptor);

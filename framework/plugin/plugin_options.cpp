@@ -30,19 +30,16 @@ std::string names_of(const std::vector<OptionInfo>& described) {
   return names;
 }
 
-[[noreturn]] void refuse(const std::string& type_name, const std::string& option,
-                         const std::string& complaint) {
+[[noreturn]] void refuse(const std::string& type_name, const std::string& option, const std::string& complaint) {
   throw PluginError(type_name + ": option " + option + ": " + complaint);
 }
 
-void require_known(const std::string& type_name, const std::vector<OptionInfo>& described,
-                   const json& given) {
+void require_known(const std::string& type_name, const std::vector<OptionInfo>& described, const json& given) {
   for (const auto& [name, ignored] : given.items()) {
     const auto has_this_name = [&key = name](const OptionInfo& option) { return option.name == key; };
     if (std::none_of(described.begin(), described.end(), has_this_name))
       refuse(type_name, name,
-             described.empty() ? "unknown, there are no options"
-                               : "unknown, expected one of: " + names_of(described));
+             described.empty() ? "unknown, there are no options" : "unknown, expected one of: " + names_of(described));
   }
 }
 
@@ -66,8 +63,7 @@ std::string accepted_values(const OptionInfo& option) {
   return option.unit.empty() ? text : text + " [" + option.unit + "]";
 }
 
-json complete_options(const std::string& type_name, const std::vector<OptionInfo>& described,
-                      const json& given) {
+json complete_options(const std::string& type_name, const std::vector<OptionInfo>& described, const json& given) {
   if (!given.is_object() && !given.is_null())
     throw PluginError(type_name + ": options: " + given.dump() + ", expected an object");
   if (given.is_object()) require_known(type_name, described, given);

@@ -49,9 +49,7 @@ class Collector final : public Registrar {
   }
 };
 
-[[noreturn]] void refuse(const std::string& file, const std::string& cause) {
-  throw PluginError(file + ": " + cause);
-}
+[[noreturn]] void refuse(const std::string& file, const std::string& cause) { throw PluginError(file + ": " + cause); }
 
 std::string canonical_file(const std::string& path) {
   std::error_code error;
@@ -61,9 +59,7 @@ std::string canonical_file(const std::string& path) {
   return canonical.string();
 }
 
-std::string description_path(const std::string& file) {
-  return fs::path(file).replace_extension(".jsonld").string();
-}
+std::string description_path(const std::string& file) { return fs::path(file).replace_extension(".jsonld").string(); }
 
 std::string listed(const std::vector<std::string>& names) {
   std::string list;
@@ -71,11 +67,10 @@ std::string listed(const std::vector<std::string>& names) {
   return list.empty() ? "nothing" : list;
 }
 
-void require_same_plugin(const std::string& file, const PluginDescription& promised,
-                         const PluginDescriptor& actual) {
+void require_same_plugin(const std::string& file, const PluginDescription& promised, const PluginDescriptor& actual) {
   if (promised.name == actual.name && promised.version == actual.version) return;
-  refuse(file, std::string("calls itself ") + actual.name + " " + actual.version + ", but " +
-                   description_path(file) + " describes " + promised.name + " " + promised.version);
+  refuse(file, std::string("calls itself ") + actual.name + " " + actual.version + ", but " + description_path(file) +
+                   " describes " + promised.name + " " + promised.version);
 }
 
 bool same_set(std::vector<std::string> a, std::vector<std::string> b) {
@@ -84,8 +79,7 @@ bool same_set(std::vector<std::string> a, std::vector<std::string> b) {
   return a == b;
 }
 
-void require_as_described(const std::string& file, const DescribedType& promised,
-                          const Registration& actual) {
+void require_as_described(const std::string& file, const DescribedType& promised, const Registration& actual) {
   const std::string name = promised.info.name;
   const auto differ = [&](const std::string& what, const std::string& is, const std::string& described) {
     refuse(file, name + " " + what + " " + is + ", but its description says " + described);
@@ -110,8 +104,7 @@ std::map<std::string, Registration> by_name(const std::string& file, const Plugi
   }
   for (const DescribedType& type : promised.types) {
     const auto found = named.find(type.info.name);
-    if (found == named.end())
-      refuse(file, "does not register " + type.info.name + ", which its description promises");
+    if (found == named.end()) refuse(file, "does not register " + type.info.name + ", which its description promises");
     require_as_described(file, type, found->second);
   }
   for (const auto& [name, ignored] : named) {
@@ -179,7 +172,8 @@ class Library {
   std::string file_;
   PluginDescription description_;
   std::mutex opening_;
-  std::shared_ptr<const PluginDescriptor> code_;  // before the factories, which are its code, so that it goes after them
+  std::shared_ptr<const PluginDescriptor>
+      code_;  // before the factories, which are its code, so that it goes after them
   std::map<std::string, Registration> registered_;
 };
 
@@ -209,9 +203,9 @@ struct PluginRegistry::State {
     const PluginDescription& description = library->description();
     for (const DescribedType& described : description.types)
       entries.emplace(described.info.name,
-                      Entry{library, RegisteredType{described.info, described.kind, description.name, description.version,
-                                                    library->file(), described.description, described.options,
-                                                    described.on_request}});
+                      Entry{library, RegisteredType{described.info, described.kind, description.name,
+                                                    description.version, library->file(), described.description,
+                                                    described.options, described.on_request}});
   }
 
   const Entry& entry(const std::string& name) const {
@@ -264,8 +258,7 @@ std::shared_ptr<const T> PluginRegistry::make(const std::string& name, const nlo
   const Entry& entry = state_->entry(name);
   const std::string origin = name + " from " + entry.type.plugin + " " + entry.type.version;
   if (entry.type.kind != kind_of_interface<T>())
-    throw PluginError(origin + " is a " + name_of(entry.type.kind) + ", expected a " +
-                      name_of(kind_of_interface<T>()));
+    throw PluginError(origin + " is a " + name_of(entry.type.kind) + ", expected a " + name_of(kind_of_interface<T>()));
   const nlohmann::json complete = complete_options(name, entry.type.options, options);
   entry.library->open();
   const auto& factory = std::get<Factory<T>>(entry.library->factory(name));
@@ -276,18 +269,12 @@ std::shared_ptr<const T> PluginRegistry::make(const std::string& name, const nlo
   return {made.release(), [library = entry.library](const T* object) { delete object; }};
 }
 
-template std::shared_ptr<const FeatureDetector> PluginRegistry::make(const std::string&,
-                                                                     const nlohmann::json&) const;
-template std::shared_ptr<const PatternTemplate> PluginRegistry::make(const std::string&,
-                                                                     const nlohmann::json&) const;
-template std::shared_ptr<const HypothesisScorer> PluginRegistry::make(const std::string&,
-                                                                      const nlohmann::json&) const;
-template std::shared_ptr<const LogSource> PluginRegistry::make(const std::string&,
-                                                               const nlohmann::json&) const;
-template std::shared_ptr<const MapImporter> PluginRegistry::make(const std::string&,
-                                                                 const nlohmann::json&) const;
-template std::shared_ptr<const ScanMatcher> PluginRegistry::make(const std::string&,
-                                                                 const nlohmann::json&) const;
+template std::shared_ptr<const FeatureDetector> PluginRegistry::make(const std::string&, const nlohmann::json&) const;
+template std::shared_ptr<const PatternTemplate> PluginRegistry::make(const std::string&, const nlohmann::json&) const;
+template std::shared_ptr<const HypothesisScorer> PluginRegistry::make(const std::string&, const nlohmann::json&) const;
+template std::shared_ptr<const LogSource> PluginRegistry::make(const std::string&, const nlohmann::json&) const;
+template std::shared_ptr<const MapImporter> PluginRegistry::make(const std::string&, const nlohmann::json&) const;
+template std::shared_ptr<const ScanMatcher> PluginRegistry::make(const std::string&, const nlohmann::json&) const;
 template std::shared_ptr<const MapStore> PluginRegistry::make(const std::string&, const nlohmann::json&) const;
 
 }  // namespace opal

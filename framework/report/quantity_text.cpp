@@ -24,8 +24,8 @@ std::string place_text(const Point& place) {
 }
 
 std::string pose_text(const Pose2& pose) {
-  return place_text(pose.position()) + ", heading " +
-         fixed_text(pose.heading_rad() * 180 / std::numbers::pi, 1) + " deg";
+  return place_text(pose.position()) + ", heading " + fixed_text(pose.heading_rad() * 180 / std::numbers::pi, 1) +
+         " deg";
 }
 
 std::string count_text(std::size_t count, const std::string& singular) {

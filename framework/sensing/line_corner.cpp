@@ -39,8 +39,7 @@ LineCorner corner_at(const Junction& junction, std::span<const Line> lines) {
   // Both faces are seen from their left: the open angle runs counter-clockwise from `after` to `before`
   // reversed.
   const double from = after.segment.heading_rad();
-  const double opening =
-      std::fmod(before.segment.heading_rad() + std::numbers::pi - from + 2 * kTwoPi, kTwoPi);
+  const double opening = std::fmod(before.segment.heading_rad() + std::numbers::pi - from + 2 * kTwoPi, kTwoPi);
   LineCorner corner;
   corner.geometry = {junction.position, wrap_angle(from + opening / 2), opening};
   corner.covariance = corner_covariance(before, after, junction.position);

@@ -11,8 +11,7 @@ namespace {
 
 class Extraction {
  public:
-  Extraction(const ScanChains& chains, const LineExtractionOptions& options)
-      : chains_(chains), options_(options) {}
+  Extraction(const ScanChains& chains, const LineExtractionOptions& options) : chains_(chains), options_(options) {}
 
   std::vector<Line> lines() {
     std::vector<Line> lines;

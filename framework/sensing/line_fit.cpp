@@ -39,8 +39,7 @@ void set_line(LineFit& fit, const Moments& moments, const Point& along) {
 
 /// One round of reweighted least squares with Cauchy's loss, so that a chair at the wall does not turn the
 /// wall.
-Moments reweighted(const ScanChains& chains, std::span<const Run> runs, const LineFit& fit,
-                   const ReadingNoise& noise) {
+Moments reweighted(const ScanChains& chains, std::span<const Run> runs, const LineFit& fit, const ReadingNoise& noise) {
   constexpr double kCauchyScale = 3;  // standard deviations
   const Point normal = left_of(fit.direction);
   Moments moments;
@@ -54,8 +53,7 @@ Moments reweighted(const ScanChains& chains, std::span<const Run> runs, const Li
 }
 
 /// Variances from the weights; grown where the points lie farther off than their noise explains.
-void set_uncertainty(LineFit& fit, const Moments& moments, const ScanChains& chains,
-                     std::span<const Run> runs) {
+void set_uncertainty(LineFit& fit, const Moments& moments, const ScanChains& chains, std::span<const Run> runs) {
   const Point normal = left_of(fit.direction);
   int count = 0;
   double squares = 0;

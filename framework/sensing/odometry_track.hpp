@@ -13,7 +13,7 @@ class OdometryTrack {
   struct Limits {
     double max_speed_mps;
     double max_turn_radps;
-    double jump_m;    // beyond what the speeds allow
+    double jump_m;  // beyond what the speeds allow
     double jump_rad;
     bool bridge_jumps;
   };

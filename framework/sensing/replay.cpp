@@ -21,9 +21,7 @@ class Records {
     current_ = reader_->next();
     return current_ ? &*current_ : nullptr;
   }
-  std::map<std::string, int> defects() const {
-    return reader_ ? reader_->defects() : std::map<std::string, int>();
-  }
+  std::map<std::string, int> defects() const { return reader_ ? reader_->defects() : std::map<std::string, int>(); }
   double progress() const {
     if (reader_) return reader_->progress();
     return records_.empty() ? 1.0 : static_cast<double>(position_) / static_cast<double>(records_.size());
@@ -36,9 +34,7 @@ class Records {
   std::size_t position_ = 0;
 };
 
-bool is_finite(const Pose2& pose) {
-  return pose.position().allFinite() && std::isfinite(pose.heading_rad());
-}
+bool is_finite(const Pose2& pose) { return pose.position().allFinite() && std::isfinite(pose.heading_rad()); }
 
 struct PendingScan {
   Scan scan;

@@ -47,8 +47,7 @@ Scan make_scan(const RawScan& raw, const LaserModel& laser) {
   for (std::size_t i = 0; i < beams.count; ++i) {
     const double range_m = raw.ranges_m[i];
     const Reading reading = classify(range_m, laser);
-    const double bearing_rad =
-        wrap_angle(beams.angle_min_rad + static_cast<double>(i) * beams.angle_increment_rad);
+    const double bearing_rad = wrap_angle(beams.angle_min_rad + static_cast<double>(i) * beams.angle_increment_rad);
     if (reading == Reading::hit)
       scan.points.push_back({range_m * unit_vector(bearing_rad), range_m, bearing_rad, static_cast<int>(i)});
     else if (reading == Reading::free)

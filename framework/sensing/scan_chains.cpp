@@ -19,14 +19,12 @@ bool usable(const ScanPoint& p) {
 }
 
 /// How far apart two neighbours are, relative to what one surface allows: above 1 is a break.
-double break_ratio(const ScanPoint& a, const ScanPoint& b, double increment_rad,
-                   const ChainOptions& options) {
+double break_ratio(const ScanPoint& a, const ScanPoint& b, double increment_rad, const ChainOptions& options) {
   const double turn = turn_rad(a.bearing_rad, b.bearing_rad);
   const double allowed_turn = (options.max_missing_beams + 1.5) * increment_rad;
   const bool same_bearing = turn > kTwoPi - increment_rad / 2;  // rounded into the wrong order
   if (increment_rad > 0 && turn > allowed_turn && !same_bearing) return 1 + turn / increment_rad;
-  const double allowed =
-      options.gap_m + options.gap_per_spacing * std::min(a.range_m, b.range_m) * increment_rad;
+  const double allowed = options.gap_m + options.gap_per_spacing * std::min(a.range_m, b.range_m) * increment_rad;
   return (a.position - b.position).norm() / allowed;
 }
 
@@ -41,8 +39,7 @@ std::vector<ScanPoint> usable_points(const Scan& scan) {
 /// its hull).
 int start_of(const std::vector<ScanPoint>& hits, const std::vector<double>& ratio_after) {
   const auto largest = std::max_element(ratio_after.begin(), ratio_after.end());
-  if (*largest > 1)
-    return static_cast<int>((largest - ratio_after.begin() + 1) % static_cast<long>(hits.size()));
+  if (*largest > 1) return static_cast<int>((largest - ratio_after.begin() + 1) % static_cast<long>(hits.size()));
   const auto nearer = [](const ScanPoint& a, const ScanPoint& b) { return a.range_m < b.range_m; };
   return static_cast<int>(std::max_element(hits.begin(), hits.end(), nearer) - hits.begin());
 }
@@ -65,15 +62,13 @@ void group_by_chain(ScanChains& chains, const std::vector<int>& size) {
 
 /// The chain that a hit continues: of those that ended within the last few beams, the nearest one. -1 if
 /// none.
-int continued_chain(const ScanChains& chains, const std::vector<int>& last_hit, int hit,
-                    const ChainOptions& options) {
+int continued_chain(const ScanChains& chains, const std::vector<int>& last_hit, int hit, const ChainOptions& options) {
   int chain = -1;
   double least = 1;
   for (int back = 1; back <= options.max_missing_beams + 1 && back <= hit; ++back) {
     const int candidate = chains.chain_of[hit - back];
     if (last_hit[candidate] != hit - back) continue;  // it went on with a later hit
-    const double ratio =
-        break_ratio(chains.hits[hit - back], chains.hits[hit], chains.angle_increment_rad, options);
+    const double ratio = break_ratio(chains.hits[hit - back], chains.hits[hit], chains.angle_increment_rad, options);
     if (ratio <= least) least = ratio, chain = candidate;
   }
   return chain;
@@ -112,8 +107,7 @@ void add_sightlines(ScanChains& chains, const std::vector<double>& free_bearings
   auto next_free = free_turns.begin();
   const auto add_free_up_to = [&](double turn) {
     for (; next_free != free_turns.end() && *next_free < turn; ++next_free)
-      chains.sightlines.push_back(
-          {unit_vector(origin + *next_free), std::numeric_limits<double>::infinity()});
+      chains.sightlines.push_back({unit_vector(origin + *next_free), std::numeric_limits<double>::infinity()});
   };
   for (const ScanPoint& hit : chains.hits) {
     add_free_up_to(turn_rad(origin, hit.bearing_rad));
@@ -136,8 +130,7 @@ ScanChains chained(const Scan& scan, const ChainOptions& options) {
 
   std::vector<double> ratio_after(n);
   for (std::size_t i = 0; i < n; ++i)
-    ratio_after[i] =
-        break_ratio(chains.hits[i], chains.hits[(i + 1) % n], chains.angle_increment_rad, options);
+    ratio_after[i] = break_ratio(chains.hits[i], chains.hits[(i + 1) % n], chains.angle_increment_rad, options);
   const double seam_rad = turn_rad(chains.hits.back().bearing_rad, chains.hits.front().bearing_rad);
   chains.full_circle = n > 2 && seam_rad < std::numbers::pi / 4;
   if (chains.full_circle) {

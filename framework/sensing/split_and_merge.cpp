@@ -9,8 +9,7 @@ constexpr int kMinPiecePoints = 3;
 
 class Pieces {
  public:
-  Pieces(const ScanChains& chains, const LineExtractionOptions& options)
-      : chains_(chains), options_(options) {}
+  Pieces(const ScanChains& chains, const LineExtractionOptions& options) : chains_(chains), options_(options) {}
 
   std::vector<Run> found() {
     for (const Run& chain : chains_.chains) split(chain);

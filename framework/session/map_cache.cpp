@@ -3,11 +3,11 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
+#include <unistd.h>
 #include <cctype>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <unistd.h>
 
 namespace {
 
@@ -50,8 +50,9 @@ json to_json(const opal::StoredVersion& version) {
 }
 
 opal::StoredVersion version_of(const json& object) {
-  return {object.at("building"), object.at("version"),  object.at("pushed_at"), object.at("pushed_by"), object.at("message"),
-          object.at("map_name"), object.at("objects"), object.at("features"),  object.at("patterns")};
+  return {object.at("building"),  object.at("version"),  object.at("pushed_at"),
+          object.at("pushed_by"), object.at("message"),  object.at("map_name"),
+          object.at("objects"),   object.at("features"), object.at("patterns")};
 }
 
 /// Beside the file first, then in its place: whoever reads it sees the old or the new one, also after a power cut.
@@ -86,12 +87,16 @@ std::optional<MapCache::Entry> MapCache::find(const std::string& where, const op
   }
 }
 
-std::string MapCache::keep(const std::string& where, const opal::StoreSource& source, const opal::StoredMap& map) const {
+std::string MapCache::keep(const std::string& where, const opal::StoreSource& source,
+                           const opal::StoredMap& map) const {
   if (folder_.empty()) return {};
   const fs::path file = file_of(where, source);
   try {
     fs::create_directories(file.parent_path());
-    write_whole(file, json{{"where", where}, {"version", to_json(map.version)}, {"pulled_at", now_utc()}, {"document", map.document}}.dump(1));
+    write_whole(
+        file,
+        json{{"where", where}, {"version", to_json(map.version)}, {"pulled_at", now_utc()}, {"document", map.document}}
+            .dump(1));
   } catch (const fs::filesystem_error& error) {
     throw opal::Error(file.string() + ": cannot be written: " + error.code().message());
   }

@@ -11,8 +11,8 @@
 /// each, written whole or not at all.
 class MapCache {
  public:
-  /// OPAL_MAP_CACHE, or opal/maps in XDG_CACHE_HOME, or in ~/.cache. No cache if OPAL_MAP_CACHE is empty, or if there is no
-  /// home either.
+  /// OPAL_MAP_CACHE, or opal/maps in XDG_CACHE_HOME, or in ~/.cache. No cache if OPAL_MAP_CACHE is empty, or if there
+  /// is no home either.
   static MapCache usual();
   /// @param folder  made when needed; empty: nothing is kept.
   explicit MapCache(std::filesystem::path folder) : folder_(std::move(folder)) {}

@@ -63,7 +63,8 @@ const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, co
   return registry.type(name);
 }
 
-opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source, const nlohmann::json& options) {
+opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source,
+                           const nlohmann::json& options) {
   return registry.make<opal::MapImporter>(importer_of(registry, source).info.name, options)->import(source);
 }
 
@@ -72,9 +73,11 @@ std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& re
   return is_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
 }
 
-std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment) {
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry,
+                                                  const opal::Deployment& deployment) {
   const std::string& source = deployment.map;
-  if (is_document(source) || opal::read_store_source(source)) return with_overlays(load_map(registry, source), deployment.overlays);
+  if (is_document(source) || opal::read_store_source(source))
+    return with_overlays(load_map(registry, source), deployment.overlays);
   const std::string& importer = importer_of(registry, source).info.name;
   const opal::MapImport imported = import_map(registry, source, opal::importer_options(deployment, registry, importer));
   return with_overlays(imported.map, deployment.overlays);
@@ -90,8 +93,8 @@ std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& re
   const bool is_made = is_document(source) || opal::read_store_source(source);
   if (is_made && damage.thick_m > 0)
     throw opal::ConfigError(source + ": damage thick= is done to grids before they are imported, found a document");
-  return opal::damaged_map(is_made ? *load_map(registry, source) : *import_map(registry, source, import_options(damage)).map,
-                           damage);
+  return opal::damaged_map(
+      is_made ? *load_map(registry, source) : *import_map(registry, source, import_options(damage)).map, damage);
 }
 
 std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path) {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <opal/deployment/deployment.hpp>
-#include "map_tools/map_damage.hpp"
-#include <opal/sensing/log_source.hpp>
 #include <opal/map/map_importer.hpp>
 #include <opal/plugin/plugin_registry.hpp>
+#include <opal/sensing/log_source.hpp>
+#include "map_tools/map_damage.hpp"
 
 #include <memory>
 #include <string>
@@ -28,8 +28,10 @@ opal::MapImport import_map(const opal::PluginRegistry& registry, const std::stri
 /// A map from a document, from the map store (store:BUILDING), or from any source that an importer recognizes.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
 
-/// The map of a deployment with its overlays; a source is imported with the options that the deployment gives to importers.
-std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment);
+/// The map of a deployment with its overlays; a source is imported with the options that the deployment gives to
+/// importers.
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry,
+                                                  const opal::Deployment& deployment);
 
 /// What `thick_m` of a damage asks of the grid importer.
 nlohmann::json import_options(const opal::MapDamage& damage);

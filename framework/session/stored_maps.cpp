@@ -12,7 +12,8 @@
 namespace {
 
 constexpr const char* kNoStore =
-    "no plugin offers a MapStore, which sources such as store:hall and opal map push, pull and list need; opal:PostgisStore "
+    "no plugin offers a MapStore, which sources such as store:hall and opal map push, pull and list need; "
+    "opal:PostgisStore "
     "is built where libpqxx is installed (Debian: libpqxx-dev)";
 
 std::vector<std::string> store_types(const opal::PluginRegistry& registry) {
@@ -45,7 +46,8 @@ std::string age_of(const std::string& utc) {
 }
 
 /// A cache that cannot be written keeps nobody from working.
-void keep(const MapCache& cache, const std::string& where, const opal::StoreSource& source, const opal::StoredMap& map) {
+void keep(const MapCache& cache, const std::string& where, const opal::StoreSource& source,
+          const opal::StoredMap& map) {
   try {
     cache.keep(where, source, map);
   } catch (const opal::Error& error) {
@@ -61,10 +63,12 @@ opal::StoredMap pull_or_find(const opal::MapStore& store, const MapCache& cache,
     return pulled;
   } catch (const opal::StoreUnreachable& error) {
     const auto kept = cache.find(store.where(), source);
-    if (!kept) throw opal::StoreUnreachable(std::string(error.what()) + "; and " + opal::text_of(source) +
-                                            " was never kept from it on this machine");
+    if (!kept)
+      throw opal::StoreUnreachable(std::string(error.what()) + "; and " + opal::text_of(source) +
+                                   " was never kept from it on this machine");
     std::cerr << "opal: the map store cannot be reached: " << error.what() << "\nmap: " << described(kept->map.version)
-              << ", as pulled " << age_of(kept->pulled_at) << " (" << kept->pulled_at << "), from " << kept->file << '\n';
+              << ", as pulled " << age_of(kept->pulled_at) << " (" << kept->pulled_at << "), from " << kept->file
+              << '\n';
     return kept->map;
   }
 }

@@ -44,9 +44,12 @@ std::string side_by_side(const std::string& name_a, const BeamStatistics& a, con
   char line[200];
   std::snprintf(line, sizeof line, "%-34s %12s %12s\n", "beams [%]", name_a.c_str(), name_b.c_str());
   std::string text = line;
-  const auto percent = [](long count, long of) { return of == 0 ? 0 : 100 * static_cast<double>(count) / static_cast<double>(of); };
+  const auto percent = [](long count, long of) {
+    return of == 0 ? 0 : 100 * static_cast<double>(count) / static_cast<double>(of);
+  };
   for (const Row& row : kRows) {
-    std::snprintf(line, sizeof line, "%-34s %12.1f %12.1f\n", row.name, percent(a.*row.count, a.beams()), percent(b.*row.count, b.beams()));
+    std::snprintf(line, sizeof line, "%-34s %12.1f %12.1f\n", row.name, percent(a.*row.count, a.beams()),
+                  percent(b.*row.count, b.beams()));
     text += line;
   }
   std::snprintf(line, sizeof line, "%-34s %12ld %12ld\n", "beams", a.beams(), b.beams());

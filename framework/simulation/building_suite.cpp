@@ -15,8 +15,7 @@ std::vector<BuildingKind> kinds_of(const SuiteRequest& request) {
   for (const BuildingKind& kind : building_kinds()) {
     if (kind.usual_size_m2 == 0) continue;
     known += (known.empty() ? "" : ", ") + kind.name;
-    const bool wanted =
-        std::find(request.kinds.begin(), request.kinds.end(), kind.name) != request.kinds.end();
+    const bool wanted = std::find(request.kinds.begin(), request.kinds.end(), kind.name) != request.kinds.end();
     if (wanted || request.kinds.empty()) kinds.push_back(kind);
   }
   for (const std::string& name : request.kinds)
@@ -33,15 +32,13 @@ void check(const SuiteRequest& request) {
     throw ConfigError("suite of buildings: no difficulty, expected at least one in 0 to 1");
 }
 
-SuiteBuilding building_of(const SuiteRequest& request, const BuildingKind& kind, double difficulty,
-                          int seed) {
+SuiteBuilding building_of(const SuiteRequest& request, const BuildingKind& kind, double difficulty, int seed) {
   SuiteBuilding building;
   building.id = kind.name + "-" + std::to_string(std::lround(100 * difficulty)) + "-" + std::to_string(seed);
   building.difficulty = difficulty;
-  building.request = {
-      kind.name, static_cast<std::uint64_t>(seed),
-      std::round(kind.usual_size_m2 * request.size_factor.value_or(std::pow(4, difficulty - 0.5))),
-      request.symmetry.value_or(difficulty)};
+  building.request = {kind.name, static_cast<std::uint64_t>(seed),
+                      std::round(kind.usual_size_m2 * request.size_factor.value_or(std::pow(4, difficulty - 0.5))),
+                      request.symmetry.value_or(difficulty)};
   building.clutter = request.clutter.value_or(2 * difficulty);
   return building;
 }

@@ -28,7 +28,8 @@ std::vector<Challenge> thesis3_challenges() {
   deliberate.lookalikes = 1;
   std::vector<Challenge> all;
   for (const int route : {1, 3}) all.push_back({"A" + std::to_string(route), route, everyday, 0, 7.5});
-  for (int route = 1; route <= 10; ++route) all.push_back({"B" + std::to_string(route), route, everyday, 6, std::nullopt});
+  for (int route = 1; route <= 10; ++route)
+    all.push_back({"B" + std::to_string(route), route, everyday, 6, std::nullopt});
   for (const int route : {11, 12}) all.push_back({"C" + std::to_string(route), route, deliberate, 6, std::nullopt});
   return all;
 }

@@ -17,10 +17,10 @@ struct StartRegion {
 /// One localization task without control over the robot: a start, a way, and what stands there.
 struct Challenge {
   std::string id;
-  int route = 0;                        ///< which start and goals: the same number is the same way, whatever stands there
+  int route = 0;  ///< which start and goals: the same number is the same way, whatever stands there
   ClutterOptions clutter;
   int people = 0;
-  std::optional<double> region_m;       ///< radius of a region around the start that the robot is told; nullopt: nothing
+  std::optional<double> region_m;  ///< radius of a region around the start that the robot is told; nullopt: nothing
 };
 
 /// The 14 challenges of Hendrikx (2023), 3.5.2: A, two starts within a known region, everyday clutter; B, ten starts,

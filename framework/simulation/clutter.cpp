@@ -38,7 +38,8 @@ Piece table(const Pose2& center, Random& random) {
   for (const double side : {-1, 1})
     for (const double along : {-0.3, 0.3})
       if (random.chance(0.6))
-        add(piece, chair(center * Pose2(along * length, side * (width / 2 + random.uniform(0.1, 0.4)), random.uniform(-0.3, 0.3))));
+        add(piece, chair(center * Pose2(along * length, side * (width / 2 + random.uniform(0.1, 0.4)),
+                                        random.uniform(-0.3, 0.3))));
   return piece;
 }
 
@@ -61,7 +62,8 @@ Pose2 along_face(const Segment& face, double length_m, double depth_m, Random& r
 std::vector<Point> hideable(const SemanticMap& map) {
   std::vector<Point> places;
   for (const MapFeature& feature : map.features())
-    if (!feature.sensor.empty() && kind_of(feature.geometry) != GeometryKind::segment) places.push_back(anchor_of(feature.geometry));
+    if (!feature.sensor.empty() && kind_of(feature.geometry) != GeometryKind::segment)
+      places.push_back(anchor_of(feature.geometry));
   return places;
 }
 
@@ -81,7 +83,8 @@ class Leaf {
   /// @param outline  of one door; the hinge is one end of its longest straight piece.
   Leaf(std::span<const Segment> outline, bool open, Random& random) {
     if (!open || outline.empty()) return;
-    const Segment longest = *std::max_element(outline.begin(), outline.end(), [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
+    const Segment longest = *std::max_element(
+        outline.begin(), outline.end(), [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
     const Point hinge = random.chance(0.5) ? longest.begin : longest.end;
     const double angle = (random.chance(0.5) ? 1 : -1) * random.uniform(1.2, 1.7);
     moved_ = Pose2(hinge, 0) * Pose2(0, 0, angle) * Pose2(-hinge, 0);
@@ -96,7 +99,8 @@ class Leaf {
 std::vector<Segment> unperceived(const SemanticMap& map, const MapObject& object) {
   std::vector<Segment> pieces;
   for (int number : object.features)
-    if (const auto* piece = std::get_if<Segment>(&map.features()[number].geometry); piece && map.features()[number].sensor.empty())
+    if (const auto* piece = std::get_if<Segment>(&map.features()[number].geometry);
+        piece && map.features()[number].sensor.empty())
       pieces.push_back(*piece);
   return pieces;
 }
@@ -130,7 +134,8 @@ std::vector<Solid> furniture_solids(const SemanticMap& furnished, const Semantic
   std::vector<Solid> solids;
   for (const MapObject& object : furnished.objects())
     if (!mapped.contains(object.id))
-      for (int number : object.features) solids.push_back({furnished.features()[number].geometry, is_glass(object.type)});
+      for (int number : object.features)
+        solids.push_back({furnished.features()[number].geometry, is_glass(object.type)});
   return solids;
 }
 
@@ -142,7 +147,8 @@ std::vector<Piece> clutter_pieces(const SemanticMap& map, double floor_m2, const
   };
   each(options.tables, [&] { return table(turned(somewhere(random), random), random); });
   each(options.chairs, [&] { return chair(turned(somewhere(random), random)); });
-  each(options.carts, [&] { return box(turned(somewhere(random), random), random.uniform(0.8, 1.2), random.uniform(0.5, 0.7)); });
+  each(options.carts,
+       [&] { return box(turned(somewhere(random), random), random.uniform(0.8, 1.2), random.uniform(0.5, 0.7)); });
   each(options.bins, [&] {
     const Pose2 at = turned(somewhere(random), random);
     return random.chance(0.5) ? Piece{round_post(at.position(), random.uniform(0.15, 0.25))} : box(at, 0.4, 0.4);
@@ -150,13 +156,17 @@ std::vector<Piece> clutter_pieces(const SemanticMap& map, double floor_m2, const
   each(options.lookalikes, [&] { return Piece{round_post(somewhere(random), column_radius_m(map))}; });
   constexpr double kCouch_m = 2, kCabinet_m = 3;
   if (const auto faces = long_faces(map, kCabinet_m + 0.2); !faces.empty()) {
-    each(options.couches, [&] { return box(along_face(faces[random.below(faces.size())], kCouch_m, 0.85, random), kCouch_m, 0.85); });
-    each(options.cabinets, [&] { return box(along_face(faces[random.below(faces.size())], kCabinet_m, 0.45, random), kCabinet_m, 0.45); });
+    each(options.couches,
+         [&] { return box(along_face(faces[random.below(faces.size())], kCouch_m, 0.85, random), kCouch_m, 0.85); });
+    each(options.cabinets, [&] {
+      return box(along_face(faces[random.below(faces.size())], kCabinet_m, 0.45, random), kCabinet_m, 0.45);
+    });
   }
   for (const Point& place : hideable(map))
     if (random.chance(options.hidden_share)) {
       const double from = random.uniform(-std::numbers::pi, std::numbers::pi);
-      pieces.push_back(box(Pose2(place + random.uniform(0.4, 0.7) * unit_vector(from), from + std::numbers::pi / 2), 1, 0.05));
+      pieces.push_back(
+          box(Pose2(place + random.uniform(0.4, 0.7) * unit_vector(from), from + std::numbers::pi / 2), 1, 0.05));
     }
   return pieces;
 }

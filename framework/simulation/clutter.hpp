@@ -12,8 +12,8 @@ namespace opal::simulation {
 
 /// What stands in a building that its map does not hold, in pieces per 100 m2 of floor.
 struct ClutterOptions {
-  double level = 1;          ///< multiplies the numbers below
-  double tables = 0.8;       ///< four thin legs each, and up to four chairs of four thinner ones
+  double level = 1;     ///< multiplies the numbers below
+  double tables = 0.8;  ///< four thin legs each, and up to four chairs of four thinner ones
   double chairs = 0.8;
   double carts = 0.4;
   double bins = 0.6;         ///< round or square
@@ -23,8 +23,8 @@ struct ClutterOptions {
   double hidden_share = 0;   ///< of columns and wall ends behind a board; not multiplied
 };
 
-/// The building itself: every face and column; glass where no sensor perceives a window or a panel; doors as leaves that are
-/// open (turned about one end) or closed.
+/// The building itself: every face and column; glass where no sensor perceives a window or a panel; doors as leaves
+/// that are open (turned about one end) or closed.
 std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random);
 
 /// The features of objects that only the furnished one of two maps of a building has, known by their ids.

@@ -21,7 +21,8 @@ Box box_of(const Geometry& shape) {
 
 /// From a solid and what it encloses.
 double distance_from(const Geometry& shape, const Point& p) {
-  if (const auto* circle = std::get_if<Circle>(&shape)) return std::max(0.0, (p - circle->center).norm() - circle->radius_m);
+  if (const auto* circle = std::get_if<Circle>(&shape))
+    return std::max(0.0, (p - circle->center).norm() - circle->radius_m);
   return distance_m(shape, p);
 }
 
@@ -41,7 +42,8 @@ double disc_range(const Point& origin, const Point& direction, double x, double 
   return along + half > from_m ? along + half : kNever;
 }
 
-double piece_range(const Point& origin, const Point& direction, double x, double y, double dx, double dy, double from_m) {
+double piece_range(const Point& origin, const Point& direction, double x, double y, double dx, double dy,
+                   double from_m) {
   const double denominator = direction.x() * dy - direction.y() * dx;
   if (denominator == 0) return kNever;
   const double px = x - origin.x(), py = y - origin.y();
@@ -151,7 +153,8 @@ RayHit RayCaster::cast_beyond(const Point& origin, const Point& direction, doubl
 
 int RayCaster::touched(const Point& center, double radius_m) const {
   if (solids_.empty()) return -1;
-  const int low_column = std::max(0, column_of(center.x() - radius_m)), low_row = std::max(0, row_of(center.y() - radius_m));
+  const int low_column = std::max(0, column_of(center.x() - radius_m)),
+            low_row = std::max(0, row_of(center.y() - radius_m));
   const int high_column = std::min(columns_ - 1, column_of(center.x() + radius_m));
   const int high_row = std::min(rows_ - 1, row_of(center.y() + radius_m));
   for (int row = low_row; row <= high_row; ++row)

@@ -15,7 +15,10 @@ class RecordedDrive {
   using Goal = std::function<Point()>;  ///< where to go next
 
   RecordedDrive(Simulation& simulation, const DriveOptions& options, Goal goal, Recording& recording)
-      : simulation_(simulation), options_(options), goal_(std::move(goal)), recording_(recording),
+      : simulation_(simulation),
+        options_(options),
+        goal_(std::move(goal)),
+        recording_(recording),
         follower_(simulation.options().drive, options.follower) {}
 
   /// From where the robot stands, up to a distance or a time, whichever comes first.
@@ -87,8 +90,8 @@ Recording record(Simulation& simulation, const DriveOptions& options, Random ran
   return recording;
 }
 
-Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s, const DriveOptions& options,
-                       Random random) {
+Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s,
+                       const DriveOptions& options, Random random) {
   Recording recording;
   recording.laser = simulation.options().laser;
   std::size_t next = 0;
@@ -116,7 +119,8 @@ Recording record_along(Simulation& simulation, std::span<const StampedPose> T_ma
     recording.scans.push_back({simulation.scan(), next});
   }
   if (recording.scans.empty()) return recording;
-  recording.queries.push_back({query_name(1), recording.scans.front().scan.stamp_s, recording.scans.back().scan.stamp_s});
+  recording.queries.push_back(
+      {query_name(1), recording.scans.front().scan.stamp_s, recording.scans.back().scan.stamp_s});
   recording.distances_m.push_back(driven_m);
   return recording;
 }

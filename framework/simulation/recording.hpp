@@ -14,16 +14,16 @@ namespace opal::simulation {
 
 /// How recorded drives look.
 struct DriveOptions {
-  int drives = 5;             ///< each from a place of its own, to places drawn one after the other
-  double distance_m = 30;     ///< of each
+  int drives = 5;          ///< each from a place of its own, to places drawn one after the other
+  double distance_m = 30;  ///< of each
   double scan_every_s = 0.2;
-  double pause_s = 10;        ///< between drives, during which the robot is carried to the next start
+  double pause_s = 10;  ///< between drives, during which the robot is carried to the next start
   PathFollowerOptions follower;
 };
 
 /// One reading with the truth.
 struct RecordedScan {
-  RawScan scan;        ///< with odometry
+  RawScan scan;  ///< with odometry
   Pose2 T_map_base;
 };
 
@@ -31,9 +31,9 @@ struct RecordedScan {
 struct Recording {
   LaserModel laser;
   std::vector<RecordedScan> scans;
-  std::vector<Query> queries;  ///< one per drive
+  std::vector<Query> queries;       ///< one per drive
   std::vector<double> distances_m;  ///< by query
-  int stops = 0;               ///< how often the robot waited for somebody
+  int stops = 0;                    ///< how often the robot waited for somebody
 };
 
 /// Id of a recording's query, from 1 on: "q01".
@@ -44,14 +44,15 @@ Recording record(Simulation& simulation, const DriveOptions& options, Random ran
 /// One drive of a given time from one place to others, one after the other and round again; where something stands, the
 /// robot goes to a free place nearby, and to any if there is none.
 /// @param random  says how the robot is turned at first, and where else it goes.
-Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s, const DriveOptions& options,
-                       Random random);
+Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s,
+                       const DriveOptions& options, Random random);
 
 /// The same poses at the same times as another recording: one drive.
 /// @param T_map_laser  poses of the laser by increasing stamp.
 Recording record_along(Simulation& simulation, std::span<const StampedPose> T_map_laser);
 
-/// PREFIX.log.gz, .gt.csv, .info.json, .queries.json as recorded places have them; `name` stands before the ids of queries.
+/// PREFIX.log.gz, .gt.csv, .info.json, .queries.json as recorded places have them; `name` stands before the ids of
+/// queries.
 /// @throws Error naming the file that cannot be written.
 void write_recording(const Recording& recording, const std::string& prefix, const std::string& name);
 /// The same, named by the last part of the prefix.

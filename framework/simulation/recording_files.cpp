@@ -1,14 +1,14 @@
 #include "simulation/recording.hpp"
 
 #include <opal/common/error.hpp>
-#include "map_tools/map_raster.hpp"
-#include "map/map_file.hpp"
 #include "common/text_file.hpp"
+#include "map/map_file.hpp"
+#include "map_tools/map_raster.hpp"
 
+#include <zlib.h>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <zlib.h>
 
 namespace opal::simulation {
 namespace {
@@ -45,7 +45,8 @@ std::string truth_of(const Recording& recording) {
   for (const RecordedScan& recorded : recording.scans) {
     const Pose2 pose = recorded.T_map_base * recording.laser.T_base_laser;
     char row[120];
-    std::snprintf(row, sizeof row, "%.4f,%.4f,%.4f,%.5f,1\n", recorded.scan.stamp_s, pose.x(), pose.y(), pose.heading_rad());
+    std::snprintf(row, sizeof row, "%.4f,%.4f,%.4f,%.5f,1\n", recorded.scan.stamp_s, pose.x(), pose.y(),
+                  pose.heading_rad());
     text += row;
   }
   return text;

@@ -16,7 +16,8 @@ std::vector<Solid> with(std::vector<Solid> solids, const std::vector<Solid>& mor
   return solids;
 }
 
-/// The building with clutter that leaves most of its floor to drive on: if it does not, half of the pieces go, and so on.
+/// The building with clutter that leaves most of its floor to drive on: if it does not, half of the pieces go, and so
+/// on.
 std::unique_ptr<const RayCaster> furnished(const SemanticMap& map, const SimulationOptions& options, Random& random,
                                            std::unique_ptr<const Floor>& floor, std::vector<Solid>& clutter) {
   constexpr double kLeast = 0.6;
@@ -27,7 +28,8 @@ std::unique_ptr<const RayCaster> furnished(const SemanticMap& map, const Simulat
   auto solids = std::make_unique<const RayCaster>(building);
   const MapRaster seen = floor_raster(map);
   const Floor empty(map, seen, *solids, wide_m);
-  auto pieces = clutter_pieces(map, empty.area_m2(), options.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
+  auto pieces = clutter_pieces(
+      map, empty.area_m2(), options.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
   for (;; pieces.resize(pieces.size() / 2)) {
     clutter = with(options.furniture, joined(pieces));
     solids = std::make_unique<const RayCaster>(with(building, clutter));
@@ -52,7 +54,8 @@ LaserModel SimulationOptions::default_laser() {
   return laser;
 }
 
-Simulation::Simulation(std::shared_ptr<const SemanticMap> building, const SimulationOptions& options, std::uint64_t seed)
+Simulation::Simulation(std::shared_ptr<const SemanticMap> building, const SimulationOptions& options,
+                       std::uint64_t seed)
     : building_(std::move(building)),
       options_(options),
       random_(seed),
@@ -67,7 +70,8 @@ std::optional<Contact> Simulation::contact(const Pose2& T_map_base) const {
   if (solid >= 0) return Contact{solids_->solids()[static_cast<std::size_t>(solid)].shape, false};
   for (const Walker& walker : people_)
     for (const Circle& leg : walker.legs())
-      if ((leg.center - T_map_base.position()).norm() < leg.radius_m + options_.robot_radius_m) return Contact{leg, true};
+      if ((leg.center - T_map_base.position()).norm() < leg.radius_m + options_.robot_radius_m)
+        return Contact{leg, true};
   return std::nullopt;
 }
 

@@ -70,8 +70,7 @@ class ObjectEvidence {
   /// A face says nothing about the way along it, so a weak prior keeps the object from sliding there.
   void locate(Deviation& deviation) const {
     constexpr double kPriorSigma_m = 1;
-    const Eigen::Matrix2d information =
-        information_ + Eigen::Matrix2d::Identity() / (kPriorSigma_m * kPriorSigma_m);
+    const Eigen::Matrix2d information = information_ + Eigen::Matrix2d::Identity() / (kPriorSigma_m * kPriorSigma_m);
     const Eigen::Matrix2d covariance = information.inverse();
     deviation.moved = covariance * pull_;
     deviation.offset_m = normal_.dot(deviation.moved);

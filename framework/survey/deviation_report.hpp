@@ -1,7 +1,7 @@
 #pragma once
 
-#include "survey/map_belief.hpp"
 #include <opal/map/semantic_map.hpp>
+#include "survey/map_belief.hpp"
 
 #include <string>
 #include <vector>
@@ -14,23 +14,23 @@ OPAL_EXPORT const char* name_of(DeviationVerdict verdict);
 /// Where a mapped object really is. Frame: `map`.
 struct Deviation {
   std::string object, type;
-  int feature = -1;          ///< its longest face that was recognized, or its circle; position in features()
+  int feature = -1;  ///< its longest face that was recognized, or its circle; position in features()
   /// From where the map says to where it is [m]: along that face's normal, positive towards the visible side; of a
   /// column, the distance.
   double offset_m = 0;
-  double sigma_m = 0;        ///< one-sigma of offset_m
+  double sigma_m = 0;  ///< one-sigma of offset_m
   Point moved = Point::Zero();
-  int observations = 0;      ///< keyframes that recognized it, of the face that was recognized most often
+  int observations = 0;           ///< keyframes that recognized it, of the face that was recognized most often
   double seen_through_share = 0;  ///< of the evidence about its faces, in [0, 1]
   DeviationVerdict verdict = DeviationVerdict::as_mapped;
 };
 
 struct DeviationOptions {
-  int least_observations = 3;   ///< fewer keyframes do not make a statement about an object
-  double least_covered_m = 0.5; ///< nor do shorter pieces of a face
-  double least_offset_m = 0.1;  ///< nearer to where the map says counts as there,
-  double sigmas = 3;            ///< and so does what is not farther by so many standard deviations
-  double absent_share = 0.6;    ///< evidence of being seen through that makes an object probably absent
+  int least_observations = 3;    ///< fewer keyframes do not make a statement about an object
+  double least_covered_m = 0.5;  ///< nor do shorter pieces of a face
+  double least_offset_m = 0.1;   ///< nearer to where the map says counts as there,
+  double sigmas = 3;             ///< and so does what is not farther by so many standard deviations
+  double absent_share = 0.6;     ///< evidence of being seen through that makes an object probably absent
 };
 
 /// All objects about which there is something to say, largest deviation first; those that are probably absent stand at

@@ -20,7 +20,8 @@ bool is_surface(const Geometry& geometry) {
 
 Point nearest_point(const Surface& surface, const Point& p) {
   if (surface.is_circle()) return surface.origin;
-  return surface.origin + std::clamp(surface.direction.dot(p - surface.origin), 0.0, surface.size_m) * surface.direction;
+  return surface.origin +
+         std::clamp(surface.direction.dot(p - surface.origin), 0.0, surface.size_m) * surface.direction;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "survey/map_belief.hpp"
 #include <opal/map/view/map_view.hpp>
+#include "survey/map_belief.hpp"
 
 #include <array>
 #include <span>
@@ -11,8 +11,8 @@ namespace opal {
 
 /// A face or column that the map holds near the robot, where it is believed to be. Frame: `map`.
 struct ExpectedFeature {
-  int number = -1;  ///< position in SemanticMap::features()
-  Surface surface;  ///< corrected by what is believed
+  int number = -1;     ///< position in SemanticMap::features()
+  Surface surface;     ///< corrected by what is believed
   bool known = false;  ///< it has been recognized before, so its offset is known
 };
 

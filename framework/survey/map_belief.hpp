@@ -10,11 +10,11 @@ namespace opal {
 struct FeatureBelief {
   /// How far it really is from where the map says [m]: a face along its normal, a column anywhere.
   Point moved = Point::Zero();
-  double sigma_m = 0;             ///< one-sigma of `moved`, per axis; meaningless before it was seen
-  int observations = 0;           ///< keyframes from which it was recognized
-  double seen = 0;                ///< keyframes' worth of beams that ended on it
-  double seen_through = 0;        ///< keyframes' worth of beams that passed through where it is believed to be
-  double covered_m = 0;           ///< of a face: the widest piece of it that was recognized at once
+  double sigma_m = 0;       ///< one-sigma of `moved`, per axis; meaningless before it was seen
+  int observations = 0;     ///< keyframes from which it was recognized
+  double seen = 0;          ///< keyframes' worth of beams that ended on it
+  double seen_through = 0;  ///< keyframes' worth of beams that passed through where it is believed to be
+  double covered_m = 0;     ///< of a face: the widest piece of it that was recognized at once
 
   /// Share of the evidence that says that it is not there, in [0, 1]; 0 if there is none.
   double seen_through_share() const {

@@ -4,8 +4,8 @@
 
 namespace opal {
 
-/// Odometry whose direction is watched. Some recorded robots count wheel turns without their sign: they back up, and the
-/// odometry says that they drive on. When what was found contradicts the odometry's direction, the next motions are
+/// Odometry whose direction is watched. Some recorded robots count wheel turns without their sign: they back up, and
+/// the odometry says that they drive on. When what was found contradicts the odometry's direction, the next motions are
 /// taken backwards until it is contradicted again.
 class OdometryDirection {
  public:
@@ -16,7 +16,10 @@ class OdometryDirection {
     return T_corrected_before_ * Pose2(step, motion.heading_rad());
   }
 
-  void start(const Pose2& T_odom_base) { *this = OdometryDirection(); T_odom_before_ = T_odom_base; }
+  void start(const Pose2& T_odom_base) {
+    *this = OdometryDirection();
+    T_odom_before_ = T_odom_base;
+  }
 
   /// The same motion, measured otherwise.
   struct Measured {

@@ -4,9 +4,9 @@
 #include "localization/alignment/registration.hpp"
 
 #include "local_map/local_map_odometry.hpp"
+#include "localization/alignment/pose_step.hpp"
 #include "localization/scoring/observation.hpp"
 #include "survey/odometry_direction.hpp"
-#include "localization/alignment/pose_step.hpp"
 #include "survey/scan_on_map.hpp"
 #include "survey/seen_through.hpp"
 #include "survey/tracking_horizon.hpp"
@@ -98,10 +98,9 @@ struct PoseTracker::State {
   bool ready = false;    ///< there is a pose
   bool started = false;  ///< there was a scan, too
   Eigen::Vector3d start_sigma = Eigen::Vector3d::Zero();
-  double fit = 0;        ///< share of beams on the map less those through it, over the last metres
+  double fit = 0;                       ///< share of beams on the map less those through it, over the last metres
   OdometryDirection::Measured matched;  ///< the newest motion, as scans tell it
-  Pose2 T_odom_base;     ///< at the newest keyframe
-  
+  Pose2 T_odom_base;                    ///< at the newest keyframe
 };
 
 bool PoseTracker::State::moved_enough(const Pose2& now) const {
@@ -194,7 +193,8 @@ PoseTracker::State::Placed PoseTracker::State::place(const Scan& scan, const Tra
   if (const Eigen::Vector2d around = window(moved.T_before_now); around.x() > 0) {
     constexpr double kClearlyBetter = 0.05;
     const Pose2 found = aligned(search(coarse, predicted, around));
-    const bool near = distance_m(found, predicted) < 1.5 * around.x() && angle_between_rad(found, predicted) < 1.5 * around.y();
+    const bool near =
+        distance_m(found, predicted) < 1.5 * around.x() && angle_between_rad(found, predicted) < 1.5 * around.y();
     if (near && fit_at(expected, points, found) > fit_at(expected, points, best) + kClearlyBetter) best = found;
   }
   if (!started || points.size() < kFewestTurned || fit_at(expected, points, best) > kMisfit) return {best, false};
@@ -241,9 +241,9 @@ void PoseTracker::start(const Pose2& T_map_base, const Eigen::Vector3d& sigma) {
   if (s.parts.map->within(T_map_base.position(), kFarthestFromMap_m).empty()) {
     const auto [low, high] = s.parts.map->bounds();
     throw ConfigError("start pose: x " + std::to_string(T_map_base.x()) + ", y " + std::to_string(T_map_base.y()) +
-                      " is farther than 30 m from everything on the map, which reaches from x " + std::to_string(low.x()) +
-                      ", y " + std::to_string(low.y()) + " to x " + std::to_string(high.x()) + ", y " +
-                      std::to_string(high.y()));
+                      " is farther than 30 m from everything on the map, which reaches from x " +
+                      std::to_string(low.x()) + ", y " + std::to_string(low.y()) + " to x " + std::to_string(high.x()) +
+                      ", y " + std::to_string(high.y()));
   }
   s.local_map.clear();
   s.start_sigma = sigma.cwiseMax(Eigen::Vector3d(0.01, 0.01, 0.005));
@@ -296,7 +296,8 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
 Pose2 PoseTracker::T_map_base_at(const Pose2& T_odom_base) const {
   const State& s = *state_;
   if (!s.started) return s.last.T_map_base;
-  return s.last.T_map_base * (s.local_map.T_local_base().inverse() * s.local_map.T_local_base_at(s.odometry.corrected(T_odom_base)));
+  return s.last.T_map_base *
+         (s.local_map.T_local_base().inverse() * s.local_map.T_local_base_at(s.odometry.corrected(T_odom_base)));
 }
 
 const TrackedPose& PoseTracker::last() const { return state_->last; }

@@ -12,18 +12,18 @@
 namespace opal {
 
 struct PoseTrackerOptions {
-  double view_m = 15;             ///< mapped features farther from the robot are not looked for
-  double wall_error_m = 0.8;      ///< mapped features may be off by this much, and no more
-  double offset_scale_m = 0.06;   ///< mapped features are off by about this much; a few of them by much more
-  double offset_memory_m = 0.1;   ///< least one-sigma with which an offset is remembered once it is out of the horizon
-  int horizon_features = 12;      ///< the horizon keeps so many different mapped features (thesis 2.4),
-  int horizon_least_poses = 4;    ///< at least so many poses,
-  int horizon_most_poses = 10;    ///< at most so many,
-  double pose_spacing_m = 0.25;   ///< which differ by this distance
-  double pose_spacing_rad = 0.25; ///< or this angle
-  int features_per_scan = 24;     ///< the best seen ones are used
-  double robust_scale = 1.5;      ///< Cauchy loss of measurements, in standard deviations
-  double lost_after_m = 3;        ///< driving over which it is judged whether scans fit the map
+  double view_m = 15;              ///< mapped features farther from the robot are not looked for
+  double wall_error_m = 0.8;       ///< mapped features may be off by this much, and no more
+  double offset_scale_m = 0.06;    ///< mapped features are off by about this much; a few of them by much more
+  double offset_memory_m = 0.1;    ///< least one-sigma with which an offset is remembered once it is out of the horizon
+  int horizon_features = 12;       ///< the horizon keeps so many different mapped features (thesis 2.4),
+  int horizon_least_poses = 4;     ///< at least so many poses,
+  int horizon_most_poses = 10;     ///< at most so many,
+  double pose_spacing_m = 0.25;    ///< which differ by this distance
+  double pose_spacing_rad = 0.25;  ///< or this angle
+  int features_per_scan = 24;      ///< the best seen ones are used
+  double robust_scale = 1.5;       ///< Cauchy loss of measurements, in standard deviations
+  double lost_after_m = 3;         ///< driving over which it is judged whether scans fit the map
 };
 
 /// Where the robot is, and how well the scan fits there.
@@ -31,17 +31,18 @@ struct TrackedPose {
   double stamp_s = 0;
   Pose2 T_map_base;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, heading) in the map frame [m, m, rad]
-  double on_map_share = 0;  ///< of the scan's points that lie on a mapped feature, in [0, 1]
-  double through_share = 0; ///< of its beams that passed through a mapped feature, in [0, 1]
-  int features = 0;         ///< mapped features recognized in this scan
-  bool lost = false;        ///< lately, more beams have passed through mapped features than have ended on one
+  double on_map_share = 0;   ///< of the scan's points that lie on a mapped feature, in [0, 1]
+  double through_share = 0;  ///< of its beams that passed through a mapped feature, in [0, 1]
+  int features = 0;          ///< mapped features recognized in this scan
+  bool lost = false;         ///< lately, more beams have passed through mapped features than have ended on one
 };
 
 /// A mapped feature as one scan shows it.
 struct MapMeasurement {
   int feature = -1;  ///< position in SemanticMap::features()
   Geometry seen;     ///< base_link frame, of the mapped feature's kind
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< segments: (offset, heading) [m, rad]; others: (x, y) [m]
+  Eigen::Matrix2d covariance =
+      Eigen::Matrix2d::Identity();  ///< segments: (offset, heading) [m, rad]; others: (x, y) [m]
 };
 
 /// One pose of a finished track with what was recognized from it, for smoothing.

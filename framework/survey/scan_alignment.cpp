@@ -15,8 +15,8 @@ constexpr int kIterations = 5;
 
 }  // namespace
 
-Pose2 align_with(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser, const Pose2& guess,
-                 const Eigen::Matrix3d& information) {
+Pose2 align_with(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
+                 const Pose2& guess, const Eigen::Matrix3d& information) {
   Pose2 pose = guess;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const double sigma = iteration == 0 ? 2 * kRobust_m : kRobust_m;

@@ -9,13 +9,13 @@
 namespace opal {
 namespace {
 
-constexpr double kOn_m = 0.15;             ///< points so near lie on a surface
+constexpr double kOn_m = 0.15;  ///< points so near lie on a surface
 constexpr std::size_t kFewestPoints = 5, kFewestPointsOfMoved = 8;
-constexpr double kShortestFace_m = 0.25;   ///< covered; shorter pieces have no direction of their own
-constexpr double kShortestMoved_m = 0.6;   ///< of a face that is taken for one elsewhere
-constexpr double kLeastShareOfMoved = 0.4; ///< of its length, of such a face
-constexpr double kShareInPlace = 0.3;      ///< of a face's length, that leaves no doubt that it is where it is believed
-constexpr double kWidestTurn_rad = 0.12;   ///< between a mapped face and the same one in the scan
+constexpr double kShortestFace_m = 0.25;    ///< covered; shorter pieces have no direction of their own
+constexpr double kShortestMoved_m = 0.6;    ///< of a face that is taken for one elsewhere
+constexpr double kLeastShareOfMoved = 0.4;  ///< of its length, of such a face
+constexpr double kShareInPlace = 0.3;     ///< of a face's length, that leaves no doubt that it is where it is believed
+constexpr double kWidestTurn_rad = 0.12;  ///< between a mapped face and the same one in the scan
 constexpr double kLargestRms_m = 0.04;
 // Errors that all points of a face share: how flat it is, how well it was drawn.
 constexpr double kFaceSigma_m = 0.015, kFaceSigma_rad = 0.01, kDrawnSigma_m = 0.02;
@@ -111,7 +111,11 @@ std::optional<MapMeasurement> fit_column(int number, double radius_m, const std:
 class Sorting {
  public:
   Sorting(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser, const Pose2& T_map_base)
-      : expected_(expected), points_(points), laser_(laser), T_(T_map_base), eye_(T_map_base * laser),
+      : expected_(expected),
+        points_(points),
+        laser_(laser),
+        T_(T_map_base),
+        eye_(T_map_base * laser),
         own_(expected.all().size()) {
     for (const Point& point : points) {
       const int k = expected.nearest(eye_, T_ * point, kOn_m);
@@ -134,7 +138,8 @@ class Sorting {
     for (const Point& point : left_over_) {
       const Point p = T_ * point;
       const SurfaceOffset at = offset_from(face, p);
-      if (std::abs(at.offset_m) > within_m || at.along_m < 0 || at.along_m > face.size_m || at.normal.dot(p - eye_) >= 0)
+      if (std::abs(at.offset_m) > within_m || at.along_m < 0 || at.along_m > face.size_m ||
+          at.normal.dot(p - eye_) >= 0)
         continue;
       candidates.emplace_back(at.offset_m, point);
       ++count[bins + static_cast<int>(std::lround(at.offset_m / kBin_m))];

@@ -12,8 +12,8 @@ namespace opal {
 /// Slides points onto the surfaces where they are believed to be, against what was known of the pose before.
 /// @param points  base_link frame [m]. @param information  of `guess` (x, y, heading), map frame.
 /// @return T_map_base near `guess`.
-Pose2 align_with(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser, const Pose2& guess,
-                 const Eigen::Matrix3d& information);
+Pose2 align_with(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
+                 const Pose2& guess, const Eigen::Matrix3d& information);
 
 /// Share of the points that lie on an expected surface.
 double share_on(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,

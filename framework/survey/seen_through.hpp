@@ -10,7 +10,7 @@ namespace opal {
 /// that ends before it says nothing. Adds at most one keyframe's worth to each side.
 /// @param points  where beams ended, base_link frame [m].
 void count_seen(MapBelief& belief, const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,
-                  const Pose2& T_map_base);
+                const Pose2& T_map_base);
 
 /// Share of the beams that passed through some expected surface, in [0, 1].
 double share_through(const ExpectedFeatures& expected, std::span<const Point> points, const Point& laser,

@@ -22,14 +22,15 @@ SmoothedTrack smooth_track(const MapView& map, std::span<const TrackedKeyframe> 
   if (track.empty()) return smoothed;
   const PosePrior start{track.front().T_map_base, start_sigma.cwiseAbs2().asDiagonal()};
   SolvedTrack solved = TrackingGraph(map, options).solve_batch(track, start);
-  if (!solved.usable) throw Error("smoothing: the factor graph of " + std::to_string(track.size()) + " poses has no usable solution");
+  if (!solved.usable)
+    throw Error("smoothing: the factor graph of " + std::to_string(track.size()) + " poses has no usable solution");
   smoothed.T_map_base = std::move(solved.T_map_base);
   for (const auto& [feature, offset] : solved.offsets) smoothed.belief[feature].moved = offset.moved;
   return smoothed;
 }
 
-std::vector<StampedPose> corrected_trajectory(std::span<const StampedPose> tracked, std::span<const TrackedKeyframe> track,
-                                              const SmoothedTrack& smoothed) {
+std::vector<StampedPose> corrected_trajectory(std::span<const StampedPose> tracked,
+                                              std::span<const TrackedKeyframe> track, const SmoothedTrack& smoothed) {
   std::vector<StampedPose> corrected;
   std::size_t k = 0;  // newest keyframe that is not newer than the pose
   for (const StampedPose& pose : tracked) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "survey/pose_tracker.hpp"
 #include "sensing/trajectory.hpp"
+#include "survey/pose_tracker.hpp"
 
 #include <span>
 #include <vector>

@@ -9,10 +9,10 @@
 namespace opal {
 namespace {
 
-constexpr int kIterations = 6;       // starts near the solution
+constexpr int kIterations = 6;  // starts near the solution
 constexpr int kBatchIterations = 30;
-constexpr double kBatchDoubt = 9;      // motions of neighbouring poses share errors
-constexpr int kEpoch = 10;             // poses of a batch over which an offset is one number
+constexpr double kBatchDoubt = 9;             // motions of neighbouring poses share errors
+constexpr int kEpoch = 10;                    // poses of a batch over which an offset is one number
 constexpr double kLeastOffsetSigma_m = 0.02;  // what the measurements of one face have in common
 
 /// One problem: variables and factors, in a frame at the oldest pose, so that numbers stay small.
@@ -23,12 +23,14 @@ class Problem {
 
   /// @param doubt  factor on the variance of its motion.
   void add_pose(const TrackedKeyframe& keyframe, double doubt) {
-    poses_.push_back(std::make_unique<Variable>(
-        Variable{keyframe.T_map_base.x() - origin_.x(), keyframe.T_map_base.y() - origin_.y(), keyframe.T_map_base.heading_rad()}));
+    poses_.push_back(
+        std::make_unique<Variable>(Variable{keyframe.T_map_base.x() - origin_.x(),
+                                            keyframe.T_map_base.y() - origin_.y(), keyframe.T_map_base.heading_rad()}));
     problem_.AddParameterBlock(poses_.back()->data(), 3);
     if (poses_.size() < 2) return;
     const RelativePose motion{0, 0, keyframe.T_before_now, doubt * keyframe.motion_covariance};
-    problem_.AddResidualBlock(new MotionFactor(motion), nullptr, poses_[poses_.size() - 2]->data(), poses_.back()->data());
+    problem_.AddResidualBlock(new MotionFactor(motion), nullptr, poses_[poses_.size() - 2]->data(),
+                              poses_.back()->data());
   }
 
   void add_prior(const PosePrior& prior) {
@@ -94,7 +96,8 @@ class Problem {
         for (int b = J.rows[row]; b < J.rows[row + 1]; ++b) H(J.cols[a], J.cols[b]) += J.values[a] * J.values[b];
     const Eigen::MatrixXd covariance = H.llt().solve(Eigen::MatrixXd::Identity(J.num_cols, J.num_cols));
     for (std::size_t k = 0; k < poses_.size(); ++k)
-      track.covariances.push_back(covariance.block<3, 3>(static_cast<Eigen::Index>(3 * k), static_cast<Eigen::Index>(3 * k)));
+      track.covariances.push_back(
+          covariance.block<3, 3>(static_cast<Eigen::Index>(3 * k), static_cast<Eigen::Index>(3 * k)));
     auto at = static_cast<Eigen::Index>(3 * poses_.size());
     for (auto& [feature, offset] : track.offsets) {
       offset.sigma_m = std::hypot(kLeastOffsetSigma_m, std::sqrt(std::max(0.0, covariance(at, at))));
@@ -150,9 +153,11 @@ class Problem {
     now->second->front() = before->second->front();
     now->second->back() = before->second->back();
     if (is_face(feature))
-      problem_.AddResidualBlock(new OffsetLinkFactor<1>(options_.offset_memory_m), nullptr, before->second->data(), now->second->data());
+      problem_.AddResidualBlock(new OffsetLinkFactor<1>(options_.offset_memory_m), nullptr, before->second->data(),
+                                now->second->data());
     else
-      problem_.AddResidualBlock(new OffsetLinkFactor<2>(options_.offset_memory_m), nullptr, before->second->data(), now->second->data());
+      problem_.AddResidualBlock(new OffsetLinkFactor<2>(options_.offset_memory_m), nullptr, before->second->data(),
+                                now->second->data());
   }
 
   static ceres::Problem::Options borrow_losses() {

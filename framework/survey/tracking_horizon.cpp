@@ -77,8 +77,8 @@ std::size_t TrackingHorizon::different_features(std::size_t from) const {
 void TrackingHorizon::slide(MapBelief& belief) {
   const auto least = static_cast<std::size_t>(options_.horizon_least_poses);
   const auto most = static_cast<std::size_t>(options_.horizon_most_poses);
-  while (keyframes_.size() > least && (keyframes_.size() > most || different_features(1) >=
-                                                                       static_cast<std::size_t>(options_.horizon_features)))
+  while (keyframes_.size() > least &&
+         (keyframes_.size() > most || different_features(1) >= static_cast<std::size_t>(options_.horizon_features)))
     drop_oldest(belief);
 }
 
@@ -93,7 +93,8 @@ void TrackingHorizon::drop_oldest(MapBelief& belief) {
     covariances_.erase(covariances_.begin());
     prior_.covariance = covariances_.front();
   }
-  prior_.covariance.diagonal() += Eigen::Vector3d(kLeastPriorSigma_m, kLeastPriorSigma_m, kLeastPriorSigma_rad).cwiseAbs2();
+  prior_.covariance.diagonal() +=
+      Eigen::Vector3d(kLeastPriorSigma_m, kLeastPriorSigma_m, kLeastPriorSigma_rad).cwiseAbs2();
 }
 
 }  // namespace opal

@@ -6,8 +6,8 @@
 
 namespace opal {
 
-/// The poses that the graph holds: as many as it takes to have seen so many different mapped features (thesis 2.4). What
-/// falls out leaves a prior on the oldest pose that is left, and remembered offsets.
+/// The poses that the graph holds: as many as it takes to have seen so many different mapped features (thesis 2.4).
+/// What falls out leaves a prior on the oldest pose that is left, and remembered offsets.
 class TrackingHorizon {
  public:
   TrackingHorizon(const MapView& map, const PoseTrackerOptions& options);

@@ -22,14 +22,16 @@ std::optional<opal::PatternInstance> Collinear::match(std::span<const opal::Feat
   const Point q1 = y1 - y2, q2 = y3 - y2;
   const double s1 = q1.norm(), s2 = q2.norm();
   if (!(s1 >= min_distance_m_ && s2 >= min_distance_m_)) return std::nullopt;  // NaN too
-  const double bend = std::atan2(std::abs(opal::cross(q1, q2)), -q1.dot(q2));  // pi - theta of eq. 4.1, exact when it is small
+  const double bend =
+      std::atan2(std::abs(opal::cross(q1, q2)), -q1.dot(q2));  // pi - theta of eq. 4.1, exact when it is small
   if (!(bend <= angle_tolerance_rad_)) return std::nullopt;
   if (std::tuple(s2, y3.x(), y3.y()) < std::tuple(s1, y1.x(), y1.y())) return std::nullopt;
 
   const Point axis = (y3 - y1).normalized();
   opal::PatternInstance instance;
   instance.members = {0, 1, 2};
-  instance.invariants = {{s1, distance_tolerance_m_, Comparison::equal}, {s2, distance_tolerance_m_, Comparison::equal}};
+  instance.invariants = {{s1, distance_tolerance_m_, Comparison::equal},
+                         {s2, distance_tolerance_m_, Comparison::equal}};
   append_turnable_member(features[1]->geometry, axis, tolerance_, instance.invariants);
   append_exchangeable(features[0]->geometry, axis, features[2]->geometry, -axis, tolerance_, instance.invariants);
   instance.frame = {(y1 + y2 + y3) / 3, std::atan2(axis.y(), axis.x())};

@@ -3,9 +3,9 @@
 #include <opal/patterns/pattern_member.hpp>
 #include <opal/patterns/pattern_template.hpp>
 
-/// Three features in a line (Hendrikx 2023, 4.3.3): the angle of eq. 4.1 at the middle one is straight. Slots: end, middle,
-/// end, the shorter leg first. Dimensions: both legs, then what the middle member and the ends say of themselves. Where the
-/// legs hardly differ, both pairings are possible, and the pattern is symmetric.
+/// Three features in a line (Hendrikx 2023, 4.3.3): the angle of eq. 4.1 at the middle one is straight. Slots: end,
+/// middle, end, the shorter leg first. Dimensions: both legs, then what the middle member and the ends say of
+/// themselves. Where the legs hardly differ, both pairings are possible, and the pattern is symmetric.
 class Collinear final : public opal::PatternTemplate {
  public:
   Collinear(opal::GeometryKind ends, opal::GeometryKind middle, const nlohmann::json& options);

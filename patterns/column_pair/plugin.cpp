@@ -15,15 +15,18 @@ void register_types(opal::Registrar& registrar) {
   registrar.add({"opal:CornerPair", /*consumes*/ {"opal:Corner"}, /*produces*/ {}}, [](const Options& options) -> Made {
     return std::make_unique<PointPair>(std::array{GeometryKind::oriented_point, GeometryKind::oriented_point}, options);
   });
-  registrar.add({"opal:ColumnCornerPair", /*consumes*/ {"opal:Column", "opal:Corner"}, /*produces*/ {}}, [](const Options& options) -> Made {
-    return std::make_unique<PointPair>(std::array{GeometryKind::circle, GeometryKind::oriented_point}, options);
-  });
-  registrar.add({"opal:ColumnWallPair", /*consumes*/ {"opal:Column", "opal:Wall"}, /*produces*/ {}}, [](const Options& options) -> Made {
-    return std::make_unique<PairWithWall>(GeometryKind::circle, options);
-  });
-  registrar.add({"opal:CornerWallPair", /*consumes*/ {"opal:Corner", "opal:Wall"}, /*produces*/ {}}, [](const Options& options) -> Made {
-    return std::make_unique<PairWithWall>(GeometryKind::oriented_point, options);
-  });
+  registrar.add(
+      {"opal:ColumnCornerPair", /*consumes*/ {"opal:Column", "opal:Corner"}, /*produces*/ {}},
+      [](const Options& options) -> Made {
+        return std::make_unique<PointPair>(std::array{GeometryKind::circle, GeometryKind::oriented_point}, options);
+      });
+  registrar.add(
+      {"opal:ColumnWallPair", /*consumes*/ {"opal:Column", "opal:Wall"}, /*produces*/ {}},
+      [](const Options& options) -> Made { return std::make_unique<PairWithWall>(GeometryKind::circle, options); });
+  registrar.add({"opal:CornerWallPair", /*consumes*/ {"opal:Corner", "opal:Wall"}, /*produces*/ {}},
+                [](const Options& options) -> Made {
+                  return std::make_unique<PairWithWall>(GeometryKind::oriented_point, options);
+                });
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 #include <array>
 
-/// Two features that have a place, columns or corners: the column_pair pattern of Hendrikx (2023), 4.3.1. Dimensions: their
-/// distance, then what each member says of itself (opal/pattern_member.hpp). Members of one kind are ordered by these
-/// numbers; where they hardly differ, the pattern is symmetric.
+/// Two features that have a place, columns or corners: the column_pair pattern of Hendrikx (2023), 4.3.1. Dimensions:
+/// their distance, then what each member says of itself (opal/pattern_member.hpp). Members of one kind are ordered by
+/// these numbers; where they hardly differ, the pattern is symmetric.
 class PointPair final : public opal::PatternTemplate {
  public:
   PointPair(std::array<opal::GeometryKind, 2> kinds, const nlohmann::json& options);
@@ -21,8 +21,8 @@ class PointPair final : public opal::PatternTemplate {
 };
 
 /// A feature that has a place, and a face that it does not lie on. The face gives the direction, the feature the place
-/// along it. Dimensions: the distance from the face's line; where the face begins and ends, seen from the feature's foot
-/// (an observed face may be a part of the mapped one); what the feature says of itself.
+/// along it. Dimensions: the distance from the face's line; where the face begins and ends, seen from the feature's
+/// foot (an observed face may be a part of the mapped one); what the feature says of itself.
 class PairWithWall final : public opal::PatternTemplate {
  public:
   PairWithWall(opal::GeometryKind kind, const nlohmann::json& options);

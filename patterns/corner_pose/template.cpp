@@ -1,7 +1,6 @@
 #include "template.hpp"
 
-CornerPose::CornerPose(const nlohmann::json& options)
-    : opening_tolerance_rad_(options.at("opening_tolerance_rad")) {}
+CornerPose::CornerPose(const nlohmann::json& options) : opening_tolerance_rad_(options.at("opening_tolerance_rad")) {}
 
 opal::PatternShape CornerPose::shape() const { return {{opal::GeometryKind::oriented_point}, 0}; }
 

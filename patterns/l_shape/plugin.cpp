@@ -12,12 +12,14 @@ void register_types(opal::Registrar& registrar) {
   registrar.add({"opal:LShape", /*consumes*/ {"opal:Column"}, /*produces*/ {}}, [](const Options& options) -> Made {
     return std::make_unique<LShape>(GeometryKind::circle, GeometryKind::circle, options);
   });
-  registrar.add({"opal:LShapeCorners", /*consumes*/ {"opal:Corner"}, /*produces*/ {}}, [](const Options& options) -> Made {
-    return std::make_unique<LShape>(GeometryKind::oriented_point, GeometryKind::oriented_point, options);
-  });
-  registrar.add({"opal:LShapeMixed", /*consumes*/ {"opal:Corner", "opal:Column"}, /*produces*/ {}}, [](const Options& options) -> Made {
-    return std::make_unique<LShape>(GeometryKind::oriented_point, GeometryKind::circle, options);
-  });
+  registrar.add({"opal:LShapeCorners", /*consumes*/ {"opal:Corner"}, /*produces*/ {}},
+                [](const Options& options) -> Made {
+                  return std::make_unique<LShape>(GeometryKind::oriented_point, GeometryKind::oriented_point, options);
+                });
+  registrar.add({"opal:LShapeMixed", /*consumes*/ {"opal:Corner", "opal:Column"}, /*produces*/ {}},
+                [](const Options& options) -> Made {
+                  return std::make_unique<LShape>(GeometryKind::oriented_point, GeometryKind::circle, options);
+                });
 }
 
 }  // namespace

@@ -4,8 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-/// One face: fixes the heading and the distance, and leaves the place along the wall free. Loose, so it is looked up
-/// only where patterns that fix the pose say too little. Invariant: the length, a lower bound on the mapped one.
+/// One face: fixes the heading and the distance, and leaves the place along the wall free. Under-constrained, so it is
+/// looked up only where patterns that fix the pose say too little. Invariant: the length, a lower bound on the mapped
+/// one.
 class WallSweep final : public opal::PatternTemplate {
  public:
   explicit WallSweep(const nlohmann::json& options);

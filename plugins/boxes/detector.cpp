@@ -9,8 +9,7 @@ namespace {
 
 /// Whether the far ends of a corner's two sides are true ends, and not where the next face begins (a
 /// pilaster).
-bool is_free_standing(const Junction& corner, const std::vector<Line>& lines,
-                      const std::vector<Junction>& meetings) {
+bool is_free_standing(const Junction& corner, const std::vector<Line>& lines, const std::vector<Junction>& meetings) {
   const bool attached = std::any_of(meetings.begin(), meetings.end(), [&](const Junction& meeting) {
     return meeting.before == corner.after || meeting.after == corner.before;
   });
@@ -29,8 +28,7 @@ std::vector<Feature> BoxDetector::detect(const Scan& scan) const {
     const LineCorner corner = corner_at(junction, lines);
     const bool convex = corner.geometry.opening_rad > std::numbers::pi;
     if (convex && is_free_standing(junction, lines, meetings))
-      boxes.push_back(
-          {.type = "opal:PillarCorner", .geometry = corner.geometry, .covariance = corner.covariance});
+      boxes.push_back({.type = "opal:PillarCorner", .geometry = corner.geometry, .covariance = corner.covariance});
   }
   return boxes;
 }

@@ -65,8 +65,8 @@ class Words {
  private:
   std::string_view rest_;
   bool terminated_;
-  bool ended_ = false;    // there were too few words
-  bool wrong_ = false;    // a word was no number
+  bool ended_ = false;  // there were too few words
+  bool wrong_ = false;  // a word was no number
   bool pose_ok_ = true;
 };
 
@@ -166,8 +166,8 @@ bool is_laser_message(std::string_view message) {
 
 bool is_carmen_message(std::string_view message) {
   constexpr std::array<std::string_view, 16> kOthers{
-      "ODOM",  "PARAM",  "SYNC",     "TRUEPOS",  "NMEAGGA",  "NMEARMC", "NMEA",   "GPS",
-      "MARKER", "IMU",   "SONAR",    "BUMPER",   "SCANMARK", "POSITION", "ARM",   "CORRECTION"};
+      "ODOM",   "PARAM", "SYNC",  "TRUEPOS", "NMEAGGA",  "NMEARMC",  "NMEA", "GPS",
+      "MARKER", "IMU",   "SONAR", "BUMPER",  "SCANMARK", "POSITION", "ARM",  "CORRECTION"};
   return is_laser_message(message) || std::find(kOthers.begin(), kOthers.end(), message) != kOthers.end();
 }
 

@@ -61,7 +61,7 @@ class CarmenReader final : public LogReader {
 CarmenLog::CarmenLog(std::string laser_message) : laser_message_(std::move(laser_message)) {
   if (!laser_message_.empty() && !is_laser_message(laser_message_))
     throw ConfigError("option laser_message: \"" + laser_message_ +
-                            "\", expected FLASER, RLASER, LASERn, ROBOTLASERn, RAWLASERn or nothing");
+                      "\", expected FLASER, RLASER, LASERn, ROBOTLASERn, RAWLASERn or nothing");
 }
 
 bool CarmenLog::recognizes(const std::string& path) const {
@@ -78,7 +78,7 @@ std::unique_ptr<LogReader> CarmenLog::open(const std::string& path) const {
   const auto messages = messages_in(lines.peek());
   if (messages.empty())
     throw LogError(path + ": no line at its start begins with a CARMEN message such as ODOM or FLASER" +
-                         (lines.damage() ? std::string(" (") + lines.damage() + ")" : ""));
+                   (lines.damage() ? std::string(" (") + lines.damage() + ")" : ""));
   return std::make_unique<CarmenReader>(std::move(lines),
                                         laser_message_.empty() ? main_laser(messages) : laser_message_);
 }

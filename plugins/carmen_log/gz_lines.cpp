@@ -19,8 +19,7 @@ std::uintmax_t size_of_regular_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw LogError(path + ": no such file, expected a CARMEN log");
-  if (!std::filesystem::is_regular_file(status))
-    throw LogError(path + ": is no regular file, expected a CARMEN log");
+  if (!std::filesystem::is_regular_file(status)) throw LogError(path + ": is no regular file, expected a CARMEN log");
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   return error ? 0 : bytes;
 }
@@ -37,8 +36,8 @@ GzLines::GzLines(const std::string& path) : file_bytes_(size_of_regular_file(pat
 
 bool GzLines::read_block() {
   if (at_end_) return false;
-  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
-            buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
+  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_), buffer_.begin() + static_cast<std::ptrdiff_t>(end_),
+            buffer_.begin());
   end_ -= begin_;
   begin_ = 0;
   if (buffer_.size() < end_ + kBlockBytes) buffer_.resize(end_ + kBlockBytes);
@@ -66,7 +65,8 @@ std::optional<Line> GzLines::next() {
     const char* from = buffer_.data() + begin_ + searched;
     const void* newline = end_ > begin_ + searched ? std::memchr(from, '\n', end_ - begin_ - searched) : nullptr;
     if (newline) {
-      const Line line = take(static_cast<std::size_t>(static_cast<const char*>(newline) - buffer_.data()) - begin_, true);
+      const Line line =
+          take(static_cast<std::size_t>(static_cast<const char*>(newline) - buffer_.data()) - begin_, true);
       if (!skipping) return line;
       skipping = false;
       searched = 0;

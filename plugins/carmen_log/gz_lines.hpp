@@ -12,8 +12,8 @@ struct gzFile_s;
 namespace opal::carmen_log {
 
 struct Line {
-  std::string_view text;     ///< without its end; valid until the next line is read
-  bool terminated = true;    ///< false: the file ends before the line does
+  std::string_view text;   ///< without its end; valid until the next line is read
+  bool terminated = true;  ///< false: the file ends before the line does
 };
 
 /// The lines of a text file, plain or gzip-compressed, one after the other.

@@ -29,8 +29,7 @@ Eigen::Vector3d kasa_circle(std::span<const ScanPoint> hits) {
     sums.add({2 * p.x(), 2 * p.y(), 1}, p.squaredNorm(), 1);
   }
   const Eigen::Vector3d abc = sums.information.ldlt().solve(sums.gradient);
-  return {mean.x() + abc.x(), mean.y() + abc.y(),
-          std::sqrt(std::max(0.0, abc.z() + abc.head<2>().squaredNorm()))};
+  return {mean.x() + abc.x(), mean.y() + abc.y(), std::sqrt(std::max(0.0, abc.z() + abc.head<2>().squaredNorm()))};
 }
 
 /// A cylinder's apparent half width h gives sin h = r / D, and its nearest hit D - r: both together the

@@ -16,7 +16,8 @@ DxfShape ellipse_of(const DxfRecord& record) {
   const double side = record.real(230, 1) < 0 ? -1 : 1;
   ellipse.minor = side * record.real(40, 1) * Point(-ellipse.major.y(), ellipse.major.x());
   ellipse.from_rad = record.real(41, 0);
-  const double sweep_rad = std::remainder(record.real(42, 2 * std::numbers::pi) - ellipse.from_rad, 2 * std::numbers::pi);
+  const double sweep_rad =
+      std::remainder(record.real(42, 2 * std::numbers::pi) - ellipse.from_rad, 2 * std::numbers::pi);
   ellipse.sweep_rad = sweep_rad > 1e-9 ? sweep_rad : sweep_rad + 2 * std::numbers::pi;
   return ellipse;
 }
@@ -30,11 +31,13 @@ DxfShape spline_of(const DxfRecord& record, std::string& trouble) {
     if (pair.code == 10) spline.control_points.emplace_back(pair.real(), 0, 0);
     if (pair.code == 20 && !spline.control_points.empty()) spline.control_points.back().y() = pair.real();
   }
-  trouble = spline.control_points.empty() ? "a spline that has points to go through only, and no control points" : fault_of(spline);
+  trouble = spline.control_points.empty() ? "a spline that has points to go through only, and no control points"
+                                          : fault_of(spline);
   return spline;
 }
 
-/// At each vertex, each line of the style lies so far along the mitre as its first parameter says; the others are dashes.
+/// At each vertex, each line of the style lies so far along the mitre as its first parameter says; the others are
+/// dashes.
 DxfShape lines_of(const DxfRecord& record, std::string& trouble) {
   const auto lines = static_cast<std::size_t>(std::max(0.0, record.real(73, 0)));
   DxfLines all;

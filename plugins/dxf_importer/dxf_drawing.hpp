@@ -2,8 +2,8 @@
 
 #include "dxf_scan.hpp"
 
-#include <opal/import_kit/b_spline.hpp>
 #include <opal/common/geometry.hpp>
+#include <opal/import_kit/b_spline.hpp>
 
 #include <map>
 #include <string>
@@ -59,7 +59,8 @@ struct DxfInsert {
 };
 
 /// Nothing, if the importer does not understand entities of this type.
-using DxfShape = std::variant<std::monostate, DxfPath, Circle, DxfArc, DxfEllipse, BSpline, DxfLines, DxfFill, DxfInsert>;
+using DxfShape =
+    std::variant<std::monostate, DxfPath, Circle, DxfArc, DxfEllipse, BSpline, DxfLines, DxfFill, DxfInsert>;
 
 /// An entity in the coordinates and units of its block or drawing.
 struct DxfEntity {

@@ -1,7 +1,7 @@
 #include "dxf_importer.hpp"
 
-#include <opal/import_kit/class_tally.hpp>
 #include <opal/common/error.hpp>
+#include <opal/import_kit/class_tally.hpp>
 
 #include <algorithm>
 #include <filesystem>

@@ -96,7 +96,8 @@ class RecordCheck {
   void check_counts(const std::vector<std::pair<int, int>>& counts) const {
     for (const auto& [number, counted] : counts)
       if (const DxfPair& stated = *record_.find(number); integer(stated) != count(counted))
-        fail(stated.line, counted, std::to_string(count(counted)) + " times", stated.value + ", as code " + std::to_string(number) + " says");
+        fail(stated.line, counted, std::to_string(count(counted)) + " times",
+             stated.value + ", as code " + std::to_string(number) + " says");
   }
 
   /// Code 90 counts the vertices; each is an x (10) with its y (20) right after it.

@@ -55,7 +55,8 @@ class Drawer {
     const double size = std::max(ellipse.major.norm(), ellipse.minor.norm());
     if (!(std::min(ellipse.major.norm(), ellipse.minor.norm()) > 0)) return "it is flat";
     std::vector<Point> points;
-    for (const Point& p : arc_points({Point::Zero(), 1}, ellipse.from_rad, ellipse.sweep_rad, options_.chord_tolerance_m / (scale_ * size)))
+    for (const Point& p : arc_points({Point::Zero(), 1}, ellipse.from_rad, ellipse.sweep_rad,
+                                     options_.chord_tolerance_m / (scale_ * size)))
       points.push_back(ellipse.center + p.x() * ellipse.major + p.y() * ellipse.minor);
     add_curve(std::move(points));
     return "";
@@ -63,7 +64,8 @@ class Drawer {
 
   std::string operator()(const BSpline& spline) {
     std::vector<Point> points;
-    for (const Eigen::Vector3d& p : chord_points(spline, options_.chord_tolerance_m / scale_)) points.push_back(p.head<2>());
+    for (const Eigen::Vector3d& p : chord_points(spline, options_.chord_tolerance_m / scale_))
+      points.push_back(p.head<2>());
     add_curve(std::move(points));
     return "";
   }

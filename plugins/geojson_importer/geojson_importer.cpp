@@ -3,8 +3,8 @@
 #include "feature_classes.hpp"
 #include "level.hpp"
 
-#include <opal/import_kit/class_tally.hpp>
 #include <opal/common/error.hpp>
+#include <opal/import_kit/class_tally.hpp>
 
 #include <algorithm>
 #include <array>

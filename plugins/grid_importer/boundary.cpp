@@ -45,8 +45,7 @@ DirectionSet visible_directions(const OccupancyGrid& grid, const Cell& cell) {
   DirectionSet visible;
   for (int sector = 0; sector < DirectionSet::kSectors; ++sector) {
     const Cell in_front = moved(cell, DirectionSet::direction_of(sector));
-    if ((is_outermost || grid.at(in_front) != Occupancy::occupied) && is_open(grid, cell, sector))
-      visible.add(sector);
+    if ((is_outermost || grid.at(in_front) != Occupancy::occupied) && is_open(grid, cell, sector)) visible.add(sector);
   }
   return visible;
 }
@@ -73,7 +72,8 @@ int DirectionSet::sector_of(const CellPoint& direction) {
 CellPoint DirectionSet::direction_of(int sector) {
   static const auto kTable = [] {
     std::array<CellPoint, kSectors> table;
-    for (int k = 0; k < kSectors; ++k) table[static_cast<std::size_t>(k)] = unit_vector(2 * std::numbers::pi * k / kSectors);
+    for (int k = 0; k < kSectors; ++k)
+      table[static_cast<std::size_t>(k)] = unit_vector(2 * std::numbers::pi * k / kSectors);
     return table;
   }();
   return kTable[static_cast<std::size_t>(sector)];

@@ -198,9 +198,7 @@ bool stands_alone(const OccupancyGrid& grid, const RoundColumn& column) {
 class RoundColumnTest {
  public:
   RoundColumnTest(const OccupancyGrid& grid, const VectorizerLimits& limits)
-      : grid_(grid),
-        min_radius_(grid.to_cells(kMinRadius_m)),
-        max_radius_(grid.to_cells(limits.max_column_radius_m)) {}
+      : grid_(grid), min_radius_(grid.to_cells(kMinRadius_m)), max_radius_(grid.to_cells(limits.max_column_radius_m)) {}
 
   std::optional<RoundColumn> operator()(const std::vector<CellPoint>& points) const {
     std::optional<RoundColumn> column = fit_circle(points);

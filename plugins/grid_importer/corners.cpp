@@ -59,7 +59,8 @@ bool is_crossed(const OccupancyGrid& grid, const Line& line, const CellPoint& fr
   for (double along = kSmear; along < length - kSmear; ++along) {
     const CellPoint p = from + along / length * (to - from);
     bool free = true;
-    for (const double across : {-1.0, 0.0, 1.0}) free = free && grid.at(cell_at(p + across * line.normal())) == Occupancy::free;
+    for (const double across : {-1.0, 0.0, 1.0})
+      free = free && grid.at(cell_at(p + across * line.normal())) == Occupancy::free;
     if (free) return true;
   }
   return false;

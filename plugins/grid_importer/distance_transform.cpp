@@ -54,9 +54,11 @@ std::vector<float> distances(const OccupancyGrid& grid, bool to_occupied) {
   Envelope envelope(static_cast<std::size_t>(std::max(columns, rows)));
   const auto at = [&](int column, int row) -> float& { return squares[grid.index_of({column, row})]; };
   for (int column = 0; column < columns; ++column)
-    envelope.run(rows, [&](int row) { return at(column, row); }, [&](int row, float v) { at(column, row) = v; });
+    envelope.run(
+        rows, [&](int row) { return at(column, row); }, [&](int row, float v) { at(column, row) = v; });
   for (int row = 0; row < rows; ++row)
-    envelope.run(columns, [&](int column) { return at(column, row); }, [&](int column, float v) { at(column, row) = v; });
+    envelope.run(
+        columns, [&](int column) { return at(column, row); }, [&](int column, float v) { at(column, row) = v; });
   for (float& square : squares) square = std::sqrt(square);
   if (to_occupied) return squares;
   for (int row = 0; row < rows; ++row)  // outside is not occupied

@@ -125,7 +125,8 @@ void take_pixels(const std::vector<std::uint8_t>& samples, std::size_t colours, 
   if (has_alpha) image.opacity.resize(pixels);
   for (std::size_t k = 0; k < pixels; ++k) {
     const std::uint8_t* const p = &samples[k * (colours + 1)];
-    image.brightness[k] = static_cast<float>(std::accumulate(p, p + colours, 0)) / (255.0F * static_cast<float>(colours));
+    image.brightness[k] =
+        static_cast<float>(std::accumulate(p, p + colours, 0)) / (255.0F * static_cast<float>(colours));
     if (has_alpha) image.opacity[k] = static_cast<float>(p[colours]) / 255.0F;
   }
 }

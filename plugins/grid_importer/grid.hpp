@@ -24,7 +24,9 @@ using CellPoint = Eigen::Vector2d;
 inline CellPoint centre_of(const Cell& cell) { return {cell.column, cell.row}; }
 
 /// The cell that a position lies in.
-inline Cell cell_at(const CellPoint& p) { return {static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))}; }
+inline Cell cell_at(const CellPoint& p) {
+  return {static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+}
 
 /// Which parts of a plane are occupied. Row 0 is the lowest; all outside is unknown.
 class OccupancyGrid {

@@ -25,7 +25,10 @@ struct Chain {
 class Chains {
  public:
   explicit Chains(const VectorMap& vectors)
-      : vectors_(vectors), next_(vectors.faces.size(), -1), has_previous_(vectors.faces.size()), taken_(vectors.faces.size()) {
+      : vectors_(vectors),
+        next_(vectors.faces.size(), -1),
+        has_previous_(vectors.faces.size()),
+        taken_(vectors.faces.size()) {
     for (std::size_t k = 0; k < vectors.corners.size(); ++k) {
       next_[static_cast<std::size_t>(vectors.corners[k].before)] = static_cast<int>(k);
       has_previous_[static_cast<std::size_t>(vectors.corners[k].after)] = true;

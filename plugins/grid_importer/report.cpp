@@ -63,11 +63,13 @@ std::string about_corners(const VectorMap& vectors) {
 class Distances {
  public:
   Distances(const Boundary& boundary, const VectorMap& vectors, double reach)
-      : boundary_(boundary), reach_(reach), distances_(static_cast<std::size_t>(boundary.size()),
-                                                       std::numeric_limits<double>::infinity()) {
+      : boundary_(boundary),
+        reach_(reach),
+        distances_(static_cast<std::size_t>(boundary.size()), std::numeric_limits<double>::infinity()) {
     for (const Face& face : vectors.faces)
-      visit_around(face.begin, face.end, 0,
-                   [&](const CellPoint& p) { return distance_m(Segment{face.begin, face.end}, p); });
+      visit_around(face.begin, face.end, 0, [&](const CellPoint& p) {
+        return distance_m(Segment{face.begin, face.end}, p);
+      });
     for (const RoundColumn& column : vectors.columns)
       visit_around(column.centre, column.centre, column.radius,
                    [&](const CellPoint& p) { return std::abs((p - column.centre).norm() - column.radius); });
@@ -99,7 +101,8 @@ class Distances {
 
 std::string about_fit(const std::vector<double>& distances, double res) {
   std::vector<double> found;
-  std::copy_if(distances.begin(), distances.end(), std::back_inserter(found), [](double d) { return std::isfinite(d); });
+  std::copy_if(distances.begin(), distances.end(), std::back_inserter(found),
+               [](double d) { return std::isfinite(d); });
   return sentence("boundary cells lie %.3f m from the nearest feature (median; p90 %.3f m)", quantile(found, 0.5) * res,
                   quantile(found, 0.9) * res);
 }
@@ -136,17 +139,20 @@ std::string about_smear(const OccupancyGrid& grid, const std::vector<Face>& face
 
 }  // namespace
 
-std::vector<std::string> report(const GridDescription& description, const Boundary& boundary,
-                                const VectorMap& vectors, double smear_m) {
+std::vector<std::string> report(const GridDescription& description, const Boundary& boundary, const VectorMap& vectors,
+                                double smear_m) {
   const OccupancyGrid& grid = boundary.grid();
   const double res = grid.resolution_m();
   const Distances distances(boundary, vectors, kExplained_m / res);
-  std::vector<std::string> sentences{about_grid(grid), about_faces(vectors.faces, res), about_corners(vectors),
-                                     about_left_out(distances.values()), about_fit(distances.values(), res),
+  std::vector<std::string> sentences{about_grid(grid),
+                                     about_faces(vectors.faces, res),
+                                     about_corners(vectors),
+                                     about_left_out(distances.values()),
+                                     about_fit(distances.values(), res),
                                      about_smear(grid, vectors.faces)};
   if (smear_m > 0)
-    sentences.push_back(sentence("walls stood %.2f m thicker in the grid than they are: faces were moved back by half of it",
-                                 smear_m));
+    sentences.push_back(
+        sentence("walls stood %.2f m thicker in the grid than they are: faces were moved back by half of it", smear_m));
   for (const std::string& key : description.ignored_keys)
     sentences.push_back("ignored in the yaml file: \"" + key + "\", which map_server does not define");
   return sentences;

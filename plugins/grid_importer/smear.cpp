@@ -61,7 +61,8 @@ bool is_ridge(const OccupancyGrid& grid, const std::vector<float>& depth, const 
 float stroke_width(const OccupancyGrid& grid, const std::vector<float>& depth, const Cell& c) {
   const float here = depth[grid.index_of(c)];
   int as_deep = 0;
-  for (const Cell& next : {Cell{c.column - 1, c.row}, {c.column + 1, c.row}, {c.column, c.row - 1}, {c.column, c.row + 1}})
+  for (const Cell& next :
+       {Cell{c.column - 1, c.row}, {c.column + 1, c.row}, {c.column, c.row - 1}, {c.column, c.row + 1}})
     as_deep += grid.contains(next) && depth[grid.index_of(next)] > here - kRounding;
   return 2 * (here - 1) + (as_deep > 2 ? 1 : 0);
 }

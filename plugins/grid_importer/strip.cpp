@@ -32,9 +32,7 @@ class SlicedLine {
       : line_(line), steep_(std::abs(line.tangent.y()) > std::abs(line.tangent.x())) {}
 
   double slice_length() const { return 1 / std::abs(major(line_.tangent)); }
-  CellPoint at(int slice) const {
-    return line_.at((slice - major(line_.through)) / major(line_.tangent));
-  }
+  CellPoint at(int slice) const { return line_.at((slice - major(line_.through)) / major(line_.tangent)); }
   int slice_of(const CellPoint& p) const { return static_cast<int>(std::lround(major(p))); }
 
   template <class Visit>
@@ -134,7 +132,7 @@ double biweight(double distance, double tolerance) {
   return std::abs(share) < 1 ? std::pow(1 - share * share, 2) : 0;
 }
 
-/// The best that the cells of one slice say for a surface along the line, 0 to 1. Nearness counts by the parabola
+/// The best that the cells of one slice say for a surface along the line, 0 to 1. Distance counts by the parabola
 /// 1 - (d / tolerance)^2, which is kinder to cells beside the line than the biweight of the fit.
 double agreement(const Boundary& boundary, const Line& line, const Support& support, std::size_t first,
                  std::size_t last, double tolerance) {

@@ -57,7 +57,8 @@ void cut_face(const FaceLoops& face, double height_m, std::vector<Segment>& edge
       return (a - first).squaredNorm() < (b - first).squaredNorm();
     });
     const Point along = far - first;
-    std::sort(crossings.begin(), crossings.end(), [&](const Point& a, const Point& b) { return along.dot(a) < along.dot(b); });
+    std::sort(crossings.begin(), crossings.end(),
+              [&](const Point& a, const Point& b) { return along.dot(a) < along.dot(b); });
   }
   for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
     if (crossings[k] != crossings[k + 1]) edges.push_back({crossings[k], crossings[k + 1]});
@@ -161,9 +162,11 @@ Span span_of(const std::vector<Body>& bodies) {
   };
   for (const Body& body : bodies) {
     visit_points(body, [&](const Point3& p) { extend(p.z(), p.z()); });
-    if (body.kind == Body::Kind::half_space) extend(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
+    if (body.kind == Body::Kind::half_space)
+      extend(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
     if (body.operands.empty()) continue;
-    const Span inner = span_of(body.kind == Body::Kind::unite ? body.operands : std::vector<Body>{body.operands.front()});
+    const Span inner =
+        span_of(body.kind == Body::Kind::unite ? body.operands : std::vector<Body>{body.operands.front()});
     extend(inner.low_m, inner.high_m);
   }
   return span;

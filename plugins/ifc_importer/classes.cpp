@@ -10,10 +10,12 @@ namespace {
 
 using Kind = Treatment::Kind;
 
+// clang-format off
 constexpr std::array kSolid{"IfcWall",        "IfcColumn",  "IfcMember",     "IfcPlate", "IfcCurtainWall", "IfcSlab",
                             "IfcRoof",        "IfcStair",   "IfcStairFlight", "IfcRamp",  "IfcRampFlight",  "IfcRailing",
                             "IfcBeam",        "IfcCovering", "IfcFooting",    "IfcPile",  "IfcChimney",     "IfcShadingDevice",
                             "IfcBuildingElementPart", "IfcElementAssembly"};
+// clang-format on
 struct LeftOut {
   const char* name;
   const char* reason;
@@ -77,7 +79,8 @@ Treatment Classes::of(const Element& element) const {
 bool speaks_of_glass(const Element& element) {
   constexpr std::array kWords{"glass", "glas", "glaz", "vitr", "vidrio", "verre"};
   return std::any_of(element.words.begin(), element.words.end(), [&](const std::string& word) {
-    return std::any_of(kWords.begin(), kWords.end(), [&](const char* glass) { return word.find(glass) != std::string::npos; });
+    return std::any_of(kWords.begin(), kWords.end(),
+                       [&](const char* glass) { return word.find(glass) != std::string::npos; });
   });
 }
 

@@ -46,9 +46,11 @@ class GapClosing {
       users_.resize(nodes_.points().size());
       if (is_sheet) users_[static_cast<std::size_t>(node)].insert(solid);
       corners_.resize(nodes_.points().size());
-      corners_[static_cast<std::size_t>(node)].push_back({p, loop[(k + loop.size() - 1) % loop.size()] - p, loop[(k + 1) % loop.size()] - p});
+      corners_[static_cast<std::size_t>(node)].push_back(
+          {p, loop[(k + loop.size() - 1) % loop.size()] - p, loop[(k + 1) % loop.size()] - p});
     }
-    for (const int node : loops_.back().nodes) users_[static_cast<std::size_t>(node)].insert(loops_.back().is_round ? kNobody : solid);
+    for (const int node : loops_.back().nodes)
+      users_[static_cast<std::size_t>(node)].insert(loops_.back().is_round ? kNobody : solid);
   }
 
   /// Its two sides must not become one, as the ends of a chamfer do.
@@ -109,7 +111,8 @@ class GapClosing {
       std::sort(by_x_.begin(), by_x_.end());
     }
     const auto [low, high] = std::minmax(s.begin.x(), s.end.x());
-    for (auto it = std::lower_bound(by_x_.begin(), by_x_.end(), std::pair(low - kGap_m, -1)); it != by_x_.end() && it->first <= high + kGap_m; ++it) {
+    for (auto it = std::lower_bound(by_x_.begin(), by_x_.end(), std::pair(low - kGap_m, -1));
+         it != by_x_.end() && it->first <= high + kGap_m; ++it) {
       const auto& users = users_[static_cast<std::size_t>(it->second)];
       const Point& p = settled_[static_cast<std::size_t>(it->second)];
       if (users.count(edge.solid) || users.count(kNobody) || distance_m(s, p) > kGap_m) continue;
@@ -126,7 +129,8 @@ class GapClosing {
       const Segment other = segment(edge);
       const double sine = cross(first.direction(), other.direction());
       if (std::abs(sine) < 0.5) continue;
-      const Point meeting = first.begin + first.direction() * (cross(other.begin - first.begin, other.direction()) / sine);
+      const Point meeting =
+          first.begin + first.direction() * (cross(other.begin - first.begin, other.direction()) / sine);
       if ((meeting - p).norm() <= 2 * kGap_m) onto = meeting;
     }
     p = onto;
@@ -138,7 +142,8 @@ class GapClosing {
     for (const SolidLoop& loop : loops_) {
       Loop points;
       for (std::size_t k = 0; k < loop.nodes.size(); ++k)
-        if (loop.nodes[k] != loop.nodes[(k + 1) % loop.nodes.size()]) points.push_back(positions_[static_cast<std::size_t>(loop.nodes[k])]);
+        if (loop.nodes[k] != loop.nodes[(k + 1) % loop.nodes.size()])
+          points.push_back(positions_[static_cast<std::size_t>(loop.nodes[k])]);
       if (points.size() >= 3) solids[static_cast<std::size_t>(loop.solid)].loops.push_back(std::move(points));
     }
     return solids;

@@ -47,7 +47,8 @@ std::vector<std::size_t> solids_in_order(const std::vector<ElementCut>& cuts) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < cuts.size(); ++k)
     if (!cuts[k].solid.empty()) order.push_back(k);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank_of(cuts[a]) < rank_of(cuts[b]); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rank_of(cuts[a]) < rank_of(cuts[b]); });
   return order;
 }
 
@@ -76,14 +77,17 @@ MapImport IfcImporter::import(const std::string& path) const {
   const std::vector<ElementCut> cuts = cut_storey(building, classes, level.height_m);
   const Duplicates duplicates = find_duplicates(cuts);
   std::vector<ElementCut> chosen;
-  std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(chosen), [&](const ElementCut& cut) { return comes_in(cut, duplicates); });
+  std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(chosen),
+               [&](const ElementCut& cut) { return comes_in(cut, duplicates); });
   if (chosen.empty())
-    throw MapError(path + ": " + level.sentence + ": nothing of the building is there" + unread(cuts) + ", expected a storey or height that has walls (opal map storeys)");
+    throw MapError(path + ": " + level.sentence + ": nothing of the building is there" + unread(cuts) +
+                   ", expected a storey or height that has walls (opal map storeys)");
   const std::vector<std::size_t> order = solids_in_order(chosen);
   std::vector<PlanSolid> solids;
   std::map<std::string, int> objects;
   for (const std::size_t k : order)
-    solids.push_back({chosen[k].solid, objects.try_emplace(chosen[k].object->id, static_cast<int>(objects.size())).first->second});
+    solids.push_back(
+        {chosen[k].solid, objects.try_emplace(chosen[k].object->id, static_cast<int>(objects.size())).first->second});
   const Plan plan = unite(solids);
   const AssembledMap assembled = assemble(name_of(path, level.storey), chosen, plan, order, duplicates,
                                           origin_of(building, level, chosen), options_.sensor);

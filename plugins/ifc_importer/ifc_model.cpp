@@ -36,7 +36,8 @@ struct Messages {
 
 class Reading {
  public:
-  Reading(const StepText& step, const std::string& name, const Point& origin_m) : step_(step), name_(name), origin_m_(origin_m) {}
+  Reading(const StepText& step, const std::string& name, const Point& origin_m)
+      : step_(step), name_(name), origin_m_(origin_m) {}
 
   Building building() {
     load();
@@ -59,7 +60,8 @@ class Reading {
         ++shapeless[product->className()];
     }
     for (const auto& [class_name, count] : shapeless)
-      building.notes.push_back("left out: " + std::to_string(count) + " " + class_name + ", which are no things of the building");
+      building.notes.push_back("left out: " + std::to_string(count) + " " + class_name +
+                               ", which are no things of the building");
     read_context(building, unit.metres);
     finish(building);
     return building;
@@ -89,7 +91,8 @@ class Reading {
       if (loaded.count(instance.number)) continue;
       const std::string type(instance.type);
       if (known.count(type))
-        throw MapError(name_ + ": #" + std::to_string(instance.number) + " (" + type + ") cannot be read, expected a whole model");
+        throw MapError(name_ + ": #" + std::to_string(instance.number) + " (" + type +
+                       ") cannot be read, expected a whole model");
       unknown_[type].push_back(std::string(instance.global_id));
     }
   }
@@ -98,7 +101,8 @@ class Reading {
     IndexedCurves curves;
     for (const StepInstance& instance : step_.instances())
       if (instance.type == "IFCINDEXEDPOLYCURVE")
-        if (const auto arguments = split_arguments(instance.arguments); arguments.size() > 1 && arguments[1].find('(') != std::string::npos)
+        if (const auto arguments = split_arguments(instance.arguments);
+            arguments.size() > 1 && arguments[1].find('(') != std::string::npos)
           curves.emplace(instance.number, indexed_segments(arguments[1]));
     return curves;
   }
@@ -175,20 +179,24 @@ class Reading {
     if (is_real)
       building.georeference = place;
     else
-      building.notes.push_back("its map conversion names no coordinate system or moves nothing: not taken as a georeference");
+      building.notes.push_back(
+          "its map conversion names no coordinate system or moves nothing: not taken as a georeference");
   }
 
   /// Every thing has an id of its own, and all stand in order of id.
   void finish(Building& building) {
-    std::sort(building.levels.begin(), building.levels.end(),
-              [](const Level& a, const Level& b) { return std::tie(a.elevation_m, a.id) < std::tie(b.elevation_m, b.id); });
-    std::stable_sort(building.elements.begin(), building.elements.end(), [](const Element& a, const Element& b) { return a.id < b.id; });
+    std::sort(building.levels.begin(), building.levels.end(), [](const Level& a, const Level& b) {
+      return std::tie(a.elevation_m, a.id) < std::tie(b.elevation_m, b.id);
+    });
+    std::stable_sort(building.elements.begin(), building.elements.end(),
+                     [](const Element& a, const Element& b) { return a.id < b.id; });
     std::set<std::string> ids;
     for (Element& element : building.elements) {
       const std::string id = element.id.empty() ? "without-GlobalId" : element.id;
       std::string own = id;
       for (int k = 2; !ids.insert(own).second; ++k) own = id + "-" + std::to_string(k);
-      if (own != element.id) building.notes.push_back("the GlobalId '" + element.id + "' is not the only one: a thing is called " + own);
+      if (own != element.id)
+        building.notes.push_back("the GlobalId '" + element.id + "' is not the only one: a thing is called " + own);
       element.id = own;
     }
     for (const auto& [type, global_ids] : unknown_) {
@@ -198,7 +206,8 @@ class Reading {
       building.notes.push_back(note);
     }
     for (const auto& [message, count] : messages_.counts)
-      building.notes.push_back("while reading: " + message + (count > 1 ? " (" + std::to_string(count) + " times)" : ""));
+      building.notes.push_back("while reading: " + message +
+                               (count > 1 ? " (" + std::to_string(count) + " times)" : ""));
   }
 
   const StepText& step_;

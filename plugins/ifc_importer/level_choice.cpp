@@ -36,7 +36,8 @@ std::vector<const Element*> solids_of(const Building& building, const Classes& c
 }
 
 bool any_meets(const std::vector<const Element*>& elements, double height_m) {
-  return std::any_of(elements.begin(), elements.end(), [&](const Element* element) { return meets(*element, height_m); });
+  return std::any_of(elements.begin(), elements.end(),
+                     [&](const Element* element) { return meets(*element, height_m); });
 }
 
 std::string names_of(const Building& building) {
@@ -54,7 +55,9 @@ LevelChoice named_level(const Building& building, const ImportOptions& options, 
   }
   if (!found) throw MapError(file + ": has no storey '" + options.storey + "', expected one of " + names_of(building));
   const double height_m = found->elevation_m + options.sensor_height_m;
-  return {height_m, found->name, sentence("cut at %.3f m, %.2f m above the storey '%s'", height_m, options.sensor_height_m, found->name.c_str())};
+  return {
+      height_m, found->name,
+      sentence("cut at %.3f m, %.2f m above the storey '%s'", height_m, options.sensor_height_m, found->name.c_str())};
 }
 
 LevelChoice given_height(const Building& building, double height_m) {
@@ -65,15 +68,17 @@ LevelChoice given_height(const Building& building, double height_m) {
 }
 
 /// A model of columns alone has a level, too.
-LevelChoice lowest_level(const Building& building, const Classes& classes, const ImportOptions& options, const std::string& file) {
+LevelChoice lowest_level(const Building& building, const Classes& classes, const ImportOptions& options,
+                         const std::string& file) {
   const auto walls = walls_of(building, classes), solids = solids_of(building, classes);
   for (const auto& [things, what] : {std::pair(&walls, "walls"), std::pair(&solids, "solid things")})
     for (const Level& level : building.levels) {
       const double height_m = level.elevation_m + options.sensor_height_m;
       if (!any_meets(*things, height_m)) continue;
-      return {height_m, level.name,
-              sentence("cut at %.3f m, %.2f m above '%s', the lowest storey with %s there (--storey or --z choose another)", height_m,
-                       options.sensor_height_m, level.name.c_str(), what)};
+      return {
+          height_m, level.name,
+          sentence("cut at %.3f m, %.2f m above '%s', the lowest storey with %s there (--storey or --z choose another)",
+                   height_m, options.sensor_height_m, level.name.c_str(), what)};
     }
   throw MapError(file + ": no storey has anything solid " + sentence("%.2f", options.sensor_height_m) +
                  " m above it, expected a storey (--storey) of " + names_of(building) + ", or a height (--z)");
@@ -81,8 +86,10 @@ LevelChoice lowest_level(const Building& building, const Classes& classes, const
 
 }  // namespace
 
-LevelChoice choose_level(const Building& building, const Classes& classes, const ImportOptions& options, const std::string& file) {
-  if (options.z_m && !options.storey.empty()) throw MapError(file + ": options storey and z_m are both given, expected one of them");
+LevelChoice choose_level(const Building& building, const Classes& classes, const ImportOptions& options,
+                         const std::string& file) {
+  if (options.z_m && !options.storey.empty())
+    throw MapError(file + ": options storey and z_m are both given, expected one of them");
   if (options.z_m) return given_height(building, *options.z_m);
   if (!options.storey.empty()) return named_level(building, options, file);
   return lowest_level(building, classes, options, file);

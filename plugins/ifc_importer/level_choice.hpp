@@ -14,7 +14,8 @@ struct LevelChoice {
 };
 
 /// @throws MapError if there is no such storey, or nothing says where to cut.
-LevelChoice choose_level(const Building& building, const Classes& classes, const ImportOptions& options, const std::string& file);
+LevelChoice choose_level(const Building& building, const Classes& classes, const ImportOptions& options,
+                         const std::string& file);
 
 /// How many things of each class the plane at a height meets.
 std::map<std::string, int> counts_at(const Building& building, double height_m);

@@ -57,7 +57,8 @@ LineMesh::LineMesh(const std::vector<Segment>& lines, double same_m) {
   const auto divide_at_ends = [&](std::size_t line, std::size_t by) {
     for (std::size_t end = 0; end < 2; ++end) {
       const int node = on_line[by][end];
-      if (distance_m(lines[line], nodes.points()[static_cast<std::size_t>(node)]) <= same_m) on_line[line].push_back(node);
+      if (distance_m(lines[line], nodes.points()[static_cast<std::size_t>(node)]) <= same_m)
+        on_line[line].push_back(node);
     }
   };
   visit_neighbours(lines, same_m, [&](std::size_t a, std::size_t b) {
@@ -76,8 +77,7 @@ LineMesh::LineMesh(const std::vector<Segment>& lines, double same_m) {
     std::vector<int>& chain = on_line[k];
     std::stable_sort(chain.begin(), chain.end(), [&](int a, int b) { return position(a) < position(b); });
     chain.erase(std::unique(chain.begin(), chain.end()), chain.end());
-    for (std::size_t i = 1; i < chain.size(); ++i)
-      add(numbers, chain[i - 1], chain[i], static_cast<int>(k));
+    for (std::size_t i = 1; i < chain.size(); ++i) add(numbers, chain[i - 1], chain[i], static_cast<int>(k));
   }
   nodes_ = nodes.points();
 }

@@ -33,8 +33,8 @@ class LineMesh {
   std::vector<Edge> edges_;
 };
 
-/// Directed edges joined to closed chains, as positions in `directed`. Where several go on, the one farthest to the left does, so that parts
-/// that touch in a point stay apart. Chains that do not close are left out.
+/// Directed edges joined to closed chains, as positions in `directed`. Where several go on, the one farthest to the
+/// left does, so that parts that touch in a point stay apart. Chains that do not close are left out.
 std::vector<std::vector<std::size_t>> closed_chains(const LineMesh& mesh, const std::vector<LineMesh::Edge>& directed);
 
 }  // namespace opal::ifc_importer

@@ -107,7 +107,13 @@ class Assembly {
       const int object = object_of(cut_of(face.owner));
       ++result_.faces;
       result_.length_m += length_m;
-      features_.push_back({numbered(object, "face"), object, "opal:Wall", sensor_, segment(face), 0, 1,
+      features_.push_back({numbered(object, "face"),
+                           object,
+                           "opal:Wall",
+                           sensor_,
+                           segment(face),
+                           0,
+                           1,
                            {point_name(face.begin, object), point_name(face.end, object)}});
       add_corner(chain, k);
     }
@@ -131,11 +137,18 @@ class Assembly {
     const std::size_t next = (k + 1) % chain.size();
     const Segment a = segment(chain[k]), b = segment(chain[next]);
     const double turn_rad = std::abs(wrap_angle(b.heading_rad() - a.heading_rad()));
-    if (chain[next].is_round || b.length_m() < kShortestFace_m || turn_rad < kLeastTurn_rad || turn_rad > kFolded_rad) return;
+    if (chain[next].is_round || b.length_m() < kShortestFace_m || turn_rad < kLeastTurn_rad || turn_rad > kFolded_rad)
+      return;
     if (std::min(arm_m(chain, k, false), arm_m(chain, next, true)) < kShortestArm_m) return;
     const int object = object_of(cut_of(chain[k].owner));
     ++result_.corners;
-    features_.push_back({numbered(object, "corner"), object, "opal:Corner", sensor_, oriented_corner(a, b), 0, 1,
+    features_.push_back({numbered(object, "corner"),
+                         object,
+                         "opal:Corner",
+                         sensor_,
+                         oriented_corner(a, b),
+                         0,
+                         1,
                          {point_name(chain[k].end, object)}});
   }
 
@@ -164,7 +177,7 @@ class Assembly {
   const std::string& sensor_;
   std::map<std::string, int> numbers_;  // of objects, by id
   std::map<std::string, int> counts_;
-  std::map<int, std::string> points_;   // names of nodes
+  std::map<int, std::string> points_;  // names of nodes
   std::vector<MapObject> objects_;
   std::vector<MapFeature> features_;
   AssembledMap result_;

@@ -20,7 +20,8 @@ struct AssembledMap {
   std::vector<std::string> hidden_rounds;  ///< ids of round things that stand too deep in others to be circles
 };
 
-/// @param cuts  those that come into the map; `plan` was made of the solids among them, in `order`: positions in `cuts`.
+/// @param cuts  those that come into the map; `plan` was made of the solids among them, in `order`: positions in
+/// `cuts`.
 AssembledMap assemble(const std::string& name, const std::vector<ElementCut>& cuts, const Plan& plan,
                       const std::vector<std::size_t>& order, const Duplicates& duplicates, const MapOrigin& origin,
                       const std::string& sensor);

@@ -73,8 +73,10 @@ class Union {
 
   Sides sides_of(const LineMesh& mesh, const LineMesh::Edge& edge) const {
     std::map<int, std::pair<int, int>> here;  // lines along and against, by solid; -1: none
-    for (const int line : edge.along) here.try_emplace(lines_[static_cast<std::size_t>(line)].solid, -1, -1).first->second.first = line;
-    for (const int line : edge.against) here.try_emplace(lines_[static_cast<std::size_t>(line)].solid, -1, -1).first->second.second = line;
+    for (const int line : edge.along)
+      here.try_emplace(lines_[static_cast<std::size_t>(line)].solid, -1, -1).first->second.first = line;
+    for (const int line : edge.against)
+      here.try_emplace(lines_[static_cast<std::size_t>(line)].solid, -1, -1).first->second.second = line;
     Sides sides;
     for (const auto& [solid, lines] : here) {
       if (lines.first >= 0 && lines.second >= 0) continue;  // folded flat: nothing of it is left here
@@ -96,7 +98,8 @@ class Union {
     const int begin = sides.left ? edge.to : edge.from, end = sides.left ? edge.from : edge.to;
     visible.push_back({begin, end});
     faces.push_back({line.solid, begin, end, line.circle >= 0});
-    if (line.circle >= 0) circles_[static_cast<std::size_t>(line.circle)].visible_share += mesh.segment(edge).length_m();
+    if (line.circle >= 0)
+      circles_[static_cast<std::size_t>(line.circle)].visible_share += mesh.segment(edge).length_m();
   }
 
   static Point at(const Plan& plan, int node) { return plan.nodes[static_cast<std::size_t>(node)]; }
@@ -113,8 +116,8 @@ class Union {
   bool goes_on(const Plan& plan, const PlanFace& a, const PlanFace& b) const {
     if (object_of(a) != object_of(b) || a.is_round || b.is_round) return false;
     const Point way = at(plan, b.end) - at(plan, a.begin), to_middle = at(plan, b.begin) - at(plan, a.begin);
-    return way.norm() > kSame_m && std::abs(cross(way.normalized(), to_middle)) < kStraight_m && to_middle.dot(way) > 0 &&
-           (at(plan, b.end) - at(plan, b.begin)).dot(way) > 0;
+    return way.norm() > kSame_m && std::abs(cross(way.normalized(), to_middle)) < kStraight_m &&
+           to_middle.dot(way) > 0 && (at(plan, b.end) - at(plan, b.begin)).dot(way) > 0;
   }
 
   std::vector<PlanFace> joined_straight(const Plan& plan, const std::vector<PlanFace>& chain) const {

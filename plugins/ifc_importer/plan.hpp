@@ -7,7 +7,8 @@
 
 namespace opal::ifc_importer {
 
-/// What one thing puts into the plan. Things are given in order of precedence: where two share a face, the first has it.
+/// What one thing puts into the plan. Things are given in order of precedence: where two share a face, the first has
+/// it.
 struct PlanSolid {
   std::vector<Loop> loops;
   int object = 0;  ///< number of the map's object: faces of one object that lie in line are one face
@@ -32,7 +33,7 @@ struct Plan {
   std::vector<Point> nodes;
   std::vector<std::vector<PlanFace>> chains;  ///< closed: each face begins where the one before ends
   std::vector<PlanCircle> circles;
-  int closed_voids = 0;                       ///< hollow spaces in which no sensor fits, left out
+  int closed_voids = 0;  ///< hollow spaces in which no sensor fits, left out
 };
 
 Plan unite(const std::vector<PlanSolid>& solids);

@@ -11,7 +11,8 @@ std::unique_ptr<opal::MapImporter> make_importer(const nlohmann::json& options) 
   chosen.sensor_height_m = options.at("sensor_height_m");
   chosen.sensor = options.at("sensor");
   chosen.origin_m = {options.at("origin_x_m").get<double>(), options.at("origin_y_m").get<double>()};
-  for (const auto& [class_name, word] : options.at("classes").items()) chosen.classes[class_name] = word.get<std::string>();
+  for (const auto& [class_name, word] : options.at("classes").items())
+    chosen.classes[class_name] = word.get<std::string>();
   return std::make_unique<opal::ifc_importer::IfcImporter>(std::move(chosen));
 }
 

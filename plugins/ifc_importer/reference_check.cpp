@@ -20,7 +20,8 @@ class Walk {
  public:
   Walk(const std::vector<StepInstance>& instances, const std::string& name) : instances_(instances), name_(name) {
     for (std::size_t k = 0; k < instances.size(); ++k)
-      if (!by_number_.emplace(instances[k].number, k).second) fail(instances[k], "is there twice, expected one of each number");
+      if (!by_number_.emplace(instances[k].number, k).second)
+        fail(instances[k], "is there twice, expected one of each number");
   }
 
   void run() {
@@ -66,7 +67,8 @@ class Walk {
         continue;
       }
       const std::size_t next = target(instance, instance.references[path.back().next_reference++]);
-      if (state_[next] == State::open) fail(instance, "refers to " + named(instances_[next]) + " and so in a circle to itself");
+      if (state_[next] == State::open)
+        fail(instance, "refers to " + named(instances_[next]) + " and so in a circle to itself");
       if (state_[next] == State::done) {
         lengthen(path.back().instance, next);
         continue;
@@ -85,6 +87,8 @@ class Walk {
 
 }  // namespace
 
-void check_references(const std::vector<StepInstance>& instances, const std::string& name) { Walk(instances, name).run(); }
+void check_references(const std::vector<StepInstance>& instances, const std::string& name) {
+  Walk(instances, name).run();
+}
 
 }  // namespace opal::ifc_importer

@@ -120,7 +120,8 @@ Region inside_of(const std::vector<Loop>& loops) { return inside_of(segments_of(
 
 double area_m2(const Loop& loop) {
   double twice = 0;
-  for (std::size_t k = 0; k < loop.size(); ++k) twice += cross(loop[k] - loop[0], loop[(k + 1) % loop.size()] - loop[0]);
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    twice += cross(loop[k] - loop[0], loop[(k + 1) % loop.size()] - loop[0]);
   return twice / 2;
 }
 

@@ -11,15 +11,16 @@ namespace opal::ifc_importer {
 
 using Box = Eigen::AlignedBox2d;
 
-/// A set of points of the plane [m]: even-odd inside of closed lines, half-planes, and what set operations make of them.
+/// A set of points of the plane [m]: even-odd inside of closed lines, half-planes, and what set operations make of
+/// them.
 struct Region {
   enum class Kind { nothing, everything, inside, half_plane, unite, intersect, subtract };
   Kind kind = Kind::nothing;
-  std::vector<Segment> edges = {};     ///< inside: of closed lines, in any order and direction
-  Box box = Box();                     ///< inside: around the edges
-  Point point = Point::Zero();         ///< half_plane: on its border
-  Point outward = Point::Zero();       ///< half_plane: away from it
-  std::vector<Region> operands = {};   ///< subtract: the first without all others
+  std::vector<Segment> edges = {};    ///< inside: of closed lines, in any order and direction
+  Box box = Box();                    ///< inside: around the edges
+  Point point = Point::Zero();        ///< half_plane: on its border
+  Point outward = Point::Zero();      ///< half_plane: away from it
+  std::vector<Region> operands = {};  ///< subtract: the first without all others
 
   bool contains(const Point& p) const;
 };

@@ -21,7 +21,9 @@ void set_outline(const ElementCut& cut, ImportedElement& element) {
   if (element.circles.size() != cut.outline.size()) element.outline = segments_of(cut.outline);
 }
 
-bool holds(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
+bool holds(const std::vector<std::string>& ids, const std::string& id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
 
 /// Ids of the things that parts belong to: of all, and of those whose parts are cut.
 struct Wholes {
@@ -55,7 +57,9 @@ ImportedElement imported_element(const ElementCut& cut, const Duplicates& duplic
   else if (cut.element->bodies.empty() && !cut.is_cut())
     decide(ImportStatus::not_cut, "it has no body of its own");
   else if (!cut.is_cut())
-    decide(ImportStatus::not_cut, cut.is_within_reach ? "the plane meets nothing of it but openings, or it is thinner than 0.1 mm" : "the plane passes above or below it");
+    decide(ImportStatus::not_cut, cut.is_within_reach
+                                      ? "the plane meets nothing of it but openings, or it is thinner than 0.1 mm"
+                                      : "the plane passes above or below it");
   else if (cut.treatment.kind == Kind::left_out)
     decide(ImportStatus::left_out, cut.treatment.reason);
   else if (kept != duplicates.kept.end())
@@ -83,11 +87,12 @@ std::string listed(const std::vector<std::string>& ids) {
 std::vector<std::string> per_class(const std::vector<ImportedElement>& elements) {
   std::map<std::string, std::map<ImportStatus, int>> counts;
   for (const ImportedElement& element : elements) ++counts[element.source_class][element.status];
-  const std::vector<std::pair<ImportStatus, const char*>> words{{ImportStatus::imported, "came in"},
-                                                                {ImportStatus::merged, "merged with others at the same place"},
-                                                                {ImportStatus::left_out, "left out"},
-                                                                {ImportStatus::unreadable, "cannot be read"},
-                                                                {ImportStatus::not_cut, "not at this height"}};
+  const std::vector<std::pair<ImportStatus, const char*>> words{
+      {ImportStatus::imported, "came in"},
+      {ImportStatus::merged, "merged with others at the same place"},
+      {ImportStatus::left_out, "left out"},
+      {ImportStatus::unreadable, "cannot be read"},
+      {ImportStatus::not_cut, "not at this height"}};
   std::vector<std::string> sentences;
   for (const auto& [class_name, by_status] : counts) {
     std::string text;
@@ -103,9 +108,12 @@ std::vector<std::string> per_class(const std::vector<ImportedElement>& elements)
 std::vector<std::string> what_is_missing(const std::vector<ImportedElement>& elements) {
   std::map<std::string, std::vector<std::string>> ids;
   for (const ImportedElement& element : elements) {
-    if (element.status == ImportStatus::left_out) ids["left out: " + element.source_class + ", " + element.reason + ":"].push_back(element.id);
-    if (element.status == ImportStatus::unreadable) ids["cannot be read: " + element.source_class + ", " + element.reason + ":"].push_back(element.id);
-    if (element.reason.find("incomplete: ") != std::string::npos) ids[element.source_class + ", " + element.reason + ":"].push_back(element.id);
+    if (element.status == ImportStatus::left_out)
+      ids["left out: " + element.source_class + ", " + element.reason + ":"].push_back(element.id);
+    if (element.status == ImportStatus::unreadable)
+      ids["cannot be read: " + element.source_class + ", " + element.reason + ":"].push_back(element.id);
+    if (element.reason.find("incomplete: ") != std::string::npos)
+      ids[element.source_class + ", " + element.reason + ":"].push_back(element.id);
   }
   std::vector<std::string> sentences;
   for (const auto& [what, list] : ids) sentences.push_back(what + listed(list));
@@ -120,8 +128,11 @@ std::vector<std::string> about_doors(const std::vector<ElementCut>& cuts) {
   if (!filling_nothing.empty())
     sentences.push_back("fill no opening, so that a wall may close them:" + listed(filling_nothing));
   if (const double width_m = widest_door_m(cuts); width_m > 0)
-    sentences.push_back(sentence("widest door %.2f m: straight things up to that length may be open doors, walls should be detected from there on "
-                                 "(opal:LineDetector, min_length_m)", width_m));
+    sentences.push_back(
+        sentence("widest door %.2f m: straight things up to that length may be open doors, walls should be detected "
+                 "from there on "
+                 "(opal:LineDetector, min_length_m)",
+                 width_m));
   return sentences;
 }
 
@@ -151,22 +162,29 @@ double widest_door_m(const std::vector<ElementCut>& cuts) {
 }
 
 std::vector<std::string> report(const Building& building, const LevelChoice& level, const std::vector<ElementCut>& cuts,
-                                const std::vector<ImportedElement>& elements, const Plan& plan, const AssembledMap& assembled) {
+                                const std::vector<ImportedElement>& elements, const Plan& plan,
+                                const AssembledMap& assembled) {
   std::vector<std::string> sentences;
-  const auto append = [&sentences](const std::vector<std::string>& more) { sentences.insert(sentences.end(), more.begin(), more.end()); };
+  const auto append = [&sentences](const std::vector<std::string>& more) {
+    sentences.insert(sentences.end(), more.begin(), more.end());
+  };
   sentences.push_back(sentence("%s in %s: %zu storeys, %zu things", building.schema.c_str(), building.unit_name.c_str(),
                                building.levels.size(), building.elements.size()));
   sentences.push_back(level.sentence);
   append(per_class(elements));
-  sentences.push_back(sentence("%d wall faces, %.0f m; %d corners; %d round columns", assembled.faces, assembled.length_m,
-                               assembled.corners, assembled.circles));
-  if (assembled.specks > 0) sentences.push_back(sentence("%d faces shorter than 2 cm are no features", assembled.specks));
-  if (assembled.posts > 0) sentences.push_back(sentence("%d posts of less than 35 cm around are no features", assembled.posts));
-  if (plan.closed_voids > 0) sentences.push_back(sentence("%d hollow spaces of less than 0.25 m2 are no rooms", plan.closed_voids));
+  sentences.push_back(sentence("%d wall faces, %.0f m; %d corners; %d round columns", assembled.faces,
+                               assembled.length_m, assembled.corners, assembled.circles));
+  if (assembled.specks > 0)
+    sentences.push_back(sentence("%d faces shorter than 2 cm are no features", assembled.specks));
+  if (assembled.posts > 0)
+    sentences.push_back(sentence("%d posts of less than 35 cm around are no features", assembled.posts));
+  if (plan.closed_voids > 0)
+    sentences.push_back(sentence("%d hollow spaces of less than 0.25 m2 are no rooms", plan.closed_voids));
   append(about_doors(cuts));
   append(what_is_missing(elements));
   if (building.north_rad)
-    sentences.push_back(sentence("true north is at %.1f degrees from the x axis", *building.north_rad * 180 / std::numbers::pi));
+    sentences.push_back(
+        sentence("true north is at %.1f degrees from the x axis", *building.north_rad * 180 / std::numbers::pi));
   sentences.push_back(building.georeference ? "georeferenced in " + building.georeference->crs : "not georeferenced");
   append(building.notes);
   return sentences;

@@ -13,7 +13,8 @@ std::vector<ImportedElement> imported_elements(const std::vector<ElementCut>& cu
 
 /// Sentences: about the model, per class what came in and what did not, about faces, doors and what to look at.
 std::vector<std::string> report(const Building& building, const LevelChoice& level, const std::vector<ElementCut>& cuts,
-                                const std::vector<ImportedElement>& elements, const Plan& plan, const AssembledMap& assembled);
+                                const std::vector<ImportedElement>& elements, const Plan& plan,
+                                const AssembledMap& assembled);
 
 /// "; cannot be read: 12 things, the first is IfcWall 2cXV28XOjE6f6irgi0CPeU: why"; empty if all can be.
 std::string unread(const std::vector<ElementCut>& cuts);

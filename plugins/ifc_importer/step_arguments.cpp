@@ -24,7 +24,9 @@ std::string joined(const std::vector<std::string_view>& parts) {
 /// What stands in the outermost parentheses of a text; empty if it has none.
 std::string_view inside(std::string_view text) {
   const std::size_t begin = text.find('('), end = text.rfind(')');
-  return begin == std::string_view::npos || end == std::string_view::npos || end < begin ? "" : text.substr(begin + 1, end - begin - 1);
+  return begin == std::string_view::npos || end == std::string_view::npos || end < begin
+             ? ""
+             : text.substr(begin + 1, end - begin - 1);
 }
 
 }  // namespace
@@ -45,7 +47,8 @@ std::vector<std::string_view> split_arguments(std::string_view arguments) {
 }
 
 std::string arguments_of_ifc4(const StepInstance& instance) {
-  const bool is_placement = instance.type == "IFCGRIDPLACEMENT", is_list = instance.type.starts_with("IFCCARTESIANPOINTLIST"),
+  const bool is_placement = instance.type == "IFCGRIDPLACEMENT",
+             is_list = instance.type.starts_with("IFCCARTESIANPOINTLIST"),
              is_faces = instance.type == "IFCTRIANGULATEDFACESET";
   if (!is_placement && !is_list && !is_faces) return std::string(instance.arguments);
   std::vector<std::string_view> parts = split_arguments(instance.arguments);

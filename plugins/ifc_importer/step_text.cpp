@@ -39,9 +39,12 @@ class Statements {
     const std::size_t begin = at_;
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
-      if (c == '\'') skip_text();
-      else if (c == '/' && at_ + 1 < text_.size() && text_[at_ + 1] == '*') blank_comment();
-      else if (c == ';') return trimmed(std::string_view(text_).substr(begin, at_++ - begin));
+      if (c == '\'')
+        skip_text();
+      else if (c == '/' && at_ + 1 < text_.size() && text_[at_ + 1] == '*')
+        blank_comment();
+      else if (c == ';')
+        return trimmed(std::string_view(text_).substr(begin, at_++ - begin));
     }
     if (trimmed(std::string_view(text_).substr(begin)).empty()) return {};
     fail(begin, "a statement without an end", "';'");
@@ -54,7 +57,8 @@ class Statements {
   }
 
   [[noreturn]] void fail(std::size_t at, const std::string& found, const std::string& expected) const {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size())), '\n');
+    const auto line =
+        1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size())), '\n');
     throw MapError(name_ + ": line " + std::to_string(line) + ": " + found + ", expected " + expected);
   }
   [[noreturn]] void fail(std::string_view statement, const std::string& expected) const {
@@ -74,7 +78,8 @@ class Statements {
   void blank_comment() {
     const std::size_t begin = at_, end = text_.find("*/", at_ + 2);
     if (end == std::string::npos) fail(begin, "a comment without an end", "*/");
-    std::fill(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.begin() + static_cast<std::ptrdiff_t>(end + 2), ' ');
+    std::fill(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.begin() + static_cast<std::ptrdiff_t>(end + 2),
+              ' ');
     at_ = end + 1;
   }
 
@@ -97,7 +102,8 @@ bool may_follow_text(std::string_view text, std::size_t at) {
   return at == text.size() || text[at] == ',' || text[at] == ')' || text[at] == '\'';
 }
 
-/// Calls visit(position) for what stands outside of texts; false if the parentheses do not match, or a comma is missing.
+/// Calls visit(position) for what stands outside of texts; false if the parentheses do not match, or a comma is
+/// missing.
 template <class Visit>
 bool visit_outside_texts(std::string_view text, Visit visit) {
   int depth = 0;
@@ -138,15 +144,17 @@ StepInstance read_instance(const Statements& statements, std::string_view statem
   if (!closed) statements.fail(statement, "arguments with commas between them, and as many ')' as '('");
   const std::string_view first = trimmed(instance.arguments.substr(0, 40));
   if (first.starts_with('\''))
-    if (const std::size_t end = first.find('\'', 1); end != std::string_view::npos) instance.global_id = first.substr(1, end - 1);
+    if (const std::size_t end = first.find('\'', 1); end != std::string_view::npos)
+      instance.global_id = first.substr(1, end - 1);
   return instance;
 }
 
 /// "IFC4" of FILE_SCHEMA(('IFC4')).
 std::string schema_of(std::string_view statement) {
   const std::size_t begin = statement.find('\''), end = statement.find('\'', begin + 1);
-  return begin == std::string_view::npos || end == std::string_view::npos ? ""
-                                                                          : std::string(statement.substr(begin + 1, end - begin - 1));
+  return begin == std::string_view::npos || end == std::string_view::npos
+             ? ""
+             : std::string(statement.substr(begin + 1, end - begin - 1));
 }
 
 void expect_known(const std::string& schema, const std::string& name) {
@@ -174,17 +182,22 @@ StepText StepText::parse(std::string content, const std::string& name) {
   StepText step;
   step.text_ = std::move(content);
   const std::string_view whole = trimmed(step.text_);
-  if (whole.find(kBegin) > 16) throw MapError(name + ": does not begin with " + kBegin + ", expected an IFC model (STEP)");
+  if (whole.find(kBegin) > 16)
+    throw MapError(name + ": does not begin with " + kBegin + ", expected an IFC model (STEP)");
   if (!whole.ends_with(kEnd))
     throw MapError(name + ": does not end with " + kEnd + ": the file is truncated, expected a whole model");
   Statements statements(step.text_, name);
   bool in_data = false;
   for (std::string_view statement = statements.next(); statement != "END-ISO-10303-21"; statement = statements.next()) {
     if (statement.empty()) throw MapError(name + ": has an empty statement or ends early, expected " + kEnd);
-    if (statement.starts_with("FILE_SCHEMA")) step.schema_ = schema_of(statement);
-    else if (statement == "DATA") in_data = true;
-    else if (statement == "ENDSEC") in_data = false;
-    else if (in_data) step.instances_.push_back(read_instance(statements, statement));
+    if (statement.starts_with("FILE_SCHEMA"))
+      step.schema_ = schema_of(statement);
+    else if (statement == "DATA")
+      in_data = true;
+    else if (statement == "ENDSEC")
+      in_data = false;
+    else if (in_data)
+      step.instances_.push_back(read_instance(statements, statement));
   }
   statements.expect_end();
   expect_known(step.schema_, name);
@@ -196,7 +209,8 @@ StepText StepText::parse(std::string content, const std::string& name) {
 
 std::string StepText::for_parser() const {
   const bool is_4x3 = schema_.starts_with("IFC4X");
-  std::string text = std::string(kBegin) + "\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('" +
+  std::string text = std::string(kBegin) +
+                     "\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('" +
                      (schema_.starts_with("IFC2X3") ? "IFC2X3" : "IFC4") + "'));\nENDSEC;\nDATA;\n";
   text.reserve(text_.size() + text.size());
   for (const StepInstance& instance : instances_) {

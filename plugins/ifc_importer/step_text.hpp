@@ -15,8 +15,8 @@ struct StepInstance {
   std::vector<int> references;  ///< numbers of the instances that it mentions
 };
 
-/// A STEP file (ISO 10303-21) as text, looked over before a parser builds objects of it: whole, closed, without references to
-/// nothing and without circles, so that what a parser leaves out can be told.
+/// A STEP file (ISO 10303-21) as text, looked over before a parser builds objects of it: whole, closed, without
+/// references to nothing and without circles, so that what a parser leaves out can be told.
 class StepText {
  public:
   /// @throws MapError naming the file, the place (line or instance), what was found and what was expected.
@@ -27,8 +27,8 @@ class StepText {
   const std::string& schema() const { return schema_; }  ///< "IFC2X3", "IFC4", "IFC4X3_ADD2": as the file says
   const std::vector<StepInstance>& instances() const { return instances_; }
 
-  /// The same instances, one a line and without comments, in a schema that the parser knows: IFC4X3 as IFC4, with arguments as they
-  /// were there.
+  /// The same instances, one a line and without comments, in a schema that the parser knows: IFC4X3 as IFC4, with
+  /// arguments as they were there.
   std::string for_parser() const;
 
  private:

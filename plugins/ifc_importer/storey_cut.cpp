@@ -38,7 +38,8 @@ class StoreyCut {
     result.object = &object_of(element, result.treatment);
     const Span span = span_of(element.bodies);
     result.is_within_reach = span.low_m <= height_m_ && height_m_ < span.high_m;
-    for (const std::string& trouble : element.troubles) result.trouble += (result.trouble.empty() ? "" : "; ") + trouble;
+    for (const std::string& trouble : element.troubles)
+      result.trouble += (result.trouble.empty() ? "" : "; ") + trouble;
     if (!result.is_within_reach) return result;
     try {
       cut_into(element, result);
@@ -80,7 +81,8 @@ class StoreyCut {
     std::vector<Region> regions;
     for (const Element* owner : std::set{&element, &object})
       for (const Opening& opening : owner->openings)
-        if (Region region = cut(opening.bodies, height_m_); region.kind != Region::Kind::nothing) regions.push_back(std::move(region));
+        if (Region region = cut(opening.bodies, height_m_); region.kind != Region::Kind::nothing)
+          regions.push_back(std::move(region));
     return combined(Region::Kind::unite, std::move(regions));
   }
 

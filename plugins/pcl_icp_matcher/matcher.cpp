@@ -39,7 +39,8 @@ Eigen::Matrix4f matrix_of(const Pose2& pose) {
 }
 
 Pose2 pose_of(const Eigen::Matrix4f& m) {
-  return {Point(m.block<2, 1>(0, 3).cast<double>()), std::atan2(static_cast<double>(m(1, 0)), static_cast<double>(m(0, 0)))};
+  return {Point(m.block<2, 1>(0, 3).cast<double>()),
+          std::atan2(static_cast<double>(m(1, 0)), static_cast<double>(m(0, 0)))};
 }
 
 /// Points of the scan, moved to `pose`, that lie within `distance_m` of the reference.

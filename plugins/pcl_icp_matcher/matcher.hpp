@@ -5,12 +5,12 @@
 namespace opal::pcl_icp {
 
 struct MatcherOptions {
-  int max_points = 200;              ///< points of the scan that are used
+  int max_points = 200;  ///< points of the scan that are used
   int iterations = 30;
-  double correspondence_m = 0.5;     ///< points farther from all reference points are left out
+  double correspondence_m = 0.5;  ///< points farther from all reference points are left out
   double inlier_distance_m = 0.1;
   double min_inlier_share = 0.3;
-  double point_sigma_m = 0.1;        ///< for the covariance
+  double point_sigma_m = 0.1;  ///< for the covariance
 };
 
 /// PCL's point-to-point iterative closest point, restricted to the plane, started at the guess. It does not search:

@@ -9,16 +9,15 @@ namespace opal::point_to_line {
 namespace {
 
 constexpr std::size_t kFewestPoints = 10;
-constexpr double kJump_m = 0.25;       ///< steps between neighbours longer than this count as this when thinning
-constexpr double kLeastSigma = 1e-4;   ///< [m], [rad]: a guess is never certain
-constexpr double kMostDoubt = 4;       ///< standard deviations that a match may lie off the guess, beyond the search
+constexpr double kJump_m = 0.25;      ///< steps between neighbours longer than this count as this when thinning
+constexpr double kLeastSigma = 1e-4;  ///< [m], [rad]: a guess is never certain
+constexpr double kMostDoubt = 4;      ///< standard deviations that a match may lie off the guess, beyond the search
 
 std::vector<Point> finite(std::span<const Point> points) {
   std::vector<Point> kept;
   kept.reserve(points.size());
-  std::copy_if(points.begin(), points.end(), std::back_inserter(kept), [](const Point& p) {
-    return p.allFinite() && p.cwiseAbs().maxCoeff() < 1e6;
-  });
+  std::copy_if(points.begin(), points.end(), std::back_inserter(kept),
+               [](const Point& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() < 1e6; });
   return kept;
 }
 
@@ -64,8 +63,8 @@ bool is_far_from(const Prior& prior, const Pose2& pose, double sigmas) {
 
 }  // namespace
 
-ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<const Point> scan,
-                                    const Pose2& guess, const Eigen::Vector3d& guess_sigma) const {
+ScanMatch PointToLineMatcher::match(std::span<const Point> reference, std::span<const Point> scan, const Pose2& guess,
+                                    const Eigen::Vector3d& guess_sigma) const {
   const Prior prior{guess, guess_sigma.cwiseMax(kLeastSigma)};
   ScanMatch nothing;
   nothing.T_reference_scan = guess;

@@ -7,9 +7,9 @@
 namespace opal::point_to_line {
 
 struct MatcherOptions {
-  int max_points = 150;          ///< points of the scan that are refined with
-  int search_points = 60;        ///< points of the scan that the search rates
-  double search_sigmas = 3;      ///< how far around the guess to search, in standard deviations
+  int max_points = 150;      ///< points of the scan that are refined with
+  int search_points = 60;    ///< points of the scan that the search rates
+  double search_sigmas = 3;  ///< how far around the guess to search, in standard deviations
   double min_inlier_share = 0.3;
   RefinementOptions refinement;
 };

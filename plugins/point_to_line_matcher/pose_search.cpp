@@ -57,7 +57,9 @@ class Search {
 
  private:
   /// In cells.
-  int stride(const Steps& steps) const { return std::max(1, static_cast<int>(std::lround(steps.size / grid_.cell_m()))); }
+  int stride(const Steps& steps) const {
+    return std::max(1, static_cast<int>(std::lround(steps.size / grid_.cell_m())));
+  }
 
   void rate_heading(double turn_rad) {
     const int stride_x = stride(x_), stride_y = stride(y_);
@@ -72,7 +74,8 @@ class Search {
     cells_.clear();
     for (const Point& point : scan_) {
       const Point moved = turned * point;
-      cells_.push_back({grid_.column_of(moved.x()) - x_.count * stride_x, grid_.row_of(moved.y()) - y_.count * stride_y});
+      cells_.push_back(
+          {grid_.column_of(moved.x()) - x_.count * stride_x, grid_.row_of(moved.y()) - y_.count * stride_y});
     }
     for (int j = 0; j < y_.all(); ++j) sums_[j] = grid_.sum_likelihood_field(cells_, j * stride_y, stride_x, x_.all());
   }

@@ -116,14 +116,16 @@ void ReferenceGrid::spread(std::uint32_t index) {
   }
 }
 
-ReferenceGrid::Sums ReferenceGrid::sum_likelihood_field(std::span<const Cell> cells, int rows, int step, int count) const {
+ReferenceGrid::Sums ReferenceGrid::sum_likelihood_field(std::span<const Cell> cells, int rows, int step,
+                                                        int count) const {
   return count <= kMostSums / 2 ? sum_likelihood_field<kMostSums / 2>(cells, rows, step, count)
                                 : sum_likelihood_field<kMostSums>(cells, rows, step, count);
 }
 
 /// Sums stay in the processor's registers, which takes a number of them that is known beforehand.
 template <int kSums>
-ReferenceGrid::Sums ReferenceGrid::sum_likelihood_field(std::span<const Cell> cells, int rows, int step, int count) const {
+ReferenceGrid::Sums ReferenceGrid::sum_likelihood_field(std::span<const Cell> cells, int rows, int step,
+                                                        int count) const {
   using Row = Eigen::Array<float, kSums, 1>;
   Row sums = Row::Zero();
   for (const auto& [column, first_row] : cells) {

@@ -10,9 +10,9 @@ namespace opal::point_to_line {
 
 struct RefinementOptions {
   int iterations = 10;
-  double point_sigma_m = 0.05;     ///< larger than range noise: neighbouring points share their errors
+  double point_sigma_m = 0.05;  ///< larger than range noise: neighbouring points share their errors
   double inlier_distance_m = 0.1;
-  double robust_scale_m = 0.1;     ///< of the Cauchy weight, at the end
+  double robust_scale_m = 0.1;  ///< of the Cauchy weight, at the end
 };
 
 /// What the guess from odometry knows.
@@ -23,8 +23,8 @@ struct Prior {
 
 /// Pose after refinement, with what is needed to compare and judge it.
 struct Refined {
-  ScanMatch match;   ///< converged: the steps became small
-  double cost = 0;   ///< robust cost with prior [nat]; lower is better
+  ScanMatch match;  ///< converged: the steps became small
+  double cost = 0;  ///< robust cost with prior [nat]; lower is better
 };
 
 /// Robust point-to-line Gauss-Newton from `start` (Chen and Medioni 1991; Censi 2008), with the prior as one more

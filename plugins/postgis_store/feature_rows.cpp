@@ -39,7 +39,8 @@ struct ShapeColumns {
 }  // namespace
 
 const char* const kInsertFeatures =
-    "INSERT INTO opal.features (map, number, id, sensor, type, object, object_type, representation, shape, geom, radius_m, "
+    "INSERT INTO opal.features (map, number, id, sensor, type, object, object_type, representation, shape, geom, "
+    "radius_m, "
     "heading_rad, opening_rad, position_sigma_m, existence) "
     "SELECT $1::bigint, number, id, sensor, type, object, object_type, representation, shape, "
     "CASE shape WHEN 'segment' THEN ST_MakeLine(ST_MakePoint(x, y), ST_MakePoint(x2, y2)) ELSE ST_MakePoint(x, y) END, "

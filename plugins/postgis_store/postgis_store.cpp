@@ -23,7 +23,8 @@ void expect_name(const std::string& what, const std::string& name) {
 }
 
 void expect_version(int version) {
-  if (version < 0) throw StoreError("version " + std::to_string(version) + ", expected a number from 1 on, or 0 for the newest");
+  if (version < 0)
+    throw StoreError("version " + std::to_string(version) + ", expected a number from 1 on, or 0 for the newest");
 }
 
 /// Texts of PostgreSQL end at a character zero, which JSON writes as \u0000.
@@ -39,8 +40,15 @@ const std::string kVersionColumns =
     "map_name, objects, features, patterns";
 
 StoredVersion version_of(const Row& row) {
-  return {row.at(0),            std::stoi(row.at(1)), row.at(2), row.at(3), row.at(4), row.at(5), std::stoi(row.at(6)),
-          std::stoi(row.at(7)), std::stoi(row.at(8))};
+  return {row.at(0),
+          std::stoi(row.at(1)),
+          row.at(2),
+          row.at(3),
+          row.at(4),
+          row.at(5),
+          std::stoi(row.at(6)),
+          std::stoi(row.at(7)),
+          std::stoi(row.at(8))};
 }
 
 struct FoundVersion {
@@ -50,7 +58,8 @@ struct FoundVersion {
 
 std::string existing_versions(Session& session, const std::string& building) {
   std::string numbers;
-  for (const Row& row : session.ask("SELECT version FROM opal.versions WHERE building = $1 ORDER BY version", {building}))
+  for (const Row& row :
+       session.ask("SELECT version FROM opal.versions WHERE building = $1 ORDER BY version", {building}))
     numbers += (numbers.empty() ? "" : ", ") + row[0];
   return numbers;
 }
@@ -91,12 +100,14 @@ std::string add_version(Session& session, const SemanticMap& map, const MapPush&
   const std::string version = std::to_string(newest + 1);
   session.ask("UPDATE opal.buildings SET newest = $2::integer WHERE id = $1::bigint", {building[0], version});
   return session
-      .ask("INSERT INTO opal.map_versions (building, version, message, map_name, context, objects, features, patterns, "
-           "largest_radius_m) VALUES ($1::bigint, $2::integer, $3, $4, $5::jsonb, $6::integer, $7::integer, $8::integer, "
-           "$9::float8) RETURNING id",
-           {building[0], version, request.message, map.name(), context, std::to_string(map.objects().size()),
-            std::to_string(map.features().size()), std::to_string(map.patterns().size()),
-            json(largest_radius_m(map)).dump()})
+      .ask(
+          "INSERT INTO opal.map_versions (building, version, message, map_name, context, objects, features, patterns, "
+          "largest_radius_m) VALUES ($1::bigint, $2::integer, $3, $4, $5::jsonb, $6::integer, $7::integer, "
+          "$8::integer, "
+          "$9::float8) RETURNING id",
+          {building[0], version, request.message, map.name(), context, std::to_string(map.objects().size()),
+           std::to_string(map.features().size()), std::to_string(map.patterns().size()),
+           json(largest_radius_m(map)).dump()})
       .at(0)
       .at(0);
 }
@@ -141,8 +152,9 @@ void add_graph(Session& session, const std::string& map_id, std::span<const std:
 }
 
 void add_features(Session& session, const std::string& map_id, const SemanticMap& map) {
-  in_batches(feature_rows(map),
-             [&](const std::string& batch, std::size_t) { session.ask(kInsertFeatures, {map_id, batch}); });
+  in_batches(feature_rows(map), [&](const std::string& batch, std::size_t) {
+    session.ask(kInsertFeatures, {map_id, batch});
+  });
 }
 
 void expect_storable(const GraphRows& graph, const MapPush& request) {
@@ -167,8 +179,8 @@ std::string document_of(Session& session, const std::string& map_id) {
 
 // Spatial questions --------------------------------------------------------------------------------------------------
 
-/// PostGIS computes distances by other formulas than Opal, which may differ in their last digits: it says which features
-/// may be near, by this much more than asked for, and Opal decides.
+/// PostGIS computes distances by other formulas than Opal, which may differ in their last digits: it says which
+/// features may be near, by this much more than asked for, and Opal decides.
 constexpr double kSlack_m = 1e-6;
 
 const std::string kNearCandidates =
@@ -183,7 +195,8 @@ void expect_question(const NearQuery& query) {
   expect_name("building", query.building);
   expect_version(query.version);
   if (!query.center.allFinite() || !(query.radius_m >= 0) || !std::isfinite(query.radius_m))
-    throw StoreError("a question about what is near with a centre or a radius that is not finite, or a radius below zero");
+    throw StoreError(
+        "a question about what is near with a centre or a radius that is not finite, or a radius below zero");
 }
 
 std::string number(double value) { return json(value).dump(); }
@@ -222,8 +235,9 @@ std::vector<StoredVersion> PostgisStore::list(const std::string& building) const
   std::vector<StoredVersion> versions;
   server_.read([&](Session& session) {
     require_schema(session, where());
-    const std::string sql = "SELECT " + kVersionColumns +
-                            " FROM opal.versions WHERE building = $1 OR $1 = '' ORDER BY building COLLATE \"C\", version";
+    const std::string sql =
+        "SELECT " + kVersionColumns +
+        " FROM opal.versions WHERE building = $1 OR $1 = '' ORDER BY building COLLATE \"C\", version";
     for (const Row& row : session.ask(sql, {building})) versions.push_back(version_of(row));
   });
   return versions;

@@ -19,8 +19,8 @@ int version_in(Session& session) {
 }
 
 [[noreturn]] void refuse_newer(const std::string& where, int version) {
-  throw StoreError(where + ": the map store has schema version " + std::to_string(version) + ", this program knows up to " +
-                   std::to_string(kSchemaVersion) + "; use a newer Opal");
+  throw StoreError(where + ": the map store has schema version " + std::to_string(version) +
+                   ", this program knows up to " + std::to_string(kSchemaVersion) + "; use a newer Opal");
 }
 
 }  // namespace
@@ -31,7 +31,8 @@ void require_schema(Session& session, const std::string& where) {
   if (version == 0) throw StoreError(where + ": holds no map store yet; the first opal map push makes it");
   if (version < kSchemaVersion)
     throw StoreError(where + ": the map store has schema version " + std::to_string(version) + ", this program needs " +
-                     std::to_string(kSchemaVersion) + "; the next opal map push, by the role that made it, brings it there");
+                     std::to_string(kSchemaVersion) +
+                     "; the next opal map push, by the role that made it, brings it there");
 }
 
 void bring_up_to_date(Session& session, const std::string& where) {

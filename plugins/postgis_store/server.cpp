@@ -18,7 +18,8 @@ std::string connection_string(const ServerOptions& options) {
   std::string text =
       "application_name=opal client_encoding=UTF8 keepalives_idle=10 keepalives_interval=5 keepalives_count=4 "
       "tcp_user_timeout=30000";
-  if (std::getenv("PGCONNECT_TIMEOUT") == nullptr) text += " connect_timeout=" + std::to_string(options.connect_timeout_s);
+  if (std::getenv("PGCONNECT_TIMEOUT") == nullptr)
+    text += " connect_timeout=" + std::to_string(options.connect_timeout_s);
   return text;
 }
 

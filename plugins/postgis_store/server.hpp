@@ -37,8 +37,8 @@ class Server {
   std::string where() const;
 
   /// Runs `work` in a transaction, which is committed if it returns.
-  /// @throws StoreUnreachable if there is no connection or it breaks; StoreError for what the server refuses. Both with the
-  /// server's words and without secrets. What `work` throws by itself comes through.
+  /// @throws StoreUnreachable if there is no connection or it breaks; StoreError for what the server refuses. Both with
+  /// the server's words and without secrets. What `work` throws by itself comes through.
   void transact(const std::function<void(Session&)>& work) const;
   /// The same on one state of the database, without changing it.
   void read(const std::function<void(Session&)>& work) const;

@@ -69,8 +69,8 @@ std::optional<RawScan> decode_laser_scan(Bytes message) {
   const auto range_max_m = cdr.number<float>();
   scan.ranges_m.resize(std::min(cdr.length(sizeof(float)), kMostReadings + 1));
   for (float& range_m : scan.ranges_m) range_m = cdr.number<float>();
-  const bool has_angles = std::abs(*scan.angle_min_rad) < 10 && std::abs(*scan.angle_increment_rad) < 10 &&
-                          *scan.angle_increment_rad != 0;
+  const bool has_angles =
+      std::abs(*scan.angle_min_rad) < 10 && std::abs(*scan.angle_increment_rad) < 10 && *scan.angle_increment_rad != 0;
   if (!cdr.ok() || !has_angles || scan.ranges_m.size() > kMostReadings) return std::nullopt;
   mark_out_of_range(scan.ranges_m, range_min_m, range_max_m);
   return scan;

@@ -23,7 +23,7 @@ struct Transform {
 
 /// nav_msgs/msg/Odometry, as far as it is used.
 struct OdometryMessage {
-  OdometryRecord odometry;   ///< the pose's projection on the floor
+  OdometryRecord odometry;  ///< the pose's projection on the floor
   std::string base_frame;
 };
 

@@ -52,7 +52,8 @@ std::string choose(const std::string& path, const std::set<std::string>& topics,
   if (!wanted.empty()) return wanted;
   if (topics.size() <= 1) return topics.empty() ? "" : *topics.begin();
   if (topics.contains(usual)) return usual;
-  throw LogError(path + ": several topics of type " + type + " (" + listed(topics) + "), expected an option to choose one");
+  throw LogError(path + ": several topics of type " + type + " (" + listed(topics) +
+                 "), expected an option to choose one");
 }
 
 }  // namespace

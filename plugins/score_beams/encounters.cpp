@@ -29,17 +29,18 @@ void Amounts::fade(double keep) {
 
 namespace {
 
-constexpr Amounts Encounters::* kKinds[] = {&Encounters::cells_met,   &Encounters::lines_met,   &Encounters::ends_met,
-                                           &Encounters::lines_ended, &Encounters::objects_met, &Encounters::objects_passed};
+constexpr Amounts Encounters::*kKinds[] = {&Encounters::cells_met,   &Encounters::lines_met,
+                                           &Encounters::ends_met,    &Encounters::lines_ended,
+                                           &Encounters::objects_met, &Encounters::objects_passed};
 
 }  // namespace
 
 void Encounters::fade(double keep) {
-  for (Amounts Encounters::* kind : kKinds) (this->*kind).fade(keep);
+  for (Amounts Encounters::*kind : kKinds) (this->*kind).fade(keep);
 }
 
 void Encounters::add(const Encounters& newer, double weight) {
   fade(1);  // forgets what has nearly vanished
-  for (Amounts Encounters::* kind : kKinds)
+  for (Amounts Encounters::*kind : kKinds)
     for (const Amounts::Entry& entry : (newer.*kind).entries()) (this->*kind).add(entry.thing, weight * entry.amount);
 }

@@ -26,9 +26,10 @@ class Amounts {
 };
 
 /// What the beams have met so far if a hypothesis is right. Seeing the same wall again is hardly new evidence: the
-/// scorer counts what is not in here yet. In beams of a hundred where nothing else is said, summed over whole pieces of evidence.
+/// scorer counts what is not in here yet. In beams of a hundred where nothing else is said, summed over whole pieces of
+/// evidence.
 struct Encounters final : opal::ScorerMemory {
-  Amounts cells_met;     ///< by evidence cell of the local map: beams that ended there, on a mapped surface
+  Amounts cells_met;       ///< by evidence cell of the local map: beams that ended there, on a mapped surface
   Amounts lines_met;       ///< by Surface::line: beams that ended there
   Amounts ends_met;        ///< by FaceEnd::number: how often it was seen, each time by how near
   Amounts lines_ended;     ///< by Surface::line: ends of its faces that were seen, each by what its sightings are worth

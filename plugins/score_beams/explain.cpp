@@ -13,8 +13,8 @@ constexpr std::size_t kMostFindings = 3;
 /// The beams that pass through one mapped object.
 struct Passage {
   int beams = 0;
-  double depth_m = 0;    ///< how far the deepest of them reaches beyond the surface
-  std::string beam;      ///< its name
+  double depth_m = 0;  ///< how far the deepest of them reaches beyond the surface
+  std::string beam;    ///< its name
   int map_feature = -1;
   std::vector<Point> line;
 };
@@ -42,7 +42,8 @@ class Passages {
     std::vector<const Passage*> order;
     for (const auto& [object, passage] : by_object_)
       if (passage.map_feature >= 0) order.push_back(&passage);
-    std::stable_sort(order.begin(), order.end(), [](const Passage* a, const Passage* b) { return a->beams > b->beams; });
+    std::stable_sort(order.begin(), order.end(),
+                     [](const Passage* a, const Passage* b) { return a->beams > b->beams; });
     if (order.size() > kMostFindings) order.resize(kMostFindings);
     std::vector<opal::Finding> findings;
     for (const Passage* passage : order) findings.push_back({words(*passage), passage->map_feature, passage->line});
@@ -74,8 +75,8 @@ std::string beam_without_return(double bearing_rad) {
 
 }  // namespace
 
-std::vector<opal::Finding> BeamScorer::explain(const opal::Hypothesis& hypothesis,
-                                               const opal::Observation& observation, const opal::MapView& map) const {
+std::vector<opal::Finding> BeamScorer::explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                                               const opal::MapView& map) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   Passages passages(map, T_map_base * observation.laser_position);
   for (std::size_t k = 0; k < observation.points.size(); ++k) {

@@ -42,7 +42,8 @@ FaceEnds FaceEnds::of(const opal::MapView& map) {
     const opal::Surface& face = map.surface(number);
     if (face.is_circle()) continue;
     const Point end = face.origin + face.size_m * face.direction;
-    if (!goes_on(map, number, face.origin, -face.direction)) found.push_back({face.origin, face.direction, number, Tip::begin});
+    if (!goes_on(map, number, face.origin, -face.direction))
+      found.push_back({face.origin, face.direction, number, Tip::begin});
     if (!goes_on(map, number, end, face.direction)) found.push_back({end, face.direction, number, Tip::end});
   }
   return FaceEnds(std::move(found));

@@ -10,8 +10,9 @@ using opal::Point;
 /// Which of a face's two ends, seen with the visible side on the left of begin -> end.
 enum class Tip { begin, end };
 
-/// How far an end that was seen may be from the mapped one, along its face and across it, and how far the two faces may be
-/// turned against each other. A wall that is not quite where the map says still ends where it ends: more across than along.
+/// How far an end that was seen may be from the mapped one, along its face and across it, and how far the two faces may
+/// be turned against each other. A wall that is not quite where the map says still ends where it ends: more across than
+/// along.
 struct EndGate {
   double along_m = 0.3, across_m = 0.4, angle_rad = 0.2;
 };
@@ -26,8 +27,8 @@ struct FaceEnd {
   int number() const { return 2 * face + (tip == Tip::end ? 1 : 0); }
 };
 
-/// Ends of mapped faces by place, in square cells: a lookup costs the same however large the map is. Only where a wall stops is
-/// an end: where a face goes on as another one that looks to the same side, there is none.
+/// Ends of mapped faces by place, in square cells: a lookup costs the same however large the map is. Only where a wall
+/// stops is an end: where a face goes on as another one that looks to the same side, there is none.
 class FaceEnds {
  public:
   struct End {

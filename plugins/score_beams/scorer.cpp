@@ -6,18 +6,19 @@ using opal::Point;
 
 namespace {
 
-/// What is seen again and again is worth ever less: `enough` of it count half of `enough`, and any amount less than `enough`.
+/// What is seen again and again is worth ever less: `enough` of it count half of `enough`, and any amount less than
+/// `enough`.
 double worth(double amount, double enough) { return amount / (1 + amount / enough); }
 
 }  // namespace
 
 struct BeamScorer::Tally {
-  SumsByThing matched;  ///< beams that end on a mapped surface, by evidence cell of the local map
-  SumsByThing lines;    ///< the same by the surface's line, with those beyond an absent object
-  SumsByThing ends;     ///< ends of faces that were seen where the map has one, by FaceEnd::number
+  SumsByThing matched;      ///< beams that end on a mapped surface, by evidence cell of the local map
+  SumsByThing lines;        ///< the same by the surface's line, with those beyond an absent object
+  SumsByThing ends;         ///< ends of faces that were seen where the map has one, by FaceEnd::number
   SumsByThing ended_lines;  ///< what these sightings are worth, by the mapped face's line
-  SumsByThing ended;    ///< beams that end on a mapped surface, by its object
-  SumsByThing passed;   ///< beams by the object that they pass through
+  SumsByThing ended;        ///< beams that end on a mapped surface, by its object
+  SumsByThing passed;       ///< beams by the object that they pass through
   int beams = 0;
   double hits = 0, hits_behind = 0, other_side = 0, early = 0, throughs = 0, free_throughs = 0;
 };
@@ -52,7 +53,8 @@ double BeamScorer::likelihood_field(double distance_m, double range_m) const {
   return std::exp(-0.5 * z * z);
 }
 
-void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end, int evidence_cell, Tally& tally) const {
+void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end, int evidence_cell,
+                              Tally& tally) const {
   constexpr double kLeast = 0.05, kStepBack_m = 0.02, kCrossed_m = 0.1;
   const double range = (end - eye).norm();
   const int nearest = map.nearest_facing(end, end - eye);
@@ -85,7 +87,8 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
   }
 }
 
-/// Where a wall stops is hardly anywhere met by chance: false places have walls where there are walls, but they end elsewhere.
+/// Where a wall stops is hardly anywhere met by chance: false places have walls where there are walls, but they end
+/// elsewhere.
 void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
                             const Encounters& before, Tally& tally) const {
   const auto* face = std::get_if<opal::Segment>(&seen.geometry);
@@ -94,11 +97,13 @@ void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_b
     const bool at_begin = tip == Tip::begin;
     if (!seen.true_end[at_begin ? 0 : 1]) continue;
     const FaceEnd met = before.face_ends->nearest(T_map_base * (at_begin ? face->begin : face->end),
-                                                T_map_base.rotate(face->direction()), tip, end_gate_);
+                                                  T_map_base.rotate(face->direction()), tip, end_gate_);
     if (met.face < 0) continue;
-    const double known = before.ends_met.of(met.number()) + tally.ends.of(met.number()), fresh = std::exp(-2 * met.gates * met.gates);
+    const double known = before.ends_met.of(met.number()) + tally.ends.of(met.number()),
+                 fresh = std::exp(-2 * met.gates * met.gates);
     tally.ends.add(met.number(), fresh);
-    tally.ended_lines.add(map.surface(met.face).line, worth(known + fresh, enough_sightings_) - worth(known, enough_sightings_));
+    tally.ended_lines.add(map.surface(met.face).line,
+                          worth(known + fresh, enough_sightings_) - worth(known, enough_sightings_));
   }
 }
 
@@ -110,8 +115,7 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
   if (map.first_crossing(eye, end, margin_at(range)).feature >= 0) tally.free_throughs += 1;
 }
 
-double BeamScorer::news(const SumsByThing& beams, double each, double enough, const Amounts& before,
-                        Amounts& now) {
+double BeamScorer::news(const SumsByThing& beams, double each, double enough, const Amounts& before, Amounts& now) {
   double total = 0;
   beams.each([&](int thing, double count) {
     const double known = before.of(thing), fresh = each * count;
@@ -121,8 +125,8 @@ double BeamScorer::news(const SumsByThing& beams, double each, double enough, co
   return total;
 }
 
-/// Share of beams that pass through objects on which others end, and the other way round. An object that is not there is
-/// passed through wherever it is looked at, one that is there nowhere; if it is both, the pose is wrong.
+/// Share of beams that pass through objects on which others end, and the other way round. An object that is not there
+/// is passed through wherever it is looked at, one that is there nowhere; if it is both, the pose is wrong.
 double BeamScorer::conflict(const Tally& tally, double each, const Encounters& before) const {
   double beams = 0;
   const auto add = [&](const SumsByThing& these, const Amounts& these_before, const SumsByThing& others,
@@ -145,12 +149,12 @@ BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const 
   std::vector<int> as_now;
   if (observation.evidence_cells.empty()) as_now = observation.local_map.evidence_cells(observation.points);
   const std::vector<int>& evidence_cells = observation.evidence_cells.empty() ? as_now : observation.evidence_cells;
-  for (std::size_t k = 0; k < observation.points.size(); ++k) judge_return(map, eye, T_map_base * observation.points[k], evidence_cells[k], tally);
+  for (std::size_t k = 0; k < observation.points.size(); ++k)
+    judge_return(map, eye, T_map_base * observation.points[k], evidence_cells[k], tally);
   for (double bearing : observation.free_bearings_rad)
     judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
   if (end_ > 0)
-    for (const opal::Feature& seen : observation.features)
-      judge_ends(map, T_map_base, seen, before, tally);
+    for (const opal::Feature& seen : observation.features) judge_ends(map, T_map_base, seen, before, tally);
   return tally;
 }
 
@@ -182,9 +186,11 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const double met = tally.hits + tally.hits_behind + tally.other_side;
   tally.ended.each([&](int object, double count) { now.objects_met.add(object, each * count); });
   tally.ends.each([&](int end, double sightings) { now.ends_met.add(end, sightings); });
-  const double nat = match_ * matched + line_ * lines + end_ * ends - absent_ * passed - conflict_ * conflict(tally, each, before) +
+  const double nat = match_ * matched + line_ * lines + end_ * ends - absent_ * passed -
+                     conflict_ * conflict(tally, each, before) +
                      (hit_ * met - early_ * tally.early - through_ * (tally.throughs - tally.hits_behind) -
-                      free_through_ * tally.free_throughs) / n;
+                      free_through_ * tally.free_throughs) /
+                         n;
   const double throughs = tally.throughs + tally.free_throughs;
   return {std::max(nat, floor_),
           {},

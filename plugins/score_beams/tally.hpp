@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-/// Sums by the number of a thing, for the few dozen things that one scan meets. Things beyond what there is room for share
-/// the last sum.
+/// Sums by the number of a thing, for the few dozen things that one scan meets. Things beyond what there is room for
+/// share the last sum.
 class SumsByThing {
  public:
   void add(int thing, double amount) { at(thing) += amount; }

@@ -33,8 +33,7 @@ EvidenceScorer::Match EvidenceScorer::match_face(const Segment& observed, const 
   const double chi2 = std::pow(angle / angle_sigma, 2) + std::pow(offset / sigma_m_, 2);
   const double u = face->direction().dot(observed.begin - face->begin);
   const double v = face->direction().dot(observed.end - face->begin);
-  const double covered =
-      std::min(face->length_m(), std::max(u, v)) - std::max(0.0, std::min(u, v));
+  const double covered = std::min(face->length_m(), std::max(u, v)) - std::max(0.0, std::min(u, v));
   const double share = std::clamp(covered / length, 0.0, 1.0);
   if (chi2 > gate_chi2_ || share < 0.4) return {};
   const double density = 1 / (2 * std::numbers::pi * angle_sigma * sigma_m_);
@@ -69,7 +68,7 @@ bool EvidenceScorer::matches(const opal::Feature& observed, const Point& eye, co
 }
 
 opal::Score EvidenceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map, const opal::ScorerMemory*) const {
+                                  const opal::MapView& map, const opal::ScorerMemory*) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   const Point eye = T_map_base * observation.laser_position;
   double matched = 0, missed = 0;
@@ -86,7 +85,6 @@ opal::Score EvidenceScorer::score(const opal::Hypothesis& hypothesis, const opal
     }
   }
   const double n = std::max<double>(3, static_cast<double>(observation.features.size()));
-  return {weight_ * (matched + missed) / n,
-          {},
-          {{"matches", double(matches)}, {"matched", matched}, {"missed", missed}}};
+  return {
+      weight_ * (matched + missed) / n, {}, {{"matches", double(matches)}, {"matched", matched}, {"missed", missed}}};
 }

@@ -10,8 +10,8 @@
 class EvidenceScorer final : public opal::HypothesisScorer {
  public:
   explicit EvidenceScorer(const nlohmann::json& options);
-  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map, const opal::ScorerMemory*) const override;
+  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map,
+                    const opal::ScorerMemory*) const override;
   bool judges_associations() const override { return false; }
   /// The largest features of the scan that no mapped feature explains.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,

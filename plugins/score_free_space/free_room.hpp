@@ -5,7 +5,8 @@
 #include <array>
 #include <vector>
 
-/// Room that is surely empty: the outline of a scan's beams, shrunk. It may fall into several pieces. Frame: base_link [m].
+/// Room that is surely empty: the outline of a scan's beams, shrunk. It may fall into several pieces. Frame: base_link
+/// [m].
 class FreeRoom {
  public:
   /// @param outline  not closed; simple but for rounding.

@@ -114,7 +114,7 @@ std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_m
 }
 
 opal::Score FreeSpaceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map, const opal::ScorerMemory*) const {
+                                   const opal::MapView& map, const opal::ScorerMemory*) const {
   const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   double overlap_m = 0;
   for (const Overlap& overlap : overlaps(T_map_base, observation, map)) overlap_m += overlap.length_m;
@@ -130,14 +130,16 @@ std::vector<opal::Finding> FreeSpaceScorer::explain(const opal::Hypothesis& hypo
   constexpr std::size_t kMostFindings = 3;
   const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
   std::vector<Overlap> found = overlaps(T_map_base, observation, map);
-  std::stable_sort(found.begin(), found.end(), [](const Overlap& a, const Overlap& b) { return a.length_m > b.length_m; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Overlap& a, const Overlap& b) { return a.length_m > b.length_m; });
   if (found.size() > kMostFindings) found.resize(kMostFindings);
   std::vector<opal::Finding> findings;
   for (const Overlap& overlap : found) {
     const opal::MapObject& object = map.map().objects()[map.feature(overlap.map_feature).object];
-    findings.push_back({metres(overlap.length_m) + " of " + object.type + " " + object.id + " stand where the scan shows free space",
-                        overlap.map_feature,
-                        {T_map_base * overlap.longest.begin, T_map_base * overlap.longest.end}});
+    findings.push_back(
+        {metres(overlap.length_m) + " of " + object.type + " " + object.id + " stand where the scan shows free space",
+         overlap.map_feature,
+         {T_map_base * overlap.longest.begin, T_map_base * overlap.longest.end}});
   }
   return findings;
 }

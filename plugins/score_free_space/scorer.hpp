@@ -2,8 +2,8 @@
 
 #include "free_room.hpp"
 
-#include <opal/sensing/free_space.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
+#include <opal/sensing/free_space.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -11,15 +11,15 @@
 #include <set>
 #include <string>
 
-/// Absence of expected geometry (Hendrikx 2023, 4.3.6): what the map has inside the room that the scan shows to be empty
-/// speaks against a hypothesis. Beams that end early leave less room, and say nothing else. Things that move (doors) or that
-/// a laser looks through (windows) are no evidence, nor is what the sensor does not perceive.
+/// Absence of expected geometry (Hendrikx 2023, 4.3.6): what the map has inside the room that the scan shows to be
+/// empty speaks against a hypothesis. Beams that end early leave less room, and say nothing else. Things that move
+/// (doors) or that a laser looks through (windows) are no evidence, nor is what the sensor does not perceive.
 class FreeSpaceScorer final : public opal::HypothesisScorer {
  public:
   explicit FreeSpaceScorer(const nlohmann::json& options);
   ~FreeSpaceScorer() override;
-  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map, const opal::ScorerMemory*) const override;
+  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map,
+                    const opal::ScorerMemory*) const override;
   bool judges_associations() const override { return false; }
   /// The mapped objects that reach deepest into free space.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,

@@ -50,8 +50,8 @@ LackOfFitScorer::Fit LackOfFitScorer::fit_of(const opal::Hypothesis& hypothesis,
       ++fit.unmatched;
       continue;
     }
-    const double error = error_m(transformed(hypothesis.T_map_local, local->feature.geometry),
-                                 map.feature(it->map_feature).geometry);
+    const double error =
+        error_m(transformed(hypothesis.T_map_local, local->feature.geometry), map.feature(it->map_feature).geometry);
     fit.squares += error * error;
     ++fit.matched;
     if (error <= fit.worst_m) continue;
@@ -62,13 +62,14 @@ LackOfFitScorer::Fit LackOfFitScorer::fit_of(const opal::Hypothesis& hypothesis,
 }
 
 opal::Score LackOfFitScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map, const opal::ScorerMemory*) const {
+                                   const opal::MapView& map, const opal::ScorerMemory*) const {
   const Fit all = fit_of(hypothesis, observation, map);
   const double fit = -all.squares / (sigma_m_ * sigma_m_);
   const double matched = -all.matched * std::log(not_on_map_probability_);
-  opal::Score score{weight_ * (matched + fit),
-                    {},
-                    {{"matched", matched}, {"fit", fit}, {"not_on_map", double(all.unmatched)}, {"worst_m", all.worst_m}}};
+  opal::Score score{
+      weight_ * (matched + fit),
+      {},
+      {{"matched", matched}, {"fit", fit}, {"not_on_map", double(all.unmatched)}, {"worst_m", all.worst_m}}};
   if (veto_m_ > 0 && all.worst_m > veto_m_)
     score.veto = "an association is " + std::to_string(all.worst_m) + " m off, more than " + std::to_string(veto_m_);
   return score;

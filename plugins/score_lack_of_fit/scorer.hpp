@@ -4,15 +4,16 @@
 
 #include <nlohmann/json.hpp>
 
-/// Lack of fit of the newest associations under the hypothesis' registration (Hendrikx 2023, eq. 3.14), and the heuristic
-/// probability of an association with nothing on the map (table 3.1). Both as a ratio against "all of this is clutter",
-/// which divides every hypothesis of a tree's level by the same number: an association with nothing on the map says
-/// nothing, a matched one ln(1 / p(*)) less its lack of fit. So hypotheses that were spawned at different times compare.
+/// Lack of fit of the newest associations under the hypothesis' registration (Hendrikx 2023, eq. 3.14), and the
+/// heuristic probability of an association with nothing on the map (table 3.1). Both as a ratio against "all of this is
+/// clutter", which divides every hypothesis of a tree's level by the same number: an association with nothing on the
+/// map says nothing, a matched one ln(1 / p(*)) less its lack of fit. So hypotheses that were spawned at different
+/// times compare.
 class LackOfFitScorer final : public opal::HypothesisScorer {
  public:
   explicit LackOfFitScorer(const nlohmann::json& options);
-  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                    const opal::MapView& map, const opal::ScorerMemory*) const override;
+  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map,
+                    const opal::ScorerMemory*) const override;
   /// The association that fits worst.
   std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                      const opal::MapView& map) const override;

@@ -35,8 +35,7 @@ std::string repeated(const std::string& text, int times) {
 }  // namespace
 
 TEST_CASE("strict JSON keeps values as they are written") {
-  const std::string text =
-      R"({"a": [1, -2, 2.5, 1e3, true, false, null, "\u00e9\ud83d\ude00"], "": {}, "b": []})";
+  const std::string text = R"({"a": [1, -2, 2.5, 1e3, true, false, null, "\u00e9\ud83d\ude00"], "": {}, "b": []})";
   CHECK(parse_json(text, "a.json") == json::parse(text));
   CHECK(parse_json(" 7 \n", "a.json") == 7);
   CHECK(parse_json("18446744073709551615", "a.json") == 18446744073709551615u);

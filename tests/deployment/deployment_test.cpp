@@ -1,7 +1,7 @@
-#include <opal/deployment/deployment.hpp>
 #include <opal/common/error.hpp>
-#include "jsonld/json_ld.hpp"
 #include <opal/common/strict_json.hpp>
+#include <opal/deployment/deployment.hpp>
+#include "jsonld/json_ld.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -17,7 +17,8 @@ const std::string kFile = "configs/hall.jsonld";
 /// A deployment with these members beside the ones that it cannot be without.
 std::string document(const std::string& members) {
   return R"({"@context": "urn:opal:v1", "@type": "opal:Deployment")" +
-         std::string(members.find("\"scorers\"") == std::string::npos ? R"(, "scorers": [{"@type": "opal:Beams"}])" : "") +
+         std::string(members.find("\"scorers\"") == std::string::npos ? R"(, "scorers": [{"@type": "opal:Beams"}])"
+                                                                      : "") +
          (members.empty() ? "" : ", " + members) + "}";
 }
 
@@ -141,7 +142,8 @@ TEST_CASE("a wrong deployment is refused with the place, what was found and what
   const auto refusal = [](const std::string& members) { return refusal_of(document(members)); };
   CHECK(refusal(R"("sensor": {"beams": 0})") == "/sensor/beams: 0, expected an integer from 1 to 100000");
   CHECK(refusal(R"("sensor": {"beams": 3.5})") == "/sensor/beams: 3.5, expected an integer from 1 to 100000");
-  CHECK(refusal(R"("sensor": {"range_max_m": "far"})") == "/sensor/range_max_m: \"far\", expected a number from 0.0001 to 1000");
+  CHECK(refusal(R"("sensor": {"range_max_m": "far"})") ==
+        "/sensor/range_max_m: \"far\", expected a number from 0.0001 to 1000");
   CHECK(refusal(R"("sensor": {"range_min_m": 40})") == "/sensor/range_max_m: absent, expected more than range_min_m");
   CHECK(refusal(R"("sensor": {"T_base_laser": [0, 0, 0]})") == "/sensor/T_base_laser: [0,0,0], expected an object");
   CHECK(refusal(R"("detectors": {"@type": "a"})") == "/detectors: {\"@type\":\"a\"}, expected a list");
@@ -156,7 +158,8 @@ TEST_CASE("a wrong deployment is refused with the place, what was found and what
         "/scorers/0/weight: -1, expected a number from 0 to 1000");
   CHECK(refusal(R"("scorers": [{"@type": "a", "role": "observes"}])") ==
         "/scorers: no scorer decides, expected at least one with role \"decides\"");
-  CHECK_THAT(refusal(R"("stages": {"hypotheses": {"max_hypotheses": 0}})"), StartsWith("/stages/hypotheses/max_hypotheses: 0, expected"));
+  CHECK_THAT(refusal(R"("stages": {"hypotheses": {"max_hypotheses": 0}})"),
+             StartsWith("/stages/hypotheses/max_hypotheses: 0, expected"));
   CHECK_THAT(refusal_of("[]"), StartsWith("/: [], expected an object"));
   CHECK(refusal_of(R"({"@context": "urn:opal:v2"})") == "/@context: \"urn:opal:v2\", expected \"urn:opal:v1\"");
   CHECK(refusal_of(R"({"@context": "urn:opal:v1", "@type": "Plugin"})") ==
@@ -171,7 +174,8 @@ TEST_CASE("a key that is misspelt or obsolete is refused, with those that there 
         "/keyframes/distance: unknown key, expected one of: angle_rad, distance_m");
   CHECK(refusal_of(document(R"("matcher": {"@type": "a", "role": "decides"})")) ==
         "/matcher/role: unknown key, expected one of: @type, options");
-  CHECK_THAT(refusal_of(document(R"("local_map": {"hor/izon~m": 1})")), StartsWith("/local_map/hor~1izon~0m: unknown key"));
+  CHECK_THAT(refusal_of(document(R"("local_map": {"hor/izon~m": 1})")),
+             StartsWith("/local_map/hor~1izon~0m: unknown key"));
 }
 
 TEST_CASE("a deployment that cannot be opened is an error that names it") {
@@ -191,7 +195,8 @@ TEST_CASE("without lists in the deployment, the map decides what runs") {
 
 TEST_CASE("a deployment narrows what the map calls for, and keeps its own order") {
   const PluginRegistry registry = shipped_plugins();
-  const Deployment deployment = parsed(R"("detectors": [{"@type": "opal:CircleDetector"}, {"@type": "opal:LineDetector"}])");
+  const Deployment deployment =
+      parsed(R"("detectors": [{"@type": "opal:CircleDetector"}, {"@type": "opal:LineDetector"}])");
   CHECK(names_of(build_parts(deployment, registry, room(true)).detectors) ==
         std::vector<std::string>{"opal:CircleDetector", "opal:LineDetector"});
   CHECK(names_of(build_parts(deployment, registry, room(false)).detectors) ==
@@ -201,7 +206,8 @@ TEST_CASE("a deployment narrows what the map calls for, and keeps its own order"
 TEST_CASE("a pattern that waits to be named runs where the deployment names it") {
   CHECK_THAT(names_of(build_parts(parsed(""), shipped_plugins(), room(true)).patterns),
              !Catch::VectorContains(std::string("opal:ColumnWallPair")));
-  const auto parts = build_parts(parsed(R"("patterns": [{"@type": "opal:ColumnWallPair"}])"), shipped_plugins(), room(true));
+  const auto parts =
+      build_parts(parsed(R"("patterns": [{"@type": "opal:ColumnWallPair"}])"), shipped_plugins(), room(true));
   CHECK(names_of(parts.patterns) == std::vector<std::string>{"opal:ColumnWallPair"});
 }
 
@@ -213,15 +219,20 @@ TEST_CASE("a pattern whose features no detector of the deployment produces does 
 }
 
 TEST_CASE("parts that no plugin offers, of another kind, or with wrong options are refused by file and place") {
-  CHECK_THAT(building_refusal(R"("detectors": [{"@type": "acme:Nothing"}])"),
-             StartsWith(kFile + ": /detectors/0/@type: \"acme:Nothing\", which no plugin offers, expected a FeatureDetector (opal:"));
-  CHECK_THAT(building_refusal(R"("detectors": [{"@type": "opal:Beams"}])"),
-             StartsWith(kFile + ": /detectors/0/@type: \"opal:Beams\", which is a HypothesisScorer, expected a FeatureDetector"));
+  CHECK_THAT(
+      building_refusal(R"("detectors": [{"@type": "acme:Nothing"}])"),
+      StartsWith(kFile +
+                 ": /detectors/0/@type: \"acme:Nothing\", which no plugin offers, expected a FeatureDetector (opal:"));
+  CHECK_THAT(
+      building_refusal(R"("detectors": [{"@type": "opal:Beams"}])"),
+      StartsWith(kFile +
+                 ": /detectors/0/@type: \"opal:Beams\", which is a HypothesisScorer, expected a FeatureDetector"));
   CHECK_THAT(building_refusal(R"("detectors": [{"@type": "opal:LineDetector", "options": {"min_points": 1}}])"),
              StartsWith(kFile + ": /detectors/0/options/min_points: 1, expected an integer"));
   CHECK_THAT(building_refusal(R"("scorers": [{"@type": "opal:Beams", "options": {"sigma": 1}}])"),
              StartsWith(kFile + ": /scorers/0/options/sigma: unknown, expected one of: "));
-  CHECK_THAT(building_refusal(R"("patterns": [])"), StartsWith(kFile + ": /patterns: nothing is left to run with this map"));
+  CHECK_THAT(building_refusal(R"("patterns": [])"),
+             StartsWith(kFile + ": /patterns: nothing is left to run with this map"));
 }
 
 TEST_CASE("every shipped configuration is readable, and its parts can be made") {

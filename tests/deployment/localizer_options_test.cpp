@@ -7,11 +7,11 @@
 using namespace opal;
 
 TEST_CASE("options of stages are read by name, and what is not named keeps its default") {
-  const LocalizerOptions options = read_localizer_options(
-      {{"search", {{"patterns", 4}, {"region", {{"x_m", 1.0}, {"y_m", -2}, {"radius_m", 5}}}}},
-       {"tracking", {{"evidence_memory", 0.9}}},
-       {"growth", {{"branch_not_on_map", true}}}},
-      "a.jsonld: /stages");
+  const LocalizerOptions options =
+      read_localizer_options({{"search", {{"patterns", 4}, {"region", {{"x_m", 1.0}, {"y_m", -2}, {"radius_m", 5}}}}},
+                              {"tracking", {{"evidence_memory", 0.9}}},
+                              {"growth", {{"branch_not_on_map", true}}}},
+                             "a.jsonld: /stages");
   CHECK(options.search.patterns == 4);
   CHECK(options.search.places == SearchOptions().places);
   CHECK(options.tracking.evidence_memory == 0.9);
@@ -29,10 +29,12 @@ TEST_CASE("a wrong option of a stage is refused with its place, what was found a
     }
     return "nothing was refused";
   };
-  CHECK_THAT(message({{"serach", nlohmann::json::object()}}),
-             Catch::StartsWith("a.jsonld: /stages/serach: unknown stage, expected one of: tempering, schedule, search,"));
-  CHECK_THAT(message({{"tracking", {{"memmory", 0.9}}}}),
-             Catch::StartsWith("a.jsonld: /stages/tracking/memmory: unknown option, expected one of: evidence_memory,"));
+  CHECK_THAT(
+      message({{"serach", nlohmann::json::object()}}),
+      Catch::StartsWith("a.jsonld: /stages/serach: unknown stage, expected one of: tempering, schedule, search,"));
+  CHECK_THAT(
+      message({{"tracking", {{"memmory", 0.9}}}}),
+      Catch::StartsWith("a.jsonld: /stages/tracking/memmory: unknown option, expected one of: evidence_memory,"));
   CHECK(message({{"tracking", 7}}) == "a.jsonld: /stages/tracking: 7, expected an object of options");
   CHECK(message({{"tracking", {{"evidence_memory", 1.5}}}}) ==
         "a.jsonld: /stages/tracking/evidence_memory: 1.5, expected a number from 0.0 to 1.0");

@@ -1,7 +1,7 @@
 #include "tests/kit/temporary_folder.hpp"
 
-#include "drawing/drawing.hpp"
 #include <opal/common/error.hpp>
+#include "drawing/drawing.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -70,8 +70,7 @@ TEST_CASE("a scene becomes an SVG and a PNG of the same shape") {
   CHECK(text.find("<svg") != std::string::npos);
   CHECK(text.find("</svg>") != std::string::npos);
   double width = 0, height = 0;
-  REQUIRE(std::sscanf(text.c_str() + text.find("width=\""), "width=\"%lf%*[a-z]\" height=\"%lf", &width,
-                      &height) == 2);
+  REQUIRE(std::sscanf(text.c_str() + text.find("width=\""), "width=\"%lf%*[a-z]\" height=\"%lf", &width, &height) == 2);
   const auto [png_width, png_height] = png_size(contents(png));
   CHECK(png_width / width == Approx(png_height / height).epsilon(0.01));
 }
@@ -117,6 +116,5 @@ TEST_CASE("a title with bytes that are no UTF-8 does not blank the picture") {
 TEST_CASE("a picture that cannot be written is an error that names the file") {
   const std::string path = "/nonexistent-folder/picture.png";
   CHECK_THROWS_WITH(write_png(hall(), path), Catch::StartsWith(path));
-  CHECK_THROWS_WITH(write_svg(hall(), "/nonexistent-folder/picture.svg"),
-                    Catch::StartsWith("/nonexistent-folder"));
+  CHECK_THROWS_WITH(write_svg(hall(), "/nonexistent-folder/picture.svg"), Catch::StartsWith("/nonexistent-folder"));
 }

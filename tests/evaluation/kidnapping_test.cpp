@@ -70,7 +70,7 @@ TEST_CASE("sequences join places that are far apart, and the same seed draws the
     CHECK(s.before.end_s - s.before.start_s >= options.before_m);
     CHECK(s.after.end_s - s.after.start_s >= options.after_m - 1);
   }
-  CHECK(sequences[0].id == "hall-splice01");
+  CHECK(sequences[0].id == "hall-sequence01");
   const auto again = draw_kidnapping_sequences("hall", queries, truth, options);
   CHECK(again[17].before.end_s == sequences[17].before.end_s);
   options.seed = 2;

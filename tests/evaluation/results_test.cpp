@@ -40,7 +40,8 @@ TEST_CASE("result rows are what the benchmark reads, and read back as they were"
 TEST_CASE("alternatives read back as they were; what is not finite is not written") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::ostringstream out;
-  write_alternatives(out, std::vector<AlternativeRow>{{"q", 1, Pose2(3, 4, 1), 0.125}, {"q", 2, Pose2(nan, 0, 0), 0.5}});
+  write_alternatives(out,
+                     std::vector<AlternativeRow>{{"q", 1, Pose2(3, 4, 1), 0.125}, {"q", 2, Pose2(nan, 0, 0), 0.5}});
   const TextFile file(out.str());
   const auto read = read_alternatives(file.path());
   REQUIRE(read.size() == 1);

@@ -9,7 +9,8 @@ namespace {
 
 using namespace opal;
 
-const std::string kInfo = R"({"site": "hall", "laser": {"n_beams": 181, "angle_min_deg": -90.0, "angle_increment_deg": 1.0,
+const std::string kInfo =
+    R"({"site": "hall", "laser": {"n_beams": 181, "angle_min_deg": -90.0, "angle_increment_deg": 1.0,
   "no_return_at_or_above_m": 80.0, "offset_x_m": 0.78, "offset_y_m": -0.1, "offset_theta": 0.5}})";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -79,7 +80,9 @@ TEST_CASE("queries are read in order") {
 }
 
 TEST_CASE("wrong queries are refused with their place") {
-  const auto told = [](const std::string& queries) { return complaint(read_queries, "{\"queries\": " + queries + "}"); };
+  const auto told = [](const std::string& queries) {
+    return complaint(read_queries, "{\"queries\": " + queries + "}");
+  };
   CHECK(told("[{\"id\": \"a\", \"start_time\": 1}]") ==
         ": /queries/0/end_time: missing, expected seconds, not before start_time");
   CHECK(told("[{\"id\": \"a\", \"start_time\": 2, \"end_time\": 1}]") ==

@@ -34,7 +34,8 @@ TEST_CASE("a rational spline is a circle exactly, and its chords are as near as 
   const auto points = chord_points(quarter_circle(), tolerance);
   REQUIRE(points.size() > 2);
   for (const Vector3d& p : points) CHECK(p.norm() == Approx(1).margin(1e-12));
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) CHECK(1 - (points[k] + points[k + 1]).norm() / 2 < 1.1 * tolerance);
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    CHECK(1 - (points[k] + points[k + 1]).norm() / 2 < 1.1 * tolerance);
   CHECK(points.size() < 4 / std::sqrt(tolerance));
 }
 

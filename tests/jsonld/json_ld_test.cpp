@@ -102,8 +102,7 @@ TEST_CASE("what maps to no IRI is refused where asked") {
   CHECK_THAT(key.message, Contains("/@graph/1/sise: unknown term: \"sise\""));
 
   CHECK(refused(R"({"@type": ["urn:a", "Wal"]})").pointer == "/@type/1");
-  CHECK(refused(R"({"@context": {"state": {"@id": "urn:s", "@type": "@vocab"}}, "state": "opn"})").pointer ==
-        "/state");
+  CHECK(refused(R"({"@context": {"state": {"@id": "urn:s", "@type": "@vocab"}}, "state": "opn"})").pointer == "/state");
   CHECK(refused(R"({"urn:a": {"@reverse": {"b": {"@id": "urn:c"}}}})").pointer == "/urn:a/@reverse/b");
   CHECK(refused(R"({"urn:a": {"@grph": []}})").pointer == "/urn:a/@grph");
   CHECK(refused(R"({"@context": {"@protect": true}})").pointer == "/@context/@protect");
@@ -121,10 +120,10 @@ TEST_CASE("a prefix that nobody defined is refused where asked") {
   const auto refused = [](const std::string& text) { return refusal(parsed(text), strict()); };
   CHECK(refused(R"({"@context": {"opal": "urn:opal:"}, "@type": "opl:Wall"})").code == "unknown prefix");
   CHECK(refused(R"({"opl:size": 1})").pointer == "/opl:size");
-  CHECK_NOTHROW(flatten(
-      parsed(R"({"@context": {"opal": "urn:opal:"}, "@type": ["opal:Wall", "urn:x:y", "http://x/y", "_:t"],
+  CHECK_NOTHROW(
+      flatten(parsed(R"({"@context": {"opal": "urn:opal:"}, "@type": ["opal:Wall", "urn:x:y", "http://x/y", "_:t"],
                                    "opal:size": 1, "https://example.org/p": 2, "urn:p": 3})"),
-      strict()));
+              strict()));
 }
 
 TEST_CASE("a term mapped to null on purpose is dropped, not refused") {
@@ -145,8 +144,7 @@ TEST_CASE("contexts come from the table and from nowhere else") {
   CHECK(expand(document, options) == parsed(R"([{"urn:size": [{"@value": 1}]}])"));
   options.base = "http://example.org/maps/a.jsonld";
   options.contexts["http://example.org/maps/c"] = options.contexts["urn:c"];
-  CHECK(expand(parsed(R"({"@context": "c", "size": 1})"), options) ==
-        parsed(R"([{"urn:size": [{"@value": 1}]}])"));
+  CHECK(expand(parsed(R"({"@context": "c", "size": 1})"), options) == parsed(R"([{"urn:size": [{"@value": 1}]}])"));
 }
 
 TEST_CASE("an error inside a context of the table names it") {
@@ -239,8 +237,7 @@ TEST_CASE("many values of one property do not cost the square of their number") 
 }
 
 TEST_CASE("blank nodes get the same labels each time, whatever they were called") {
-  const json document =
-      parsed(R"({"urn:z": [{"urn:p": 1}, {"@id": "_:x", "urn:p": 2}], "urn:a": {"@id": "_:x"}})");
+  const json document = parsed(R"({"urn:z": [{"urn:p": 1}, {"@id": "_:x", "urn:p": 2}], "urn:a": {"@id": "_:x"}})");
   const json nodes = flatten(document);
   CHECK(nodes == flatten(document));
   REQUIRE(nodes.size() == 3);
@@ -271,7 +268,8 @@ TEST_CASE("a graph whose name looks like a keyword is compacted as one without a
 }
 
 TEST_CASE("an id that a term's container or type gives a frame matches as one that is written out") {
-  const json document = {{"@graph", {{{"@id", "urn:a"}, {"urn:p", {{"@id", "urn:b"}}}}, {{"@id", "urn:b"}, {"urn:q", 1}}}}};
+  const json document = {
+      {"@graph", {{{"@id", "urn:a"}, {"urn:p", {{"@id", "urn:b"}}}}, {{"@id", "urn:b"}, {"urn:q", 1}}}}};
   const auto framed = [&](const json& term, const json& value) {
     json definition = term;
     definition["@id"] = "urn:p";

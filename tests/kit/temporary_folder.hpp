@@ -9,10 +9,12 @@
 
 namespace opal {
 
-/// A folder of its own, by its canonical path, gone with this. Tests run at the same time, so nothing that they write may have a fixed path.
+/// A folder of its own, by its canonical path, gone with this. Tests run at the same time, so nothing that they write
+/// may have a fixed path.
 class TemporaryFolder {
  public:
-  TemporaryFolder() : path_((std::filesystem::canonical(std::filesystem::temp_directory_path()) / "opal_test_XXXXXX").string()) {
+  TemporaryFolder()
+      : path_((std::filesystem::canonical(std::filesystem::temp_directory_path()) / "opal_test_XXXXXX").string()) {
     if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error(path_ + ": cannot make a temporary folder");
   }
   ~TemporaryFolder() {

@@ -29,7 +29,8 @@ std::vector<Feature> random_world(std::mt19937& random) {
     const Point a(6 * i, 4 + uniform(random, 1)), b(uniform(random, 6), uniform(random, 6));
     world.push_back({"opal:Wall", Segment{a, a + Point(3, uniform(random, 0.5))}, covariance, {false, true}, 3});
     world.push_back({"opal:Pillar", Circle{Point(6 * i, -4) + b, 0.2 + 0.1 * i}, covariance, {}, 0});
-    world.push_back({"opal:Corner", OrientedPoint{Point(6 * i + 3, -8) + b, uniform(random, 3), 1.6}, covariance, {}, 0});
+    world.push_back(
+        {"opal:Corner", OrientedPoint{Point(6 * i + 3, -8) + b, uniform(random, 3), 1.6}, covariance, {}, 0});
     world.push_back({"acme:Pole", Point(Point(6 * i + 3, -16) + b), covariance, {}, 0});
   }
   return world;
@@ -52,11 +53,13 @@ Drive random_drive(std::mt19937& random, int steps) {
   for (int i = 0; i < steps; ++i) {
     const Pose2 step(0.4, uniform(random, 0.1), uniform(random, 0.2));
     truth = i ? truth * step : truth;
-    T_odom_base = i ? T_odom_base * step * Pose2(uniform(random, 0.02), uniform(random, 0.02), uniform(random, 0.02)) : truth;
+    T_odom_base =
+        i ? T_odom_base * step * Pose2(uniform(random, 0.02), uniform(random, 0.02), uniform(random, 0.02)) : truth;
     drive.T_odom_base.push_back(T_odom_base);
     auto& detected = drive.detected.emplace_back();
     for (const Feature& feature : world)
-      if (uniform(random, 1) < 0.4) detected.push_back(noisy(random, transformed((truth * kT_base_laser).inverse(), feature)));
+      if (uniform(random, 1) < 0.4)
+        detected.push_back(noisy(random, transformed((truth * kT_base_laser).inverse(), feature)));
     drive.scans.emplace_back().stamp_s = 0.1 * i;
   }
   return drive;

@@ -10,9 +10,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-Eigen::Matrix3d covariance(double x, double y, double z) {
-  return Eigen::Vector3d(x, y, z).cwiseAbs2().asDiagonal();
-}
+Eigen::Matrix3d covariance(double x, double y, double z) { return Eigen::Vector3d(x, y, z).cwiseAbs2().asDiagonal(); }
 
 Feature wall(Point begin, Point end, bool true_begin = false, bool true_end = false) {
   return {"opal:Wall", Segment{begin, end}, covariance(0.01, 0.01, 0), {true_begin, true_end}, (end - begin).norm()};

@@ -20,7 +20,8 @@ class RandomMap {
     for (int i = 0; i < 12; ++i) points_.push_back({"p" + std::to_string(i), {uniform(-50, 50), uniform(-50, 50)}});
     for (int i = count(1, 8); i > 0; --i) add_object();
     std::vector<MapPattern> patterns;
-    for (int i = count(0, 4); i > 0 && !features_.empty(); --i) patterns.push_back(pattern(static_cast<int>(patterns.size())));
+    for (int i = count(0, 4); i > 0 && !features_.empty(); --i)
+      patterns.push_back(pattern(static_cast<int>(patterns.size())));
     MapOrigin origin;
     if (count(0, 1) == 0) origin.smear_m = uniform(0, 0.5);
     for (int i = count(0, 2); i > 0; --i)
@@ -32,10 +33,13 @@ class RandomMap {
  private:
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   int count(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  std::string pick(const std::vector<std::string>& choices) { return choices[count(0, static_cast<int>(choices.size()) - 1)]; }
+  std::string pick(const std::vector<std::string>& choices) {
+    return choices[count(0, static_cast<int>(choices.size()) - 1)];
+  }
   std::string name(const std::string& what) {
-    return pick({"", "urn:x:", "https://example.org/b#", "3cUk\"z/", "W\xc3\xa4nde ", "opal:", "acme:", "other:", "a b\n", "#", "../", "?"}) + what +
-           std::to_string(next_++);
+    return pick({"", "urn:x:", "https://example.org/b#", "3cUk\"z/", "W\xc3\xa4nde ",
+                 "opal:", "acme:", "other:", "a b\n", "#", "../", "?"}) +
+           what + std::to_string(next_++);
   }
 
   void add_object() {
@@ -101,7 +105,9 @@ class RandomMap {
 };
 
 std::string numbers_of(const Geometry& geometry) {
-  const auto text = [](std::initializer_list<double> numbers) { return nlohmann::json(std::vector<double>(numbers)).dump(); };
+  const auto text = [](std::initializer_list<double> numbers) {
+    return nlohmann::json(std::vector<double>(numbers)).dump();
+  };
   if (const auto* p = std::get_if<Point>(&geometry)) return "point" + text({p->x(), p->y()});
   if (const auto* c = std::get_if<OrientedPoint>(&geometry))
     return "corner" + text({c->position.x(), c->position.y(), c->heading_rad, c->opening_rad});
@@ -114,16 +120,19 @@ std::string numbers_of(const Geometry& geometry) {
 /// Everything that a map holds, bit by bit, without the writer that is under test.
 std::vector<std::string> contents_of(const SemanticMap& map) {
   std::vector<std::string> lines{map.name(), map.unused().dump(), nlohmann::json(map.prefixes()).dump()};
-  for (const MapObject& object : map.objects()) lines.push_back(nlohmann::json{object.id, object.type, object.features}.dump());
+  for (const MapObject& object : map.objects())
+    lines.push_back(nlohmann::json{object.id, object.type, object.features}.dump());
   for (const MapFeature& f : map.features())
     lines.push_back(nlohmann::json{f.id, f.object, f.type, f.sensor, f.position_sigma_m, f.existence, f.points,
-                                   f.representation, numbers_of(f.geometry)}.dump());
+                                   f.representation, numbers_of(f.geometry)}
+                        .dump());
   for (const MapPattern& p : map.patterns())
     lines.push_back(nlohmann::json{p.id, p.pattern_template, p.features, p.subpatterns, p.dimensions}.dump());
   lines.push_back(nlohmann::json(map.origin().smear_m).dump());
   for (const MapPlacement& p : map.origin().placements)
     lines.push_back(nlohmann::json{p.id, p.T_map_source.x(), p.T_map_source.y(), p.T_map_source.heading_rad(),
-                                   p.scale.x(), p.scale.y()}.dump());
+                                   p.scale.x(), p.scale.y()}
+                        .dump());
   return lines;
 }
 

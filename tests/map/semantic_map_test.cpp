@@ -39,13 +39,15 @@ std::string message_of_parse(const std::string& graph) {
 std::string wall_from(const std::string& begin) {
   return R"({"@id": "w", "@type": "Wall", "represented_by": {"@type": "ObjectFeatureRepresentation",
              "perceivable_by": {"@id": "lidar"}, "represented_by": {"@id": "s", "@type": "LineSegment",
-             "begin": )" + begin + R"(, "end": {"@id": "b", "@type": "Point", "x": 4, "y": 0}}}})";
+             "begin": )" +
+         begin + R"(, "end": {"@id": "b", "@type": "Point", "x": 4, "y": 0}}}})";
 }
 
 /// One object of which the geometry node is given.
 std::string thing(const std::string& geometry, const std::string& more = "") {
   return R"({"@id": "c", "@type": "Column", "represented_by": {"@type": "ObjectFeatureRepresentation",
-             "perceivable_by": {"@id": "lidar"}, )" + more + R"("represented_by": )" + geometry + "}}";
+             "perceivable_by": {"@id": "lidar"}, )" +
+         more + R"("represented_by": )" + geometry + "}}";
 }
 
 struct Fault {
@@ -56,9 +58,9 @@ struct Fault {
 }  // namespace
 
 TEST_CASE("a map made in memory has types, point names and lists of features filled in") {
-  const auto map = SemanticMap::make(
-      "test", {{"wall", "Wall"}, {"column", "urn:opal:v1#Column"}},
-      {feature("face", Segment{{0, 0}, {1, 0}}, 0), feature("rim", Circle{{2, 2}, 0.3}, 1)});
+  const auto map =
+      SemanticMap::make("test", {{"wall", "Wall"}, {"column", "urn:opal:v1#Column"}},
+                        {feature("face", Segment{{0, 0}, {1, 0}}, 0), feature("rim", Circle{{2, 2}, 0.3}, 1)});
   REQUIRE(map->objects().size() == 2);
   CHECK(map->objects()[0].id == "column");
   CHECK(map->objects()[0].type == "opal:Column");
@@ -97,21 +99,26 @@ TEST_CASE("a map made in memory is refused with the element and what was expecte
   CHECK_THROWS_WITH(map_of(Segment{{1, 1}, {1, 1}}), Catch::Contains("expected two different points"));
   CHECK_THROWS_WITH(map_of(Circle{{0, 0}, 0}), Catch::Contains("radius_m 0.0, expected a positive number"));
   CHECK_THROWS_WITH(map_of(Circle{{0, 0}, kNaN}), Catch::Contains("radius_m null, expected a positive number"));
-  CHECK_THROWS_WITH(map_of(OrientedPoint{{0, 0}, 0, 7}), Catch::Contains("opening_rad 7.0, expected an angle in (0, 2 pi)"));
+  CHECK_THROWS_WITH(map_of(OrientedPoint{{0, 0}, 0, 7}),
+                    Catch::Contains("opening_rad 7.0, expected an angle in (0, 2 pi)"));
   MapFeature odd = feature("face", Point(0, 0));
   odd.existence = 1.5;
-  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}}, {odd}), Catch::Contains("existence 1.5, expected a probability"));
+  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}}, {odd}),
+                    Catch::Contains("existence 1.5, expected a probability"));
   odd = feature("face", Point(0, 0), 1);
-  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}}, {odd}), Catch::Contains("object number 1, expected one of 1"));
+  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}}, {odd}),
+                    Catch::Contains("object number 1, expected one of 1"));
   odd = feature("w", Point(0, 0));
-  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}}, {odd}), Catch::Contains("stands for an object and a point"));
+  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}}, {odd}),
+                    Catch::Contains("stands for an object and a point"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wal"}}, {}), Catch::Contains("type 'Wal', expected a term"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall:Thick"}}, {}), Catch::Contains("expected a term"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "a b:Thick"}}, {}), Catch::Contains("expected a term"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"", "Wall"}}, {}), Catch::Contains("is empty, expected a name"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"_:w", "Wall"}}, {}), Catch::Contains("meaning of its own in JSON-LD"));
   CHECK_THROWS_WITH(SemanticMap::make("t", {{"\xff", "Wall"}}, {}), Catch::Contains("not UTF-8"));
-  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}, {"w", "Door"}}, {}), Catch::Contains("stands for two objects"));
+  CHECK_THROWS_WITH(SemanticMap::make("t", {{"w", "Wall"}, {"w", "Door"}}, {}),
+                    Catch::Contains("stands for two objects"));
 }
 
 TEST_CASE("a pattern of a map has members of one sensor and parts that are no circle") {
@@ -124,8 +131,10 @@ TEST_CASE("a pattern of a map has members of one sensor and parts that are no ci
   CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {0, 2}}}), Catch::Contains("feature number 2, expected one of 2"));
   CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {}}}), Catch::Contains("has no features"));
   CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {0}, {"q"}}}), Catch::Contains("subpattern 'q', expected the id"));
-  CHECK_THROWS_WITH(make({{"p", "opal:A", {0}, {"q"}}, {"q", "opal:A", {0}, {"p"}}}), Catch::Contains("expected no cycle"));
-  CHECK_THROWS_WITH(make({{"p", "opal:A", {0}, {}, {kNaN}}}), Catch::Contains("dimension null, expected a finite number"));
+  CHECK_THROWS_WITH(make({{"p", "opal:A", {0}, {"q"}}, {"q", "opal:A", {0}, {"p"}}}),
+                    Catch::Contains("expected no cycle"));
+  CHECK_THROWS_WITH(make({{"p", "opal:A", {0}, {}, {kNaN}}}),
+                    Catch::Contains("dimension null, expected a finite number"));
 }
 
 TEST_CASE("the example room is read with its topology, qualities and pattern") {
@@ -157,8 +166,10 @@ TEST_CASE("a document is refused with its place, what was found and what was exp
   const auto fault = GENERATE_COPY(values<Fault>({
       {wall_from(R"("nowhere")"), "/@graph/0/represented_by/represented_by/begin: LineSegment 's' refers to 'nowhere'"},
       {wall_from(R"({"@id": "a", "@type": "Point", "x": 0})"), "Point 'a' has no y, expected one"},
-      {wall_from(R"({"@id": "a", "@type": "Point", "x": "far", "y": 0})"), "x of Point 'a' is \"far\", expected a number"},
-      {wall_from(R"({"@id": "a", "@type": "Point", "x": [0, 1], "y": 0})"), "has the values 0 and 1 for x, expected one"},
+      {wall_from(R"({"@id": "a", "@type": "Point", "x": "far", "y": 0})"),
+       "x of Point 'a' is \"far\", expected a number"},
+      {wall_from(R"({"@id": "a", "@type": "Point", "x": [0, 1], "y": 0})"),
+       "has the values 0 and 1 for x, expected one"},
       {wall_from(R"({"@id": "a", "@type": "Point", "x": 1e7, "y": 0})"), "expected metres in the map frame"},
       {wall_from(R"({"@id": "a", "x": 0, "y": 0})"), "expected @type Point"},
       {wall_from(R"({"@type": "Point", "x": 4, "y": 0})"), "expected two different points"},
@@ -167,18 +178,22 @@ TEST_CASE("a document is refused with its place, what was found and what was exp
       {wall_from(good_point) + R"(, {"@id": "s", "radius_m": 1})", "has radius_m, which means nothing there; expected"},
       {wall_from(good_point) + R"(, {"@id": "s", "opal:lenght": 1})", "unknown key opal:lenght"},
       {wall_from(good_point) + R"(, {"@id": "s", "lenght": 1})", "/@graph/1/lenght: unknown term"},
-      {wall_from(good_point) + R"(, {"@id": "w2", "@type": "Wal"})", "/@graph/1/@type: unknown term: \"Wal\" maps to no IRI, expected a term of urn:opal:v1"},
+      {wall_from(good_point) + R"(, {"@id": "w2", "@type": "Wal"})",
+       "/@graph/1/@type: unknown term: \"Wal\" maps to no IRI, expected a term of urn:opal:v1"},
       {wall_from(good_point) + R"(, {"@id": "o2", "@type": "Door", "represented_by": "s"})",
        "represented by a LineSegment 's', expected an ObjectFeatureRepresentation"},
       {R"({"@id": "r", "@type": "ObjectFeatureRepresentation", "represented_by": "s"})", "belongs to no object"},
       {R"({"@id": "w", "represented_by": {"@id": "r"}})", "has no @type"},
-      {thing(R"({"@id": "k", "@type": "Circle", "radius_m": -1, )" + center + "}"), "radius_m -1.0, expected a positive number"},
+      {thing(R"({"@id": "k", "@type": "Circle", "radius_m": -1, )" + center + "}"),
+       "radius_m -1.0, expected a positive number"},
       {thing(R"({"@id": "k", "@type": "Circle", )" + center + "}"), "Circle 'k' has no radius_m"},
       {thing(R"({"@type": "Circle", "radius_m": 1, )" + center + "}"), "Circle without @id, expected an @id"},
       {thing(R"({"@id": "k", "@type": "Polygon"})"), "\"Polygon\" maps to no IRI"},
       {thing(R"({"@id": "k", "@type": "sf:Polygon"})"), "expected one of the types LineSegment, Corner, Circle, Point"},
-      {thing(R"({"@id": "k", "@type": "Point", "x": 1, "y": 2})", R"("existence": 2, )"), "existence 2.0, expected a probability"},
-      {thing(R"({"@id": "k", "@type": "Point", "x": 1, "y": 2})", R"("feature_type": "Waal", )"), "/feature_type: unknown term: \"Waal\""},
+      {thing(R"({"@id": "k", "@type": "Point", "x": 1, "y": 2})", R"("existence": 2, )"),
+       "existence 2.0, expected a probability"},
+      {thing(R"({"@id": "k", "@type": "Point", "x": 1, "y": 2})", R"("feature_type": "Waal", )"),
+       "/feature_type: unknown term: \"Waal\""},
       {R"({"@id": "p", "@type": "FeaturePattern", "template": "opal:A", "features": ["x"]})", "has the member 'x'"},
       {R"({"@type": "SemanticMap"}, {"@type": "SemanticMap"})", "a second SemanticMap"},
       {R"({"@id": "g", "@graph": [{"@id": "w", "@type": "Wall"}]})", "named graph"},
@@ -237,10 +252,11 @@ TEST_CASE("one geometry can be perceived by two sensors, and a pattern says for 
 }
 
 TEST_CASE("names have the prefix that the document defines, so that they are those that plugins register") {
-  const std::string rest = R"("@id": "acme:k1", "@type": "acme:Kiosk", "represented_by": {"@type": "ObjectFeatureRepresentation",
+  const std::string rest =
+      R"("@id": "acme:k1", "@type": "acme:Kiosk", "represented_by": {"@type": "ObjectFeatureRepresentation",
       "feature_type": "acme:Edge", "represented_by": {"@id": "e", "@type": "Point", "x": 1, "y": 1}}})";
-  const auto map = SemanticMap::parse(
-      R"({"@context": ["urn:opal:v1", {"acme": "https://acme.example/types#"}], )" + rest, "kiosk");
+  const auto map =
+      SemanticMap::parse(R"({"@context": ["urn:opal:v1", {"acme": "https://acme.example/types#"}], )" + rest, "kiosk");
   CHECK(map->objects()[0].id == "acme:k1");
   CHECK(map->objects()[0].type == "acme:Kiosk");
   CHECK(map->features()[0].type == "acme:Edge");
@@ -252,13 +268,15 @@ TEST_CASE("names have the prefix that the document defines, so that they are tho
 TEST_CASE("a representation without a sensor stays in the map and is not perceivable") {
   const auto map = SemanticMap::parse(
       R"({"@context": "urn:opal:v1", "@id": "c", "@type": "opal:Sign", "represented_by": {"@type": "ObjectFeatureRepresentation",
-          "represented_by": {"@id": "k", "@type": "Point", "x": 1, "y": 1}}})", "off");
+          "represented_by": {"@id": "k", "@type": "Point", "x": 1, "y": 1}}})",
+      "off");
   CHECK(map->features()[0].sensor.empty());
   CHECK(SemanticMap::parse(map->to_json_ld().dump(), "off")->to_json_ld() == map->to_json_ld());
 }
 
 TEST_CASE("every word of the context is described, in the vocabulary file and in its document") {
-  std::ifstream context_file(OPAL_SOURCE_DIR "/maps/context/opal.jsonld"), text_file(OPAL_SOURCE_DIR "/docs/vocabulary.md");
+  std::ifstream context_file(OPAL_SOURCE_DIR "/maps/context/opal.jsonld"),
+      text_file(OPAL_SOURCE_DIR "/docs/vocabulary.md");
   const nlohmann::json vocabulary = nlohmann::json::parse(context_file);
   const std::string text{std::istreambuf_iterator<char>(text_file), {}};
   std::set<std::string> described;

@@ -1,6 +1,6 @@
 #include <opal/common/error.hpp>
-#include "map_tools/map_damage.hpp"
 #include <opal/plugin/testing/scorer_contract.hpp>
+#include "map_tools/map_damage.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -22,9 +22,7 @@ std::shared_ptr<const SemanticMap> worse(const std::string& text, std::uint64_t 
 
 }  // namespace
 
-TEST_CASE("no damage changes nothing") {
-  CHECK(worse("")->to_json_ld() == testing::example_map()->to_json_ld());
-}
+TEST_CASE("no damage changes nothing") { CHECK(worse("")->to_json_ld() == testing::example_map()->to_json_ld()); }
 
 TEST_CASE("the same seed gives the same damage, another seed another") {
   const std::string mixed = "drop=0.3,shift=0.1,wall=0.6,false=0.3";

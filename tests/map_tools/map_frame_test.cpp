@@ -1,6 +1,6 @@
 // Asking maps by frames: strictly, within limits, and with messages that say whose fault it is.
-#include <opal/common/error.hpp>
 #include "map_tools/map_frame.hpp"
+#include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,8 @@ opal::NamedDocument room() {
 
 opal::NamedDocument frame(const std::string& text) { return {json::parse(text), "f.jsonld"}; }
 
-std::string refusal(const opal::NamedDocument& map, const std::string& text, const opal::json_ld::FrameOptions& options = {}) {
+std::string refusal(const opal::NamedDocument& map, const std::string& text,
+                    const opal::json_ld::FrameOptions& options = {}) {
   try {
     framed_map(map, frame(text), options);
   } catch (const opal::MapError& error) {
@@ -64,15 +65,19 @@ TEST_CASE("numbers of a map are matched as they are") {
 }
 
 TEST_CASE("faults name the frame or the map, and the place") {
-  CHECK_THAT(refusal(room(), R"({"@context": "urn:opal:v1", "@type": "Wal"})"), StartsWith("f.jsonld: /@type: unknown term: \"Wal\""));
-  CHECK_THAT(refusal(room(), R"({"@context": "urn:opal:v1", "begin": {"rdius_m": {}}})"), StartsWith("f.jsonld: /begin/rdius_m: unknown term"));
+  CHECK_THAT(refusal(room(), R"({"@context": "urn:opal:v1", "@type": "Wal"})"),
+             StartsWith("f.jsonld: /@type: unknown term: \"Wal\""));
+  CHECK_THAT(refusal(room(), R"({"@context": "urn:opal:v1", "begin": {"rdius_m": {}}})"),
+             StartsWith("f.jsonld: /begin/rdius_m: unknown term"));
   CHECK_THAT(refusal(room(), R"({"@context": "urn:other"})"), StartsWith("f.jsonld: ") && Contains("none is fetched"));
-  CHECK_THAT(refusal(room(), R"({"@context": "urn:opal:v1", "@embed": "@last"})"), StartsWith("f.jsonld: (root): invalid @embed value"));
+  CHECK_THAT(refusal(room(), R"({"@context": "urn:opal:v1", "@embed": "@last"})"),
+             StartsWith("f.jsonld: (root): invalid @embed value"));
   CHECK_THAT(refusal(room(), R"([])"), StartsWith("f.jsonld: (root): invalid frame"));
   CHECK_THAT(refusal(room(), R"({"@id": "_:b0"})"), StartsWith("f.jsonld: (root): invalid frame"));
   opal::NamedDocument map = room();
   map.content["@graph"].push_back({{"@id", "w"}, {"@type", "Wal"}});
-  CHECK_THAT(refusal(map, R"({"@context": "urn:opal:v1"})"), StartsWith(map.name + ": /@graph/") && Contains("unknown term: \"Wal\""));
+  CHECK_THAT(refusal(map, R"({"@context": "urn:opal:v1"})"),
+             StartsWith(map.name + ": /@graph/") && Contains("unknown term: \"Wal\""));
 }
 
 TEST_CASE("what is too deep or too much is refused, and can be asked otherwise") {
@@ -86,7 +91,8 @@ TEST_CASE("what is too deep or too much is refused, and can be asked otherwise")
 
 TEST_CASE("nodes that refer to each other end") {
   const opal::NamedDocument circle{json::parse(R"({"@graph": [{"@id": "urn:a", "urn:to": {"@id": "urn:b"}},
-                                                             {"@id": "urn:b", "urn:to": {"@id": "urn:a"}}]})"), "circle"};
+                                                             {"@id": "urn:b", "urn:to": {"@id": "urn:a"}}]})"),
+                                   "circle"};
   for (const char* embed : {"@once", "@always", "@never"})
     CHECK(opal::matches_in(framed_map(circle, frame(std::string(R"({"@embed": ")") + embed + "\"}"))) >= 1);
 }

@@ -1,6 +1,6 @@
 #include <opal/common/error.hpp>
-#include "map_tools/map_join.hpp"
 #include <opal/plugin/testing/scorer_contract.hpp>
+#include "map_tools/map_join.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -116,7 +116,9 @@ TEST_CASE("copies are mirrored and stretched by 5 to 30 per cent, with what can 
 
 TEST_CASE("a placed corner is the corner of its placed faces") {
   std::mt19937 random(GENERATE(range(1u, 40u)));
-  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
   const MapPlacement placement{"x", Pose2(uniform(-9, 9), uniform(-9, 9), uniform(-3, 3)),
                                Point(uniform(0, 1) < 0.5 ? 1.2 : -1.2, uniform(0.8, 1.3))};
   const Point middle(uniform(-5, 5), uniform(-5, 5));
@@ -139,7 +141,8 @@ TEST_CASE("what cannot be joined is refused with the reason") {
   auto twins = sources(2);
   twins[1].prefix = twins[0].prefix;
   CHECK_THROWS_WITH(joined_map(twins, {}), Catch::Contains("two maps are called 'hall-1'"));
-  CHECK_THROWS_WITH(joined_map(std::vector<MapSourcePart>{{"both", joined(2)}}, {}), Catch::Contains("is a joined map"));
+  CHECK_THROWS_WITH(joined_map(std::vector<MapSourcePart>{{"both", joined(2)}}, {}),
+                    Catch::Contains("is a joined map"));
   CHECK_THROWS_WITH(placement_of(*joined(2), "hall-3"), Catch::Contains("expected one of: hall-1, hall-2"));
   const auto empty = SemanticMap::make("empty", {}, {});
   CHECK_THROWS_WITH(joined_map(std::vector<MapSourcePart>{{"empty", empty}}, {}), Catch::Contains("has no features"));

@@ -1,5 +1,5 @@
-#include "navigation/node_registry.hpp"
 #include "closed_loop/closed_loop.hpp"
+#include "navigation/node_registry.hpp"
 
 #include <opal/deployment/deployment.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -27,7 +27,8 @@ DriveRecord driven(const char* behaviour, std::uint64_t seed) {
   ClosedLoopOptions options;
   options.motion.radius_m = world.robot_radius_m;
   options.most_s = 300;
-  const auto tree = behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
+  const auto tree =
+      behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
   return drive_to_goal(simulation, localizer, behaviours::mapped_floor(*parts.map, 0.2), *tree, kGoal, options);
 }
 

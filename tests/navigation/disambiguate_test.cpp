@@ -12,8 +12,10 @@ namespace {
 /// A corridor along x between two equal rooms, which its half turn makes the other. Only the east room has a niche at
 /// its far north corner, and it cannot be seen from the corridor's middle.
 std::shared_ptr<const SemanticMap> two_rooms() {
+  // clang-format off
   return map_of(room_of({{-10, -3}, {-4, -3}, {-4, -1}, {4, -1}, {4, -3}, {10, -3}, {10, 3}, {8, 3}, {8, 5}, {6, 5}, {6, 3},
                          {4, 3}, {4, 1}, {-4, 1}, {-4, 3}, {-10, 3}}));
+  // clang-format on
 }
 
 }  // namespace

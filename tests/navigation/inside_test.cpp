@@ -10,12 +10,14 @@ using namespace opal::behaviours;
 
 namespace {
 
-/// A building of walls 0.2 m thick, seen from both sides, 8 m x 6 m, with a doorway of that width in the middle of its right
-/// side.
+/// A building of walls 0.2 m thick, seen from both sides, 8 m x 6 m, with a doorway of that width in the middle of its
+/// right side.
 std::vector<Segment> house(double doorway_m) {
   const double low = 3 - doorway_m / 2, high = 3 + doorway_m / 2;
+  // clang-format off
   return room_of({{0, 0}, {8, 0}, {8, low}, {8.2, low}, {8.2, -0.2}, {-0.2, -0.2}, {-0.2, 6.2}, {8.2, 6.2},
                   {8.2, high}, {8, high}, {8, 6}, {0, 6}});
+  // clang-format on
 }
 
 int outside_of(const std::vector<char>& cells, const MapRaster& raster, const Point& p) {
@@ -40,7 +42,8 @@ TEST_CASE("what lies before the outer walls is outside, whatever the doors do") 
                             with_leaf(house(5.9), {{8.1, 0.05}, {8.1, 5.95}}));
   const MapRaster raster = floor_raster(*map);
   const std::vector<char> outside = outside_cells(*map, raster);
-  for (const Point& p : {Point(1, 1), Point(4, 3), Point(6.5, 3), Point(7, 5)}) CHECK_FALSE(outside_of(outside, raster, p));
+  for (const Point& p : {Point(1, 1), Point(4, 3), Point(6.5, 3), Point(7, 5)})
+    CHECK_FALSE(outside_of(outside, raster, p));
   for (const Point& p : {Point(8.8, 3), Point(4, -0.8), Point(-0.8, 6.8)}) CHECK(outside_of(outside, raster, p));
 }
 
@@ -71,7 +74,8 @@ TEST_CASE("two flats of one building are both floor, and no way leads from one t
 }
 
 TEST_CASE("a way is made straight where nothing is in between, and not through walls") {
-  const MapView map(map_of(room_of({{0, 0}, {8, 0}, {8, 6}, {4.2, 6}, {4.2, 2}, {3.8, 2}, {3.8, 6}, {0, 6}})), "PlanarLidar2D");
+  const MapView map(map_of(room_of({{0, 0}, {8, 0}, {8, 6}, {4.2, 6}, {4.2, 2}, {3.8, 2}, {3.8, 6}, {0, 6}})),
+                    "PlanarLidar2D");
   const FloorGrid floor = mapped_floor(map, 0.25);
   const auto free = floor.way({1, 1}, {7, 1.3});
   REQUIRE(free);

@@ -19,7 +19,7 @@ inline std::shared_ptr<const SemanticMap> map_of(const std::vector<Segment>& fac
     features.push_back({name + "/face", static_cast<int>(objects.size()), "opal:Wall", "PlanarLidar2D", face});
     objects.push_back({name, "opal:Wall"});
   }
-  return SemanticMap::make("made up", std::move(objects), std::move(features));
+  return SemanticMap::make("synthetic", std::move(objects), std::move(features));
 }
 
 /// Faces of a polygon, visible from its inside.
@@ -65,7 +65,8 @@ struct ToldQueries : LocalizationQueries {
     said.status = places.size() == 1 ? Status::localized : Status::ambiguous;
     said.probability = places.empty() ? 0 : 1.0 / static_cast<double>(places.size());
     if (said.has_pose) said.T_map_base = places.front();
-    for (std::size_t k = 1; k < places.size(); ++k) said.alternatives.push_back({static_cast<int>(k), places[k], said.probability});
+    for (std::size_t k = 1; k < places.size(); ++k)
+      said.alternatives.push_back({static_cast<int>(k), places[k], said.probability});
   }
 
   MapView view;

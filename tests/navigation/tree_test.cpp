@@ -4,8 +4,8 @@
 #include "navigation/node_registry.hpp"
 
 #include <opal/common/error.hpp>
-#include "jsonld/json_ld.hpp"
 #include <opal/common/strict_json.hpp>
+#include "jsonld/json_ld.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -50,7 +50,10 @@ struct Made {
 
 std::string refusal(const std::string& root) {
   try {
-    parse_tree(standard_nodes(), R"({"@context": "urn:opal:v1", "@type": "opal:BehaviourTrees", "trees": [{"name": "a", "root": )" + root + "}]}", "t.jsonld");
+    parse_tree(standard_nodes(),
+               R"({"@context": "urn:opal:v1", "@type": "opal:BehaviourTrees", "trees": [{"name": "a", "root": )" +
+                   root + "}]}",
+               "t.jsonld");
   } catch (const ConfigError& error) {
     return error.what();
   }
@@ -122,21 +125,26 @@ TEST_CASE("decorators") {
 TEST_CASE("a document is read strictly") {
   using Catch::Contains;
   CHECK(refusal(R"({"@type": "opal:Rotate"})") == "accepted");
-  CHECK_THAT(refusal(R"({"@type": "opal:Fly"})"), Contains("t.jsonld: /trees/0/root/@type: \"opal:Fly\", expected one of: opal:BackOff"));
+  CHECK_THAT(refusal(R"({"@type": "opal:Fly"})"),
+             Contains("t.jsonld: /trees/0/root/@type: \"opal:Fly\", expected one of: opal:BackOff"));
   CHECK_THAT(refusal(R"({"@type": "opal:Sequence"})"), Contains("/trees/0/root/children: absent, expected a list"));
   CHECK_THAT(refusal(R"({"@type": "opal:Inverter", "children": [{"@type": "opal:Rotate"}, {"@type": "opal:Rotate"}]})"),
              Contains("/trees/0/root/children") && Contains("a list of one node"));
-  CHECK_THAT(refusal(R"({"@type": "opal:Rotate", "children": [{"@type": "opal:Rotate"}]})"), Contains("/trees/0/root/children: unknown key"));
-  CHECK_THAT(refusal(R"({"@type": "opal:Rotate", "options": {"turn": 1}})"), Contains("/trees/0/root/options/turn: unknown key"));
-  CHECK_THAT(refusal(R"({"@type": "opal:Sequence", "children": [{"@type": "opal:Rotate", "options": {"turns": 1000}}]})"),
-             Contains("/trees/0/root/children/0/options/turns: 1000, expected a number from -10 to 10"));
+  CHECK_THAT(refusal(R"({"@type": "opal:Rotate", "children": [{"@type": "opal:Rotate"}]})"),
+             Contains("/trees/0/root/children: unknown key"));
+  CHECK_THAT(refusal(R"({"@type": "opal:Rotate", "options": {"turn": 1}})"),
+             Contains("/trees/0/root/options/turn: unknown key"));
+  CHECK_THAT(
+      refusal(R"({"@type": "opal:Sequence", "children": [{"@type": "opal:Rotate", "options": {"turns": 1000}}]})"),
+      Contains("/trees/0/root/children/0/options/turns: 1000, expected a number from -10 to 10"));
   CHECK_THROWS_WITH(read_tree(standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "dance"),
                     Contains("no tree is called 'dance', expected one of: disambiguate"));
 }
 
 TEST_CASE("every shipped tree can be made, and the document is JSON-LD of Opal's vocabulary, its lists ordered") {
   const std::string path = OPAL_SOURCE_DIR "/configs/behaviours.jsonld";
-  for (const char* name : {"disambiguate", "rotate_and_go", "inspect", "search"}) CHECK(read_tree(standard_nodes(), path, name));
+  for (const char* name : {"disambiguate", "rotate_and_go", "inspect", "search"})
+    CHECK(read_tree(standard_nodes(), path, name));
   json_ld::Options options;
   options.contexts["urn:opal:v1"] = read_json(OPAL_SOURCE_DIR "/maps/context/opal.jsonld");
   options.reject_unknown_terms = true;
@@ -154,7 +162,8 @@ TEST_CASE("something can be put around the nodes of a type, and the first tree h
     return node;
   });
   parse_tree(nodes, R"({"@context": "urn:opal:v1", "@type": "opal:BehaviourTrees", "trees": [{"name": "a", "root":
-    {"@type": "opal:Sequence", "children": [{"@type": "opal:Rotate"}, {"@type": "opal:Rotate"}, {"@type": "opal:BackOff"}]}}]})", "t.jsonld");
+    {"@type": "opal:Sequence", "children": [{"@type": "opal:Rotate"}, {"@type": "opal:Rotate"}, {"@type": "opal:BackOff"}]}}]})",
+             "t.jsonld");
   CHECK(made == 2);
   CHECK_THROWS_WITH(nodes.wrap("opal:Fly", nullptr), Catch::Contains("opal:Fly") && Catch::Contains("opal:Rotate"));
   CHECK(first_tree(OPAL_SOURCE_DIR "/configs/behaviours.jsonld") == "disambiguate");

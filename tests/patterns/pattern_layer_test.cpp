@@ -101,8 +101,9 @@ TEST_CASE("how unique a pattern is counts those that look like it") {
   std::sort(alike.begin(), alike.end());
   CHECK(alike == std::vector<int>{0, 1, 1});
   CHECK(layer.summaries[0].unique == 1);
-  CHECK(sentence_of(layer.summaries[0]) == "opal:ColumnPair: 3 patterns, 1 unique; half have at most 1 look-alike, the worst 1; "
-                                           "4 of 4 features of its shapes are in one");
+  CHECK(sentence_of(layer.summaries[0]) ==
+        "opal:ColumnPair: 3 patterns, 1 unique; half have at most 1 look-alike, the worst 1; "
+        "4 of 4 features of its shapes are in one");
 }
 
 TEST_CASE("a layer is written and read back whole, and gives the same patterns") {
@@ -143,17 +144,23 @@ TEST_CASE("a layer that contradicts its template is refused with its place") {
   CHECK(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {7.4}}) == "accepted");
   CHECK(complaint_about({"p", "opal:ColumnPair", {1, 0}}) == "accepted");  // symmetric: either order
   CHECK(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {9.9}}) ==
-        "columns: /patterns/0 'p': pattern 'p' of opal:ColumnPair has the dimension 9.900 at position 0, but its features give "
+        "columns: /patterns/0 'p': pattern 'p' of opal:ColumnPair has the dimension 9.900 at position 0, but its "
+        "features give "
         "7.400");
-  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {7.4, 0.33, 0.33, 1}}), Contains("has 4 dimensions, expected at most 3"));
+  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {7.4, 0.33, 0.33, 1}}),
+             Contains("has 4 dimensions, expected at most 3"));
   CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0}}), Contains("has 1 features, expected 2"));
-  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0, 3}}), Contains("has the member 'k4-shape', which is a segment, expected a circle"));
-  CHECK_THAT(complaint_about({"p", "opal:LShape", {2, 0, 1}}), Contains("in another order, expected 'k2-shape', 'k1-shape', 'k3-shape'"));
-  CHECK_THAT(complaint_about({"p", "opal:Collinear", {1, 0, 2}}), Contains("do not stand to each other as the template asks"));
+  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0, 3}}),
+             Contains("has the member 'k4-shape', which is a segment, expected a circle"));
+  CHECK_THAT(complaint_about({"p", "opal:LShape", {2, 0, 1}}),
+             Contains("in another order, expected 'k2-shape', 'k1-shape', 'k3-shape'"));
+  CHECK_THAT(complaint_about({"p", "opal:Collinear", {1, 0, 2}}),
+             Contains("do not stand to each other as the template asks"));
 }
 
 TEST_CASE("a layer in a file that names a feature which is not there is refused with file and place") {
-  auto document = nlohmann::json::parse(map_of({column(0, 0), column(5, 0)}, {{"p", "opal:ColumnPair", {0, 1}}})->to_json_ld().dump());
+  auto document = nlohmann::json::parse(
+      map_of({column(0, 0), column(5, 0)}, {{"p", "opal:ColumnPair", {0, 1}}})->to_json_ld().dump());
   document["@graph"].back()["features"][1] = "k9-shape";
   CHECK_THROWS_WITH(SemanticMap::parse(document.dump(), "hall.jsonld"),
                     Contains("hall.jsonld: /@graph/4/features/1") && Contains("k9-shape"));
@@ -162,6 +169,7 @@ TEST_CASE("a layer in a file that names a feature which is not there is refused 
 TEST_CASE("a pattern that was read knows where it stands") {
   const auto map = map_of({column(0, 0), column(5, 0)}, {{"p", "opal:ColumnPair", {0, 1}, {}, {6}}});
   const auto read = SemanticMap::parse(map->to_json_ld().dump(), "hall.jsonld");
-  CHECK_THROWS_WITH(layer_instances(view_of(read), "opal:ColumnPair", *shipped("opal:ColumnPair")),
-                    Catch::StartsWith("hall.jsonld: /@graph/4: pattern 'p' of opal:ColumnPair has the dimension 6.000"));
+  CHECK_THROWS_WITH(
+      layer_instances(view_of(read), "opal:ColumnPair", *shipped("opal:ColumnPair")),
+      Catch::StartsWith("hall.jsonld: /@graph/4: pattern 'p' of opal:ColumnPair has the dimension 6.000"));
 }

@@ -1,5 +1,5 @@
-// Laws of the shipped templates: what a pattern says of itself does not depend on where it is, in which order its features
-// come, or on noise within the tolerance.
+// Laws of the shipped templates: what a pattern says of itself does not depend on where it is, in which order its
+// features come, or on noise within the tolerance.
 #include "columns.hpp"
 
 #include "patterns/pattern_index.hpp"

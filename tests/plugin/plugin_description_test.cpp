@@ -103,10 +103,8 @@ TEST_CASE("a plugin description with a missing or unknown key is refused at its 
 TEST_CASE("a plugin description with a wrong value is refused with what was expected") {
   CHECK(refusal(json::array()) == "lines.jsonld: /: [], expected an object");
   CHECK(refusal(changed("/@type", "Map")) == "lines.jsonld: /@type: \"Map\", expected \"Plugin\"");
-  CHECK(refusal(changed("/name", "two words")) ==
-        "lines.jsonld: /name: \"two words\", expected a word without spaces");
-  CHECK(refusal(changed("/types", json::array())) ==
-        "lines.jsonld: /types: is empty, expected at least one type");
+  CHECK(refusal(changed("/name", "two words")) == "lines.jsonld: /name: \"two words\", expected a word without spaces");
+  CHECK(refusal(changed("/types", json::array())) == "lines.jsonld: /types: is empty, expected at least one type");
   CHECK(refusal(changed("/types/0/@id", "LineDetector")) ==
         "lines.jsonld: /types/0/@id: \"LineDetector\", expected a name with a prefix, such as "
         "\"acme:PostDetector\"");
@@ -160,8 +158,7 @@ TEST_CASE("a wrong option is refused by name, with what was found and what is ex
         "opal:LineDetector: option min_points: 1, expected an integer from 2 to 1000");
   CHECK(option_refusal({{"min_points", "6"}}) ==
         "opal:LineDetector: option min_points: \"6\", expected an integer from 2 to 1000");
-  CHECK(option_refusal({{"max_gap_m", -1}}) ==
-        "opal:LineDetector: option max_gap_m: -1, expected a number >= 0 [m]");
+  CHECK(option_refusal({{"max_gap_m", -1}}) == "opal:LineDetector: option max_gap_m: -1, expected a number >= 0 [m]");
   CHECK(option_refusal({{"max_gap_m", std::numeric_limits<double>::infinity()}}) ==
         "opal:LineDetector: option max_gap_m: null, expected a number >= 0 [m]");
   CHECK(option_refusal({{"merge", 1}}) == "opal:LineDetector: option merge: 1, expected true or false");
@@ -176,7 +173,8 @@ TEST_CASE("a plugin description file that is missing or no JSON is refused by na
 
 TEST_CASE("a key that is there twice in a plugin description is refused") {
   const opal::TemporaryFile file("twice.jsonld", R"({"name": "a", "name": "b"})");
-  CHECK_THROWS_WITH(opal::read_plugin_description(file.path()), Catch::StartsWith(file.path()) && Catch::Contains("name"));
+  CHECK_THROWS_WITH(opal::read_plugin_description(file.path()),
+                    Catch::StartsWith(file.path()) && Catch::Contains("name"));
 }
 
 TEST_CASE("an object option holds texts, and an option whose default is null may stay without a value") {
@@ -206,5 +204,6 @@ TEST_CASE("options are read from words as their description says") {
   CHECK_THROWS_WITH(opal::parse_options("t", described, {"merge"}), "t: \"merge\", expected NAME=VALUE");
   CHECK_THROWS_WITH(opal::parse_options("t", described, {"min_points=many"}),
                     "t: option min_points: \"many\", expected an integer from 2 to 1000");
-  CHECK_THROWS_WITH(opal::parse_options("t", described, {"label.x=3"}), "t: option label: has no entries, expected label=VALUE");
+  CHECK_THROWS_WITH(opal::parse_options("t", described, {"label.x=3"}),
+                    "t: option label: has no entries, expected label=VALUE");
 }

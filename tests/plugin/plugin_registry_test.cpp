@@ -12,15 +12,13 @@ TEST_CASE("a new registry offers nothing, and says so") {
   const opal::PluginRegistry registry;
   CHECK(registry.types().empty());
   CHECK_FALSE(registry.has("opal:LineDetector"));
-  CHECK_THROWS_WITH(registry.type("opal:LineDetector"),
-                    "no plugin offers opal:LineDetector; there is: nothing");
+  CHECK_THROWS_WITH(registry.type("opal:LineDetector"), "no plugin offers opal:LineDetector; there is: nothing");
   CHECK_THROWS_AS(registry.make<opal::LogSource>("opal:CarmenLog"), opal::PluginError);
 }
 
 TEST_CASE("a folder of plugins that is not there is an error, an empty one is not") {
   opal::PluginRegistry registry;
-  CHECK_THROWS_WITH(registry.load_all("/nowhere/plugins"),
-                    "/nowhere/plugins: there is no such folder of plugins");
+  CHECK_THROWS_WITH(registry.load_all("/nowhere/plugins"), "/nowhere/plugins: there is no such folder of plugins");
   const opal::TemporaryFolder folder;
   CHECK(registry.load_all(folder.path()).empty());
 }

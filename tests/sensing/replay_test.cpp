@@ -180,7 +180,8 @@ TEST_CASE("a window sees nothing of what is outside of it") {
   window.to_s = 4.7;
   std::vector<LogRecord> records = drive();
   for (LogRecord& record : records)  // outside, the robot is elsewhere
-    if (auto* outside = std::get_if<OdometryRecord>(&record); outside && (outside->stamp_s < 2.99 || outside->stamp_s > 4.71))
+    if (auto* outside = std::get_if<OdometryRecord>(&record);
+        outside && (outside->stamp_s < 2.99 || outside->stamp_s > 4.71))
       outside->T_odom_base = Pose2(1000, 0, 0);
   const auto played = play(records, window);
   CHECK(played.counts == Counts{});
@@ -199,9 +200,7 @@ TEST_CASE("replaying a reader is replaying its records, with its defects among t
   CHECK(read_all(reader).size() == drive().size());
 }
 
-TEST_CASE("an empty log gives no sample") {
-  CHECK(play({}).samples.empty());
-}
+TEST_CASE("an empty log gives no sample") { CHECK(play({}).samples.empty()); }
 
 TEST_CASE("beam geometry and mount are taken from the log only where model and log say so") {
   RawScan raw = scan_at(1);

@@ -1,5 +1,5 @@
-#include "common/random.hpp"
 #include "simulation/ray_caster.hpp"
+#include "common/random.hpp"
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
@@ -17,7 +17,9 @@ std::vector<Solid> scattered(Random& random, int count) {
     if (random.chance(0.3))
       solids.push_back({Circle{at, random.uniform(0.01, 2.5)}, false});
     else
-      solids.push_back({Segment{at, random.chance(0.1) ? somewhere() : Point(at + Point(random.normal(3), random.normal(3)))}, false});
+      solids.push_back(
+          {Segment{at, random.chance(0.1) ? somewhere() : Point(at + Point(random.normal(3), random.normal(3)))},
+           false});
   }
   return solids;
 }
@@ -49,12 +51,14 @@ TEST_CASE("the grid's answer is that of a look at every solid") {
   const RayCaster caster(scattered(random, 80));
   for (int k = 0; k < 3000; ++k) {
     const Point origin(random.uniform(-40, 30), random.uniform(-20, 50));
-    const Point direction = unit_vector(random.chance(0.1) ? std::numbers::pi / 2 * std::floor(random.uniform(0, 4)) : random.uniform(-4, 4));
+    const Point direction = unit_vector(random.chance(0.1) ? std::numbers::pi / 2 * std::floor(random.uniform(0, 4))
+                                                           : random.uniform(-4, 4));
     const double reach = random.uniform(0.5, 60);
     double nearest = reach;
     for (const Solid& solid : caster.solids()) nearest = std::min(nearest, range_to(solid, origin, direction));
     const RayHit hit = caster.cast(origin, direction, reach);
-    INFO("from (" << origin.x() << ", " << origin.y() << ") along (" << direction.x() << ", " << direction.y() << "), reach " << reach);
+    INFO("from (" << origin.x() << ", " << origin.y() << ") along (" << direction.x() << ", " << direction.y()
+                  << "), reach " << reach);
     if (nearest < reach)
       CHECK(hit.range_m == Approx(nearest).margin(1e-7));
     else

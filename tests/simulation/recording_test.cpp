@@ -49,7 +49,8 @@ TEST_CASE("the same seed gives the same files to the byte, another seed others")
     return folder.path_of(name);
   };
   const std::string a = write(7, "a"), b = write(7, "b"), c = write(8, "c");
-  for (const char* end : {".log.gz", ".gt.csv", ".info.json", ".queries.json"}) CHECK(content_of(a + end) == content_of(b + end));
+  for (const char* end : {".log.gz", ".gt.csv", ".info.json", ".queries.json"})
+    CHECK(content_of(a + end) == content_of(b + end));
   CHECK(content_of(a + ".log.gz") != content_of(c + ".log.gz"));
 }
 

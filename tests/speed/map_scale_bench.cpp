@@ -1,7 +1,7 @@
-// Patterns of synthetic buildings of 10^3 to 10^6 features: what loading costs, and what a lookup costs. Columns stand on a
-// grid of 6 m, moved by up to 1.5 m, with radii of 0.2 to 0.6 m; patterns are pairs within 6.5 m.
-#include "patterns/pattern_index.hpp"
+// Patterns of synthetic buildings of 10^3 to 10^6 features: what loading costs, and what a lookup costs. Columns stand
+// on a grid of 6 m, moved by up to 1.5 m, with radii of 0.2 to 0.6 m; patterns are pairs within 6.5 m.
 #include <opal/plugin/plugin_registry.hpp>
+#include "patterns/pattern_index.hpp"
 
 #include "common/cpu_clock.hpp"
 
@@ -20,7 +20,8 @@ std::vector<Feature> columns(int count) {
   const int side = static_cast<int>(std::ceil(std::sqrt(count)));
   std::vector<Feature> features;
   for (int k = 0; k < count; ++k)
-    features.push_back({"opal:Column", Circle{{6.0 * (k % side) + aside(random), 6.0 * (k / side) + aside(random)}, radius(random)}});
+    features.push_back(
+        {"opal:Column", Circle{{6.0 * (k % side) + aside(random), 6.0 * (k / side) + aside(random)}, radius(random)}});
   return features;
 }
 

@@ -39,10 +39,12 @@ TEST_CASE("rays through rooms", "[!benchmark]") {
     const double start = thread_cpu_s();
     for (int scan = 0; scan < 3000; ++scan) {
       const Point eye(random.uniform(0, size.x()), random.uniform(0, size.y()));
-      for (int beam = 0; beam < 720; ++beam, ++rays) sum += caster.cast(eye, unit_vector(beam * std::numbers::pi / 360), 30).range_m;
+      for (int beam = 0; beam < 720; ++beam, ++rays)
+        sum += caster.cast(eye, unit_vector(beam * std::numbers::pi / 360), 30).range_m;
     }
     const double spent = thread_cpu_s() - start;
-    std::printf("%d segments: %.1f million rays per second (mean range %.2f m)\n", segments, 1e-6 * rays / spent, sum / rays);
+    std::printf("%d segments: %.1f million rays per second (mean range %.2f m)\n", segments, 1e-6 * rays / spent,
+                sum / rays);
     CHECK(sum > 0);
   }
 }

@@ -35,9 +35,8 @@ TEST_CASE("a picture shows what the frame and those before it say") {
     CHECK(scene.trajectory.size() == frames);
     CHECK(scene.truth.size() >= frames - 1);  // the synthetic truth ends before the last update
     CHECK(scene.contradictions.size() == frame.findings.size());
-    // The hall's columns are where the local features were made up from.
-    for (const auto& pair : scene.associations)
-      CHECK((anchor_of(pair.local) - anchor_of(pair.mapped)).norm() < 60);
+    // The hall's columns are where the local features were invented from.
+    for (const auto& pair : scene.associations) CHECK((anchor_of(pair.local) - anchor_of(pair.mapped)).norm() < 60);
     for (const Point& p : scene.scan_points) {
       CHECK(p.x() > -0.5);
       CHECK(p.x() < 40.5);

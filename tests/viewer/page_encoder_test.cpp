@@ -25,11 +25,9 @@ class RecordReader {
   void read(const Event& frame) {
     if (frame.contains("start")) rows_.clear();
     const Pose2 local = pose(frame["local"]);
-    for (const Event& place : frame.value("leave", Event::array()))
-      rows_.erase(rows_.begin() + place.get<int>());
+    for (const Event& place : frame.value("leave", Event::array())) rows_.erase(rows_.begin() + place.get<int>());
     REQUIRE(frame.contains("rows") == !rows_.empty());
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      carry(rows_[k], frame["rows"], k, local_.inverse() * local);
+    for (std::size_t k = 0; k < rows_.size(); ++k) carry(rows_[k], frame["rows"], k, local_.inverse() * local);
     for (const Event& row : frame.value("enter", Event::array()))
       rows_.push_back({row[0], scaled(row[1], row[2], row[3]), row[4].get<double>() * unit_nat_});
     local_ = local;
@@ -102,8 +100,7 @@ TEST_CASE("a record holds what the frame holds") {
     check_points(record["scan"], frame.scan, header["scan_unit_m"]);
     check_points(record["free"], frame.free_space, header["scan_unit_m"]);
     CHECK(record.value("features", Event::array()).size() == frame.changed.size());
-    CHECK(record.value("gone", Event::array()) ==
-          Event(frame.gone.empty() ? Event::array() : Event(frame.gone)));
+    CHECK(record.value("gone", Event::array()) == Event(frame.gone.empty() ? Event::array() : Event(frame.gone)));
     CHECK(record.value("spawned", Event::array()).size() == frame.spawns.size());
     CHECK(record.value("grown", Event::array()).size() == frame.growths.size());
     CHECK(record.value("lost", Event::array()).size() == frame.losses.size());

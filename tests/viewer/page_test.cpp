@@ -111,9 +111,7 @@ TEST_CASE("nothing from a recording becomes markup") {
     text += event.dump() + '\n';
   }
   const EventFile file(text);
-  const auto speaking = [&] {
-    return [&](const RunHeader&, const RunFrame&) { return Words{{evil, evil}}; };
-  };
+  const auto speaking = [&] { return [&](const RunHeader&, const RunFrame&) { return Words{{evil, evil}}; }; };
   PackedRun run = pack_run(file.path(), evil, 1'000'000, speaking);
   const std::string page = page_of({run});
   CHECK(page.find("<script>alert") == std::string::npos);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tests/kit/temporary_folder.hpp"
 #include "synthetic_run.hpp"
+#include "tests/kit/temporary_folder.hpp"
 #include "viewer/reading/frame_builder.hpp"
 
 #include <filesystem>

@@ -19,8 +19,7 @@ const std::string kHead =
 
 /// One update that starts here.
 std::string update(int keyframe, double stamp_s, const std::string& between = "") {
-  const std::string common =
-      R"("stamp_s":)" + std::to_string(stamp_s) + R"(,"keyframe":)" + std::to_string(keyframe);
+  const std::string common = R"("stamp_s":)" + std::to_string(stamp_s) + R"(,"keyframe":)" + std::to_string(keyframe);
   return R"({"event":"keyframe",)" + common +
          R"(,"T_local_base":[1,2,0.5]})"
          "\n" +
@@ -121,8 +120,7 @@ TEST_CASE("a new time line starts anew: time, truth, stamps") {
   CHECK(run.frames[20].starts == "q2");
 }
 
-TEST_CASE(
-    "a stream that is cut anywhere is read up to there, with a note, or is an error that names the line") {
+TEST_CASE("a stream that is cut anywhere is read up to there, with a note, or is an error that names the line") {
   const std::string text = text_of({3, 3, 4});
   const EventFile file(text);
   std::size_t frames = 3;
@@ -130,8 +128,7 @@ TEST_CASE(
     file.cut_to(bytes);
     std::size_t read = 0;
     try {
-      const RunReading reading =
-          read_run(file.path(), [&](const RunHeader&, RunFrame&&) { return ++read > 0; });
+      const RunReading reading = read_run(file.path(), [&](const RunHeader&, RunFrame&&) { return ++read > 0; });
       CHECK(read <= frames);
       frames = read;
       const bool mid_line = bytes < text.size() && text[bytes - 1] != '\n' && text[bytes] != '\n';
@@ -199,12 +196,10 @@ TEST_CASE("events out of order are errors") {
   const std::string start = R"({"event":"start","query":"q"})"
                             "\n";
   expect_error(kHead + update(0, 1, start), 4, "'cost' of keyframe 0 first");
-  expect_error(kHead + update(0, 1, events_at(0, R"("event":"cost","cpu_ms":{"total":1})")), 4,
-               "'estimate' before it");
+  expect_error(kHead + update(0, 1, events_at(0, R"("event":"cost","cpu_ms":{"total":1})")), 4, "'estimate' before it");
   expect_error(kHead + update(0, 1, events_at(1, R"("event":"associated","hypothesis":1,"pairs":[])")), 4,
                "the open keyframe");
-  expect_error(kHead + events_at(0, R"("event":"associated","hypothesis":1,"pairs":[])"), 3,
-               "that begins this update");
+  expect_error(kHead + events_at(0, R"("event":"associated","hypothesis":1,"pairs":[])"), 3, "that begins this update");
   expect_error(kHead + update(0, 2) + update(1, 1), 6, "not before");
 }
 
@@ -218,23 +213,19 @@ TEST_CASE("values that cannot be are errors that name the place") {
   refused(R"("event":"spawned","hypothesis":1,"T_map_base":[0,0],"pairs":[])", "expected [x, y, heading]");
   refused(R"("event":"spawned","hypothesis":1.5,"T_map_base":[0,0,0],"pairs":[])",
           "/hypothesis: 1.5, expected an integer");
-  refused(R"("event":"spawned","hypothesis":99999999999,"T_map_base":[0,0,0],"pairs":[])",
-          "expected an integer");
+  refused(R"("event":"spawned","hypothesis":99999999999,"T_map_base":[0,0,0],"pairs":[])", "expected an integer");
   refused(R"("event":"spawned","hypothesis":1,"T_map_base":[0,0,0],"pairs":[[1,"<script>"]])",
           "/pairs/0/1: \"<script>\", expected the id of a feature");
-  refused(R"("event":"local_features","changed":[{"id":1,"type":"t","stable":true,"measurements":2}])",
-          "'segment'");
-  refused(
-      R"("event":"local_features","changed":[{"id":1,"type":"t","stable":1,"measurements":2,"point":[0,0]}])",
-      "/changed/0/stable: 1, expected true or false");
+  refused(R"("event":"local_features","changed":[{"id":1,"type":"t","stable":true,"measurements":2}])", "'segment'");
+  refused(R"("event":"local_features","changed":[{"id":1,"type":"t","stable":1,"measurements":2,"point":[0,0]}])",
+          "/changed/0/stable: 1, expected true or false");
   refused(R"("event":"estimate","status":"happy","probability":1,"hypotheses":[])", "/status: \"happy\"");
   refused(R"("event":"estimate","status":"lost","probability":1.5,"hypotheses":[])", "a number in [0, 1]");
   const std::string row = R"({"hypothesis":7,"T_map_base":[0,0,0],"log_likelihood":0,"probability":0})";
   refused(R"("event":"estimate","status":"lost","probability":1,"hypotheses":[)" + row + "," + row + "]",
           "each hypothesis once");
   refused(R"("event":"spawned","event":"spawned")", "stands twice");
-  refused(R"("event":"pruned","hypothesis":1,"reason":)" + std::string(100, '[') + std::string(100, ']'),
-          "nested");
+  refused(R"("event":"pruned","hypothesis":1,"reason":)" + std::string(100, '[') + std::string(100, ']'), "nested");
   expect_error(kHead + R"({"event":"truth","poses":[[2,0,0,0],[2,0,0,0]]})"
                        "\n",
                3, "/poses/1/0: 2");
@@ -244,16 +235,8 @@ TEST_CASE("values that cannot be are errors that name the place") {
 
 TEST_CASE("whatever one value is replaced with, frames come out or an EventError") {
   const auto lines = lines_of(text_of({2, 3, 4}));
-  const Event replacements[] = {nullptr,
-                                true,
-                                "x",
-                                -5,
-                                3.5,
-                                1e308,
-                                99999999999LL,
-                                Event::array(),
-                                Event::object(),
-                                Event::array({1, 2, 3})};
+  const Event replacements[] = {
+      nullptr, true, "x", -5, 3.5, 1e308, 99999999999LL, Event::array(), Event::object(), Event::array({1, 2, 3})};
   std::vector<Event> events;
   for (const std::string& line : lines) events.push_back(Event::parse(line));
   int errors = 0, good = 0;
@@ -283,9 +266,7 @@ TEST_CASE("whatever one value is replaced with, frames come out or an EventError
 TEST_CASE("very long words are cut, very long names refused") {
   const std::string reason(100'000, 'x'), name(5000, 'n');
   const ReadRun run = read_text(
-      kHead +
-      update(0, 1,
-             events_at(0, R"("event":"rejected","hypothesis":1,"pairs":[],"reason":")" + reason + '"')));
+      kHead + update(0, 1, events_at(0, R"("event":"rejected","hypothesis":1,"pairs":[],"reason":")" + reason + '"')));
   CHECK(run.frames[0].rejections.at(0).reason.size() < 5000);
   expect_error(kHead + R"({"event":"start","query":")" + name + "\"}\n", 3, "at most 1000 bytes");
 }

@@ -14,8 +14,8 @@ namespace {
 std::string described(const RunState& state) {
   std::ostringstream out;
   const auto life = [&](const TracedHypothesis& h) {
-    out << h.id << ' ' << h.parent << ' ' << h.spawned_s << ' ' << h.T_map_base.x() << ' ' << h.log_likelihood
-        << ' ' << h.probability << ' ' << h.highest_probability << '@' << h.highest_s;
+    out << h.id << ' ' << h.parent << ' ' << h.spawned_s << ' ' << h.T_map_base.x() << ' ' << h.log_likelihood << ' '
+        << h.probability << ' ' << h.highest_probability << '@' << h.highest_s;
     for (const RecordedPair& pair : h.pairs) out << ' ' << pair.local_feature << "->" << pair.map_feature;
     out << '\n';
   };

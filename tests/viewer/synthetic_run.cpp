@@ -31,10 +31,8 @@ Circle column(int k) { return {{4.0 + 6.0 * (k % 6), k < 6 ? 8.0 : 16.0}, 0.3}; 
 /// Range of a beam in the hall.
 double range_m(const Point& from, const Point& direction) {
   double range = 1e9;
-  if (direction.x() != 0)
-    range = std::min(range, ((direction.x() > 0 ? kWidth_m : 0) - from.x()) / direction.x());
-  if (direction.y() != 0)
-    range = std::min(range, ((direction.y() > 0 ? kDepth_m : 0) - from.y()) / direction.y());
+  if (direction.x() != 0) range = std::min(range, ((direction.x() > 0 ? kWidth_m : 0) - from.x()) / direction.x());
+  if (direction.y() != 0) range = std::min(range, ((direction.y() > 0 ? kDepth_m : 0) - from.y()) / direction.y());
   for (int k = 0; k < kColumns; ++k) {
     const Point to = column(k).center - from;
     const double along = to.dot(direction), aside = cross(direction, to), radius = column(k).radius_m;
@@ -68,9 +66,7 @@ class Run {
   double uniform(double least, double most) { return std::uniform_real_distribution<>(least, most)(random_); }
   double normal(double sigma) { return std::normal_distribution<>(0, sigma)(random_); }
 
-  Json event(const char* kind) const {
-    return {{"event", kind}, {"stamp_s", stamp_s_}, {"keyframe", keyframe_}};
-  }
+  Json event(const char* kind) const { return {{"event", kind}, {"stamp_s", stamp_s_}, {"keyframe", keyframe_}}; }
 
   void write_header() {
     events_.write({{"event", "run"},
@@ -254,9 +250,9 @@ class Run {
     events_.write(search);
     while (static_cast<int>(alternatives_.size()) < size_.hypotheses) {
       Alternative alternative{next_hypothesis_++,
-                  {uniform(1, kWidth_m - 1), uniform(1, kDepth_m - 1), uniform(-3, 3)},
-                  alternatives_.empty() ? 5.0 : uniform(-3, 2),
-                  {}};
+                              {uniform(1, kWidth_m - 1), uniform(1, kDepth_m - 1), uniform(-3, 3)},
+                              alternatives_.empty() ? 5.0 : uniform(-3, 2),
+                              {}};
       if (alternatives_.empty()) alternative.T_map_base = truth_;
       auto e = event("spawned");
       e["hypothesis"] = alternative.id;
@@ -281,7 +277,8 @@ class Run {
   void grow_some() {
     for (std::size_t k = 0; k < alternatives_.size(); k += 10) {
       Alternative& alternative = alternatives_[k];
-      if (std::find(alternative.known.begin(), alternative.known.end(), local_.back()) != alternative.known.end()) continue;
+      if (std::find(alternative.known.begin(), alternative.known.end(), local_.back()) != alternative.known.end())
+        continue;
       auto grown = event("associated");
       grown["hypothesis"] = alternative.id;
       associate(alternative, local_.back(), grown["pairs"]);

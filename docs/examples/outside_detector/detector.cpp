@@ -44,7 +44,6 @@ std::vector<opal::Feature> PostDetector::detect(const opal::Scan& scan) const {
 bool PostDetector::is_post(std::span<const opal::ScanPoint> run, const opal::ScanPoint& before,
                            const opal::ScanPoint& after) const {
   const double width_m = (run.back().position - run.front().position).norm();
-  return run.size() >= min_points_ && width_m <= max_width_m_ &&
-         before.range_m > run.front().range_m + clearance_m_ &&
+  return run.size() >= min_points_ && width_m <= max_width_m_ && before.range_m > run.front().range_m + clearance_m_ &&
          after.range_m > run.back().range_m + clearance_m_;
 }

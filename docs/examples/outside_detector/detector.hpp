@@ -15,8 +15,7 @@ class PostDetector final : public opal::FeatureDetector {
   std::vector<opal::Feature> detect(const opal::Scan& scan) const override;
 
  private:
-  bool is_post(std::span<const opal::ScanPoint> run, const opal::ScanPoint& before,
-               const opal::ScanPoint& after) const;
+  bool is_post(std::span<const opal::ScanPoint> run, const opal::ScanPoint& before, const opal::ScanPoint& after) const;
 
   std::size_t min_points_;
   double max_width_m_;

@@ -27,7 +27,8 @@ ordered_json program_json() {
 
 }  // namespace
 
-ordered_json manifest_of(const ab::Experiment& experiment, const std::vector<ArmPlugins>& plugins, WorldSource& worlds) {
+ordered_json manifest_of(const ab::Experiment& experiment, const std::vector<ArmPlugins>& plugins,
+                         WorldSource& worlds) {
   constexpr int kFormat = 1;
   ordered_json manifest{{"format", kFormat}, {"opal", program_json()}, {"experiment", experiment.document}};
   manifest["arms"] = ordered_json::array();

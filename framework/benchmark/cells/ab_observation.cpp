@@ -28,7 +28,8 @@ double RankedRun::judged_nat(int hypothesis) const {
   const std::map<std::string, opal::Score> scores = localizer_.scores_of(hypothesis);
   double nat = 0;
   for (const ObservedScorer& scorer : scorers_)
-    if (const auto found = scores.find(scorer.name); found != scores.end()) nat += scorer.weight * found->second.log_likelihood;
+    if (const auto found = scores.find(scorer.name); found != scores.end())
+      nat += scorer.weight * found->second.log_likelihood;
   return nat;
 }
 

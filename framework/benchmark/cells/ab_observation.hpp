@@ -4,8 +4,8 @@
 #include "benchmark/ab/records/ranking_tally.hpp"
 #include "benchmark/ab/records/sha256.hpp"
 
-#include "evaluation/ground_truth.hpp"
 #include <opal/localization/localizer.hpp>
+#include "evaluation/ground_truth.hpp"
 
 /// A scorer of the arm that observes.
 struct ObservedScorer {

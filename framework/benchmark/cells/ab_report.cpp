@@ -54,7 +54,9 @@ std::vector<st::ReportPage::Version> versions_of(const ordered_json& manifest) {
   for (const ordered_json& arm : manifest["arms"])
     for (const ordered_json& plugin : arm["plugins"]) {
       const st::ReportPage::Version version{plugin["name"], plugin["version"], plugin["sha256"]};
-      const auto same = [&](const st::ReportPage::Version& v) { return v.name == version.name && v.file_hash == version.file_hash; };
+      const auto same = [&](const st::ReportPage::Version& v) {
+        return v.name == version.name && v.file_hash == version.file_hash;
+      };
       if (std::none_of(versions.begin(), versions.end(), same)) versions.push_back(version);
     }
   return versions;
@@ -98,13 +100,16 @@ void print_failures(const st::ResultsTable& table) {
 
 std::vector<st::Metric> metrics_of(const ab::Experiment& experiment) {
   const auto& known = experiment.observes ? known_rankings() : known_metrics();
-  if (experiment.metrics.empty()) return {known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(kUsual, known.size()))};
+  if (experiment.metrics.empty())
+    return {known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(kUsual, known.size()))};
   std::vector<st::Metric> metrics;
   std::string names;
   for (const st::Metric& metric : known) names += (names.empty() ? "" : ", ") + metric.name;
   for (const std::string& name : experiment.metrics) {
-    const auto found = std::find_if(known.begin(), known.end(), [&](const st::Metric& metric) { return metric.name == name; });
-    if (found == known.end()) throw opal::ConfigError(experiment.file + ": /metrics: \"" + name + "\", expected one of " + names);
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](const st::Metric& metric) { return metric.name == name; });
+    if (found == known.end())
+      throw opal::ConfigError(experiment.file + ": /metrics: \"" + name + "\", expected one of " + names);
     metrics.push_back(*found);
   }
   return metrics;
@@ -113,14 +118,16 @@ std::vector<st::Metric> metrics_of(const ab::Experiment& experiment) {
 st::ResultsTable table_of(const ab::MergedResults& results, const ab::CellPlan& plan) {
   st::ResultsTable table;
   results.for_each_complete_task([&](const ab::Cell& cell, const ab::CellResult& result) {
-    st::ResultRow row{plan.arm(cell), plan.scenario(cell.task), plan.query(cell.task), cell.task.seed, result.values, result.failure};
+    st::ResultRow row{plan.arm(cell), plan.scenario(cell.task), plan.query(cell.task), cell.task.seed, result.values,
+                      result.failure};
     row.values.insert(result.costs.begin(), result.costs.end());
     table.push_back(std::move(row));
   });
   return table;
 }
 
-int look_at(const ab::Experiment& experiment, const ab::ResultFolder& folder, const ab::MergedResults& results, const ab::CellPlan& plan) {
+int look_at(const ab::Experiment& experiment, const ab::ResultFolder& folder, const ab::MergedResults& results,
+            const ab::CellPlan& plan) {
   const auto looks = static_cast<std::size_t>(experiment.looks);
   const int look = static_cast<int>(looks * results.finished() / plan.cells());
   if (results.complete() || look == 0) return look;

@@ -7,9 +7,9 @@
 #include "benchmark/ab/records/sha256.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/sentence.hpp>
 #include "evaluation/query_verdict.hpp"
 #include "localization/events/run_events.hpp"
-#include <opal/common/sentence.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -46,19 +46,17 @@ void set_if_reached(std::map<std::string, double>& values, const std::string& na
 }
 
 std::map<std::string, double> values_of(const opal::QueryVerdict& verdict, const RunRecord& record) {
-  std::map<std::string, double> values{{"success", verdict.success},
-                                       {"strict", verdict.strict},
-                                       {"localized", verdict.localized_after_m >= 0},
-                                       {"honest", verdict.honest()},
-                                       {"rows", verdict.rows},
-                                       {"localized_rows", verdict.localized_rows},
-                                       {"false_rows", verdict.false_rows}};
+  std::map<std::string, double> values{
+      {"success", verdict.success},      {"strict", verdict.strict}, {"localized", verdict.localized_after_m >= 0},
+      {"honest", verdict.honest()},      {"rows", verdict.rows},     {"localized_rows", verdict.localized_rows},
+      {"false_rows", verdict.false_rows}};
   set_if_reached(values, "distance_to_success_m", verdict.right_after_m);
   set_if_reached(values, "time_to_success_s", verdict.right_after_s);
   set_if_reached(values, "distance_to_strict_m", verdict.strict_after_m);
   set_if_reached(values, "distance_to_localized_m", verdict.localized_after_m);
   set_if_reached(values, "error_m", verdict.error_m);
-  if (!record.update_cpu_ms.empty()) values["hypotheses"] = record.hypotheses / static_cast<double>(record.update_cpu_ms.size());
+  if (!record.update_cpu_ms.empty())
+    values["hypotheses"] = record.hypotheses / static_cast<double>(record.update_cpu_ms.size());
   return values;
 }
 
@@ -132,7 +130,8 @@ void LocalizingRunner::record(const ab::Task& task, std::size_t arm, const std::
   opal::JsonLinesSink events(file);
   const opal::LocalizerParts parts = parts_of(experiment_.arms[arm].deployment, arm);
   const opal::Query& query = world_->query(task.query);
-  events.write(opal::run_event({world_->place.site.name, experiment_.arms[arm].name, parts.map->map().name()}, parts.laser));
+  events.write(
+      opal::run_event({world_->place.site.name, experiment_.arms[arm].name, parts.map->map().name()}, parts.laser));
   events.write(opal::map_event(*parts.map));
   events.write(opal::start_event(query.id));
   events.write(truth_event_of(world_->truth, query, parts.laser));

@@ -43,7 +43,8 @@ double deciding_s(const ab::CellResult& a, const ab::CellResult& b) {
 }
 
 /// The farthest apart, by arm.
-std::vector<Contrast> contrasts_of(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab::MergedResults& results) {
+std::vector<Contrast> contrasts_of(const ab::Experiment& experiment, const ab::CellPlan& plan,
+                                   const ab::MergedResults& results) {
   std::vector<std::vector<Contrast>> by_arm(plan.arms());
   std::vector<ab::CellResult> cells;
   results.for_each_complete_task([&](const ab::Cell&, const ab::CellResult& result) {
@@ -63,7 +64,8 @@ std::vector<Contrast> contrasts_of(const ab::Experiment& experiment, const ab::C
   });
   std::vector<Contrast> chosen;
   for (const auto& all : by_arm) chosen.insert(chosen.end(), all.begin(), all.end());
-  std::stable_sort(chosen.begin(), chosen.end(), [](const Contrast& a, const Contrast& b) { return a.task < b.task; });  // world by world
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Contrast& a, const Contrast& b) { return a.task < b.task; });  // world by world
   return chosen;
 }
 
@@ -86,7 +88,8 @@ ViewLinks write_views(const ab::Experiment& experiment, const ab::CellPlan& plan
     for (const std::size_t arm : {experiment.baseline, contrast.arm}) {
       const std::string run = (views / file_name(plan.name({task, arm}))).string();
       ab::ChildProcess child([&](const ab::ChildProcess::Say&) { runner.record(task, arm, run); });
-      if (ab::next_answer(child, experiment.limits.wall_s, experiment.limits.memory_mb).failure.empty()) runs.push_back({run, plan.arm({task, arm})});
+      if (ab::next_answer(child, experiment.limits.wall_s, experiment.limits.memory_mb).failure.empty())
+        runs.push_back({run, plan.arm({task, arm})});
     }
     const std::string name = file_name(plan.name({task, contrast.arm})) + ".html";
     if (runs.size() == 2) {

@@ -23,7 +23,8 @@ std::vector<opal::Query> queries_of(const ab::RecordedPlace& place) {
   std::vector<opal::Query> chosen;
   for (const std::string& id : place.queries) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const opal::Query& query) { return query.id == id; });
-    if (found == all.end()) throw opal::ConfigError(file + ": holds no query \"" + id + "\", which the experiment asks for");
+    if (found == all.end())
+      throw opal::ConfigError(file + ": holds no query \"" + id + "\", which the experiment asks for");
     chosen.push_back(*found);
   }
   return chosen;
@@ -44,8 +45,14 @@ class Digest {
     return *this;
   }
   Digest& add(const opal::LaserModel& laser) {
-    return add(laser.angle_min_rad).add(laser.angle_increment_rad).add(double(laser.beams)).add(laser.range_min_m)
-        .add(laser.range_max_m).add(laser.no_return_m).add(laser.range_sigma_m).add(laser.T_base_laser);
+    return add(laser.angle_min_rad)
+        .add(laser.angle_increment_rad)
+        .add(double(laser.beams))
+        .add(laser.range_min_m)
+        .add(laser.range_max_m)
+        .add(laser.no_return_m)
+        .add(laser.range_sigma_m)
+        .add(laser.T_base_laser);
   }
   std::string finish() { return hash_.finish(); }
 
@@ -68,7 +75,8 @@ opal::MapDamage damage_of(const ab::Scenario& scenario, std::uint64_t seed) {
   return damage;
 }
 
-sim::ChallengeDrive driven(const ab::SimulatedDrives& drives, std::shared_ptr<const opal::SemanticMap> building, std::uint64_t seed) {
+sim::ChallengeDrive driven(const ab::SimulatedDrives& drives, std::shared_ptr<const opal::SemanticMap> building,
+                           std::uint64_t seed) {
   if (!drives.challenge) {
     sim::Simulation simulation(std::move(building), drives.world, seed);
     return {record(simulation, drives.drives, sim::Random(seed).branch()), std::nullopt};
@@ -102,7 +110,8 @@ std::vector<std::string> WorldSource::queries(const ab::Scenario& scenario) cons
 nlohmann::ordered_json WorldSource::inputs(const ab::Scenario& scenario) {
   nlohmann::ordered_json digests;
   if (const auto* place = std::get_if<ab::RecordedPlace>(&scenario.source)) {
-    for (const char* ending : {".log.gz", ".info.json", ".queries.json", ".gt.csv", ".map.jsonld", ".map.yaml", ".map.pgm"})
+    for (const char* ending :
+         {".log.gz", ".info.json", ".queries.json", ".gt.csv", ".map.jsonld", ".map.yaml", ".map.pgm"})
       if (const std::string file = place->prefix + ending; std::filesystem::exists(file))
         digests[std::filesystem::path(file).filename().string()] = ab::sha256_of_file(file);
     return digests;
@@ -126,7 +135,8 @@ const WorldSource::Map& WorldSource::map_of(const ab::Scenario& scenario) {
 
 World WorldSource::make(const ab::Scenario& scenario, std::uint64_t seed) {
   const auto* place = std::get_if<ab::RecordedPlace>(&scenario.source);
-  return place ? recorded(scenario, *place, seed) : simulated(scenario, std::get<ab::SimulatedDrives>(scenario.source), seed);
+  return place ? recorded(scenario, *place, seed)
+               : simulated(scenario, std::get<ab::SimulatedDrives>(scenario.source), seed);
 }
 
 World WorldSource::recorded(const ab::Scenario& scenario, const ab::RecordedPlace& place, std::uint64_t seed) {

@@ -48,7 +48,8 @@ void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& an
     std::printf("\nno pose\n");
   }
   for (const auto& alternative : answer.alternatives)
-    std::printf("alternative:  %s, probability %.3f\n", pose_text(alternative.T_map_base).c_str(), alternative.probability);
+    std::printf("alternative:  %s, probability %.3f\n", pose_text(alternative.T_map_base).c_str(),
+                alternative.probability);
   const auto associations = associations_of(localizer);
   if (!associations.empty()) std::printf("it rests on:\n");
   for (const NamedAssociation& named : associations)

@@ -2,8 +2,8 @@
 
 #include "session/session.hpp"
 
-#include "common/cpu_clock.hpp"
 #include <opal/common/error.hpp>
+#include "common/cpu_clock.hpp"
 
 #include <algorithm>
 #include <filesystem>

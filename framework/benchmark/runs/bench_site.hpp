@@ -2,8 +2,8 @@
 
 #include "map_tools/map_damage.hpp"
 
-#include "map_tools/map_join.hpp"
 #include <opal/plugin/plugin_registry.hpp>
+#include "map_tools/map_join.hpp"
 
 #include <memory>
 #include <optional>

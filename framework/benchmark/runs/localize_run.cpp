@@ -26,13 +26,12 @@ void print_errors(const RunRecord& record, const opal::GroundTruth& truth) {
   if (record.rows.empty()) return;
   std::vector<double> errors;
   for (const opal::ResultRow& row : record.rows)
-    if (const auto pose = truth.T_map_laser_at(row.stamp_s))
-      errors.push_back(distance_m(*pose, row.T_map_laser));
+    if (const auto pose = truth.T_map_laser_at(row.stamp_s)) errors.push_back(distance_m(*pose, row.T_map_laser));
   if (errors.empty()) return;
   const double last = errors.back();
   std::sort(errors.begin(), errors.end());
-  std::printf("error against the recorded truth: %.3f m now, median %.3f m, worst %.3f m over %zu scans\n",
-              last, errors[errors.size() / 2], errors.back(), errors.size());
+  std::printf("error against the recorded truth: %.3f m now, median %.3f m, worst %.3f m over %zu scans\n", last,
+              errors[errors.size() / 2], errors.back(), errors.size());
 }
 
 }  // namespace

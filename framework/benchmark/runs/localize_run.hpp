@@ -2,8 +2,8 @@
 
 #include "benchmark/runs/run_record.hpp"
 
-#include "drawing/drawing.hpp"
 #include <opal/localization/events/event_stream.hpp>
+#include "drawing/drawing.hpp"
 #include "evaluation/ground_truth.hpp"
 #include "evaluation/site.hpp"
 
@@ -14,7 +14,8 @@
 #include <string>
 
 /// The truth of a window for the event stream, as poses of the robot.
-nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal::Query& window, const opal::LaserModel& laser);
+nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal::Query& window,
+                                      const opal::LaserModel& laser);
 
 /// How a log is played.
 struct Playing {

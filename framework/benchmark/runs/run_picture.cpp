@@ -35,16 +35,14 @@ std::vector<opal::DrawingScene::DrawnHypothesis> drawn_hypotheses(const opal::Lo
   const auto& alive = localizer.hypotheses();
   for (const opal::Hypothesis& hypothesis : alive) {
     const double odds = std::exp(hypothesis.log_likelihood - alive.front().log_likelihood);
-    drawn.push_back(
-        {hypothesis.T_map_local * localizer.local_map().T_local_base(), odds * estimate.probability});
+    drawn.push_back({hypothesis.T_map_local * localizer.local_map().T_local_base(), odds * estimate.probability});
   }
   return drawn;
 }
 
 std::string status_text(const opal::PoseEstimate& estimate) {
   char text[64];
-  std::snprintf(text, sizeof text, "%s, probability %.3f", opal::name_of(estimate.status),
-                estimate.probability);
+  std::snprintf(text, sizeof text, "%s, probability %.3f", opal::name_of(estimate.status), estimate.probability);
   return text;
 }
 
@@ -63,8 +61,7 @@ void add_best(opal::DrawingScene& scene, const opal::Localizer& localizer, const
 
 }  // namespace
 
-opal::DrawingScene scene_of(const opal::Localizer& localizer, const opal::LaserModel& laser,
-                            const RunRecord& record) {
+opal::DrawingScene scene_of(const opal::Localizer& localizer, const opal::LaserModel& laser, const RunRecord& record) {
   opal::DrawingScene scene;
   // The scene does not outlive the localizer, which keeps the map.
   scene.map = std::shared_ptr<const opal::SemanticMap>(std::shared_ptr<void>(), &localizer.map().map());
@@ -78,6 +75,5 @@ opal::DrawingScene scene_of(const opal::Localizer& localizer, const opal::LaserM
 void add_truth(opal::DrawingScene& scene, const std::vector<opal::StampedPose>& T_map_laser,
                const opal::LaserModel& laser) {
   const opal::Pose2 T_laser_base = laser.T_base_laser.inverse();
-  for (const opal::StampedPose& pose : T_map_laser)
-    scene.truth.push_back((pose.pose * T_laser_base).position());
+  for (const opal::StampedPose& pose : T_map_laser) scene.truth.push_back((pose.pose * T_laser_base).position());
 }

@@ -18,7 +18,8 @@ void add_rows(RunRecord& record, const std::string& query, const opal::LaserMode
   record.rows.push_back(
       {query, said.stamp_s, said.T_map_base * laser.T_base_laser, said.status, said.probability, said.none});
   for (const auto& alternative : said.alternatives)
-    record.alternatives.push_back({query, said.stamp_s, alternative.T_map_base * laser.T_base_laser, alternative.probability});
+    record.alternatives.push_back(
+        {query, said.stamp_s, alternative.T_map_base * laser.T_base_laser, alternative.probability});
   record.trajectory.push_back({said.stamp_s, said.T_map_base});
 }
 

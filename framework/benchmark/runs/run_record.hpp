@@ -11,12 +11,12 @@
 
 /// What one replay of a log through a localizer leaves behind.
 struct RunRecord {
-  std::vector<opal::ResultRow> rows;          ///< one per scan that had a pose
-  std::vector<opal::AlternativeRow> alternatives;         ///< of the same scans
-  std::vector<opal::StampedPose> trajectory;  ///< T_map_base, the same scans
-  std::vector<double> update_cpu_ms;          ///< per keyframe: cleaning, detection and everything after
-  opal::StageTimes stages;                    ///< sums
-  double hypotheses = 0;                      ///< sum over keyframes
+  std::vector<opal::ResultRow> rows;               ///< one per scan that had a pose
+  std::vector<opal::AlternativeRow> alternatives;  ///< of the same scans
+  std::vector<opal::StampedPose> trajectory;       ///< T_map_base, the same scans
+  std::vector<double> update_cpu_ms;               ///< per keyframe: cleaning, detection and everything after
+  opal::StageTimes stages;                         ///< sums
+  double hypotheses = 0;                           ///< sum over keyframes
   opal::PoseEstimate last;
   std::vector<opal::Point> last_points;  ///< of the last keyframe's scan, laser frame
   opal::Pose2 last_T_odom_base;

@@ -1,7 +1,7 @@
 #include "benchmark/runs/view_page.hpp"
 
-#include "viewer/words/explanation.hpp"
 #include "viewer/html/page.hpp"
+#include "viewer/words/explanation.hpp"
 
 #include <opal/common/error.hpp>
 #include "common/text_file.hpp"

@@ -39,14 +39,16 @@ struct Density {
 /// Chance to be beyond a bound at the next look, so much information later.
 double chance_beyond(const Density& before, double step, double bound) {
   return before.integrate([&](double place) {
-    return cdf(complement(kNormal, (bound - place) / std::sqrt(step))) + cdf(kNormal, (-bound - place) / std::sqrt(step));
+    return cdf(complement(kNormal, (bound - place) / std::sqrt(step))) +
+           cdf(kNormal, (-bound - place) / std::sqrt(step));
   });
 }
 
 /// Where the chance to be beyond is what may be spent.
 double bound_for(const Density& before, double step, double spend, double information) {
   double low = 0, high = 40 * std::sqrt(information);
-  for (int i = 0; i < 60; ++i) (chance_beyond(before, step, 0.5 * (low + high)) > spend ? low : high) = 0.5 * (low + high);
+  for (int i = 0; i < 60; ++i)
+    (chance_beyond(before, step, 0.5 * (low + high)) > spend ? low : high) = 0.5 * (low + high);
   return 0.5 * (low + high);
 }
 
@@ -99,7 +101,8 @@ std::vector<double> look_levels(double level, std::span<const double> informatio
 
 double look_level(double level, int look, int looks) {
   if (looks < 1 || look < 1 || look > looks)
-    throw Error("look " + std::to_string(look) + " of " + std::to_string(looks) + ", expected one of 1 to as many as there are");
+    throw Error("look " + std::to_string(look) + " of " + std::to_string(looks) +
+                ", expected one of 1 to as many as there are");
   std::vector<double> information;
   for (int i = 1; i <= look; ++i) information.push_back(static_cast<double>(i) / looks);
   return look_levels(level, information).back();

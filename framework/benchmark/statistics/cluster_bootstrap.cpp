@@ -12,7 +12,9 @@
 namespace opal::statistics {
 namespace {
 
-std::size_t total(std::span<const std::size_t> sizes) { return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}); }
+std::size_t total(std::span<const std::size_t> sizes) {
+  return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+}
 
 /// Where each cluster's pairs begin.
 std::vector<std::size_t> begins(std::span<const std::size_t> sizes) {
@@ -25,7 +27,8 @@ void add(Weights& weights, std::size_t begin, std::size_t count) {
   for (std::size_t i = begin; i < begin + count; ++i) ++weights[i];
 }
 
-Weights draw_clusters(std::span<const std::size_t> sizes, std::span<const std::size_t> begin, simulation::Random& random) {
+Weights draw_clusters(std::span<const std::size_t> sizes, std::span<const std::size_t> begin,
+                      simulation::Random& random) {
   Weights weights(total(sizes), 0);
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const std::size_t drawn = random.below(sizes.size());
@@ -57,13 +60,15 @@ double acceleration(std::span<const double> jackknife) {
 
 }  // namespace
 
-std::vector<double> bootstrap(std::span<const std::size_t> cluster_sizes, const Statistic& statistic, const BootstrapOptions& options) {
+std::vector<double> bootstrap(std::span<const std::size_t> cluster_sizes, const Statistic& statistic,
+                              const BootstrapOptions& options) {
   const std::vector<std::size_t> begin = begins(cluster_sizes);
   simulation::Random random(options.seed);
   std::vector<double> values;
   if (total(cluster_sizes) == 0) return values;
   for (int sample = 0; sample < options.samples; ++sample)
-    values.push_back(statistic(options.clusters ? draw_clusters(cluster_sizes, begin, random) : draw_pairs(cluster_sizes, begin, random)));
+    values.push_back(statistic(options.clusters ? draw_clusters(cluster_sizes, begin, random)
+                                                : draw_pairs(cluster_sizes, begin, random)));
   return values;
 }
 

@@ -13,9 +13,9 @@ struct ClusterSum {
   double pairs = 0;  ///< how many scores
 };
 
-/// Two-sided p-value of a mean score of zero: Student's t with the cluster-robust variance of Bell & McCaffrey (2002) and their degrees of
-/// freedom, which allow for few clusters of unequal size (Cameron, Gelbach & Miller 2008; Imbens & Kolesar 2016). With clusters of equal
-/// size it is the t-test of their means. 1 with fewer than two clusters.
+/// Two-sided p-value of a mean score of zero: Student's t with the cluster-robust variance of Bell & McCaffrey (2002)
+/// and their degrees of freedom, which allow for few clusters of unequal size (Cameron, Gelbach & Miller 2008; Imbens &
+/// Kolesar 2016). With clusters of equal size it is the t-test of their means. 1 with fewer than two clusters.
 double cluster_t_test(std::span<const ClusterSum> clusters);
 
 /// The mean scores that this test does not reject. Infinite with fewer than two clusters.

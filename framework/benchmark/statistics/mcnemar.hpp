@@ -20,8 +20,8 @@ struct PairedCounts {
 
 /// Two-sided p-values of "only a" being as likely as "only b" (McNemar 1947); pairs must be independent.
 struct McNemar {
-  double exact = 1;       ///< binomial
-  double mid = 1;         ///< the exact one less half the probability of what was seen (Fagerland, Lydersen & Laake 2013)
+  double exact = 1;  ///< binomial
+  double mid = 1;    ///< the exact one less half the probability of what was seen (Fagerland, Lydersen & Laake 2013)
   double chi_square = 1;  ///< with continuity correction; for comparison with other programs
 };
 
@@ -33,8 +33,8 @@ double matched_odds_ratio(const PairedCounts& counts);
 /// Exact (Clopper & Pearson 1934, of the share of "only b" among the pairs that differ).
 Interval matched_odds_ratio_interval(const PairedCounts& counts, double level);
 
-/// Of the difference of two shares, pairs independent: half a pair added to each of the four counts, so that it has a width even
-/// where no pair differs (Agresti & Min 2005).
+/// Of the difference of two shares, pairs independent: half a pair added to each of the four counts, so that it has a
+/// width even where no pair differs (Agresti & Min 2005).
 Interval difference_interval(const PairedCounts& counts, double level);
 
 }  // namespace opal::statistics

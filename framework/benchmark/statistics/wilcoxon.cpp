@@ -15,7 +15,8 @@ double normal_p(std::span<const double> ranks, double statistic) {
   return 2 * cdf(complement(boost::math::normal(), std::abs(statistic) / std::sqrt(variance)));
 }
 
-/// How probable each sum of those ranks is that get a plus by a fair coin; index: twice the sum, as shared ranks are halves.
+/// How probable each sum of those ranks is that get a plus by a fair coin; index: twice the sum, as shared ranks are
+/// halves.
 std::vector<double> distribution(std::span<const double> ranks) {
   std::vector<double> probability{1};
   for (const double rank : ranks) {

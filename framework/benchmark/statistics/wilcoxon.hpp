@@ -5,8 +5,9 @@
 
 namespace opal::statistics {
 
-/// Ranks of the absolute values, with their signs; equal ones share the mean of their ranks. Zeros take part in the ranking and
-/// then weigh nothing (Pratt 1959), so that many ties leave less to be told. Infinite differences rank above all finite ones.
+/// Ranks of the absolute values, with their signs; equal ones share the mean of their ranks. Zeros take part in the
+/// ranking and then weigh nothing (Pratt 1959), so that many ties leave less to be told. Infinite differences rank
+/// above all finite ones.
 /// @param differences  no NaN.
 std::vector<double> signed_ranks(std::span<const double> differences);
 

@@ -1,8 +1,8 @@
 #include "benchmark/verdict/comparison.hpp"
 
 #include "benchmark/statistics/alpha_spending.hpp"
-#include "benchmark/verdict/conclusion.hpp"
 #include "benchmark/statistics/holm.hpp"
+#include "benchmark/verdict/conclusion.hpp"
 #include "benchmark/verdict/metric_comparison.hpp"
 #include "benchmark/verdict/verdict_sentence.hpp"
 
@@ -44,7 +44,8 @@ Verdict new_verdict(const ResultsTable& table, const std::string& arm, const Com
   Verdict verdict;
   verdict.arm = arm;
   verdict.baseline = options.baseline;
-  verdict.queries = static_cast<std::size_t>(std::count_if(table.begin(), table.end(), [&](const ResultRow& row) { return row.arm == arm; }));
+  verdict.queries = static_cast<std::size_t>(
+      std::count_if(table.begin(), table.end(), [&](const ResultRow& row) { return row.arm == arm; }));
   verdict.clusters = clusters_of_table(table);
   verdict.failures = failures_of(table, arm);
   verdict.failures_baseline = failures_of(table, options.baseline);

@@ -1,7 +1,7 @@
 #include "benchmark/verdict/conclusion.hpp"
 
-#include "benchmark/verdict/pair_scores.hpp"
 #include "benchmark/statistics/power.hpp"
+#include "benchmark/verdict/pair_scores.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,8 @@ double as_size(Kind kind, double score) { return kind == Kind::cost ? std::expm1
 /// Variance of all scores' sum if the pairs were independent; a proportion's is not zero though no pair differs.
 double variance_by_pairs(const MetricResult& result, std::span<const double> scores, double mean) {
   const double n = static_cast<double>(scores.size());
-  if (result.metric.kind == Kind::proportion) return n * (static_cast<double>(result.counts.discordant()) + 1) / (n + 2);
+  if (result.metric.kind == Kind::proportion)
+    return n * (static_cast<double>(result.counts.discordant()) + 1) / (n + 2);
   return variance_of_sum(single_sums(scores), mean);
 }
 

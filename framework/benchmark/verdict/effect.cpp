@@ -44,18 +44,24 @@ Effect proportion_effect(Pairs pairs, Independent independent, double level) {
     const bool few = smallest_p(counts.discordant()) > level;
     interval = few ? Interval{std::min(interval.low, between.low), std::max(interval.high, between.high)} : between;
   }
-  return {counts.share_a(), counts.share_b(), counts.difference(), {std::max(-1.0, interval.low), std::min(1.0, interval.high)}};
+  return {counts.share_a(),
+          counts.share_b(),
+          counts.difference(),
+          {std::max(-1.0, interval.low), std::min(1.0, interval.high)}};
 }
 
 Effect cost_effect(Pairs pairs, Independent independent, double level) {
   const std::vector<double> logs = scores(pairs, Metric::Kind::cost);
   const Interval interval = cluster_t_interval(sums_of(pairs, logs, independent), level);
-  return {median(side(pairs, &PairedValue::a)), median(side(pairs, &PairedValue::b)), std::exp(mean_of(logs)),
+  return {median(side(pairs, &PairedValue::a)),
+          median(side(pairs, &PairedValue::b)),
+          std::exp(mean_of(logs)),
           {std::exp(interval.low), std::exp(interval.high)}};
 }
 
 /// Whether the signs of the differences about this one are as the test of them allows.
-bool may_be_median(double candidate, Pairs pairs, std::span<const double> differences, Independent independent, double level) {
+bool may_be_median(double candidate, Pairs pairs, std::span<const double> differences, Independent independent,
+                   double level) {
   std::vector<double> signs;
   for (const double d : differences) signs.push_back(d > candidate ? 1 : d < candidate ? -1 : 0);
   return t_test(pairs, signs, independent) > level;
@@ -67,8 +73,10 @@ double lowest(const std::vector<double>& values, std::size_t middle, const Allow
   std::size_t refused = 0, low = middle;
   while (refused < low) {
     const std::size_t between = (refused + low) / 2;
-    if (allowed(values[between])) low = between;
-    else refused = between + 1;
+    if (allowed(values[between]))
+      low = between;
+    else
+      refused = between + 1;
   }
   return values[low];
 }
@@ -82,7 +90,8 @@ Interval median_interval(Pairs pairs, Independent independent, double level) {
   const auto end = [&](double infinite) {
     if (allowed(infinite)) return infinite;
     values.erase(std::unique(values.begin(), values.end()), values.end());
-    return lowest(values, static_cast<std::size_t>(std::find(values.begin(), values.end(), middle) - values.begin()), allowed);
+    return lowest(values, static_cast<std::size_t>(std::find(values.begin(), values.end(), middle) - values.begin()),
+                  allowed);
   };
   const double low = end(-kInfinite);
   std::reverse(values.begin(), values.end());
@@ -111,14 +120,17 @@ Effect effect_of(Pairs pairs, Metric::Kind kind, Independent independent, double
 }
 
 double p_of(Pairs pairs, Metric::Kind kind, Independent independent) {
-  return independent == Independent::clusters ? t_test(pairs, scores(pairs, kind), independent) : p_of_pairs(pairs, kind);
+  return independent == Independent::clusters ? t_test(pairs, scores(pairs, kind), independent)
+                                              : p_of_pairs(pairs, kind);
 }
 
 PairedCounts counts_of(Pairs pairs) {
   PairedCounts counts;
   for (const PairedValue& pair : pairs) {
-    if (pair.a > 0.5) ++(pair.b > 0.5 ? counts.both : counts.only_a);
-    else ++(pair.b > 0.5 ? counts.only_b : counts.neither);
+    if (pair.a > 0.5)
+      ++(pair.b > 0.5 ? counts.both : counts.only_a);
+    else
+      ++(pair.b > 0.5 ? counts.only_b : counts.neither);
   }
   return counts;
 }

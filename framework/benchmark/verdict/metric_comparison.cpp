@@ -1,9 +1,9 @@
 #include "benchmark/verdict/metric_comparison.hpp"
 
-#include "benchmark/verdict/conclusion.hpp"
-#include "benchmark/verdict/effect.hpp"
 #include "benchmark/statistics/holm.hpp"
 #include "benchmark/statistics/sign_flip.hpp"
+#include "benchmark/verdict/conclusion.hpp"
+#include "benchmark/verdict/effect.hpp"
 #include "benchmark/verdict/size_bootstrap.hpp"
 
 #include <algorithm>
@@ -20,7 +20,8 @@ std::size_t count_if(Pairs pairs, const auto& holds) {
 }
 
 std::size_t count_better(Pairs pairs, const Metric& metric) {
-  return count_if(pairs, [&](const PairedValue& pair) { return metric.higher_is_better ? pair.b > pair.a : pair.b < pair.a; });
+  return count_if(pairs,
+                  [&](const PairedValue& pair) { return metric.higher_is_better ? pair.b > pair.a : pair.b < pair.a; });
 }
 
 std::size_t count_different(Pairs pairs) {
@@ -62,7 +63,8 @@ double sign_flip_p(const PairedSample& sample, Kind kind) {
 
 }  // namespace
 
-MetricResult compare_metric(const PairedSample& sample, const Metric& metric, double level, const ComparisonOptions& options) {
+MetricResult compare_metric(const PairedSample& sample, const Metric& metric, double level,
+                            const ComparisonOptions& options) {
   MetricResult result;
   const Pairs pairs = sample.pairs;
   result.metric = metric;

@@ -14,8 +14,8 @@ double difference(const PairedValue& pair);
 
 std::vector<double> differences(Pairs pairs);
 
-/// What is summed up and tested for a mean of zero: b - a of a proportion, signed ranks of distances (Wilcoxon's, between clusters that
-/// of Rosner, Glynn & Lee 2006), ln(b / a) of costs.
+/// What is summed up and tested for a mean of zero: b - a of a proportion, signed ranks of distances (Wilcoxon's,
+/// between clusters that of Rosner, Glynn & Lee 2006), ln(b / a) of costs.
 std::vector<double> scores(Pairs pairs, Metric::Kind kind);
 
 /// One sum for each cluster, in an order that does not depend on names. @param pairs  by cluster; one score each.

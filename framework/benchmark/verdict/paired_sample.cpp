@@ -26,8 +26,10 @@ Rows rows_of(const ResultsTable& table, const std::string& arm) {
   for (const ResultRow& row : table)
     if (row.arm == arm) rows.push_back(&row);
   std::sort(rows.begin(), rows.end(), [](const ResultRow* x, const ResultRow* y) { return key(*x) < key(*y); });
-  const auto twice = std::adjacent_find(rows.begin(), rows.end(), [](const ResultRow* x, const ResultRow* y) { return key(*x) == key(*y); });
-  if (twice != rows.end()) throw Error("results of arm " + arm + ": " + name_of(**twice) + " is there twice, expected once");
+  const auto twice = std::adjacent_find(rows.begin(), rows.end(),
+                                        [](const ResultRow* x, const ResultRow* y) { return key(*x) == key(*y); });
+  if (twice != rows.end())
+    throw Error("results of arm " + arm + ": " + name_of(**twice) + " is there twice, expected once");
   return rows;
 }
 
@@ -35,8 +37,12 @@ void check_same_queries(const Rows& a, const Rows& b, const std::string& arm_a, 
   for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
     const bool only_a = i >= b.size() || (i < a.size() && key(*a[i]) < key(*b[i]));
     const bool only_b = i >= a.size() || (i < b.size() && key(*b[i]) < key(*a[i]));
-    if (only_a) throw Error("results: " + name_of(*a[i]) + " is there for arm " + arm_a + " but not for arm " + arm_b + ", expected for both");
-    if (only_b) throw Error("results: " + name_of(*b[i]) + " is there for arm " + arm_b + " but not for arm " + arm_a + ", expected for both");
+    if (only_a)
+      throw Error("results: " + name_of(*a[i]) + " is there for arm " + arm_a + " but not for arm " + arm_b +
+                  ", expected for both");
+    if (only_b)
+      throw Error("results: " + name_of(*b[i]) + " is there for arm " + arm_b + " but not for arm " + arm_a +
+                  ", expected for both");
   }
 }
 
@@ -47,7 +53,8 @@ double worst(const Metric& metric) {
 
 double checked_proportion(double value, const ResultRow& row, const Metric& metric) {
   if (value != 0 && value != 1)
-    throw Error("results of arm " + row.arm + ": " + name_of(row) + ": " + metric.name + " is " + std::to_string(value) + ", expected 0 or 1");
+    throw Error("results of arm " + row.arm + ": " + name_of(row) + ": " + metric.name + " is " +
+                std::to_string(value) + ", expected 0 or 1");
   return value;
 }
 
@@ -65,7 +72,8 @@ std::optional<double> value_of(const ResultRow& row, const Metric& metric) {
 
 }  // namespace
 
-PairedSample pair_rows(const ResultsTable& table, const Metric& metric, const std::string& arm_a, const std::string& arm_b) {
+PairedSample pair_rows(const ResultsTable& table, const Metric& metric, const std::string& arm_a,
+                       const std::string& arm_b) {
   const Rows a = rows_of(table, arm_a), b = rows_of(table, arm_b);
   check_same_queries(a, b, arm_a, arm_b);
   PairedSample sample;

@@ -17,7 +17,9 @@ std::string with_unit(double value, int decimals, const std::string& unit) {
   return fixed_text(value, decimals) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string end_text(double value, int decimals) { return std::isinf(value) ? "beyond all bounds" : fixed_text(value, decimals); }
+std::string end_text(double value, int decimals) {
+  return std::isinf(value) ? "beyond all bounds" : fixed_text(value, decimals);
+}
 
 std::string ends_text(double low, double high, int decimals) {
   if (std::isinf(low) && std::isinf(high)) return "without bounds";
@@ -94,8 +96,10 @@ std::string size_text(const MetricResult& result) {
   if (std::isnan(size)) return "nothing to compare";
   if (result.metric.kind == Kind::proportion) return "difference " + fixed_text(100 * size, 1) + " points";
   if (result.metric.kind == Kind::cost)
-    return size >= kTimes ? fixed_text(size, 1) + " times the" : distance_text(result.metric, size - 1) + (size < 1 ? " less" : " more");
-  if (std::isinf(size)) return size < 0 ? "mostly where the other never arrives" : "mostly never where the other arrives";
+    return size >= kTimes ? fixed_text(size, 1) + " times the"
+                          : distance_text(result.metric, size - 1) + (size < 1 ? " less" : " more");
+  if (std::isinf(size))
+    return size < 0 ? "mostly where the other never arrives" : "mostly never where the other arrives";
   if (fixed_text(size, 1) == fixed_text(0, 1)) return "median difference " + distance_text(result.metric, 0);
   return "median " + distance_text(result.metric, size) + (size < 0 ? " sooner" : " later");
 }
@@ -104,12 +108,14 @@ std::string more_queries_text(const MetricResult& result) {
   const std::string queries = "about " + fixed_text(two_digits(std::ceil(result.more_queries)), 0) + " more queries";
   if (!result.between_clusters) return queries;
   const double per_cluster = static_cast<double>(result.pairs) / static_cast<double>(result.clusters.size());
-  return queries + ", from " + fixed_text(two_digits(std::ceil(result.more_queries / per_cluster - 1e-9)), 0) + " more sites like these,";
+  return queries + ", from " + fixed_text(two_digits(std::ceil(result.more_queries / per_cluster - 1e-9)), 0) +
+         " more sites like these,";
 }
 
 std::string list_text(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   return text;
 }
 

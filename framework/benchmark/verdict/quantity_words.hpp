@@ -4,7 +4,8 @@
 
 namespace opal::statistics {
 
-/// What a metric is called: its name in words, without the unit: "first_fix_m" is "first fix"; a cost's phrase is a name.
+/// What a metric is called: its name in words, without the unit: "first_fix_m" is "first fix"; a cost's phrase is a
+/// name.
 std::string name_in_words(const Metric& metric);
 
 /// What it is called where it is said how an arm does: its phrase, else made of the name.

@@ -31,7 +31,8 @@ struct Metric {
   Kind kind = Kind::proportion;
   bool higher_is_better = true;
   std::string unit;    ///< "m", "ms"; empty for a proportion
-  std::string phrase;  ///< for the sentence: "localizes in" 96 %, "is right" 0.4 m sooner, 12 % more "CPU"; empty: made of the name
+  std::string phrase;  ///< for the sentence: "localizes in" 96 %, "is right" 0.4 m sooner, 12 % more "CPU"; empty: made
+                       ///< of the name
   /// A smaller difference is of no interest: share, unit of the distance, share of the cost; 0: 0.02, 0.5, 0.05.
   double of_interest = 0;
 };

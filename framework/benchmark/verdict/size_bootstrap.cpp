@@ -44,7 +44,8 @@ double weighted_mean(const std::vector<double>& values, const Weights& weights) 
 
 /// The size of the effect in a bootstrap sample.
 Statistic size_of(Pairs pairs, Kind kind) {
-  if (kind == Kind::distance_until) return [median = WeightedMedian(differences(pairs))](const Weights& weights) { return median.of(weights); };
+  if (kind == Kind::distance_until)
+    return [median = WeightedMedian(differences(pairs))](const Weights& weights) { return median.of(weights); };
   return [values = scores(pairs, kind), kind](const Weights& weights) {
     const double mean = weighted_mean(values, weights);
     return kind == Kind::cost ? std::exp(mean) : mean;
@@ -75,7 +76,8 @@ Interval size_interval(const PairedSample& sample, Kind kind, double level, cons
   std::vector<std::size_t> sizes;
   for (const Pairs pairs : clusters_of(ordered)) sizes.push_back(pairs.size());
   const bool clusters = sizes.size() >= kFewestDrawn;
-  return percentile_interval(bootstrap(sizes, size_of(ordered.pairs, kind), {options.bootstrap_samples, options.seed, clusters}), level);
+  return percentile_interval(
+      bootstrap(sizes, size_of(ordered.pairs, kind), {options.bootstrap_samples, options.seed, clusters}), level);
 }
 
 }  // namespace opal::statistics

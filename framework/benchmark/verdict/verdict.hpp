@@ -32,7 +32,8 @@ struct MetricResult {
   std::size_t pairs = 0, left_out = 0, better = 0, worse = 0;
   std::size_t never_a = 0, never_b = 0;  ///< distances that were never reached
   Effect effect;
-  /// Whether clusters, not pairs, are taken as independent, so that it holds for other clusters, too; there must be kFewestClusters.
+  /// Whether clusters, not pairs, are taken as independent, so that it holds for other clusters, too; there must be
+  /// kFewestClusters.
   bool between_clusters = false;
   double p = 1;            ///< that decides: between clusters if there are enough, else p_pairs
   double p_corrected = 1;  ///< Holm over arms and metrics
@@ -43,19 +44,22 @@ struct MetricResult {
   double odds_ratio = 1;   ///< of a proportion: pairs that only b gets right for each that only a does
   Interval odds_ratio_interval;
   double design_effect = 1;  ///< variance by clusters over variance by pairs
-  double told = 0;           ///< the difference that the next number is for: the one seen, or the one of interest if that is larger
-  double more_queries = 0;   ///< that would tell it with power 0.8, from as many more clusters of the same kind; may be infinite
+  double told =
+      0;  ///< the difference that the next number is for: the one seen, or the one of interest if that is larger
+  double more_queries =
+      0;  ///< that would tell it with power 0.8, from as many more clusters of the same kind; may be infinite
   Outcome outcome = Outcome::open;
   std::vector<ClusterResult> clusters;  ///< by name
 };
 
-/// From so many on, the test between clusters keeps its level; two often sum up to the same by chance (docs/ab_statistics.md).
+/// From so many on, the test between clusters keeps its level; two often sum up to the same by chance
+/// (docs/ab_statistics.md).
 constexpr std::size_t kFewestClusters = 3;
 
 /// What an experiment says of one arm beside the baseline.
 struct Verdict {
   std::string arm, baseline;
-  std::size_t queries = 0, clusters = 0;        ///< of each arm, seeds counted
+  std::size_t queries = 0, clusters = 0;  ///< of each arm, seeds counted
   std::size_t failures = 0, failures_baseline = 0;
   int look = 1, looks = 1;
   double level = 0.05;  ///< of this look: what p_corrected must not exceed, and 1 - coverage of the intervals

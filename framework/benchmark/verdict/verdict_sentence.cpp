@@ -20,14 +20,16 @@ std::string both_values(const MetricResult& result) {
 std::string in_brackets(const std::string& text) { return " (" + text + ")"; }
 
 std::string proportion_clause(const MetricResult& result, double level) {
-  return phrase_of(result.metric) + " " + both_values(result) + in_brackets(size_text(result) + ", " + interval_text(result, level));
+  return phrase_of(result.metric) + " " + both_values(result) +
+         in_brackets(size_text(result) + ", " + interval_text(result, level));
 }
 
 /// Whether the median says what the ranks say: with many ties it is 0 though one arm is ahead wherever they differ.
 bool median_tells(const MetricResult& result) {
   const double size = result.effect.size;
   const bool better = (size > 0) == result.metric.higher_is_better;
-  return std::isfinite(size) && fixed_text(size, 1) != fixed_text(0, 1) && better == (result.outcome == Outcome::better);
+  return std::isfinite(size) && fixed_text(size, 1) != fixed_text(0, 1) &&
+         better == (result.outcome == Outcome::better);
 }
 
 std::string distance_clause(const MetricResult& result, double level) {
@@ -92,8 +94,9 @@ double largest(const MetricResult& result) {
 }
 
 std::string equal_sentence(const MetricResult& result, double level) {
-  return "No difference in " + name_in_words(result.metric) + " bigger than " + distance_text(result.metric, largest(result)) +
-         " is to be expected" + in_brackets(both_values(result) + ", " + interval_text(result, level)) + ".";
+  return "No difference in " + name_in_words(result.metric) + " bigger than " +
+         distance_text(result.metric, largest(result)) + " is to be expected" +
+         in_brackets(both_values(result) + ", " + interval_text(result, level)) + ".";
 }
 
 /// Ranks have no metres: of a distance it is the difference seen.
@@ -104,16 +107,19 @@ std::string difference_to_tell(const MetricResult& result) {
 
 std::string open_sentence(const MetricResult& result, double level) {
   if (result.pairs == 0) return "No verdict on " + name_in_words(result.metric) + ": no query has a value of both.";
-  const std::string size = result.metric.kind == Kind::cost ? size_text(result) + " " + phrase_of(result.metric) : size_text(result);
+  const std::string size =
+      result.metric.kind == Kind::cost ? size_text(result) + " " + phrase_of(result.metric) : size_text(result);
   const std::string known = "No verdict yet on " + name_in_words(result.metric) +
                             in_brackets(both_values(result) + ", " + size + ", " + interval_text(result, level)) + ": ";
-  if (std::isinf(result.more_queries)) return known + "no number of queries that can be run would tell so small a difference.";
+  if (std::isinf(result.more_queries))
+    return known + "no number of queries that can be run would tell so small a difference.";
   return known + more_queries_text(result) + " would tell " + difference_to_tell(result) + ".";
 }
 
 std::string scope_sentence(const Verdict& verdict) {
   if (verdict.clusters >= kFewestClusters) return "";
-  return "Said of " + std::string(verdict.clusters == 1 ? "this site" : "these " + count_text(verdict.clusters, "site")) +
+  return "Said of " +
+         std::string(verdict.clusters == 1 ? "this site" : "these " + count_text(verdict.clusters, "site")) +
          " only, with their queries taken as independent.";
 }
 
@@ -132,21 +138,24 @@ std::string failures_note(const std::string& arm, std::size_t failures, std::siz
 
 std::string never_note(const Verdict& verdict, const MetricResult& result) {
   if (result.metric.kind != Kind::distance_until || result.never_a + result.never_b == 0) return "";
-  return name_in_words(result.metric) + " was never reached by " + verdict.arm + " in " + std::to_string(result.never_b) + " and by " +
-         verdict.baseline + " in " + std::to_string(result.never_a) + " of " + std::to_string(result.pairs) +
-         " queries; that ranks behind every distance.";
+  return name_in_words(result.metric) + " was never reached by " + verdict.arm + " in " +
+         std::to_string(result.never_b) + " and by " + verdict.baseline + " in " + std::to_string(result.never_a) +
+         " of " + std::to_string(result.pairs) + " queries; that ranks behind every distance.";
 }
 
 std::string left_out_note(const Verdict& verdict, const MetricResult& result) {
   if (result.left_out == 0) return "";
-  const std::string note = std::to_string(result.left_out) + " queries have no " + name_in_words(result.metric) + " of both arms and are left out of it.";
+  const std::string note = std::to_string(result.left_out) + " queries have no " + name_in_words(result.metric) +
+                           " of both arms and are left out of it.";
   if (result.between_clusters || verdict.clusters < kFewestClusters) return note;
-  return note + " It is said of " + count_text(result.clusters.size(), "site") + " only, with their queries taken as independent.";
+  return note + " It is said of " + count_text(result.clusters.size(), "site") +
+         " only, with their queries taken as independent.";
 }
 
 std::string disagreement_note(const MetricResult& result, double level) {
   if (!result.between_clusters || told(result) || result.p_pairs > level) return "";
-  return "Query by query, a difference in " + name_in_words(result.metric) + " would be told (p = " + p_text(result.p_pairs) +
+  return "Query by query, a difference in " + name_in_words(result.metric) +
+         " would be told (p = " + p_text(result.p_pairs) +
          "), but it does not hold from site to site (p = " + p_text(result.p) + ").";
 }
 
@@ -177,7 +186,9 @@ std::vector<std::string> notes_of(const Verdict& verdict) {
     notes.push_back(left_out_note(verdict, result));
   }
   if (verdict.clusters > 1)
-    notes.push_back("What is said of a single site takes its queries as independent; where its windows overlap, its interval is too narrow.");
+    notes.push_back(
+        "What is said of a single site takes its queries as independent; where its windows overlap, its interval is "
+        "too narrow.");
   std::erase(notes, "");
   return notes;
 }

@@ -1,7 +1,7 @@
 #include "benchmark/verdict_page/forest_plot.hpp"
 
-#include "benchmark/verdict_page/plot_scale.hpp"
 #include "benchmark/verdict/quantity_words.hpp"
+#include "benchmark/verdict_page/plot_scale.hpp"
 #include "report/html_text.hpp"
 #include "report/quantity_text.hpp"
 
@@ -22,7 +22,8 @@ std::string text_at(double x, double y, const std::string& text, const std::stri
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& kind) {
-  return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) + "\" class=\"" + kind + "\"/>";
+  return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) + "\" class=\"" +
+         kind + "\"/>";
 }
 
 double neutral(Kind kind) { return kind == Kind::cost ? 1 : 0; }
@@ -66,24 +67,28 @@ std::string whisker(const PlotScale& scale, Kind kind, const Interval& interval,
 }
 
 std::string square(double x, double y, double half, const std::string& outcome) {
-  return "<rect class=\"" + outcome + "\" x=\"" + px(x - half) + "\" y=\"" + px(y - half) + "\" width=\"" + px(2 * half) + "\" height=\"" +
-         px(2 * half) + "\"/>";
+  return "<rect class=\"" + outcome + "\" x=\"" + px(x - half) + "\" y=\"" + px(y - half) + "\" width=\"" +
+         px(2 * half) + "\" height=\"" + px(2 * half) + "\"/>";
 }
 
 std::string diamond(const PlotScale& scale, Kind kind, const Effect& effect, double y, const std::string& outcome) {
   const double x = scale.place_px(shown(kind, effect.size));
-  return "<path class=\"" + outcome + "\" d=\"M" + px(scale.place_px(shown(kind, effect.interval.low))) + " " + px(y) + "L" + px(x) + " " +
-         px(y - 7) + "L" + px(scale.place_px(shown(kind, effect.interval.high))) + " " + px(y) + "L" + px(x) + " " + px(y + 7) + "z\"/>";
+  return "<path class=\"" + outcome + "\" d=\"M" + px(scale.place_px(shown(kind, effect.interval.low))) + " " + px(y) +
+         "L" + px(x) + " " + px(y - 7) + "L" + px(scale.place_px(shown(kind, effect.interval.high))) + " " + px(y) +
+         "L" + px(x) + " " + px(y + 7) + "z\"/>";
 }
 
 std::string size_number(const MetricResult& result, const Effect& effect) {
   const Kind kind = result.metric.kind;
   const int decimals = kind == Kind::proportion ? 1 : 2;
-  const auto number = [&](double size) { return std::isinf(size) ? (size < 0 ? "-∞" : "∞") : fixed_text(shown(kind, size), decimals); };
+  const auto number = [&](double size) {
+    return std::isinf(size) ? (size < 0 ? "-∞" : "∞") : fixed_text(shown(kind, size), decimals);
+  };
   return number(effect.size) + " (" + number(effect.interval.low) + " to " + number(effect.interval.high) + ")";
 }
 
-std::string row_text(const MetricResult& result, const std::string& name, std::size_t pairs, const Effect& effect, double y) {
+std::string row_text(const MetricResult& result, const std::string& name, std::size_t pairs, const Effect& effect,
+                     double y) {
   return text_at(0, y + 4, name) + text_at(230, y + 4, std::to_string(pairs), " class=\"end\"") +
          text_at(315, y + 4, value_text(result.metric, effect.a), " class=\"end\"") +
          text_at(395, y + 4, value_text(result.metric, effect.b), " class=\"end\"") +
@@ -92,14 +97,19 @@ std::string row_text(const MetricResult& result, const std::string& name, std::s
 
 std::string head(const MetricResult& result, const std::string& arm, const std::string& baseline) {
   const Kind kind = result.metric.kind;
-  const std::string size = kind == Kind::proportion ? "difference, points" : kind == Kind::cost ? "ratio" : "median difference, " + result.metric.unit;
+  const std::string size = kind == Kind::proportion ? "difference, points"
+                           : kind == Kind::cost     ? "ratio"
+                                                    : "median difference, " + result.metric.unit;
   return text_at(0, 20, "site", " class=\"quiet\"") + text_at(230, 20, "queries", " class=\"end quiet\"") +
          text_at(315, 20, baseline, " class=\"end quiet\"") + text_at(395, 20, arm, " class=\"end quiet\"") +
          text_at(815, 20, size, " class=\"quiet\"");
 }
 
 std::string name_of(Outcome outcome) {
-  return outcome == Outcome::better ? "better" : outcome == Outcome::worse ? "worse" : outcome == Outcome::equal ? "equal" : "open";
+  return outcome == Outcome::better  ? "better"
+         : outcome == Outcome::worse ? "worse"
+         : outcome == Outcome::equal ? "equal"
+                                     : "open";
 }
 
 }  // namespace
@@ -108,16 +118,20 @@ std::string forest_plot(const MetricResult& result, const std::string& arm, cons
   const Kind kind = result.metric.kind;
   const PlotScale scale = scale_of(result);
   const double bottom = kTop_px + kRow_px * static_cast<double>(result.clusters.size() + 1);
-  std::string svg = "<svg class=\"forest\" viewBox=\"0 0 " + px(kWidth_px) + " " + px(bottom + 24) + "\" role=\"img\" aria-label=\"" +
-                    html_text("differences in " + name_in_words(result.metric) + " per site") + "\">" + head(result, arm, baseline) +
-                    grid(scale, kind, bottom);
+  std::string svg = "<svg class=\"forest\" viewBox=\"0 0 " + px(kWidth_px) + " " + px(bottom + 24) +
+                    "\" role=\"img\" aria-label=\"" +
+                    html_text("differences in " + name_in_words(result.metric) + " per site") + "\">" +
+                    head(result, arm, baseline) + grid(scale, kind, bottom);
   double y = kTop_px;
   for (const ClusterResult& cluster : result.clusters) {
-    svg += row_text(result, cluster.cluster, cluster.pairs, cluster.effect, y) + whisker(scale, kind, cluster.effect.interval, y) +
+    svg += row_text(result, cluster.cluster, cluster.pairs, cluster.effect, y) +
+           whisker(scale, kind, cluster.effect.interval, y) +
            square(scale.place_px(shown(kind, cluster.effect.size)), y, 4.5, name_of(cluster.outcome));
     y += kRow_px;
   }
-  svg += "<g class=\"total\">" + row_text(result, result.between_clusters ? "all, from site to site" : "all, these sites only", result.pairs, result.effect, y) +
+  svg += "<g class=\"total\">" +
+         row_text(result, result.between_clusters ? "all, from site to site" : "all, these sites only", result.pairs,
+                  result.effect, y) +
          "</g>" + diamond(scale, kind, result.effect, y, name_of(result.outcome));
   return svg + "</svg>\n";
 }

@@ -12,7 +12,8 @@ class LinkedRuns {
   explicit LinkedRuns(const ReportPage& page);
 
   /// Where the run is shown; empty if nowhere.
-  std::string of(const std::string& arm, const std::string& cluster, const std::string& query, std::uint64_t seed) const;
+  std::string of(const std::string& arm, const std::string& cluster, const std::string& query,
+                 std::uint64_t seed) const;
 
  private:
   std::map<std::tuple<std::string, std::string, std::string, std::uint64_t>, std::string> links_;

@@ -1,7 +1,7 @@
 #include "benchmark/verdict_page/report_page.hpp"
 
-#include "benchmark/verdict_page/forest_plot.hpp"
 #include "benchmark/verdict/quantity_words.hpp"
+#include "benchmark/verdict_page/forest_plot.hpp"
 #include "benchmark/verdict_page/report_tables.hpp"
 #include "benchmark/verdict_page/scatter_plot.hpp"
 #include "report/html_text.hpp"
@@ -37,9 +37,12 @@ using Kind = Metric::Kind;
 
 /// Styles, and links that the caller gives: nothing is fetched and nothing runs.
 std::string head(const std::string& title) {
-  return "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n"
-         "<title>" + html_text(title) + "</title>\n<style>" + kStyle + "</style>\n<h1>" + html_text(title) + "</h1>\n";
+  return "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+         "content=\"width=device-width\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+         "base-uri 'none'; form-action 'none'\">\n"
+         "<title>" +
+         html_text(title) + "</title>\n<style>" + kStyle + "</style>\n<h1>" + html_text(title) + "</h1>\n";
 }
 
 bool told(const Verdict& verdict) {
@@ -49,50 +52,66 @@ bool told(const Verdict& verdict) {
 }
 
 std::string verdict_html(const Verdict& verdict) {
-  std::string html = "<div class=\"verdict" + std::string(told(verdict) ? " told" : "") + "\">\n<div class=\"arms\">" + html_text(verdict.arm) +
-                     " beside " + html_text(verdict.baseline) + ", " + std::to_string(verdict.queries) + " queries on " +
-                     std::to_string(verdict.clusters) + (verdict.clusters == 1 ? " site" : " sites") + "</div>\n<p>" + html_text(verdict.sentence) + "</p>\n";
+  std::string html = "<div class=\"verdict" + std::string(told(verdict) ? " told" : "") + "\">\n<div class=\"arms\">" +
+                     html_text(verdict.arm) + " beside " + html_text(verdict.baseline) + ", " +
+                     std::to_string(verdict.queries) + " queries on " + std::to_string(verdict.clusters) +
+                     (verdict.clusters == 1 ? " site" : " sites") + "</div>\n<p>" + html_text(verdict.sentence) +
+                     "</p>\n";
   if (verdict.notes.empty()) return html + "</div>\n";
   html += "<ul class=\"notes\">\n";
   for (const std::string& note : verdict.notes) html += "<li>" + html_text(note) + "</li>\n";
   return html + "</ul></div>\n";
 }
 
-std::string pairs_html(const PairedSample& sample, const MetricResult& result, const Verdict& verdict, const LinkedRuns& links) {
+std::string pairs_html(const PairedSample& sample, const MetricResult& result, const Verdict& verdict,
+                       const LinkedRuns& links) {
   const bool proportion = result.metric.kind == Kind::proportion;
-  const std::string picture = proportion ? "" : scatter_plot(sample, result.metric, verdict.arm, verdict.baseline, links);
+  const std::string picture =
+      proportion ? "" : scatter_plot(sample, result.metric, verdict.arm, verdict.baseline, links);
   const std::string counts = proportion ? counts_table(result, verdict.arm, verdict.baseline) : "";
   const std::string costs = result.metric.kind == Kind::cost ? cost_table(result, verdict.arm, verdict.baseline) : "";
-  return "<div class=\"plots\"><div>" + picture + counts + "</div><div>" + costs + "<details open><summary>Queries that differ</summary>\n" +
+  return "<div class=\"plots\"><div>" + picture + counts + "</div><div>" + costs +
+         "<details open><summary>Queries that differ</summary>\n" +
          differing_table(sample, result.metric, verdict.arm, verdict.baseline, links) + "</details></div></div>\n";
 }
 
-std::string metric_html(const ReportPage& page, const MetricResult& result, const Verdict& verdict, const LinkedRuns& links) {
+std::string metric_html(const ReportPage& page, const MetricResult& result, const Verdict& verdict,
+                        const LinkedRuns& links) {
   const std::string title = "<section><h3>" + html_text(name_in_words(result.metric)) + "</h3>\n";
   if (result.pairs == 0) return title + "<p>No query has a value of both.</p></section>\n";
   const PairedSample sample = pair_rows(page.table, result.metric, verdict.baseline, verdict.arm);
-  return title + forest_plot(result, verdict.arm, verdict.baseline) + pairs_html(sample, result, verdict, links) + "</section>\n";
+  return title + forest_plot(result, verdict.arm, verdict.baseline) + pairs_html(sample, result, verdict, links) +
+         "</section>\n";
 }
 
 std::string key_html() {
-  return "<p class=\"key quiet\">Differences are of the second arm to the baseline. Squares: one site by itself, its queries taken as independent. Diamond: all. "
-         "<b class=\"better\">Green</b>: better, <b class=\"worse\">red</b>: worse, dark: not told; corrected after Holm. Dots of the scatter: "
-         "<b class=\"a\">left half</b> opens the baseline's run, <b class=\"b\">right half</b> the other arm's; beyond the dashed lines: never reached.</p>\n";
+  return "<p class=\"key quiet\">Differences are of the second arm to the baseline. Squares: one site by itself, its "
+         "queries taken as independent. Diamond: all. "
+         "<b class=\"better\">Green</b>: better, <b class=\"worse\">red</b>: worse, dark: not told; corrected after "
+         "Holm. Dots of the scatter: "
+         "<b class=\"a\">left half</b> opens the baseline's run, <b class=\"b\">right half</b> the other arm's; beyond "
+         "the dashed lines: never reached.</p>\n";
 }
 
 std::string comparison_html(const ReportPage& page, const Verdict& verdict, const LinkedRuns& links) {
-  std::string html = "<h2>" + html_text(verdict.arm) + " beside " + html_text(verdict.baseline) + "</h2>\n" + key_html();
+  std::string html =
+      "<h2>" + html_text(verdict.arm) + " beside " + html_text(verdict.baseline) + "</h2>\n" + key_html();
   for (const MetricResult& result : verdict.metrics) html += metric_html(page, result, verdict, links);
   return html + "<section><h3>All numbers</h3>\n" + numbers_table(verdict) +
-         "<p class=\"quiet\">p decides. With three sites or more it is Student's t between sites (of differences, signed ranks of distances, logarithms of costs; "
-         "variance after Bell and McCaffrey); with fewer, pairs are taken as independent: McNemar (mid-p), Wilcoxon, t of logarithms. Sign flips and "
-         "bootstrap are for comparison; with few sites the bootstrap is too narrow. Opal's docs/ab_statistics.md says why.</p></section>\n";
+         "<p class=\"quiet\">p decides. With three sites or more it is Student's t between sites (of differences, "
+         "signed ranks of distances, logarithms of costs; "
+         "variance after Bell and McCaffrey); with fewer, pairs are taken as independent: McNemar (mid-p), Wilcoxon, t "
+         "of logarithms. Sign flips and "
+         "bootstrap are for comparison; with few sites the bootstrap is too narrow. Opal's docs/ab_statistics.md says "
+         "why.</p></section>\n";
 }
 
 std::string rerun_html(const ReportPage& page) {
-  const std::string command = page.command.empty() ? "" : "<p>With the versions below:</p><pre>" + html_text(page.command, true) + "</pre>\n";
-  return "<h2>How to run it again</h2>\n<section>" + command + versions_table(page.versions) + "<details><summary>The whole configuration</summary><pre>" +
-         html_text(page.configuration, true) + "</pre></details></section>\n";
+  const std::string command =
+      page.command.empty() ? "" : "<p>With the versions below:</p><pre>" + html_text(page.command, true) + "</pre>\n";
+  return "<h2>How to run it again</h2>\n<section>" + command + versions_table(page.versions) +
+         "<details><summary>The whole configuration</summary><pre>" + html_text(page.configuration, true) +
+         "</pre></details></section>\n";
 }
 
 }  // namespace

@@ -45,8 +45,11 @@ std::string interval_cell(const MetricResult& result, const Interval& interval) 
 
 std::string odds_cell(const MetricResult& result) {
   if (result.metric.kind != Metric::Kind::proportion) return "";
-  const auto odds = [](double value) { return std::isnan(value) ? "-" : std::isinf(value) ? "∞" : fixed_text(value, 2); };
-  return odds(result.odds_ratio) + " (" + odds(result.odds_ratio_interval.low) + " to " + odds(result.odds_ratio_interval.high) + ")";
+  const auto odds = [](double value) {
+    return std::isnan(value) ? "-" : std::isinf(value) ? "∞" : fixed_text(value, 2);
+  };
+  return odds(result.odds_ratio) + " (" + odds(result.odds_ratio_interval.low) + " to " +
+         odds(result.odds_ratio_interval.high) + ")";
 }
 
 std::string size_head(const MetricResult& result) {
@@ -90,7 +93,8 @@ double apart(const PairedValue& pair, Metric::Kind kind) {
 std::vector<PairedValue> most_differing(const PairedSample& sample, Metric::Kind kind) {
   std::vector<PairedValue> pairs = sample.pairs;
   std::erase_if(pairs, [](const PairedValue& pair) { return pair.a == pair.b; });
-  std::stable_sort(pairs.begin(), pairs.end(), [&](const PairedValue& x, const PairedValue& y) { return apart(x, kind) > apart(y, kind); });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](const PairedValue& x, const PairedValue& y) { return apart(x, kind) > apart(y, kind); });
   return pairs;
 }
 
@@ -121,12 +125,13 @@ std::string numbers_table(const Verdict& verdict) {
 
 std::string counts_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {
   const std::string a = html_text(baseline), b = html_text(arm);
-  return table_of({"", a + " yes", a + " no"}, {{b + " yes", number(result.counts.both), number(result.counts.only_b)},
-                                                {b + " no", number(result.counts.only_a), number(result.counts.neither)}});
+  return table_of({"", a + " yes", a + " no"},
+                  {{b + " yes", number(result.counts.both), number(result.counts.only_b)},
+                   {b + " no", number(result.counts.only_a), number(result.counts.neither)}});
 }
 
-std::string differing_table(const PairedSample& sample, const Metric& metric, const std::string& arm, const std::string& baseline,
-                            const LinkedRuns& links) {
+std::string differing_table(const PairedSample& sample, const Metric& metric, const std::string& arm,
+                            const std::string& baseline, const LinkedRuns& links) {
   const std::vector<PairedValue> pairs = most_differing(sample, metric.kind);
   if (pairs.empty()) return "<p>No pair differs.</p>\n";
   std::vector<Cells> rows;
@@ -135,20 +140,24 @@ std::string differing_table(const PairedSample& sample, const Metric& metric, co
     const auto cell = [&](const std::string& name, double value) {
       return linked(links.of(name, pair.cluster, pair.query, pair.seed), value_cell(metric, value));
     };
-    rows.push_back({html_text(pair.cluster), html_text(pair.query), std::to_string(pair.seed), cell(baseline, pair.a), cell(arm, pair.b)});
+    rows.push_back({html_text(pair.cluster), html_text(pair.query), std::to_string(pair.seed), cell(baseline, pair.a),
+                    cell(arm, pair.b)});
   }
-  return table_of({"site", "query", "seed", html_text(baseline), html_text(arm)}, rows) + rest_text(pairs.size(), "differ less");
+  return table_of({"site", "query", "seed", html_text(baseline), html_text(arm)}, rows) +
+         rest_text(pairs.size(), "differ less");
 }
 
 std::string cost_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {
   std::vector<Cells> rows;
   const auto add = [&](const std::string& name, std::size_t pairs, const Effect& effect) {
-    rows.push_back({html_text(name), number(pairs), html_text(value_text(result.metric, effect.a)), html_text(value_text(result.metric, effect.b)),
-                    size_cell(result, effect.size), interval_cell(result, effect.interval)});
+    rows.push_back({html_text(name), number(pairs), html_text(value_text(result.metric, effect.a)),
+                    html_text(value_text(result.metric, effect.b)), size_cell(result, effect.size),
+                    interval_cell(result, effect.interval)});
   };
   for (const ClusterResult& cluster : result.clusters) add(cluster.cluster, cluster.pairs, cluster.effect);
   add("all", result.pairs, result.effect);
-  return table_of({"site", "queries", html_text(baseline) + ", median", html_text(arm) + ", median", "ratio", "interval"}, rows);
+  return table_of(
+      {"site", "queries", html_text(baseline) + ", median", html_text(arm) + ", median", "ratio", "interval"}, rows);
 }
 
 std::string failures_table(const ResultsTable& table, const LinkedRuns& links) {
@@ -166,7 +175,8 @@ std::string failures_table(const ResultsTable& table, const LinkedRuns& links) {
 std::string versions_table(const std::vector<ReportPage::Version>& versions) {
   std::vector<Cells> rows;
   for (const ReportPage::Version& version : versions)
-    rows.push_back({html_text(version.name), html_text(version.version), "<code>" + html_text(version.file_hash) + "</code>"});
+    rows.push_back(
+        {html_text(version.name), html_text(version.version), "<code>" + html_text(version.file_hash) + "</code>"});
   return table_of({"part", "version", "hash of its file"}, rows);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "benchmark/verdict_page/linked_runs.hpp"
 #include "benchmark/verdict/paired_sample.hpp"
+#include "benchmark/verdict_page/linked_runs.hpp"
 
 namespace opal::statistics {
 
@@ -14,8 +14,8 @@ std::string numbers_table(const Verdict& verdict);
 std::string counts_table(const MetricResult& result, const std::string& arm, const std::string& baseline);
 
 /// The pairs that differ, most first, with links to both runs; at most so many, and says how many are not shown.
-std::string differing_table(const PairedSample& sample, const Metric& metric, const std::string& arm, const std::string& baseline,
-                            const LinkedRuns& links);
+std::string differing_table(const PairedSample& sample, const Metric& metric, const std::string& arm,
+                            const std::string& baseline, const LinkedRuns& links);
 
 /// What costs what: medians and ratio per cluster.
 std::string cost_table(const MetricResult& result, const std::string& arm, const std::string& baseline);

@@ -1,8 +1,8 @@
 #include "benchmark/cells/ab_manifest.hpp"
 #include "benchmark/cells/ab_report.hpp"
 #include "benchmark/runs/progress_bar.hpp"
-#include "session/session.hpp"
 #include "cli/options/verbs.hpp"
+#include "session/session.hpp"
 
 #include "benchmark/ab/execution/slurm.hpp"
 #include "benchmark/ab/execution/workers.hpp"
@@ -29,7 +29,8 @@ struct AbOptions {
 class AbSession {
  public:
   explicit AbSession(const AbOptions& options)
-      : experiment_(ab::read_experiment(options.experiment, [](const std::string& name) { return shipped_config(name + ".jsonld"); })),
+      : experiment_(ab::read_experiment(options.experiment,
+                                        [](const std::string& name) { return shipped_config(name + ".jsonld"); })),
         metrics_(metrics_of(experiment_)),
         plugins_(load_arm_plugins(experiment_)),
         worlds_(experiment_, *plugins_[experiment_.baseline].registry),
@@ -41,8 +42,8 @@ class AbSession {
     LocalizingRunner runner(experiment_, plugins_, worlds_);
     ProgressBar bar;
     compute(runner, plan_, folder_, experiment_.limits, shard, jobs, [&](const ab::WorkProgress& progress) {
-      bar.show(progress.share(), opal::sentence("%zu of %zu cells, %s left", progress.before + progress.done, progress.all,
-                                                duration_text(progress.left_s()).c_str()));
+      bar.show(progress.share(), opal::sentence("%zu of %zu cells, %s left", progress.before + progress.done,
+                                                progress.all, duration_text(progress.left_s()).c_str()));
     });
   }
 
@@ -51,14 +52,18 @@ class AbSession {
     const ab::MergedResults results(folder_, plan_);
     std::cout << results.finished() << " of " << plan_.cells() << " cells are finished\n";
     const int look = look_at(experiment_, folder_, results, plan_);
-    if (look == 0 && experiment_.looks > 1) std::cout << "looks are at every " << plan_.cells() / static_cast<std::size_t>(experiment_.looks) << " cells, once\n";
+    if (look == 0 && experiment_.looks > 1)
+      std::cout << "looks are at every " << plan_.cells() / static_cast<std::size_t>(experiment_.looks)
+                << " cells, once\n";
     if (results.complete()) results.write(arm_digests(manifest_));
     if (look > 0) {
       LocalizingRunner runner(experiment_, plugins_, worlds_);
-      const ViewLinks links = experiment_.observes ? ViewLinks() : write_views(experiment_, plan_, folder_, results, runner);
+      const ViewLinks links =
+          experiment_.observes ? ViewLinks() : write_views(experiment_, plan_, folder_, results, runner);
       report(experiment_, plan_, folder_, results, manifest_, look, links);
     }
-    if (results.complete()) std::cout << "written: results.jsonl, times.jsonl, verdict.json, report.html in " << folder_.path() << '\n';
+    if (results.complete())
+      std::cout << "written: results.jsonl, times.jsonl, verdict.json, report.html in " << folder_.path() << '\n';
     return results.complete();
   }
 
@@ -129,7 +134,8 @@ int work(const AbOptions& options) {
 
 int submit(const AbOptions& options) {
   const ab::SlurmJob job = AbSession(options).submit(options);
-  std::cout << "submitted: job " << job.id << ", an array of " << job.tasks << " tasks; opal ab status, then collect, with the same words\n";
+  std::cout << "submitted: job " << job.id << ", an array of " << job.tasks
+            << " tasks; opal ab status, then collect, with the same words\n";
   return 0;
 }
 
@@ -138,33 +144,44 @@ int status(const AbOptions& options) { return AbSession(options).status() ? 0 : 
 int collect(const AbOptions& options) { return AbSession(options).collect() ? 0 : 1; }
 
 void add_experiment(CLI::App& verb, AbOptions& options, bool required) {
-  verb.add_option("EXPERIMENT", options.experiment, "experiment document (.jsonld): arms, sites, seeds; docs/compare_scorers.md")->required(required);
-  verb.add_option("-o,--out", options.out, "folder for results; what is finished there is not computed again")->default_str("out/EXPERIMENT");
+  verb.add_option("EXPERIMENT", options.experiment,
+                  "experiment document (.jsonld): arms, sites, seeds; docs/compare_scorers.md")
+      ->required(required);
+  verb.add_option("-o,--out", options.out, "folder for results; what is finished there is not computed again")
+      ->default_str("out/EXPERIMENT");
 }
 
 void add_jobs(CLI::App& verb, AbOptions& options, const std::string& usual) {
-  verb.add_option("--jobs", options.jobs, "processes that compute cells")->check(CLI::Range(1, 4096))->default_str(usual);
+  verb.add_option("--jobs", options.jobs, "processes that compute cells")
+      ->check(CLI::Range(1, 4096))
+      ->default_str(usual);
 }
 
 }  // namespace
 
 void opal::add_ab_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<AbOptions>();
-  CLI::App* verb = app.add_subcommand("ab", "which of several scorers or configurations is better, and whether that is luck");
+  CLI::App* verb =
+      app.add_subcommand("ab", "which of several scorers or configurations is better, and whether that is luck");
   verb->require_subcommand(0, 1);
-  const auto add = [&](const std::string& name, const std::string& help, const std::function<int(const AbOptions&)>& act) {
+  const auto add = [&](const std::string& name, const std::string& help,
+                       const std::function<int(const AbOptions&)>& act) {
     CLI::App* part = verb->add_subcommand(name, help);
     add_experiment(*part, *options, true);
     part->callback([options, act, &exit_code] { exit_code = act(*options); });
     return part;
   };
-  add_jobs(*add("run", "compute what is missing on this machine, then collect; `opal ab EXPERIMENT` is the same", run), *options, "all cores");
+  add_jobs(*add("run", "compute what is missing on this machine, then collect; `opal ab EXPERIMENT` is the same", run),
+           *options, "all cores");
   CLI::App* worker = add("work", "compute one part of it: what GNU parallel and job arrays call", work);
   add_jobs(*worker, *options, "1");
   worker->add_option("--shard", options->shard, "I/N: part I of N, from 1 on")->capture_default_str();
   CLI::App* submitter = add("submit", "compute it as a job array under Slurm", submit);
-  submitter->add_option("--tasks", options->tasks, "of the array")->check(CLI::Range(1, 1'000'000))->default_str("100, or as many as there are queries");
-  submitter->add_option("--sbatch", options->sbatch, "option for sbatch, as --sbatch=--partition=long; may be repeated")->allow_extra_args(false);
+  submitter->add_option("--tasks", options->tasks, "of the array")
+      ->check(CLI::Range(1, 1'000'000))
+      ->default_str("100, or as many as there are queries");
+  submitter->add_option("--sbatch", options->sbatch, "option for sbatch, as --sbatch=--partition=long; may be repeated")
+      ->allow_extra_args(false);
   add("status", "how far the job array is; exit code 1 while cells are missing", status);
   add("collect", "merge what all workers have computed, and say who is better", collect);
   add_experiment(*verb, *options, false);

@@ -9,7 +9,8 @@ std::size_t restore_stamps(RunRecord& record, const opal::KidnappingLog& log) {
     double& stamp_s = record.rows[row].stamp_s;
     while (log.samples[sample].scan.stamp_s != stamp_s) ++sample;
     if (sample >= log.cut) first_after = std::min(first_after, row);
-    for (; alternative < record.alternatives.size() && record.alternatives[alternative].stamp_s == stamp_s; ++alternative)
+    for (; alternative < record.alternatives.size() && record.alternatives[alternative].stamp_s == stamp_s;
+         ++alternative)
       record.alternatives[alternative].stamp_s = log.recorded_s[sample];
     stamp_s = log.recorded_s[sample];
     ++sample;
@@ -20,9 +21,10 @@ std::size_t restore_stamps(RunRecord& record, const opal::KidnappingLog& log) {
 }  // namespace
 
 KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const opal::GroundTruth& truth,
-                        const opal::KidnappingSequenceOptions& options) {
+                               const opal::KidnappingSequenceOptions& options) {
   KidnappingRuns runs;
-  for (const opal::KidnappingSequence& sequence : opal::draw_kidnapping_sequences(place.site.name, place.queries, truth, options)) {
+  for (const opal::KidnappingSequence& sequence :
+       opal::draw_kidnapping_sequences(place.site.name, place.queries, truth, options)) {
     opal::Replay before = place.replay(sequence.before), after = place.replay(sequence.after);
     const opal::KidnappingLog log = opal::with_kidnapping(opal::read_all(before), opal::read_all(after));
     localizer.reset();

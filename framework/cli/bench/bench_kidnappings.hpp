@@ -13,4 +13,4 @@ struct KidnappingRuns {
 
 /// The truth serves to choose the cuts and to judge; the localizer never sees it.
 KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const opal::GroundTruth& truth,
-                        const opal::KidnappingSequenceOptions& options);
+                               const opal::KidnappingSequenceOptions& options);

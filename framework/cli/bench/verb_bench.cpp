@@ -1,23 +1,23 @@
+#include "benchmark/runs/quantile.hpp"
 #include "cli/bench/bench_kidnappings.hpp"
 #include "cli/options/damage_options.hpp"
 #include "cli/options/join_options.hpp"
 #include "cli/options/overlay_options.hpp"
-#include "session/overlays.hpp"
-#include "benchmark/runs/quantile.hpp"
-#include "session/session.hpp"
 #include "cli/options/verbs.hpp"
+#include "session/overlays.hpp"
+#include "session/session.hpp"
 
 #include <opal/common/error.hpp>
 
 #include <nlohmann/json.hpp>
 
+#include <malloc.h>
+#include <sys/resource.h>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <malloc.h>
 #include <numeric>
-#include <sys/resource.h>
 
 namespace {
 
@@ -137,7 +137,8 @@ nlohmann::ordered_json run_place(const BenchPlace& place, const opal::PluginRegi
 /// Overlays speak of one building's ids, and of the map as it was imported.
 void lay_overlays(std::vector<BenchSite>& sites, const std::vector<std::string>& files, const DamageOptions& damage) {
   if (files.empty()) return;
-  if (sites.size() > 1 || damage.any()) throw opal::ConfigError("bench: overlays with several places or with damage, expected one place as it is");
+  if (sites.size() > 1 || damage.any())
+    throw opal::ConfigError("bench: overlays with several places or with damage, expected one place as it is");
   sites.front().map = with_overlays(sites.front().map, files);
 }
 
@@ -173,15 +174,18 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* verb = app.add_subcommand("bench", "recorded places from end to end: import their maps, run their queries");
   verb->add_option("PREFIX", options->prefixes,
-                   "PREFIX.map.jsonld (or PREFIX.map.yaml, a grid), PREFIX.info.json, PREFIX.queries.json and PREFIX.log.gz are read")
+                   "PREFIX.map.jsonld (or PREFIX.map.yaml, a grid), PREFIX.info.json, PREFIX.queries.json and "
+                   "PREFIX.log.gz are read")
       ->required();
   verb->add_option("-o,--out", options->out,
-                   "folder for results.csv, alternatives.csv and summary.json; for several places: NAME.csv and the rest in NAME/")
+                   "folder for results.csv, alternatives.csv and summary.json; for several places: NAME.csv and the "
+                   "rest in NAME/")
       ->required();
   options->damage.add_to(*verb);
   options->overlays.add_to(*verb, ", beside those of the deployment; of a single place");
-  verb->add_flag("--join", options->joined,
-                 "run every query on the maps of all places side by side; results are in the frame of the place's own map");
+  verb->add_flag(
+      "--join", options->joined,
+      "run every query on the maps of all places side by side; results are in the frame of the place's own map");
   options->join.add_to(*verb);
   verb->add_option("--config", options->config, "deployment to run (default: configs/default.jsonld)");
   verb->add_option("--kidnap", options->sequence,

@@ -1,9 +1,9 @@
 #include "cli/calibration/judged_runs.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
 #include "evaluation/ground_truth.hpp"
 #include "evaluation/results.hpp"
-#include <opal/common/strict_json.hpp>
 
 #include <filesystem>
 #include <map>
@@ -16,10 +16,12 @@ namespace fs = std::filesystem;
 /// Where the truth of a run is.
 fs::path truth_of(const fs::path& run, const std::string& folder) {
   const fs::path summary = run / "summary.json";
-  if (!fs::exists(summary)) throw opal::LogError(summary.string() + ": does not exist, expected a folder that opal bench wrote");
+  if (!fs::exists(summary))
+    throw opal::LogError(summary.string() + ": does not exist, expected a folder that opal bench wrote");
   const nlohmann::json document = opal::read_json(summary.string());
   if (!document.contains("site") || !document["site"].is_string())
-    throw opal::LogError(summary.string() + ": /site: missing, expected the prefix of the recording; run opal bench again");
+    throw opal::LogError(summary.string() +
+                         ": /site: missing, expected the prefix of the recording; run opal bench again");
   const fs::path prefix(document["site"].get<std::string>());
   fs::path truth = folder.empty() ? prefix : fs::path(folder) / prefix.filename();
   truth += ".gt.csv";

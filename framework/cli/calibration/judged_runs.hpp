@@ -10,9 +10,9 @@ struct JudgedRuns {
   std::size_t runs = 0, queries = 0, rows = 0;
   std::size_t flagged_rows = 0, false_rows = 0;        ///< rows that are `localized`, and wrong
   std::size_t flagged_queries = 0, false_queries = 0;  ///< queries with such a row
-  std::vector<opal::Statement> best;    ///< the best place is right
-  std::vector<opal::Statement> places;  ///< a place is right: the best one and every alternative
-  std::vector<opal::Statement> none;    ///< neither the best place nor any alternative is right
+  std::vector<opal::Statement> best;                   ///< the best place is right
+  std::vector<opal::Statement> places;                 ///< a place is right: the best one and every alternative
+  std::vector<opal::Statement> none;                   ///< neither the best place nor any alternative is right
 
   /// Reads one folder that `opal bench` wrote. Rows at times without truth are left out.
   /// @param truth  folder of SITE.gt.csv; empty: where the run's recording was.

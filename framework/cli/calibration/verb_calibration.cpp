@@ -1,10 +1,10 @@
 #include "cli/calibration/judged_runs.hpp"
 #include "cli/options/verbs.hpp"
 
-#include "drawing/reliability_diagram.hpp"
-#include "evaluation/calibration.hpp"
 #include <opal/common/error.hpp>
 #include "common/text_file.hpp"
+#include "drawing/reliability_diagram.hpp"
+#include "evaluation/calibration.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,8 +24,10 @@ struct CalibrationOptions {
 
 void print(const std::string& what, std::span<const opal::Statement> statements) {
   const opal::Calibration by_row = calibration_of(statements, Weighting::per_statement);
-  std::cout << what << '\n' << table_of(by_row) << "every row counts the same\n" << scores_of(by_row)
-            << "every query counts the same\n" << scores_of(calibration_of(statements, Weighting::per_cluster)) << '\n';
+  std::cout << what << '\n'
+            << table_of(by_row) << "every row counts the same\n"
+            << scores_of(by_row) << "every query counts the same\n"
+            << scores_of(calibration_of(statements, Weighting::per_cluster)) << '\n';
 }
 
 nlohmann::ordered_json both(std::span<const opal::Statement> statements) {
@@ -56,9 +58,9 @@ void print_flags(const JudgedRuns& runs) {
                 "flagged as localized: %zu rows, %zu of them wrong (%.3f %%); %zu queries\n"
                 "queries with a wrong flag: %zu of %zu, %.1f %% (95 %%: %.1f to %.1f)\n\n",
                 runs.rows, runs.queries, runs.runs, runs.flagged_rows, runs.false_rows,
-                runs.flagged_rows ? 100.0 * double(runs.false_rows) / double(runs.flagged_rows) : 0.0, runs.flagged_queries,
-                runs.false_queries, runs.queries, 100 * runs.share_of_queries_with_false_flag(), 100 * queries.low,
-                100 * queries.high);
+                runs.flagged_rows ? 100.0 * double(runs.false_rows) / double(runs.flagged_rows) : 0.0,
+                runs.flagged_queries, runs.false_queries, runs.queries, 100 * runs.share_of_queries_with_false_flag(),
+                100 * queries.low, 100 * queries.high);
   std::cout << text;
 }
 

@@ -3,9 +3,9 @@
 #include "benchmark/experiments/kit/order_statistics.hpp"
 #include "benchmark/experiments/kit/summary_json.hpp"
 
-#include "drawing/drawing.hpp"
 #include <opal/common/error.hpp>
 #include "common/text_file.hpp"
+#include "drawing/drawing.hpp"
 
 #include <cstdio>
 
@@ -20,11 +20,13 @@ nlohmann::ordered_json collisions_of(const opal::DriveRecord& record) {
   for (const opal::DriveRecord::Collision& collision : record.collisions) {
     const opal::Pose2& pose = collision.T_map_base;
     const opal::Point touched = opal::anchor_of(collision.touched.what);
-    collisions.push_back({{"time_s", collision.stamp_s},
-                          {"pose", {pose.x(), pose.y(), pose.heading_rad()}},
-                          {"velocity", {collision.velocity.linear_mps.x(), collision.velocity.linear_mps.y(), collision.velocity.turn_radps}},
-                          {"touched", {touched.x(), touched.y()}},
-                          {"person", collision.touched.person}});
+    collisions.push_back(
+        {{"time_s", collision.stamp_s},
+         {"pose", {pose.x(), pose.y(), pose.heading_rad()}},
+         {"velocity",
+          {collision.velocity.linear_mps.x(), collision.velocity.linear_mps.y(), collision.velocity.turn_radps}},
+         {"touched", {touched.x(), touched.y()}},
+         {"person", collision.touched.person}});
   }
   return collisions;
 }
@@ -60,11 +62,15 @@ void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
   localized_ += record.localized_after_m.has_value();
   localized_after_m_.push_back(record.localized_after_m.value_or(kNever));
   if (record.reached) times_s_.push_back(record.time_s);
-  std::printf("seed %llu: %s after %.0f s and %.1f m, %.2f m from the goal; ", static_cast<unsigned long long>(task.seed),
-              opal::drive_ending(record.reached, record.said_so), record.time_s, record.driven_m, record.off_goal_m);
-  if (record.localized_after_m) std::printf("localized after %.1f m", *record.localized_after_m);
-  else std::printf("never localized");
-  std::printf("; %zu collisions, %d of %d scans falsely localized\n", record.collisions.size(), record.falsely_localized_scans, record.scans);
+  std::printf("seed %llu: %s after %.0f s and %.1f m, %.2f m from the goal; ",
+              static_cast<unsigned long long>(task.seed), opal::drive_ending(record.reached, record.said_so),
+              record.time_s, record.driven_m, record.off_goal_m);
+  if (record.localized_after_m)
+    std::printf("localized after %.1f m", *record.localized_after_m);
+  else
+    std::printf("never localized");
+  std::printf("; %zu collisions, %d of %d scans falsely localized\n", record.collisions.size(),
+              record.falsely_localized_scans, record.scans);
   std::fflush(stdout);
   if (runs_.size() <= kPictures || !record.reached) draw(task, record);
 }
@@ -76,13 +82,15 @@ void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) c
   scene.unmapped = task.clutter;
   for (const opal::DriveRecord::Moment& moment : record.moments) {
     scene.truth.push_back(moment.truth.position());
-    if (moment.has_pose && moment.status == opal::Status::localized) scene.trajectory.push_back(moment.estimate.position());
+    if (moment.has_pose && moment.status == opal::Status::localized)
+      scene.trajectory.push_back(moment.estimate.position());
   }
-  if (!record.moments.empty() && record.moments.back().has_pose) scene.hypotheses.push_back({record.moments.back().estimate, 1});
+  if (!record.moments.empty() && record.moments.back().has_pose)
+    scene.hypotheses.push_back({record.moments.back().estimate, 1});
   scene.local_features.push_back({opal::Circle{task.goal, 0.5}, opal::DrawingScene::Perception::candidate});
   char note[120];
-  std::snprintf(note, sizeof note, "From (%.1f, %.1f) to the goal (%.1f, %.1f): %.0f s, %.1f m.", task.start.x(), task.start.y(),
-                task.goal.x(), task.goal.y(), record.time_s, record.driven_m);
+  std::snprintf(note, sizeof note, "From (%.1f, %.1f) to the goal (%.1f, %.1f): %.0f s, %.1f m.", task.start.x(),
+                task.start.y(), task.goal.x(), task.goal.y(), record.time_s, record.driven_m);
   scene.notes.emplace_back(note);
   scene.notes.emplace_back("The circle is the goal; the estimated trajectory is drawn where it was called localized.");
   const std::string name = (out_ / ("drive_" + std::to_string(task.seed))).string();

@@ -1,14 +1,14 @@
 #include "cli/drive/drive_report.hpp"
-#include "session/session.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
+#include "session/session.hpp"
 
-#include "navigation/node_registry.hpp"
 #include "ipc/remote/remote_localization.hpp"
+#include "navigation/node_registry.hpp"
 #include "simulation/recording.hpp"
 
-#include <opal/deployment/deployment.hpp>
 #include <opal/common/error.hpp>
+#include <opal/deployment/deployment.hpp>
 
 #include <filesystem>
 #include <iostream>
@@ -27,7 +27,8 @@ struct DriveVerbOptions : WorldOptions {
 };
 
 /// Draws what was not given, the same way for every behaviour.
-DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor, std::uint64_t seed) {
+DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor,
+                  std::uint64_t seed) {
   constexpr double kLeast_m = 3;
   constexpr int kMostDraws = 100000;
   sim::Random random(seed ^ 0x9e3779b97f4a7c15u);
@@ -55,11 +56,13 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
 }
 
 /// Another program that localizes, in the building that is driven in.
-std::unique_ptr<behaviours::Localization> connected(const std::string& address, const opal::LaserModel& laser, const opal::SemanticMap& map) {
+std::unique_ptr<behaviours::Localization> connected(const std::string& address, const opal::LaserModel& laser,
+                                                    const opal::SemanticMap& map) {
   auto localization = std::make_unique<opal::remote::RemoteLocalization>(address, laser);
   const opal::SemanticMap& theirs = localization->map().map();
   if (theirs.to_json_ld() != map.to_json_ld())
-    throw opal::ConfigError("--localizer: " + address + " localizes in another map, '" + theirs.name() + "', expected the one that is driven in, '" + map.name() + "'");
+    throw opal::ConfigError("--localizer: " + address + " localizes in another map, '" + theirs.name() +
+                            "', expected the one that is driven in, '" + map.name() + "'");
   return localization;
 }
 
@@ -89,7 +92,9 @@ class DriveRecording {
     recording_.distances_m.push_back(driven_m);
     begin_s_ = end_s_ + kPause_s;
   }
-  void write(const std::string& prefix, const opal::SemanticMap& map) const { sim::write_recorded_place(recording_, map, prefix); }
+  void write(const std::string& prefix, const opal::SemanticMap& map) const {
+    sim::write_recorded_place(recording_, map, prefix);
+  }
 
  private:
   sim::Recording recording_;
@@ -108,7 +113,8 @@ int drive(DriveVerbOptions options) {
   options.furnish(registry, *map);
   std::unique_ptr<behaviours::Localization> localization;
   if (options.localizer.empty())
-    localization = std::make_unique<OwnLocalization>(std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.laser);
+    localization = std::make_unique<OwnLocalization>(
+        std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.laser);
   else
     localization = connected(options.localizer, deployment.laser, *map);
   const opal::FloorGrid floor = behaviours::mapped_floor(localization->map(), 0.8 * options.world.robot_radius_m);
@@ -121,16 +127,20 @@ int drive(DriveVerbOptions options) {
   DriveReport report(map, options.behaviour, options.out);
   DriveRecording recording(deployment.laser);
   if (!options.record.empty())
-    options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) { recording.witness(scan, T_map_base); };
+    options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) {
+      recording.witness(scan, T_map_base);
+    };
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
     sim::Simulation simulation(map, options.world, seed);
     const DriveTask task = task_of(options, simulation, floor, seed);
     const auto tree = behaviours::read_tree(nodes, trees, options.behaviour);
-    const opal::DriveRecord record = opal::drive_to_goal(simulation, *localization, floor, *tree, task.goal, options.loop);
+    const opal::DriveRecord record =
+        opal::drive_to_goal(simulation, *localization, floor, *tree, task.goal, options.loop);
     report.add(task, record);
     if (!options.record.empty()) recording.end_drive(seed, record.driven_m);
-    if (record.unanswered_scans > 0) std::cerr << "localization did not answer for " << record.unanswered_scans << " scans; the robot stood still\n";
+    if (record.unanswered_scans > 0)
+      std::cerr << "localization did not answer for " << record.unanswered_scans << " scans; the robot stood still\n";
   }
   report.write();
   if (!options.record.empty()) recording.write(options.record, *map);
@@ -142,20 +152,29 @@ int drive(DriveVerbOptions options) {
 void opal::add_drive_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DriveVerbOptions>();
   CLI::App* verb = app.add_subcommand("drive", "let a simulated robot find out where it is and drive to a goal");
-  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld); the laser is the simulator's")->required();
+  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld); the laser is the simulator's")
+      ->required();
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
-  verb->add_option("--goal", options->goal, "X,Y in the map frame [m]; drawn if not given")->delimiter(',')->expected(2);
+  verb->add_option("--goal", options->goal, "X,Y in the map frame [m]; drawn if not given")
+      ->delimiter(',')
+      ->expected(2);
   verb->add_option("--start", options->start, "X,Y,THETA [m, rad], which the robot is not told; drawn if not given")
-      ->delimiter(',')->expected(3);
-  verb->add_option("--behaviour", options->behaviour, "a tree of the document: disambiguate, rotate_and_go, inspect, search")
+      ->delimiter(',')
+      ->expected(3);
+  verb->add_option("--behaviour", options->behaviour,
+                   "a tree of the document: disambiguate, rotate_and_go, inspect, search")
       ->default_str("the first one");
   verb->add_option("--trees", options->trees, "document of behaviour trees")->default_str("configs/behaviours.jsonld");
-  verb->add_option("--localizer", options->localizer, "HOST:PORT of a program that localizes (opal serve), instead of this one");
+  verb->add_option("--localizer", options->localizer,
+                   "HOST:PORT of a program that localizes (opal serve), instead of this one");
   verb->add_option("--seed", options->seed, "of everything: the same seed gives the same drive")->capture_default_str();
-  verb->add_option("--runs", options->runs, "drives, with this seed and those after it")->capture_default_str()->check(CLI::Range(1, 100000));
+  verb->add_option("--runs", options->runs, "drives, with this seed and those after it")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
   verb->add_option("--most", options->loop.most_s, "of each drive, before it is given up [s]")->capture_default_str();
   verb->add_option("-o,--out", options->out, "folder for summary.json and pictures")->capture_default_str();
-  verb->add_option("--record", options->record, "PREFIX of a recording of all drives, with the truth, as opal bench and opal localize take it");
+  verb->add_option("--record", options->record,
+                   "PREFIX of a recording of all drives, with the truth, as opal bench and opal localize take it");
   options->add_to(*verb);
   verb->add_option("--speed", options->loop.motion.speed_mps, "the fastest [m/s]")->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = drive(*options); });

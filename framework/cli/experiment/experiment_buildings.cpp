@@ -1,10 +1,10 @@
 #include "cli/experiment/experiment_buildings.hpp"
 
+#include "benchmark/runs/progress_bar.hpp"
 #include "cli/experiment/experiment_contenders.hpp"
 #include "cli/experiment/experiment_output.hpp"
-#include "benchmark/runs/progress_bar.hpp"
-#include "session/session.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "session/session.hpp"
 
 #include "benchmark/experiments/buildings/buildings_page.hpp"
 #include "benchmark/experiments/kit/in_parallel.hpp"
@@ -35,8 +35,7 @@ struct BuildingsVerbOptions {
 };
 
 template <class T>
-void say(std::ostream& command, const char* option, const std::vector<T>& values,
-         const std::vector<T>& usual) {
+void say(std::ostream& command, const char* option, const std::vector<T>& values, const std::vector<T>& usual) {
   if (values == usual) return;
   for (std::size_t k = 0; k < values.size(); ++k)
     command << (k == 0 ? std::string(" ") + option + " " : ",") << values[k];
@@ -72,8 +71,7 @@ std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options,
   const opal::PluginRegistry registry = load_plugins();
   experiments::BuildingsOptions runs = options.runs;
   runs.contenders = contenders(options.configs);
-  if (options.record)
-    fs::create_directories(runs.recordings = (fs::path(options.out) / "recordings").string());
+  if (options.record) fs::create_directories(runs.recordings = (fs::path(options.out) / "recordings").string());
   std::vector<std::vector<experiments::BuildingRuns>> parts(suite.size());
   const StopSignals signals;  // before other threads
   ProgressBar bar;
@@ -117,8 +115,7 @@ void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
   CLI::App* verb = experiment.add_subcommand(
       "buildings", "the 14 challenges of section 3.5.2 in many synthetic buildings, ever more difficult");
   verb->add_option("-o,--out", o->out, "folder for buildings.json, table.txt and report.html")->required();
-  verb->add_option("--buildings", o->suite.buildings,
-                   "how many: one of each kind at each difficulty, and again")
+  verb->add_option("--buildings", o->suite.buildings, "how many: one of each kind at each difficulty, and again")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   verb->add_option("--kind", o->suite.kinds, "only these: office, hall, warehouse, corridor")->delimiter(',');
@@ -133,8 +130,7 @@ void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
       ->check(CLI::Range(0.1, 20.0));
   verb->add_option("--clutter", o->suite.clutter, "the same at every difficulty; 1: everyday")
       ->check(CLI::Range(0.0, 10.0));
-  verb->add_option("--config", o->configs,
-                   "who takes part: names of shipped configurations, or files (.jsonld)")
+  verb->add_option("--config", o->configs, "who takes part: names of shipped configurations, or files (.jsonld)")
       ->delimiter(',')
       ->capture_default_str();
   verb->add_option("--building", o->only, "only these of the buildings: office-75-3, ...")->delimiter(',');
@@ -148,7 +144,6 @@ void add_experiment_buildings(CLI::App& experiment, int& exit_code) {
   verb->add_option("--jobs", o->jobs, "buildings at the same time; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  verb->add_flag("--record", o->record,
-                 "keep a recording of every run in OUT/recordings, as opal bench takes it");
+  verb->add_flag("--record", o->record, "keep a recording of every run in OUT/recordings, as opal bench takes it");
   verb->callback([o, &exit_code] { exit_code = buildings(*o); });
 }

@@ -23,8 +23,8 @@ inline std::vector<opal::experiments::Contender> contenders(const std::vector<st
 }
 
 /// The map that is asked for, or a building of our own.
-inline std::shared_ptr<const opal::SemanticMap> building(const opal::PluginRegistry& registry,
-                                                         const std::string& map, const std::string& kind) {
+inline std::shared_ptr<const opal::SemanticMap> building(const opal::PluginRegistry& registry, const std::string& map,
+                                                         const std::string& kind) {
   if (!map.empty()) return load_map(registry, map);
   opal::simulation::BuildingRequest request;
   request.kind = kind;
@@ -41,7 +41,6 @@ std::vector<Named> chosen(std::vector<Named> all, const std::vector<std::string>
       for (const Named& one : all) there += (there.empty() ? "" : ", ") + one.id;
       throw opal::ConfigError("experiment: none is called '" + id + "', expected some of " + there);
     }
-  std::erase_if(all,
-                [&](const Named& one) { return std::find(only.begin(), only.end(), one.id) == only.end(); });
+  std::erase_if(all, [&](const Named& one) { return std::find(only.begin(), only.end(), one.id) == only.end(); });
   return all;
 }

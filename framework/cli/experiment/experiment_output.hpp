@@ -17,8 +17,7 @@
 template <class Run>
 std::vector<Run> done(std::vector<std::vector<Run>> parts) {
   std::vector<Run> runs;
-  const auto undone =
-      std::count_if(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
+  const auto undone = std::count_if(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
   if (undone > 0)
     std::cerr << "stopped: " << undone << " of " << parts.size()
               << " runs were not done, what follows is of the others\n";

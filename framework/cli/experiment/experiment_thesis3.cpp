@@ -2,9 +2,9 @@
 #include "cli/experiment/experiment_output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 
+#include "benchmark/experiments/challenges/baseline.hpp"
 #include "benchmark/experiments/challenges/challenge_report.hpp"
 #include "benchmark/experiments/kit/in_parallel.hpp"
-#include "benchmark/experiments/challenges/baseline.hpp"
 #include "benchmark/experiments/kit/thesis_robot.hpp"
 
 #include "map_tools/map_raster.hpp"
@@ -39,12 +39,10 @@ class Challenges {
         drive(challenge, map_, thesis_robot(), options_.duration_s, static_cast<std::uint64_t>(seed));
     const std::string prefix = (logs_ / (challenge.id + '_' + two_digits(seed))).string();
     std::vector<ChallengeRun> runs;
-    for (const Contender& contender : contenders_)
-      runs.push_back(run_challenge(contender, registry_, map_, driven));
+    for (const Contender& contender : contenders_) runs.push_back(run_challenge(contender, registry_, map_, driven));
     for (const Baseline& baseline : baselines_)
       runs.push_back(run_baseline(baseline, driven, prefix, grid(), static_cast<std::uint64_t>(seed)));
-    if (options_.logs && baselines_.empty())
-      sim::write_recording(driven.recording, prefix);
+    if (options_.logs && baselines_.empty()) sim::write_recording(driven.recording, prefix);
     for (ChallengeRun& run : runs) {
       run.challenge = challenge.id;
       run.seed = static_cast<std::uint64_t>(seed);
@@ -79,7 +77,7 @@ int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegis
   };
   in_parallel(parts.size(), options.jobs, run, signals.token());
   const std::vector<ChallengeRun> runs = done(std::move(parts));
-  write_experiment(options.out, std::span<const ChallengeRun>(runs), challenge_table(runs),
-                   challenge_summary(runs), challenge_page(experiment.map(), runs));
+  write_experiment(options.out, std::span<const ChallengeRun>(runs), challenge_table(runs), challenge_summary(runs),
+                   challenge_page(experiment.map(), runs));
   return 0;
 }

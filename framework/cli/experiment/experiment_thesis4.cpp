@@ -13,8 +13,7 @@ namespace {
 using namespace opal::experiments;
 
 /// The thesis' own configurations drive as it does, others by the first tree.
-std::string behaviour_of(const std::string& contender, const ExperimentOptions& options,
-                         const std::string& trees) {
+std::string behaviour_of(const std::string& contender, const ExperimentOptions& options, const std::string& trees) {
   if (!options.behaviour.empty()) return options.behaviour;
   return contender.starts_with("thesis") ? "inspect" : opal::behaviours::first_tree(trees);
 }
@@ -39,10 +38,9 @@ GoalExperiment setting(const ExperimentOptions& options, const opal::PluginRegis
 
 std::string line_of(const GoalRun& run) {
   return run.contender + ' ' + run.task + " seed " + std::to_string(run.seed) + ": " +
-         opal::drive_ending(run.reached, run.said_so) +
-         " after " + number(run.time_s, 0) + " s and " + number(run.driven_m, 1) + " m; " +
-         std::to_string(run.collisions) + " collisions, " + std::to_string(run.false_scans) + " of " +
-         std::to_string(run.scans) + " scans falsely localized\n";
+         opal::drive_ending(run.reached, run.said_so) + " after " + number(run.time_s, 0) + " s and " +
+         number(run.driven_m, 1) + " m; " + std::to_string(run.collisions) + " collisions, " +
+         std::to_string(run.false_scans) + " of " + std::to_string(run.scans) + " scans falsely localized\n";
 }
 
 }  // namespace
@@ -56,8 +54,7 @@ int experiment_thesis4(const ExperimentOptions& options, const opal::PluginRegis
   const std::size_t each = all.size() * tasks.size();
   std::vector<std::vector<GoalRun>> parts(each * static_cast<std::size_t>(options.seeds));
   const auto run = [&](std::size_t k) {
-    parts[k] = {
-        run_task(experiment, registry, all[k % each / tasks.size()], tasks[k % tasks.size()], k / each + 1)};
+    parts[k] = {run_task(experiment, registry, all[k % each / tasks.size()], tasks[k % tasks.size()], k / each + 1)};
     std::cerr << line_of(parts[k].front());
   };
   in_parallel(parts.size(), options.jobs, run, signals.token());

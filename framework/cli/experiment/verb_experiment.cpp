@@ -1,7 +1,7 @@
 #include "cli/experiment/experiment_buildings.hpp"
 #include "cli/experiment/experiments.hpp"
-#include "session/session.hpp"
 #include "cli/options/verbs.hpp"
+#include "session/session.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -10,17 +10,15 @@ namespace {
 int experiment(ExperimentOptions options) {
   const bool third = options.name == "thesis3";
   if (!third && (!options.baselines.empty() || options.logs))
-    throw opal::ConfigError(
-        "--baseline and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
+    throw opal::ConfigError("--baseline and --logs: are for thesis3; thesis4 closes the loop, which a log cannot");
   if (options.configs.empty())
-    options.configs = third ? std::vector<std::string>{"thesis3", "default"}
-                            : std::vector<std::string>{"thesis4", "default"};
+    options.configs =
+        third ? std::vector<std::string>{"thesis3", "default"} : std::vector<std::string>{"thesis4", "default"};
   const opal::PluginRegistry registry = load_plugins();
   return third ? experiment_thesis3(options, registry) : experiment_thesis4(options, registry);
 }
 
-void add_thesis(CLI::App& experiments, const std::string& name, const std::string& description,
-                int& exit_code) {
+void add_thesis(CLI::App& experiments, const std::string& name, const std::string& description, int& exit_code) {
   auto options = std::make_shared<ExperimentOptions>();
   options->name = name;
   CLI::App* verb = experiments.add_subcommand(name, description);
@@ -29,8 +27,7 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
   verb->add_option("--map", options->map,
                    "the building, if another than the one like the thesis': a map, or a source to import")
       ->default_str("maps/atlas.jsonld for thesis3, maps/gemini.jsonld for thesis4");
-  verb->add_option("--config", options->configs,
-                   "who takes part: names of shipped configurations, or files (.jsonld)")
+  verb->add_option("--config", options->configs, "who takes part: names of shipped configurations, or files (.jsonld)")
       ->default_str("thesis3 default, or thesis4 default");
   verb->add_option("--only,--challenge", options->only, "only these: A1, B7, ...");
   verb->add_option("--seeds", options->seeds, "runs of each: clutter, people and noise differ")
@@ -44,8 +41,7 @@ void add_thesis(CLI::App& experiments, const std::string& name, const std::strin
       ->capture_default_str();
   verb->add_option("--baseline", options->baselines,
                    "thesis3: programs that localize on the same logs, one more block each");
-  verb->add_flag("--logs", options->logs,
-                 "thesis3: keep what was recorded, and the map as a grid, in OUT/logs");
+  verb->add_flag("--logs", options->logs, "thesis3: keep what was recorded, and the map as a grid, in OUT/logs");
   verb->add_option("--most", options->most_s, "thesis4: of each drive, before it is given up [s]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

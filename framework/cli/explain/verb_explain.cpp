@@ -1,8 +1,8 @@
 #include "cli/options/verbs.hpp"
 
+#include "report/quantity_text.hpp"
 #include "viewer/words/explanation.hpp"
 #include "viewer/words/moment.hpp"
-#include "report/quantity_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -77,8 +77,9 @@ void opal::add_explain_verb(CLI::App& app, int& exit_code) {
   verb->add_option("OUT", options->out, "folder that 'opal localize -o' wrote")->required();
   verb->add_option("--at", options->at, "seconds since the start (12.5), a stamp of the log (stamp:1626.25), or 'end'")
       ->capture_default_str();
-  verb->add_option("--query", options->query, "name of the query, if the run has several (default: the first; at the "
-                                              "end: the last)");
+  verb->add_option("--query", options->query,
+                   "name of the query, if the run has several (default: the first; at the "
+                   "end: the last)");
   verb->add_flag("--json", options->as_json, "print JSON");
   verb->callback([options, &exit_code] { exit_code = explain(*options); });
 }

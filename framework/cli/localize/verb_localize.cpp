@@ -1,11 +1,11 @@
-#include "cli/terminal/live_view.hpp"
 #include "benchmark/runs/localize_run.hpp"
 #include "cli/options/log_run_options.hpp"
-#include "session/session.hpp"
 #include "cli/options/verbs.hpp"
+#include "cli/terminal/live_view.hpp"
+#include "session/session.hpp"
 
-#include <opal/deployment/deployment.hpp>
 #include <opal/common/error.hpp>
+#include <opal/deployment/deployment.hpp>
 #include "localization/events/run_events.hpp"
 
 #include <filesystem>
@@ -81,8 +81,7 @@ void add_live_options(CLI::App& verb, const std::shared_ptr<LocalizeOptions>& op
 
 void opal::add_localize_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<LocalizeOptions>();
-  CLI::App* verb =
-      app.add_subcommand("localize", "find the robot's pose along a recorded log, from an unknown start");
+  CLI::App* verb = app.add_subcommand("localize", "find the robot's pose along a recorded log, from an unknown start");
   options->add_to(*verb, "trajectory, results, events and pictures");
   verb->add_option("--queries", options->queries, "SITE.queries.json: run each query from scratch");
   verb->add_option("--truth", options->truth, "SITE.gt.csv: report the error against recorded truth");

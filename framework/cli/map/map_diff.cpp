@@ -28,7 +28,8 @@ int diff(const DiffOptions& options) {
 void add_map_diff(CLI::App& map, int& exit_code) {
   auto options = std::make_shared<DiffOptions>();
   CLI::App* verb = map.add_subcommand("diff", "what was added, removed, moved or re-typed from one map to another");
-  verb->add_option("BEFORE", options->before, "map document, a source to import, or store:BUILDING[@VERSION]")->required();
+  verb->add_option("BEFORE", options->before, "map document, a source to import, or store:BUILDING[@VERSION]")
+      ->required();
   verb->add_option("AFTER", options->after, "the same")->required();
   verb->add_flag("--summary", options->summary, "counts only");
   verb->callback([options, &exit_code] { exit_code = diff(*options); });

@@ -23,7 +23,8 @@ int push(const PushOptions& options) {
   const auto map = load_map(registry, options.map);
   try {
     const opal::StoredVersion version = store->push(*map, options.push);
-    std::cout << "pushed: " << described(version) << "; " << version.features << " features, to " << store->where() << '\n';
+    std::cout << "pushed: " << described(version) << "; " << version.features << " features, to " << store->where()
+              << '\n';
     return 0;
   } catch (const opal::StoreConflict& conflict) {
     std::cerr << "opal: " << conflict.what() << '\n';
@@ -98,7 +99,8 @@ int list(const std::string& building) {
     std::cout << store->where() << ": no map" << (building.empty() ? "" : " of building '" + building + "'") << '\n';
     return 1;
   }
-  std::vector<std::vector<std::string>> rows{{"building", "version", "pushed at", "by", "objects", "features", "patterns", "message"}};
+  std::vector<std::vector<std::string>> rows{
+      {"building", "version", "pushed at", "by", "objects", "features", "patterns", "message"}};
   for (const opal::StoredVersion& version : versions)
     rows.push_back({version.building, std::to_string(version.version), version.pushed_at, version.pushed_by,
                     std::to_string(version.objects), std::to_string(version.features), std::to_string(version.patterns),
@@ -109,7 +111,8 @@ int list(const std::string& building) {
 
 void add_list(CLI::App& map, int& exit_code) {
   auto building = std::make_shared<std::string>();
-  CLI::App* verb = map.add_subcommand("list", "the maps in the map store: buildings, versions, who pushed them and when");
+  CLI::App* verb =
+      map.add_subcommand("list", "the maps in the map store: buildings, versions, who pushed them and when");
   verb->add_option("--building", *building, "only this one");
   verb->callback([building, &exit_code] { exit_code = list(*building); });
 }

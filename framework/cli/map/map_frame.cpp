@@ -3,9 +3,9 @@
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
-#include "map_tools/map_frame.hpp"
 #include <opal/common/strict_json.hpp>
 #include "common/text_file.hpp"
+#include "map_tools/map_frame.hpp"
 
 #include <filesystem>
 #include <iostream>

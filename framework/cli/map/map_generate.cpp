@@ -1,7 +1,7 @@
 #include "cli/map/map_generate.hpp"
 
-#include "drawing/drawing.hpp"
 #include <opal/common/error.hpp>
+#include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
 
 #include <iostream>
@@ -25,7 +25,8 @@ const BuildingKind* kind_named(const std::string& name) {
 
 std::string description_of_kinds() {
   std::string text = "what to build";
-  for (const BuildingKind& kind : opal::simulation::building_kinds()) text += "; " + kind.name + ": " + kind.description;
+  for (const BuildingKind& kind : opal::simulation::building_kinds())
+    text += "; " + kind.name + ": " + kind.description;
   return text;
 }
 
@@ -60,7 +61,8 @@ void add_map_generate(CLI::App& map, int& exit_code) {
   verb->add_option("--seed", options->building.seed, "the same seed gives the same building")->capture_default_str();
   verb->add_option("--size", options->building.size_m2, "about how large it is [m^2]; 0: as is usual for the kind")
       ->capture_default_str();
-  verb->add_option("--symmetry", options->building.symmetry, "0: all parts differ; 1: all are copies of one")->capture_default_str();
+  verb->add_option("--symmetry", options->building.symmetry, "0: all parts differ; 1: all are copies of one")
+      ->capture_default_str();
   verb->add_option("--svg", options->svg, "also draw the map into this file");
   verb->add_option("--png", options->png, "the same as a PNG");
   verb->callback([options, verb, &exit_code] {

@@ -2,10 +2,10 @@
 
 #include "session/session.hpp"
 
-#include "drawing/drawing.hpp"
 #include <opal/common/error.hpp>
-#include "map/map_file.hpp"
 #include "common/text_file.hpp"
+#include "drawing/drawing.hpp"
+#include "map/map_file.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -63,7 +63,8 @@ int import(const ImportOptions& options) {
 }
 
 void print(const opal::Storey& storey) {
-  std::printf("%-24s  level %8.3f m  cut %8.3f m  ", ("'" + storey.name + "'").c_str(), storey.elevation_m, storey.height_m);
+  std::printf("%-24s  level %8.3f m  cut %8.3f m  ", ("'" + storey.name + "'").c_str(), storey.elevation_m,
+              storey.height_m);
   std::string gives;
   for (const auto& [source_class, count] : storey.gives)
     gives += (gives.empty() ? "" : ", ") + std::to_string(count) + " " + source_class;
@@ -96,9 +97,12 @@ void add_map_import(CLI::App& map, int& exit_code) {
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
   verb->add_option("--svg", options->svg, "also draw the map into this file");
   verb->add_option("--png", options->png, "the same as a PNG");
-  verb->add_option("--report", options->report, "also write the report: thing by thing as JSON (.json), or its sentences");
-  CLI::Option* storey = verb->add_option("--storey", options->storey, "name of the storey to import (`opal map storeys`)");
-  verb->add_option("--z", options->z_m, "height of the cut in the building's coordinates [m], instead of a storey")->excludes(storey);
+  verb->add_option("--report", options->report,
+                   "also write the report: thing by thing as JSON (.json), or its sentences");
+  CLI::Option* storey =
+      verb->add_option("--storey", options->storey, "name of the storey to import (`opal map storeys`)");
+  verb->add_option("--z", options->z_m, "height of the cut in the building's coordinates [m], instead of a storey")
+      ->excludes(storey);
   add_choices(*verb, *options);
   verb->add_option("--thicken", options->thicken_m,
                    "for experiments: make walls of a grid so much thicker first, and its cells 0.1 m [m]");
@@ -107,7 +111,8 @@ void add_map_import(CLI::App& map, int& exit_code) {
 
 void add_map_storeys(CLI::App& map, int& exit_code) {
   auto options = std::make_shared<ImportOptions>();
-  CLI::App* verb = map.add_subcommand("storeys", "the levels of a building model, and what an import of each would give");
+  CLI::App* verb =
+      map.add_subcommand("storeys", "the levels of a building model, and what an import of each would give");
   verb->add_option("FILE", options->source, "building model")->required();
   add_choices(*verb, *options);
   verb->callback([options, &exit_code] { exit_code = storeys(options->source, *options); });

@@ -2,10 +2,10 @@
 
 #include "session/session.hpp"
 
-#include "drawing/drawing.hpp"
 #include <opal/common/error.hpp>
-#include "map/overlay/map_overlay.hpp"
+#include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
+#include "map/overlay/map_overlay.hpp"
 
 #include <iostream>
 #include <memory>
@@ -29,7 +29,8 @@ void draw(const std::shared_ptr<const opal::SemanticMap>& map, const OverlayVerb
 int overlay(const OverlayVerbOptions& options) {
   std::vector<opal::MapOverlay> overlays;
   for (const std::string& file : options.overlays) overlays.push_back(opal::read_overlay(file));
-  const opal::OverlaidMap overlaid = opal::overlaid_map(*load_map(load_plugins(), options.map), overlays, options.overlay);
+  const opal::OverlaidMap overlaid =
+      opal::overlaid_map(*load_map(load_plugins(), options.map), overlays, options.overlay);
   for (const std::string& sentence : overlaid.changes) std::cout << sentence << '\n';
   for (const std::string& doubt : overlaid.doubts) std::cout << "does not fit: " << doubt << '\n';
   opal::write_map(*overlaid.map, options.out);
@@ -42,7 +43,8 @@ int overlay(const OverlayVerbOptions& options) {
 
 void add_map_overlay(CLI::App& map, int& exit_code) {
   auto options = std::make_shared<OverlayVerbOptions>();
-  CLI::App* verb = map.add_subcommand("overlay", "change a map by overlay documents, and leave what was imported as it is");
+  CLI::App* verb =
+      map.add_subcommand("overlay", "change a map by overlay documents, and leave what was imported as it is");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("OVERLAY", options->overlays, "overlay documents (.jsonld); their order means nothing")->required();
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();

@@ -2,11 +2,11 @@
 
 #include "session/session.hpp"
 
-#include "drawing/drawing.hpp"
 #include <opal/common/error.hpp>
 #include "deployment/pipeline_plan.hpp"
-#include "patterns/pattern_layer.hpp"
+#include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
+#include "patterns/pattern_layer.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -26,12 +26,14 @@ struct PatternsOptions {
 /// Several features, of which one at least has a place: lines alone do better without a layer, joined to whole walls.
 bool is_usual(const opal::PatternTemplate& pattern_template) {
   const auto slots = pattern_template.shape().slots;
-  const bool placed = std::any_of(slots.begin(), slots.end(), [](auto kind) { return kind != opal::GeometryKind::segment; });
+  const bool placed =
+      std::any_of(slots.begin(), slots.end(), [](auto kind) { return kind != opal::GeometryKind::segment; });
   return slots.size() > 1 && placed;
 }
 
 /// What the map has features for: all usual templates, or the ones named.
-Templates chosen_templates(const opal::PluginRegistry& registry, const opal::SemanticMap& map, const PatternsOptions& options) {
+Templates chosen_templates(const opal::PluginRegistry& registry, const opal::SemanticMap& map,
+                           const PatternsOptions& options) {
   const opal::PipelinePlan plan = plan_pipeline(*map.with_patterns({}), options.sensor, registry.types());
   std::vector<std::string> usable = plan.patterns;
   usable.insert(usable.end(), plan.on_request.begin(), plan.on_request.end());
@@ -69,7 +71,8 @@ void draw(const Map& map, const opal::PatternLayer& layer, const PatternsOptions
   scene.map = map;
   for (const opal::MapPattern& pattern : layer.patterns) {
     scene.patterns.emplace_back();
-    for (const int member : pattern.features) scene.patterns.back().push_back(anchor_of(map->features()[member].geometry));
+    for (const int member : pattern.features)
+      scene.patterns.back().push_back(anchor_of(map->features()[member].geometry));
   }
   for (const opal::PatternSummary& summary : layer.summaries) scene.notes.push_back(sentence_of(summary));
   if (!options.svg.empty()) opal::write_svg(scene, options.svg);
@@ -94,10 +97,12 @@ int patterns(const PatternsOptions& options) {
 
 void add_map_patterns(CLI::App& map, int& exit_code) {
   auto options = std::make_shared<PatternsOptions>();
-  CLI::App* verb = map.add_subcommand("patterns", "find patterns of features, say how unique they are, add them to the map");
+  CLI::App* verb =
+      map.add_subcommand("patterns", "find patterns of features, say how unique they are, add them to the map");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)");
-  verb->add_option("--template", options->templates, "type name of a pattern template; all that the map has features for");
+  verb->add_option("--template", options->templates,
+                   "type name of a pattern template; all that the map has features for");
   verb->add_option("--size", options->layer.size_m, "how far neighbours in a pattern may be apart [m]")
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();

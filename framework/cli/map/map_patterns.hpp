@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/plugin/plugin_registry.hpp>
 #include <opal/map/semantic_map.hpp>
+#include <opal/plugin/plugin_registry.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -11,7 +11,7 @@
 /// `opal map patterns`.
 void add_map_patterns(CLI::App& map, int& exit_code);
 
-/// Says how unique the patterns of a map's layer are, if it has one. @throws opal::MapError if the layer contradicts its
-/// templates.
+/// Says how unique the patterns of a map's layer are, if it has one. @throws opal::MapError if the layer contradicts
+/// its templates.
 void check_layer(const opal::PluginRegistry& registry, const std::shared_ptr<const opal::SemanticMap>& map,
                  const std::string& sensor);

@@ -1,21 +1,21 @@
-#include "cli/options/damage_options.hpp"
-#include "cli/options/join_options.hpp"
 #include "cli/map/map_fleet.hpp"
 #include "cli/map/map_frame.hpp"
-#include "cli/map/map_overlay.hpp"
-#include "cli/map/map_import.hpp"
 #include "cli/map/map_generate.hpp"
+#include "cli/map/map_import.hpp"
+#include "cli/map/map_overlay.hpp"
 #include "cli/map/map_patterns.hpp"
+#include "cli/options/damage_options.hpp"
+#include "cli/options/join_options.hpp"
 #include "cli/options/overlay_options.hpp"
+#include "cli/options/verbs.hpp"
 #include "session/overlays.hpp"
 #include "session/session.hpp"
-#include "cli/options/verbs.hpp"
 
 #include <opal/common/error.hpp>
-#include "map/check/map_check.hpp"
 #include "deployment/pipeline_plan.hpp"
-#include "map_tools/map_raster.hpp"
+#include "map/check/map_check.hpp"
 #include "map/map_file.hpp"
+#include "map_tools/map_raster.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -63,7 +63,8 @@ int damage(const DamageVerbOptions& options) {
 
 void add_damage(CLI::App& map, int& exit_code) {
   auto options = std::make_shared<DamageVerbOptions>();
-  CLI::App* verb = map.add_subcommand("damage", "make a map worse in a known way, to see what localization makes of it");
+  CLI::App* verb =
+      map.add_subcommand("damage", "make a map worse in a known way, to see what localization makes of it");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
   options->damage.add_to(*verb);
@@ -137,8 +138,9 @@ void add_raster(CLI::App& map, int& exit_code) {
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand(
-      "map", "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, raster, push, pull, list, diff, generate");
+  CLI::App* map = app.add_subcommand("map",
+                                     "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, "
+                                     "raster, push, pull, list, diff, generate");
   map->require_subcommand(1);
   add_map_import(*map, exit_code);
   add_map_storeys(*map, exit_code);

@@ -16,7 +16,8 @@ struct DamageOptions {
   void add_to(CLI::App& verb) {
     verb.add_option("--plan", plan_m, "delete every mapped segment shorter than this [m]: what a plan would hold");
     verb.add_option("--damage", words,
-                    "thick=METRES,drop=SHARE,shift=METRES,wall=METRES,wall_share=SHARE,false=SHARE, any of them; thick= is done to a grid before it is imported");
+                    "thick=METRES,drop=SHARE,shift=METRES,wall=METRES,wall_share=SHARE,false=SHARE, any of them; "
+                    "thick= is done to a grid before it is imported");
     verb.add_option("--seed", seed, "of the damage: the same seed gives the same map")->capture_default_str();
   }
 

@@ -10,6 +10,7 @@ struct OverlayFiles {
   std::vector<std::string> files;
 
   void add_to(CLI::App& verb, const std::string& instead = "") {
-    verb.add_option("--overlay", files, "overlay document, may be given several times: what the map lacks or has wrong" + instead);
+    verb.add_option("--overlay", files,
+                    "overlay document, may be given several times: what the map lacks or has wrong" + instead);
   }
 };

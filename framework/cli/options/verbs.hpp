@@ -10,8 +10,8 @@ namespace opal {
 /// contract.
 void add_plugins_verb(CLI::App& app, int& exit_code);
 
-/// `opal map import|check|push|pull|...`: bring a building in, see what it would run, share it. Exit code 1 if the map has warnings
-/// that keep it from being used.
+/// `opal map import|check|push|pull|...`: bring a building in, see what it would run, share it. Exit code 1 if the map
+/// has warnings that keep it from being used.
 void add_map_verb(CLI::App& app, int& exit_code);
 
 /// `opal localize CONFIG LOG`: the pose along a recorded log. Exit code 1 if there is none at the end.
@@ -44,7 +44,8 @@ void add_serve_verb(CLI::App& app, int& exit_code);
 /// `opal experiment thesis3 --map MAP -o OUT`: the thesis' challenges in simulation, in its table.
 void add_experiment_verb(CLI::App& app, int& exit_code);
 
-/// `opal ab EXPERIMENT`: several arms on the same logs, with a verdict. Exit code 1 if cells are missing when they are collected.
+/// `opal ab EXPERIMENT`: several arms on the same logs, with a verdict. Exit code 1 if cells are missing when they are
+/// collected.
 void add_ab_verb(CLI::App& app, int& exit_code);
 
 /// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.

@@ -22,13 +22,16 @@ struct WorldOptions {
       verb.add_option(name, value, help)->capture_default_str();
     };
     flag("--clutter", world.clutter.level, "how much stands about that the map does not hold; 1: everyday, 0: nothing");
-    flag("--lookalikes", world.clutter.lookalikes, "round things like the building's columns, per 100 m2, times --clutter");
+    flag("--lookalikes", world.clutter.lookalikes,
+         "round things like the building's columns, per 100 m2, times --clutter");
     flag("--hidden", world.clutter.hidden_share, "share of columns and corners behind a board");
-    verb.add_option("--furniture", furnished, "another map of the building: what only that one holds stands there, too");
+    verb.add_option("--furniture", furnished,
+                    "another map of the building: what only that one holds stands there, too");
     flag("--people", world.people, "who walk about");
     flag("--doors-open", world.doors_open_share, "share of doors that are open");
     flag("--robot-radius", world.robot_radius_m, "[m]");
-    verb.add_flag_callback("--omnidirectional", [this] { world.drive = opal::simulation::Drive::omnidirectional; },
-                           "mecanum wheels instead of two wheels");
+    verb.add_flag_callback(
+        "--omnidirectional", [this] { world.drive = opal::simulation::Drive::omnidirectional; },
+        "mecanum wheels instead of two wheels");
   }
 };

@@ -69,10 +69,11 @@ ordered_json to_json(const OptionInfo& option) {
 ordered_json to_json(const RegisteredType& type) {
   ordered_json options = ordered_json::array();
   for (const OptionInfo& option : type.options) options.push_back(to_json(option));
-  return {
-      {"type", type.info.name},         {"kind", name_of(type.kind)},     {"description", type.description},
-      {"plugin", type.plugin},          {"version", type.version},        {"file", type.file},
-      {"consumes", type.info.consumes}, {"produces", type.info.produces}, {"on_request", type.on_request}, {"options", options}};
+  return {{"type", type.info.name},          {"kind", name_of(type.kind)},
+          {"description", type.description}, {"plugin", type.plugin},
+          {"version", type.version},         {"file", type.file},
+          {"consumes", type.info.consumes},  {"produces", type.info.produces},
+          {"on_request", type.on_request},   {"options", options}};
 }
 
 void print_json(std::ostream& out, const Inventory& inventory) {
@@ -104,8 +105,8 @@ void print(std::ostream& out, const OptionInfo& option) {
 }
 
 void print(std::ostream& out, const RegisteredType& type) {
-  out << "  " << type.info.name << "  from " << type.plugin << " " << type.version << "\n    "
-      << type.description << "\n";
+  out << "  " << type.info.name << "  from " << type.plugin << " " << type.version << "\n    " << type.description
+      << "\n";
   if (!type.info.consumes.empty()) out << "    consumes " << listed(type.info.consumes) << "\n";
   if (!type.info.produces.empty()) out << "    produces " << listed(type.info.produces) << "\n";
   if (type.on_request) out << "    on request: runs where a map's patterns or a deployment name it\n";
@@ -141,9 +142,8 @@ void print_sentences(std::ostream& out, const std::string& title, const std::vec
 
 void print_text(std::ostream& out, const Inventory& inventory) {
   for (const PluginKind kind :
-       {PluginKind::log_source, PluginKind::map_importer, PluginKind::scan_matcher,
-        PluginKind::feature_detector, PluginKind::pattern_template, PluginKind::hypothesis_scorer,
-        PluginKind::map_store})
+       {PluginKind::log_source, PluginKind::map_importer, PluginKind::scan_matcher, PluginKind::feature_detector,
+        PluginKind::pattern_template, PluginKind::hypothesis_scorer, PluginKind::map_store})
     print_kind(out, inventory.types, kind);
   print_stages(out);
   print_sentences(out, "Refused", inventory.refused);
@@ -156,9 +156,8 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
   const auto request = std::make_shared<PluginsRequest>();
   CLI::App* verb =
       app.add_subcommand("plugins", "list what plugins offer: types, options, and files that were refused");
-  verb->add_option(
-      "place", request->places,
-      "folders of plugins, or single files; default: the program's own and those in OPAL_PLUGIN_PATH");
+  verb->add_option("place", request->places,
+                   "folders of plugins, or single files; default: the program's own and those in OPAL_PLUGIN_PATH");
   verb->add_flag("--json", request->as_json, "print JSON");
   verb->add_flag("--check", request->check, "put each plugin through the contract of its kind as well");
   verb->callback([request, &exit_code] {

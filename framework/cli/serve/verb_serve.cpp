@@ -1,6 +1,6 @@
-#include "session/session.hpp"
-#include "cli/terminal/stop_signals.hpp"
 #include "cli/options/verbs.hpp"
+#include "cli/terminal/stop_signals.hpp"
+#include "session/session.hpp"
 
 #include "ipc/remote/localization_server.hpp"
 
@@ -40,14 +40,10 @@ int serve(const ServeOptions& options) {
 void opal::add_serve_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ServeOptions>();
   CLI::App* verb = app.add_subcommand(
-      "serve",
-      "localize a robot whose behaviours are another program on this machine: opal drive --localizer");
-  verb->add_option("CONFIG", options->config,
-                   "deployment document (configs/*.jsonld); the laser is the robot's")
+      "serve", "localize a robot whose behaviours are another program on this machine: opal drive --localizer");
+  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld); the laser is the robot's")
       ->required();
   verb->add_option("--map", options->map, "map document, or a source to import, instead of the deployment's");
-  verb->add_option("--port", options->port, "0: any free one")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
+  verb->add_option("--port", options->port, "0: any free one")->check(CLI::Range(0, 65535))->capture_default_str();
   verb->callback([options, &exit_code] { exit_code = serve(*options); });
 }

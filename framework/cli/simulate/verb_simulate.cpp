@@ -1,16 +1,16 @@
 #include "cli/options/damage_options.hpp"
-#include "session/session.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
+#include "session/session.hpp"
 
 #include "simulation/beam_statistics.hpp"
 #include "simulation/recording.hpp"
 
+#include <opal/common/error.hpp>
+#include <opal/sensing/replay.hpp>
 #include "common/cpu_clock.hpp"
 #include "drawing/drawing.hpp"
-#include <opal/common/error.hpp>
 #include "evaluation/ground_truth.hpp"
-#include <opal/sensing/replay.hpp>
 
 #include <iostream>
 
@@ -50,7 +50,8 @@ sim::Recording record_along(const opal::PluginRegistry& registry, const Simulate
   sim::BeamStatistics recorded, simulated;
   for (const opal::LogRecord& record : opal::read_all(*open_log(registry, options.along + ".log.gz")))
     if (const auto* scan = std::get_if<opal::RawScan>(&record))
-      if (const auto pose = truth.T_map_laser_at(scan->stamp_s)) sim::count_beams(*scan, *pose, laser, mapped, recorded);
+      if (const auto pose = truth.T_map_laser_at(scan->stamp_s))
+        sim::count_beams(*scan, *pose, laser, mapped, recorded);
   for (const sim::RecordedScan& scan : made.scans)
     sim::count_beams(scan.scan, scan.T_map_base * made.laser.T_base_laser, made.laser, mapped, simulated);
   std::cout << sim::side_by_side("recorded", recorded, "simulated", simulated);
@@ -66,9 +67,9 @@ int simulate(SimulateOptions options) {
   const double start_s = opal::process_cpu_s();
   sim::Simulation simulation(building, options.world, options.damage.seed);
   const double ready_s = opal::process_cpu_s();
-  const sim::Recording recording = options.along.empty()
-                                       ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
-                                       : record_along(registry, options, *map, simulation);
+  const sim::Recording recording =
+      options.along.empty() ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
+                            : record_along(registry, options, *map, simulation);
   const double recorded_s = opal::process_cpu_s();
   sim::write_recorded_place(recording, *map, options.out);
   double driven_m = 0;
@@ -78,7 +79,8 @@ int simulate(SimulateOptions options) {
   std::printf("%zu drives, %.0f m, %zu scans; %d steps in which somebody or something was in the way\n",
               recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
   std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
-  std::cout << "written: " << options.out << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
+  std::cout << "written: " << options.out
+            << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
   return 0;
 }
 
@@ -105,13 +107,15 @@ void add_sensing(CLI::App& verb, SimulateOptions& o) {
 
 void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* verb = app.add_subcommand("simulate", "drive through a building that does not exist: a recording with ground truth");
+  CLI::App* verb =
+      app.add_subcommand("simulate", "drive through a building that does not exist: a recording with ground truth");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("-o,--out", options->out, "PREFIX of the files to write, as opal bench takes it")->required();
   verb->add_option("--drives", options->drives.drives, "each from a place of its own")->capture_default_str();
   verb->add_option("--distance", options->drives.distance_m, "of each drive [m]")->capture_default_str();
   verb->add_option("--along", options->along,
-                   "PREFIX of a recording (.gt.csv, .info.json, .log.gz): the same laser on the same way, and its beams side by side");
+                   "PREFIX of a recording (.gt.csv, .info.json, .log.gz): the same laser on the same way, and its "
+                   "beams side by side");
   verb->add_option("--speed", options->drives.follower.speed_mps, "[m/s]")->capture_default_str();
   verb->add_option("--scan-every", options->drives.scan_every_s, "[s]")->capture_default_str();
   options->add_to(*verb);

@@ -4,8 +4,8 @@
 
 #include "benchmark/runs/run_picture.hpp"
 
-#include "drawing/drawing.hpp"
 #include <opal/common/error.hpp>
+#include "drawing/drawing.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -29,7 +29,8 @@ void print(const std::string& what, const TrackErrors& errors) {
 std::vector<opal::ResultRow> laser_rows(const std::string& id, const std::vector<opal::StampedPose>& T_map_base,
                                         const opal::Pose2& T_base_laser) {
   std::vector<opal::ResultRow> rows;
-  for (const opal::StampedPose& pose : T_map_base) rows.push_back({id, pose.stamp_s, pose.pose * T_base_laser, opal::Status::localized});
+  for (const opal::StampedPose& pose : T_map_base)
+    rows.push_back({id, pose.stamp_s, pose.pose * T_base_laser, opal::Status::localized});
   return rows;
 }
 
@@ -102,9 +103,12 @@ void TrackOutput::write() const {
   opal::write_results(results, rows_);
   std::vector<double> cpu = update_cpu_ms_;
   std::sort(cpu.begin(), cpu.end());
-  const double mean = std::accumulate(cpu.begin(), cpu.end(), 0.0) / std::max<double>(1, static_cast<double>(cpu.size()));
-  const nlohmann::ordered_json summary = {{"updates", cpu.size()},      {"cpu_ms_mean", mean},
-                                          {"cpu_ms_p99", quantile(cpu, 0.99)}, {"cpu_ms_max", quantile(cpu, 1)},
+  const double mean =
+      std::accumulate(cpu.begin(), cpu.end(), 0.0) / std::max<double>(1, static_cast<double>(cpu.size()));
+  const nlohmann::ordered_json summary = {{"updates", cpu.size()},
+                                          {"cpu_ms_mean", mean},
+                                          {"cpu_ms_p99", quantile(cpu, 0.99)},
+                                          {"cpu_ms_max", quantile(cpu, 1)},
                                           {"windows", windows_}};
   file("summary.json") << summary.dump(2) << '\n';
   std::printf("CPU per update: mean %.2f ms, 99 %% %.2f ms over %zu updates\n", mean, quantile(cpu, 0.99), cpu.size());
@@ -128,8 +132,8 @@ void TrackOutput::write_deviations(const opal::MapBelief& belief) const {
   };
   std::cout << "of " << deviations.size() << " mapped objects that were recognized, "
             << count(opal::DeviationVerdict::moved) << " stand elsewhere, "
-            << count(opal::DeviationVerdict::probably_absent) << " are probably absent: " << (folder_ / "deviations.txt").string()
-            << '\n';
+            << count(opal::DeviationVerdict::probably_absent)
+            << " are probably absent: " << (folder_ / "deviations.txt").string() << '\n';
 }
 
 void TrackOutput::write_smoothed(const TrackedWindow& window, const opal::SmoothedTrack& smoothed) const {

@@ -20,7 +20,8 @@ TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& l
       tracker.start(start->T_map_base, start->sigma);
       T_map_odom = start->T_map_base * sample->T_odom_base.inverse();
     }
-    if (tracker.update(sample->scan, sample->T_odom_base)) window.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
+    if (tracker.update(sample->scan, sample->T_odom_base))
+      window.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
     const opal::Pose2 T_map_base = tracker.T_map_base_at(sample->T_odom_base);
     window.trajectory.push_back({stamp_s, T_map_base});
     window.rows.push_back({id, stamp_s, T_map_base * laser.T_base_laser,

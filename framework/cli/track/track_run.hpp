@@ -1,10 +1,10 @@
 #pragma once
 
-#include "evaluation/ground_truth.hpp"
-#include "survey/pose_tracker.hpp"
 #include <opal/sensing/replay.hpp>
+#include "evaluation/ground_truth.hpp"
 #include "evaluation/results.hpp"
 #include "sensing/trajectory.hpp"
+#include "survey/pose_tracker.hpp"
 
 #include <functional>
 #include <optional>
@@ -22,12 +22,12 @@ using StartAt = std::function<std::optional<StartPose>(double stamp_s)>;
 /// One window of a log, tracked from a given pose.
 struct TrackedWindow {
   std::string id;
-  std::vector<opal::ResultRow> rows;            ///< one per scan
-  std::vector<opal::ResultRow> dead_reckoned;   ///< the same scans from the same pose by odometry alone
-  std::vector<opal::StampedPose> trajectory;    ///< T_map_base, the same scans
-  std::vector<double> update_cpu_ms;            ///< per keyframe, cleaning of the scan included
+  std::vector<opal::ResultRow> rows;           ///< one per scan
+  std::vector<opal::ResultRow> dead_reckoned;  ///< the same scans from the same pose by odometry alone
+  std::vector<opal::StampedPose> trajectory;   ///< T_map_base, the same scans
+  std::vector<double> update_cpu_ms;           ///< per keyframe, cleaning of the scan included
   std::vector<opal::TrackedKeyframe> track;
-  std::vector<opal::Point> last_points;         ///< of the last scan, map frame [m]
+  std::vector<opal::Point> last_points;  ///< of the last scan, map frame [m]
   opal::TrackedPose last;
 };
 

@@ -1,12 +1,12 @@
 #include "cli/options/damage_options.hpp"
 #include "cli/options/log_run_options.hpp"
-#include "session/session.hpp"
+#include "cli/options/verbs.hpp"
 #include "cli/track/start_poses.hpp"
 #include "cli/track/track_output.hpp"
-#include "cli/options/verbs.hpp"
+#include "session/session.hpp"
 
-#include <opal/deployment/deployment.hpp>
 #include <opal/common/error.hpp>
+#include <opal/deployment/deployment.hpp>
 
 namespace {
 
@@ -75,7 +75,8 @@ int track(const TrackOptions& options) {
   }
   output.write();
   output.write_deviations(belief);
-  if (window.rows.empty()) throw opal::LogError(options.log + ": no scan with odometry to track" + (truth ? " that the truth covers" : ""));
+  if (window.rows.empty())
+    throw opal::LogError(options.log + ": no scan with odometry to track" + (truth ? " that the truth covers" : ""));
   return window.last.lost ? 1 : 0;
 }
 
@@ -86,8 +87,9 @@ void opal::add_track_verb(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "track", "follow the robot along a recorded log from a known pose; where the building differs from its map");
   options->add_to(*verb, "trajectory, results, summary, pictures and deviations");
-  verb->add_option("--pose", options->pose,
-                   "X,Y,THETA of the robot at the first scan, map frame [m, m, rad], within about 0.5 m and 10 degrees");
+  verb->add_option(
+      "--pose", options->pose,
+      "X,Y,THETA of the robot at the first scan, map frame [m, m, rad], within about 0.5 m and 10 degrees");
   verb->add_option("--queries", options->queries, "SITE.queries.json: track each window on its own, from the truth");
   verb->add_option("--truth", options->truth,
                    "SITE.gt.csv: report the error against recorded truth; without --pose, start from it");

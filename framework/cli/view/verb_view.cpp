@@ -1,8 +1,8 @@
-#include "cli/options/verbs.hpp"
 #include "benchmark/runs/view_page.hpp"
+#include "cli/options/verbs.hpp"
 
-#include "viewer/words/explanation.hpp"
 #include "viewer/scene/frame_scene.hpp"
+#include "viewer/words/explanation.hpp"
 #include "viewer/words/moment.hpp"
 
 #include <opal/common/error.hpp>
@@ -23,9 +23,7 @@ struct ViewOptions {
 
 /// What the page calls a run: its folder, or more of the path if two folders have the same name.
 std::string name_of_run(const ViewOptions& options, std::size_t which) {
-  const auto leaf = [&](std::size_t k) {
-    return fs::path(options.outs[k]).lexically_normal().filename().string();
-  };
+  const auto leaf = [&](std::size_t k) { return fs::path(options.outs[k]).lexically_normal().filename().string(); };
   const bool twins = options.outs.size() == 2 && leaf(0) == leaf(1);
   return twins || leaf(which).empty() ? options.outs[which] : leaf(which);
 }
@@ -50,12 +48,11 @@ int draw_moment(const ViewOptions& options) {
   const opal::Moment moment = opal::parse_moment(options.at, options.query);
   std::optional<opal::Explainer> explainer;
   opal::RunState state;
-  const auto reading =
-      opal::read_until(out, moment, [&](const opal::RunHeader& header, const opal::RunFrame& frame) {
-        if (!explainer) explainer.emplace(header);
-        explainer->take(frame);
-        state.apply(frame);
-      });
+  const auto reading = opal::read_until(out, moment, [&](const opal::RunHeader& header, const opal::RunFrame& frame) {
+    if (!explainer) explainer.emplace(header);
+    explainer->take(frame);
+    state.apply(frame);
+  });
   std::vector<std::string> notes;
   for (const opal::Sentence& sentence : explainer->explanation())
     notes.push_back(std::string(opal::name_of(sentence.kind)) + ": " + sentence.text);
@@ -83,8 +80,7 @@ int view(const ViewOptions& options) {
 
 void opal::add_view_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* verb =
-      app.add_subcommand("view", "look at a run, or at two of one log: one HTML file for the browser");
+  CLI::App* verb = app.add_subcommand("view", "look at a run, or at two of one log: one HTML file for the browser");
   verb->add_option("OUT", options->outs, "folder that 'opal localize -o' wrote; two to compare them")
       ->required()
       ->expected(1, 2);

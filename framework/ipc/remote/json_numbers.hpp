@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/config_object.hpp"
 #include <opal/common/geometry.hpp>
+#include "common/config_object.hpp"
 
 #include <string>
 #include <vector>

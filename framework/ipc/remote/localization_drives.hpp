@@ -1,7 +1,7 @@
 #pragma once
 
-#include "navigation/localization_queries.hpp"
 #include "ipc/remote/localization_messages.hpp"
+#include "navigation/localization_queries.hpp"
 
 #include <functional>
 #include <memory>

@@ -64,8 +64,9 @@ PoseEstimate estimate_in(ConfigObject& object) {
   auto alternatives = object.list("alternatives");
   if (!alternatives) object.refuse("alternatives", "a list");
   for (ConfigObject& alternative : *alternatives) {
-    estimate.alternatives.push_back({alternative.integer("hypothesis", -1, {-1, 2e9}), pose_in(alternative, "T_map_base"),
-                               number_in(alternative, "probability", kShare)});
+    estimate.alternatives.push_back({alternative.integer("hypothesis", -1, {-1, 2e9}),
+                                     pose_in(alternative, "T_map_base"),
+                                     number_in(alternative, "probability", kShare)});
     alternative.expect_no_more();
   }
   return estimate;
@@ -135,14 +136,19 @@ json to_json(const Answer& answer) {
   json alternatives = json::array(), pattern = json::array();
   for (const PoseEstimate::Alternative& alternative : said.alternatives)
     alternatives.push_back({{"hypothesis", alternative.hypothesis},
-                      {"T_map_base", json(pose_json(alternative.T_map_base))},
-                      {"probability", alternative.probability}});
+                            {"T_map_base", json(pose_json(alternative.T_map_base))},
+                            {"probability", alternative.probability}});
   for (const Geometry& geometry : answer.pattern) pattern.push_back(geometry_json(geometry));
-  return {{"stamp_s", said.stamp_s},         {"status", name_of(said.status)},
-          {"has_pose", said.has_pose},       {"T_map_base", json(pose_json(said.T_map_base))},
-          {"probability", said.probability}, {"none", said.none},
-          {"hypotheses", said.hypotheses},   {"best", said.best},
-          {"alternatives", std::move(alternatives)},     {"pattern", std::move(pattern)}};
+  return {{"stamp_s", said.stamp_s},
+          {"status", name_of(said.status)},
+          {"has_pose", said.has_pose},
+          {"T_map_base", json(pose_json(said.T_map_base))},
+          {"probability", said.probability},
+          {"none", said.none},
+          {"hypotheses", said.hypotheses},
+          {"best", said.best},
+          {"alternatives", std::move(alternatives)},
+          {"pattern", std::move(pattern)}};
 }
 
 Answer answer_from(const json& message) {

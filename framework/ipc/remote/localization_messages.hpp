@@ -24,7 +24,8 @@ LaserModel laser_from(const nlohmann::json& json);
 struct ScanMessage {
   std::string session;
   RawScan scan;
-  bool keep_pattern = false;  ///< before the scan is taken: the local map is to hold only the pattern of the best hypothesis
+  bool keep_pattern =
+      false;  ///< before the scan is taken: the local map is to hold only the pattern of the best hypothesis
 };
 nlohmann::json to_json(const ScanMessage& message);
 ScanMessage scan_from(const nlohmann::json& json);

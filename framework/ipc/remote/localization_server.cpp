@@ -32,8 +32,7 @@ json parsed(const Request& request) {
 
 struct LocalizationServer::Implementation {
   Implementation(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make)
-      : map_message(
-            json{{"protocol", kProtocol}, {"sensor", std::move(sensor)}, {"map", map->to_json_ld()}}.dump()),
+      : map_message(json{{"protocol", kProtocol}, {"sensor", std::move(sensor)}, {"map", map->to_json_ld()}}.dump()),
         drives(std::move(make)) {}
 
   void configure();
@@ -59,16 +58,13 @@ void LocalizationServer::Implementation::configure() {
   server.set_tcp_nodelay(true);
   server.set_pre_routing_handler(
       [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
-  server.set_exception_handler([this](const Request&, Response& response, std::exception_ptr trouble) {
-    answer_trouble(response, trouble);
-  });
-  server.Get("/v1/map",
-             [this](const Request&, Response& response) { response.set_content(map_message, kJson); });
+  server.set_exception_handler(
+      [this](const Request&, Response& response, std::exception_ptr trouble) { answer_trouble(response, trouble); });
+  server.Get("/v1/map", [this](const Request&, Response& response) { response.set_content(map_message, kJson); });
   server.Post("/v1/begin", [this](const Request& request, Response& response) {
     response.set_content(json{{"session", drives.begin(laser_from(parsed(request)))}}.dump(), kJson);
   });
-  server.Post("/v1/scans",
-              [this](const Request& request, Response& response) { answer_scan(request, response); });
+  server.Post("/v1/scans", [this](const Request& request, Response& response) { answer_scan(request, response); });
 }
 
 void LocalizationServer::Implementation::answer_scan(const Request& request, Response& response) {
@@ -79,30 +75,26 @@ void LocalizationServer::Implementation::answer_scan(const Request& request, Res
 }
 
 /// A page of some web site can send plain text here without asking; JSON it cannot.
-Verdict LocalizationServer::Implementation::refuse_strangers(const Request& request,
-                                                             Response& response) const {
+Verdict LocalizationServer::Implementation::refuse_strangers(const Request& request, Response& response) const {
   if (!is_from_here(request, port)) {
-    answer(response, 403,
-           "This server answers to " + std::string(kLoopback) + ":" + std::to_string(port) + " only.");
+    answer(response, 403, "This server answers to " + std::string(kLoopback) + ":" + std::to_string(port) + " only.");
     return Verdict::Handled;
   }
   if (!request.path.starts_with("/v1/")) {
     answer(response, 404,
-           request.path.substr(0, 80) +
-               ": unknown, this program speaks version 1: /v1/map, /v1/begin, /v1/scans");
+           request.path.substr(0, 80) + ": unknown, this program speaks version 1: /v1/map, /v1/begin, /v1/scans");
     return Verdict::Handled;
   }
   if (request.method == "POST" && request.get_header_value("Content-Type") != kJson) {
     answer(response, 415,
-           std::string("Content-Type: '") + request.get_header_value("Content-Type").substr(0, 80) +
-               "', expected " + kJson);
+           std::string("Content-Type: '") + request.get_header_value("Content-Type").substr(0, 80) + "', expected " +
+               kJson);
     return Verdict::Handled;
   }
   return Verdict::Unhandled;
 }
 
-void LocalizationServer::Implementation::answer_trouble(Response& response,
-                                                        const std::exception_ptr& trouble) const {
+void LocalizationServer::Implementation::answer_trouble(Response& response, const std::exception_ptr& trouble) const {
   try {
     std::rethrow_exception(trouble);
   } catch (const Error& error) {
@@ -112,8 +104,7 @@ void LocalizationServer::Implementation::answer_trouble(Response& response,
   }
 }
 
-LocalizationServer::LocalizationServer(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make,
-                                       int port)
+LocalizationServer::LocalizationServer(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make, int port)
     : implementation_(std::make_unique<Implementation>(std::move(map), std::move(sensor), std::move(make))) {
   implementation_->configure();
   implementation_->port = bind_to_loopback(implementation_->server, port, "choose another port with --port");
@@ -128,8 +119,6 @@ LocalizationServer::~LocalizationServer() {
 }
 
 int LocalizationServer::port() const { return implementation_->port; }
-std::string LocalizationServer::address() const {
-  return std::string(kLoopback) + ":" + std::to_string(port());
-}
+std::string LocalizationServer::address() const { return std::string(kLoopback) + ":" + std::to_string(port()); }
 
 }  // namespace opal::remote

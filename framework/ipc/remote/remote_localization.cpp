@@ -3,9 +3,9 @@
 #include "ipc/loopback/loopback_http.hpp"
 #include "ipc/remote/localization_messages.hpp"
 
-#include "common/config_object.hpp"
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
+#include "common/config_object.hpp"
 
 #include <charconv>
 
@@ -28,10 +28,8 @@ class StartedAnew : public NoAnswer {
 std::pair<std::string, int> host_and_port(const std::string& address) {
   const std::size_t colon = address.rfind(':');
   int port = 0;
-  if (colon != std::string::npos)
-    std::from_chars(address.data() + colon + 1, address.data() + address.size(), port);
-  if (port < 1 || port > 65535)
-    throw ConfigError("'" + address + "': expected HOST:PORT, e.g. 127.0.0.1:8714");
+  if (colon != std::string::npos) std::from_chars(address.data() + colon + 1, address.data() + address.size(), port);
+  if (port < 1 || port > 65535) throw ConfigError("'" + address + "': expected HOST:PORT, e.g. 127.0.0.1:8714");
   return {address.substr(0, colon), port};
 }
 
@@ -39,9 +37,7 @@ std::chrono::microseconds in_microseconds(double seconds) {
   return std::chrono::microseconds(static_cast<std::int64_t>(1e6 * seconds));
 }
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, std::min<std::size_t>(text.find('\n'), 300));
-}
+std::string first_line(const std::string& text) { return text.substr(0, std::min<std::size_t>(text.find('\n'), 300)); }
 
 }  // namespace
 
@@ -75,8 +71,7 @@ struct RemoteLocalization::Implementation {
   Answer answer;
 };
 
-json RemoteLocalization::Implementation::expect_json(const httplib::Result& result,
-                                                     std::size_t most_bytes) const {
+json RemoteLocalization::Implementation::expect_json(const httplib::Result& result, std::size_t most_bytes) const {
   if (!result)
     throw NoAnswer(address + ": no answer (" + httplib::to_string(result.error()) +
                    "), expected the program that localizes (opal serve)");

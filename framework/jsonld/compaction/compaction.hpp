@@ -1,7 +1,7 @@
 #pragma once
 
-#include "jsonld/expansion/expansion.hpp"
 #include "jsonld/compaction/inverse_context.hpp"
+#include "jsonld/expansion/expansion.hpp"
 
 #include <array>
 #include <map>

@@ -12,8 +12,8 @@
 
 namespace opal::json_ld {
 
-/// Inverse Context Creation (JSON-LD 1.1 API, 4.3): which term says an IRI, for values that are of some type or language
-/// and stand in some container.
+/// Inverse Context Creation (JSON-LD 1.1 API, 4.3): which term says an IRI, for values that are of some type or
+/// language and stand in some container.
 class InverseContext {
  public:
   explicit InverseContext(const ActiveContext& active);

@@ -116,7 +116,8 @@ void Compactor::add_graph(Json& result, const ContextPtr& active, Item item) {  
     if (several) item.compacted = Json{{alias(active, "@included"), std::move(item.compacted)}};
     add_compacted(result, item.key, std::move(item.compacted), item.as_array);
   } else {
-    Json graph{{alias(active, kGraph), options_.compact_arrays ? unwrapped(std::move(item.compacted)) : std::move(item.compacted)}};
+    Json graph{{alias(active, kGraph),
+                options_.compact_arrays ? unwrapped(std::move(item.compacted)) : std::move(item.compacted)}};
     if (id) graph[alias(active, "@id")] = compact_iri(active, *id, false);
     item.compacted = std::move(graph);
     add_wrapped(result, active, std::move(item));
@@ -125,8 +126,8 @@ void Compactor::add_graph(Json& result, const ContextPtr& active, Item item) {  
 
 void Compactor::add_to_map(Json& result, const ContextPtr& active, Item item) {  // 12.8.9
   const Json key = take_map_key(active, item);
-  add_compacted(map_at(result, item.key), key.is_string() ? key.get<std::string>() : alias(active, "@none"), std::move(item.compacted),
-                item.as_array);
+  add_compacted(map_at(result, item.key), key.is_string() ? key.get<std::string>() : alias(active, "@none"),
+                std::move(item.compacted), item.as_array);
 }
 
 Json Compactor::take_map_key(const ContextPtr& active, Item& item) {
@@ -136,7 +137,8 @@ Json Compactor::take_map_key(const ContextPtr& active, Item& item) {
     if (is_value(expanded) && item.compacted.is_object()) item.compacted = Json(item.compacted[value_key]);
     return expanded.value("@language", Json());
   }
-  if (item.in("@index")) return item.definition->index ? take_property_index(active, item) : expanded.value("@index", Json());
+  if (item.in("@index"))
+    return item.definition->index ? take_property_index(active, item) : expanded.value("@index", Json());
   return item.in("@id") ? take_first(item.compacted, alias(active, "@id")) : take_type_key(active, item);
 }
 

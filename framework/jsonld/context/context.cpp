@@ -39,8 +39,7 @@ void read_base(ActiveContext& result, const Json& value, const Place& place) {  
   else if (text && result.base)
     result.base = resolve_iri(*result.base, *text);
   else
-    throw JsonLdError("invalid base IRI", place.pointer(),
-                      "expected null or an IRI; a relative one needs a base");
+    throw JsonLdError("invalid base IRI", place.pointer(), "expected null or an IRI; a relative one needs a base");
 }
 
 void read_vocab(ActiveContext& result, const Json& value, const Place& place) {  // 5.8
@@ -81,8 +80,7 @@ ContextPtr ContextReader::initial() const {
   return result;
 }
 
-ContextPtr ContextReader::read(const ContextPtr& active, const Json& local, const Place& place,
-                               const ContextUse& use) {
+ContextPtr ContextReader::read(const ContextPtr& active, const Json& local, const Place& place, const ContextUse& use) {
   if (open_ == 0) loads_ = 0;
   ++open_;
   const std::shared_ptr<int> closing(&open_, [](int* open) { --*open; });
@@ -123,12 +121,10 @@ ContextReader::Building ContextReader::read_remote(const Building& current, cons
   const bool seen = std::find(use.remote.begin(), use.remote.end(), iri) != use.remote.end();
   if (!use.validate_scoped && seen) return current;
   if (use.remote.size() >= kMaxRemoteDepth)
-    throw JsonLdError("context overflow", place.pointer(),
-                      "contexts that name each other, the last one <" + iri + ">");
+    throw JsonLdError("context overflow", place.pointer(), "contexts that name each other, the last one <" + iri + ">");
   const Json& document = load(iri, place);
   if (!document.is_object() || !document.contains("@context"))
-    throw JsonLdError("invalid remote context", place.pointer(),
-                      "<" + iri + "> holds no object with @context");
+    throw JsonLdError("invalid remote context", place.pointer(), "<" + iri + "> holds no object with @context");
   ContextUse inner;
   inner.base = iri;
   inner.validate_scoped = use.validate_scoped;
@@ -146,13 +142,11 @@ const Json& ContextReader::load(const std::string& iri, const Place& place) {
     throw JsonLdError("loading remote context failed", place.pointer(),
                       "<" + iri + "> is none of the contexts known here, and none is fetched");
   if (++loads_ > kMaxLoads)
-    throw JsonLdError("context overflow", place.pointer(),
-                      "more than " + std::to_string(kMaxLoads) + " contexts");
+    throw JsonLdError("context overflow", place.pointer(), "more than " + std::to_string(kMaxLoads) + " contexts");
   return found->second;
 }
 
-void ContextReader::read_map(ActiveContext& result, const Json& local, const Place& place,
-                             const ContextUse& use) {
+void ContextReader::read_map(ActiveContext& result, const Json& local, const Place& place, const ContextUse& use) {
   if (local.contains("@version") && local["@version"] != 1.1)  // 5.5
     throw JsonLdError("invalid @version value", place.at("@version").pointer(), "expected the number 1.1");
   if (local.contains("@import")) return read_map(result, with_import(local, place, use), place, use);
@@ -177,8 +171,7 @@ Json ContextReader::with_import(const Json& local, const Place& place, const Con
                       "<" + iri + "> holds no single @context object");
   Json merged = document["@context"];
   if (merged.contains("@import"))
-    throw JsonLdError("invalid context entry", import_place.pointer(),
-                      "<" + iri + "> imports a context itself");
+    throw JsonLdError("invalid context entry", import_place.pointer(), "<" + iri + "> imports a context itself");
   merged.update(local);
   merged.erase("@import");
   return merged;
@@ -193,8 +186,8 @@ void ContextReader::define_terms(ActiveContext& result, const Json& local, const
     if (std::find(kNoTerms.begin(), kNoTerms.end(), term) == kNoTerms.end()) terms.define(term);
 }
 
-ContextPtr ContextReader::read_scoped(const ContextPtr& active, const TermDefinition& definition,
-                                      const Place& place, bool type_scoped) {
+ContextPtr ContextReader::read_scoped(const ContextPtr& active, const TermDefinition& definition, const Place& place,
+                                      bool type_scoped) {
   const std::shared_ptr<const ScopedContext> scoped = definition.scoped;
   const ScopedKey key(active.get(), scoped.get(), type_scoped);
   const auto known = scoped_results_.find(key);

@@ -10,9 +10,7 @@ namespace {
 using std::string_view;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_scheme_character(char c) {
-  return is_letter(c) || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
-}
+bool is_scheme_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.'; }
 
 /// RFC 3986, appendix B.
 struct IriParts {
@@ -86,8 +84,7 @@ std::string remove_dot_segments(string_view path) {
 std::string merge_paths(const IriParts& base, string_view reference) {
   if (base.authority && base.path.empty()) return '/' + std::string(reference);
   const std::size_t slash = base.path.rfind('/');
-  return std::string(base.path.substr(0, slash == string_view::npos ? 0 : slash + 1)) +
-         std::string(reference);
+  return std::string(base.path.substr(0, slash == string_view::npos ? 0 : slash + 1)) + std::string(reference);
 }
 
 /// RFC 3986, 5.3.

@@ -6,8 +6,7 @@ namespace opal::json_ld {
 namespace {
 
 /// Step 6: "prefix:suffix" and what looks like it.
-std::optional<std::string> expand_compact(const ActiveContext& active, const std::string& value,
-                                          std::size_t colon,
+std::optional<std::string> expand_compact(const ActiveContext& active, const std::string& value, std::size_t colon,
                                           const std::function<void(const std::string&)>& define) {
   const std::string prefix = value.substr(0, colon);
   if (prefix == "_" || value.compare(colon + 1, 2, "//") == 0) return value;

@@ -1,7 +1,7 @@
 #include "jsonld/context/place.hpp"
 
-#include "jsonld/json_ld.hpp"
 #include <opal/common/strict_json.hpp>
+#include "jsonld/json_ld.hpp"
 
 namespace opal::json_ld {
 namespace {
@@ -12,8 +12,7 @@ constexpr int kMaxDepth = 256;
 
 }  // namespace
 
-Place::Place(std::string_view document, const Place* from)
-    : key_(document), depth_(from ? from->depth_ + 1 : 0) {
+Place::Place(std::string_view document, const Place* from) : key_(document), depth_(from ? from->depth_ + 1 : 0) {
   if (depth_ > kMaxDepth)
     throw JsonLdError("nested too deeply", from->pointer(),
                       "expected at most " + std::to_string(kMaxDepth) + " levels");
@@ -22,8 +21,7 @@ Place::Place(std::string_view document, const Place* from)
 Place::Place(const Place* parent, Step step, std::string_view key, std::size_t index)
     : parent_(parent), step_(step), key_(key), index_(index), depth_(parent->depth_ + 1) {
   if (depth_ > kMaxDepth)
-    throw JsonLdError("nested too deeply", pointer(),
-                      "expected at most " + std::to_string(kMaxDepth) + " levels");
+    throw JsonLdError("nested too deeply", pointer(), "expected at most " + std::to_string(kMaxDepth) + " levels");
 }
 
 Place Place::at(std::string_view key) const { return Place(this, Step::kKey, key, 0); }

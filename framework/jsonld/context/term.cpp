@@ -34,8 +34,7 @@ bool has_inner_colon(const std::string& term) {
 bool is_allowed(std::set<std::string, std::less<>> container) {  // 19.1
   const bool set = container.erase("@set") > 0;
   if (container.empty()) return set;
-  if (container.size() == 2)
-    return container.count("@graph") && (container.count("@id") || container.count("@index"));
+  if (container.size() == 2) return container.count("@graph") && (container.count("@id") || container.count("@index"));
   static constexpr std::array<std::string_view, 5> kSingle{"@graph", "@id", "@index", "@language", "@type"};
   const bool single = std::find(kSingle.begin(), kSingle.end(), *container.begin()) != kSingle.end();
   return container.size() == 1 && (single || (*container.begin() == "@list" && !set));
@@ -44,18 +43,16 @@ bool is_allowed(std::set<std::string, std::less<>> container) {  // 19.1
 void check_entries(const Json& value, const Place& place) {  // 26
   for (const auto& [key, ignored] : value.items())
     if (std::find(kEntries.begin(), kEntries.end(), key) == kEntries.end())
-      refuse("invalid term definition", place.at(key),
-             "expected an entry of term definitions, such as @id or @type");
+      refuse("invalid term definition", place.at(key), "expected an entry of term definitions, such as @id or @type");
 }
 
 }  // namespace
 
 bool same_meaning(const TermDefinition& a, const TermDefinition& b) {
-  const bool same_scope =
-      a.scoped && b.scoped ? a.scoped->context == b.scoped->context : !a.scoped && !b.scoped;
+  const bool same_scope = a.scoped && b.scoped ? a.scoped->context == b.scoped->context : !a.scoped && !b.scoped;
   return same_scope && a.iri == b.iri && a.prefix == b.prefix && a.reverse == b.reverse && a.type == b.type &&
-         a.language == b.language && a.direction == b.direction && a.container == b.container &&
-         a.index == b.index && a.nest == b.nest;
+         a.language == b.language && a.direction == b.direction && a.container == b.container && a.index == b.index &&
+         a.nest == b.nest;
 }
 
 void TermReader::define(const std::string& term) {
@@ -89,8 +86,8 @@ void TermReader::define_from(const std::string& term, const Json& value, const P
   definition.is_protected = protect_all_;
   if (map.contains("@protected")) read_protected(definition, map["@protected"], place.at("@protected"));
   if (map.contains("@type")) read_type(definition, map["@type"], place.at("@type"));
-  const bool kept = map.contains("@reverse") ? read_reverse(definition, map, place)
-                                             : read_iri(definition, term, value, place);
+  const bool kept =
+      map.contains("@reverse") ? read_reverse(definition, map, place) : read_iri(definition, term, value, place);
   if (!kept) return;
   read_use(definition, map, place);
   if (map.contains("@prefix")) read_prefix(definition, term, map["@prefix"], place.at("@prefix"));
@@ -124,8 +121,7 @@ void TermReader::check_keyword_term(const std::string& term, const Json& value,
   bool allowed = term == "@type" && value.is_object() && !value.empty();
   if (allowed)
     for (const auto& [key, entry] : value.items())
-      allowed = allowed &&
-                (key == "@protected" || (key == "@container" && (entry == "@set" || entry == Json{"@set"})));
+      allowed = allowed && (key == "@protected" || (key == "@container" && (entry == "@set" || entry == Json{"@set"})));
   if (!allowed) refuse("keyword redefinition", place, term + " must not be defined anew");
 }
 
@@ -133,8 +129,7 @@ void TermReader::check_keyword_term(const std::string& term, const Json& value,
 bool TermReader::ignores(const std::string& text, const Place& place) const {
   if (is_keyword(text) || !has_keyword_form(text)) return false;
   if (contexts_.options().reject_unknown_terms)
-    refuse("unknown keyword", place,
-           text + " has the form of a keyword, but JSON-LD 1.1 has no such keyword");
+    refuse("unknown keyword", place, text + " has the form of a keyword, but JSON-LD 1.1 has no such keyword");
   return true;
 }
 
@@ -168,8 +163,7 @@ bool TermReader::read_reverse(TermDefinition& definition, const Json& map, const
 }
 
 /// @return false if the term is to be ignored.
-bool TermReader::read_iri(TermDefinition& definition, const std::string& term, const Json& value,
-                          const Place& place) {
+bool TermReader::read_iri(TermDefinition& definition, const std::string& term, const Json& value, const Place& place) {
   if (value.is_object() && !value.contains("@id")) return derive_iri(definition, term, place), true;
   const Json& id = value.is_object() ? value["@id"] : value;
   if (id == term) return derive_iri(definition, term, place), true;
@@ -192,8 +186,7 @@ bool TermReader::read_given_iri(TermDefinition& definition, const std::string& t
   if (definition.iri == "@context") refuse("invalid keyword alias", place, "@context has no aliases");
   if (!is_iri_or_blank(definition.iri) && !(definition.iri && is_keyword(*definition.iri)))
     refuse("invalid IRI mapping", place, "\"" + text + "\" maps to no IRI");
-  if (has_inner_colon(term) || term.find('/') != std::string::npos)
-    check_iri_like_term(term, *definition.iri, place);
+  if (has_inner_colon(term) || term.find('/') != std::string::npos) check_iri_like_term(term, *definition.iri, place);
   return true;
 }
 
@@ -242,11 +235,9 @@ void TermReader::read_container(TermDefinition& definition, const Json& value, c
 }
 
 void TermReader::read_index(TermDefinition& definition, const Json& value, const Place& place) {  // 20
-  if (!definition.contains("@index"))
-    refuse("invalid term definition", place, "expected @container to be @index");
+  if (!definition.contains("@index")) refuse("invalid term definition", place, "expected @container to be @index");
   const auto iri = value.is_string() ? expand(value.get<std::string>()) : std::nullopt;
-  if (!iri || !is_absolute_iri(*iri))
-    refuse("invalid term definition", place, "expected what maps to an IRI");
+  if (!iri || !is_absolute_iri(*iri)) refuse("invalid term definition", place, "expected what maps to an IRI");
   definition.index = value.get<std::string>();
 }
 

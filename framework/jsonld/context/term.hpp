@@ -36,8 +36,7 @@ class TermReader {
   void read_type(TermDefinition& definition, const Json& value, const Place& place);
   bool read_reverse(TermDefinition& definition, const Json& value, const Place& place);
   bool read_iri(TermDefinition& definition, const std::string& term, const Json& value, const Place& place);
-  bool read_given_iri(TermDefinition& definition, const std::string& term, const Json& value,
-                      const Place& place);
+  bool read_given_iri(TermDefinition& definition, const std::string& term, const Json& value, const Place& place);
   void derive_iri(TermDefinition& definition, const std::string& term, const Place& place);
   void check_iri_like_term(const std::string& term, const std::string& iri, const Place& place);
   void read_container(TermDefinition& definition, const Json& value, const Place& place);
@@ -45,10 +44,8 @@ class TermReader {
   void read_scoped(TermDefinition& definition, const Json& value, const Place& place);
   void read_language(TermDefinition& definition, const Json& value, const Place& place);
   void read_nest(TermDefinition& definition, const Json& value, const Place& place);
-  void read_prefix(TermDefinition& definition, const std::string& term, const Json& value,
-                   const Place& place);
-  void store(const std::string& term, TermDefinition definition, const Definition& before,
-             const Place& place);
+  void read_prefix(TermDefinition& definition, const std::string& term, const Json& value, const Place& place);
+  void store(const std::string& term, TermDefinition definition, const Definition& before, const Place& place);
 
   ContextReader& contexts_;
   ActiveContext& result_;

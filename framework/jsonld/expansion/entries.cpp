@@ -1,13 +1,13 @@
 // JSON-LD 1.1 API, 5.1.2, steps 13 and 14: the entries of an object.
-#include "jsonld/expansion/expansion.hpp"
 #include "jsonld/context/iri.hpp"
+#include "jsonld/expansion/expansion.hpp"
 
 #include <utility>
 
 namespace opal::json_ld {
 
-void Expander::expand_entries(Object& object, const ContextPtr& active, Property property,
-                              const Json& element, const Place& place) {
+void Expander::expand_entries(Object& object, const ContextPtr& active, Property property, const Json& element,
+                              const Place& place) {
   Nests nests;
   for (const auto& [key, value] : element.items()) {
     if (key == "@context") continue;
@@ -24,16 +24,14 @@ void Expander::expand_entries(Object& object, const ContextPtr& active, Property
     else
       expand_property(object, active, key, *iri, value, here);
   }
-  for (const auto& [key, nested] : nests)
-    expand_nested(object, active, key, *nested, place.at(std::string_view(key)));
+  for (const auto& [key, nested] : nests) expand_nested(object, active, key, *nested, place.at(std::string_view(key)));
 }
 
 /// 14.2: nested entries count as if they stood in the object itself.
-void Expander::expand_nested(Object& object, const ContextPtr& active, const std::string& key,
-                             const Json& nested, const Place& place) {
+void Expander::expand_nested(Object& object, const ContextPtr& active, const std::string& key, const Json& nested,
+                             const Place& place) {
   if (nested.is_array()) {
-    for (std::size_t i = 0; i < nested.size(); ++i)
-      expand_nested(object, active, key, nested[i], place.at(i));
+    for (std::size_t i = 0; i < nested.size(); ++i) expand_nested(object, active, key, nested[i], place.at(i));
     return;
   }
   const auto refuse = [&] {
@@ -48,8 +46,8 @@ void Expander::expand_nested(Object& object, const ContextPtr& active, const std
   expand_entries(object, context, &key, nested, place);
 }
 
-void Expander::expand_property(Object& object, const ContextPtr& active, const std::string& key,
-                               const std::string& iri, const Json& value, const Place& place) {
+void Expander::expand_property(Object& object, const ContextPtr& active, const std::string& key, const std::string& iri,
+                               const Json& value, const Place& place) {
   const TermDefinition* definition = active->find(key);
   Json expanded = expand_property_value(active, key, value, place);
   if (expanded.is_null()) return;  // 13.10

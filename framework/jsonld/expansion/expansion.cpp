@@ -77,13 +77,11 @@ Json Expander::expand(const ContextPtr& active, Property property, const Json& e
   return expand_scalar(active, property, element, place, property ? active->find(*property) : nullptr);
 }
 
-Json Expander::expand_scalar(const ContextPtr& active, Property property, const Json& element,
-                             const Place& place,
+Json Expander::expand_scalar(const ContextPtr& active, Property property, const Json& element, const Place& place,
                              const TermDefinition* definition) {  // 4
   if (is_top(property)) {
     if (options_.reject_unknown_terms)
-      throw JsonLdError("free-floating value", place.pointer(),
-                        "expected a node; JSON-LD drops other values here");
+      throw JsonLdError("free-floating value", place.pointer(), "expected a node; JSON-LD drops other values here");
     return nullptr;
   }
   if (!definition || !definition->scoped) return expand_value(*active, definition, element, place);
@@ -91,8 +89,7 @@ Json Expander::expand_scalar(const ContextPtr& active, Property property, const 
   return expand_value(*scoped, scoped->find(*property), element, place);
 }
 
-Json Expander::expand_array(const ContextPtr& active, Property property, const Json& element,
-                            const Place& place,
+Json Expander::expand_array(const ContextPtr& active, Property property, const Json& element, const Place& place,
                             bool from_map) {  // 5
   const TermDefinition* definition = property ? active->find(*property) : nullptr;
   const bool lists = definition && definition->contains("@list");
@@ -173,8 +170,7 @@ Json Expander::finish(Json result, Property property, const Place& place) const 
   if (!result.is_object()) return result;
   if (result.size() == 1 && result.contains("@language")) return nullptr;
   if (!framing_ && !result.contains("@value") && (result.contains("@language") || result.contains("@direction")))
-    throw JsonLdError("invalid value object", place.pointer(),
-                      "expected @value beside @language or @direction");
+    throw JsonLdError("invalid value object", place.pointer(), "expected @value beside @language or @direction");
   const bool floating = result.empty() || result.contains("@value") || result.contains("@list") ||
                         (!framing_ && result.size() == 1 && result.contains("@id"));
   if (is_top(property) && floating) return nullptr;

@@ -57,8 +57,7 @@ class Expander {
                     bool from_map);
   Json expand_scalar(const ContextPtr& active, Property property, const Json& element, const Place& place,
                      const TermDefinition* definition);
-  Json expand_object(ContextPtr active, Property property, const Json& element, const Place& place,
-                     bool from_map);
+  Json expand_object(ContextPtr active, Property property, const Json& element, const Place& place, bool from_map);
   bool keeps_context(const ActiveContext& active, const Json& element) const;
   ContextPtr take_context(const ContextPtr& active, const Json& element, const Place& place);
   ContextPtr take_type_contexts(const ContextPtr& active, const Json& element, const Place& place);
@@ -73,10 +72,9 @@ class Expander {
                       const Place& place);
   void expand_nested(Object& object, const ContextPtr& active, const std::string& key, const Json& nested,
                      const Place& place);
-  void expand_property(Object& object, const ContextPtr& active, const std::string& key,
-                       const std::string& iri, const Json& value, const Place& place);
-  Json expand_property_value(const ContextPtr& active, const std::string& key, const Json& value,
-                             const Place& place);
+  void expand_property(Object& object, const ContextPtr& active, const std::string& key, const std::string& iri,
+                       const Json& value, const Place& place);
+  Json expand_property_value(const ContextPtr& active, const std::string& key, const Json& value, const Place& place);
   void add_reversed(Json& result, const std::string& iri, Json values, const Place& place) const;
 
   // json_ld_expansion_keywords.cpp: entries whose key is a keyword
@@ -85,10 +83,8 @@ class Expander {
   Json expand_id(const ActiveContext& active, const Json& value, const Place& place) const;
   void expand_types(Json& result, const ActiveContext& active, const Json& value, const Place& place) const;
   Json expand_included(const ContextPtr& active, const Json& value, const Place& place);
-  void expand_list(Json& result, const ContextPtr& active, Property property, const Json& value,
-                   const Place& place);
-  void expand_set(Json& result, const ContextPtr& active, Property property, const Json& value,
-                  const Place& place);
+  void expand_list(Json& result, const ContextPtr& active, Property property, const Json& value, const Place& place);
+  void expand_set(Json& result, const ContextPtr& active, Property property, const Json& value, const Place& place);
   void expand_reverse(Object& object, const ContextPtr& active, const Json& value, const Place& place);
   void expand_value_entry(Object& object, const Json& value, const Place& place) const;
 
@@ -99,14 +95,14 @@ class Expander {
                         const Json& value, const Place& place);
   ContextPtr map_context(const ContextPtr& active, const TermDefinition& definition, const std::string& index,
                          const Place& place);
-  void add_index(Json& item, const ActiveContext& active, const TermDefinition& definition,
-                 const std::string& index, const Place& place) const;
+  void add_index(Json& item, const ActiveContext& active, const TermDefinition& definition, const std::string& index,
+                 const Place& place) const;
   void add_property_index(Json& item, const ActiveContext& active, const std::string& index_key,
                           const std::string& index, const Place& place) const;
 
   // json_ld_expansion_framing.cpp: what only frames may say
-  bool expand_frame_keyword(Object& object, const ContextPtr& active, Property property,
-                            const std::string& keyword, const Json& value, const Place& place);
+  bool expand_frame_keyword(Object& object, const ContextPtr& active, Property property, const std::string& keyword,
+                            const Json& value, const Place& place);
   Json expand_default(const ContextPtr& active, Property property, const Json& value, const Place& place);
   Json expand_id_pattern(const ActiveContext& active, const Json& value, const Place& place) const;
   Json expand_type_pattern(const ActiveContext& active, const Json& value, const Place& place) const;
@@ -116,8 +112,8 @@ class Expander {
   Json expand_value(const ActiveContext& active, const TermDefinition* definition, const Json& value,
                     const Place& place) const;
   /// JSON-LD drops, or takes for an IRI, what the context does not define.
-  void refuse_unknown(const ActiveContext& active, const std::string& word,
-                      const std::optional<std::string>& iri, const Place& place) const;
+  void refuse_unknown(const ActiveContext& active, const std::string& word, const std::optional<std::string>& iri,
+                      const Place& place) const;
   /// The IRI that a vocabulary word (a type, a value of an @vocab-typed term) stands for.
   Json expand_word(const ActiveContext& active, const std::string& word, const Place& place) const;
 

@@ -1,6 +1,6 @@
 // JSON-LD 1.1 API, 5.1.2, where the frameExpansion flag is set: what frames may say and documents may not.
-#include "jsonld/expansion/expansion.hpp"
 #include "jsonld/context/iri.hpp"
+#include "jsonld/expansion/expansion.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // JSON-LD 1.1 API, 5.1.2, step 13.4: entries whose key is a keyword or an alias of one.
-#include "jsonld/expansion/expansion.hpp"
 #include "jsonld/context/iri.hpp"
 #include "jsonld/context/term.hpp"
+#include "jsonld/expansion/expansion.hpp"
 
 #include <utility>
 
@@ -18,8 +18,7 @@ Json require_string(const Json& value, const char* code, const Place& place) {
 }
 
 Json require_direction(const Json& value, const Place& place) {
-  if (!value.is_string())
-    throw JsonLdError("invalid base direction", place.pointer(), "expected \"ltr\" or \"rtl\"");
+  if (!value.is_string()) throw JsonLdError("invalid base direction", place.pointer(), "expected \"ltr\" or \"rtl\"");
   return *read_direction(value, place);
 }
 
@@ -27,12 +26,11 @@ Json to_elements(Json expanded) { return expanded.is_null() ? Json::array() : as
 
 }  // namespace
 
-void Expander::expand_keyword(Object& object, const ContextPtr& active, Property property,
-                              const std::string& keyword, const Json& value, const Place& place) {
+void Expander::expand_keyword(Object& object, const ContextPtr& active, Property property, const std::string& keyword,
+                              const Json& value, const Place& place) {
   Json& result = object.result;
   if (property && *property == kReverse)
-    throw JsonLdError("invalid reverse property map", place.pointer(),
-                      "expected no keywords inside @reverse");
+    throw JsonLdError("invalid reverse property map", place.pointer(), "expected no keywords inside @reverse");
   if (result.contains(keyword) && keyword != "@included" && keyword != "@type" && keyword != "@reverse")
     throw JsonLdError("colliding keywords", place.pointer(), "a second key means " + keyword);
   if (keyword == "@id")
@@ -65,8 +63,7 @@ Json Expander::expand_id(const ActiveContext& active, const Json& value,
                          const Place& place) const {  // 13.4.3
   const auto iri = expand_iri(active, require_string(value, "invalid @id value", place), {false, true});
   if (!iri && options_.reject_unknown_terms)
-    throw JsonLdError("unknown keyword", place.pointer(),
-                      "expected an IRI, which does not start like a keyword");
+    throw JsonLdError("unknown keyword", place.pointer(), "expected an IRI, which does not start like a keyword");
   return iri ? Json(*iri) : Json();
 }
 
@@ -81,8 +78,7 @@ void Expander::expand_types(Json& result, const ActiveContext& active, const Jso
     throw JsonLdError("invalid type value", place.pointer(), "expected a string or an array of strings");
   if (value.is_array())
     for (std::size_t i = 0; i < value.size(); ++i)
-      types.push_back(
-          expand_word(active, require_string(value[i], "invalid type value", place.at(i)), place.at(i)));
+      types.push_back(expand_word(active, require_string(value[i], "invalid type value", place.at(i)), place.at(i)));
   if (!result.contains("@type")) {
     result["@type"] = std::move(types);
     return;
@@ -101,8 +97,7 @@ Json Expander::expand_included(const ContextPtr& active, const Json& value, cons
 
 void Expander::expand_value_entry(Object& object, const Json& value, const Place& place) const {  // 13.4.7
   if (object.value_type != "@json" && value.is_structured())
-    throw JsonLdError("invalid value object value", place.pointer(),
-                      "expected a string, number, boolean or null");
+    throw JsonLdError("invalid value object value", place.pointer(), "expected a string, number, boolean or null");
   object.result["@value"] = value;
 }
 

@@ -1,14 +1,14 @@
 // JSON-LD 1.1 API, 5.1.2, steps 13.7 and 13.8: containers that are objects keyed by language, index, id or
 // type.
-#include "jsonld/expansion/expansion.hpp"
 #include "jsonld/context/iri.hpp"
+#include "jsonld/expansion/expansion.hpp"
 
 #include <utility>
 
 namespace opal::json_ld {
 
-Json Expander::expand_language_map(const ActiveContext& active, const TermDefinition& definition,
-                                   const Json& value, const Place& place) const {  // 13.7
+Json Expander::expand_language_map(const ActiveContext& active, const TermDefinition& definition, const Json& value,
+                                   const Place& place) const {  // 13.7
   Json result = Json::array();
   const auto direction = definition.direction ? *definition.direction : active.direction;
   for (const auto& [language, entry] : value.items()) {
@@ -16,8 +16,7 @@ Json Expander::expand_language_map(const ActiveContext& active, const TermDefini
     const bool tagged = expand_iri(active, language, {true, false}) != "@none";
     for (const Json& item : entry.is_array() ? entry : Json::array({entry})) {
       if (item.is_null()) continue;
-      if (!item.is_string())
-        throw JsonLdError("invalid language map value", here.pointer(), "expected strings");
+      if (!item.is_string()) throw JsonLdError("invalid language map value", here.pointer(), "expected strings");
       Json text{{"@value", item}};
       if (tagged) text["@language"] = language;
       if (direction) text["@direction"] = *direction;
@@ -27,8 +26,8 @@ Json Expander::expand_language_map(const ActiveContext& active, const TermDefini
   return result;
 }
 
-Json Expander::expand_index_map(const ContextPtr& active, const TermDefinition& definition,
-                                const std::string& key, const Json& value, const Place& place) {  // 13.8
+Json Expander::expand_index_map(const ContextPtr& active, const TermDefinition& definition, const std::string& key,
+                                const Json& value, const Place& place) {  // 13.8
   Json result = Json::array();
   for (const auto& [index, entry] : value.items()) {
     const Place here = place.at(std::string_view(index));
@@ -39,16 +38,15 @@ Json Expander::expand_index_map(const ContextPtr& active, const TermDefinition& 
     for (Json& item : items) {
       if (definition.contains("@graph") && !is_graph(item))
         item = mark(Json{{"@graph", as_array(std::move(item))}}, here);
-      if (expand_iri(*active, index, {true, false}) != "@none")
-        add_index(item, *active, definition, index, here);
+      if (expand_iri(*active, index, {true, false}) != "@none") add_index(item, *active, definition, index, here);
       result.push_back(std::move(item));
     }
   }
   return result;
 }
 
-ContextPtr Expander::map_context(const ContextPtr& active, const TermDefinition& definition,
-                                 const std::string& index, const Place& place) {  // 13.8.3.1 to 13.8.3.3
+ContextPtr Expander::map_context(const ContextPtr& active, const TermDefinition& definition, const std::string& index,
+                                 const Place& place) {  // 13.8.3.1 to 13.8.3.3
   if (!definition.contains("@id") && !definition.contains("@type")) return active;
   const ContextPtr context = active->previous ? active->previous : active;
   if (!definition.contains("@type")) return context;

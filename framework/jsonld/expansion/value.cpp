@@ -1,6 +1,6 @@
 // JSON-LD 1.1 API, 5.3.2: Value Expansion.
-#include "jsonld/expansion/expansion.hpp"
 #include "jsonld/context/iri.hpp"
+#include "jsonld/expansion/expansion.hpp"
 
 namespace opal::json_ld {
 

@@ -1,7 +1,7 @@
 // JSON-LD 1.1 Framing, 4.1: from documents and frames to framed documents.
 #include "jsonld/compaction/compaction.hpp"
-#include "jsonld/framing/framing.hpp"
 #include "jsonld/context/iri.hpp"
+#include "jsonld/framing/framing.hpp"
 
 #include <unordered_map>
 #include <utility>
@@ -136,8 +136,8 @@ Json frame(const Json& document, const Json& frame, const Options& options, cons
   const bool merged = !reading_frame([&] { return asks_for_default_graph(frame, plain); });
   NodeMap nodes(expand(document, plain));
   if (merged) add_merged_graph(nodes);
-  Json framed = reading_frame(
-      [&] { return Framer(nodes, merged ? kMergedGraph : kDefaultGraph, frame_options).frame(wanted); });
+  Json framed =
+      reading_frame([&] { return Framer(nodes, merged ? kMergedGraph : kDefaultGraph, frame_options).frame(wanted); });
   nodes.graphs().clear();
   unwrap_preserved(framed);
   if (frame_options.prune_blank_nodes) prune_blank_nodes(framed);

@@ -1,6 +1,6 @@
 // JSON-LD 1.1 Framing, 4.2.3: Frame Matching, and 4.2.4: Value Pattern Matching.
-#include "jsonld/framing/framing.hpp"
 #include "jsonld/context/iri.hpp"
+#include "jsonld/framing/framing.hpp"
 
 #include <algorithm>
 
@@ -75,7 +75,8 @@ FrameMatcher::Verdict FrameMatcher::match_type(const Json& node, const Json& pat
   const Json& types = values_of(node, "@type");
   if (pattern.empty()) return types.empty() ? Verdict::yes : Verdict::decides_no;
   if (is_wildcard(pattern)) return types.empty() ? Verdict::no : Verdict::yes;
-  const bool matched = any_of(pattern, [&](const Json& type) { return type.is_object() ? type.contains("@default") : contains(types, type); });
+  const bool matched = any_of(
+      pattern, [&](const Json& type) { return type.is_object() ? type.contains("@default") : contains(types, type); });
   return matched ? Verdict::yes : Verdict::no;
 }
 

@@ -8,9 +8,9 @@
 namespace opal::json_ld {
 namespace {
 
-constexpr std::size_t kMaxOpen = 128;      // nodes inside each other: bounds every recursion over the result
-constexpr std::size_t kNodeBytes = 128;    // what a node costs, its text apart
-constexpr std::size_t kMatchBytes = 8;     // what looking at a node costs, in terms of what making one does
+constexpr std::size_t kMaxOpen = 128;    // nodes inside each other: bounds every recursion over the result
+constexpr std::size_t kNodeBytes = 128;  // what a node costs, its text apart
+constexpr std::size_t kMatchBytes = 8;   // what looking at a node costs, in terms of what making one does
 
 const Json kNothing = Json::object();
 

@@ -108,9 +108,9 @@ class Framer {
   const FrameOptions& options_;
   FrameBudget budget_;
   std::map<std::tuple<std::string, bool, bool>, Json> implied_;
-  std::map<std::string, std::set<std::string>> embedded_;               // by graph
+  std::map<std::string, std::set<std::string>> embedded_;                // by graph
   std::vector<std::pair<const std::string*, const std::string*>> open_;  // graph and @id of nodes around
-  std::map<std::pair<std::string, std::string>, Referring> referring_;  // by graph and property
+  std::map<std::pair<std::string, std::string>, Referring> referring_;   // by graph and property
 };
 
 inline constexpr const char* kMergedGraph = "@merged";

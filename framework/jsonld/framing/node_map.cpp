@@ -130,8 +130,7 @@ void NodeMap::gather_list(Json& list, const Owner& owner) {  // 5
 
 void NodeMap::gather_node(Json& element, const Owner& owner) {  // 6
   const bool named = element.contains("@id") && element["@id"].is_string();
-  const std::string id =
-      named ? blank_nodes_.relabel(element["@id"].get<std::string>()) : blank_nodes_.fresh();
+  const std::string id = named ? blank_nodes_.relabel(element["@id"].get<std::string>()) : blank_nodes_.fresh();
   const Json pointer = element.value(kPointer, Json());
   element.erase("@id");
   element.erase(kPointer);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "jsonld/expansion/expansion.hpp"
 #include "jsonld/context/iri.hpp"
+#include "jsonld/expansion/expansion.hpp"
 
 #include <cstddef>
 #include <map>

@@ -17,8 +17,8 @@ Eigen::Matrix3d PoseFilter::known_here(const Pose2& predicted, const Pose2& T_lo
   return there_of_here.transpose() * known_ * there_of_here;
 }
 
-Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double tempering_weight, const Pose2& T_local_base,
-                         const PoseFilterOptions& options) {
+Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double tempering_weight,
+                         const Pose2& T_local_base, const PoseFilterOptions& options) {
   constexpr double kNothing = 1e-3;
   const Eigen::Matrix3d said = tempering_weight * (scan.by_points + scan.by_guess);
   if (!said.allFinite()) return scan.T_map_base;

@@ -37,12 +37,11 @@ Residual residual_to(const Surface& surface, const Point& p) {
   }
   constexpr double kOverhang_m = 0.2;
   const double along = surface.direction.dot(from);
-  return {surface.normal().dot(from), surface.normal(),
-          along > -kOverhang_m && along < surface.size_m + kOverhang_m};
+  return {surface.normal().dot(from), surface.normal(), along > -kOverhang_m && along < surface.size_m + kOverhang_m};
 }
 
-NormalEquations linearize(const MapView& map, std::span<const Point> points, const Point& laser,
-                          const Pose2& pose, double sigma_m) {
+NormalEquations linearize(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& pose,
+                          double sigma_m) {
   NormalEquations equations;
   const Point eye = pose * laser;
   for (const Point& point : points) {
@@ -50,8 +49,7 @@ NormalEquations linearize(const MapView& map, std::span<const Point> points, con
     const int number = map.nearest_facing(p, p - eye);
     if (number < 0) continue;
     const Residual residual = residual_to(map.surface(number), p);
-    if (residual.valid)
-      equations.add(residual.normal, lever, residual.error, robust_weight(residual.error, sigma_m));
+    if (residual.valid) equations.add(residual.normal, lever, residual.error, robust_weight(residual.error, sigma_m));
   }
   return equations;
 }

@@ -40,8 +40,8 @@ OPAL_EXPORT Mismatch mismatch(const Geometry& placed, const Geometry& mapped);
 
 struct RefinementOptions {
   int iterations = 5;
-  double sigma_m = 0.12;        ///< scale of the robust weight 1 / (1 + (e / sigma)^2)^2
-  double prior_position = 0.003; ///< weight of the guess per point, position [1/m^2 relative to a point's]
+  double sigma_m = 0.12;          ///< scale of the robust weight 1 / (1 + (e / sigma)^2)^2
+  double prior_position = 0.003;  ///< weight of the guess per point, position [1/m^2 relative to a point's]
   double prior_heading = 0.02;
 };
 

@@ -6,7 +6,8 @@
 namespace opal {
 namespace {
 
-// A scan of whose points fewer lie on what was seen before does not continue it: a robot that only drives sees most again.
+// A scan of whose points fewer lie on what was seen before does not continue it: a robot that only drives sees most
+// again.
 constexpr double kContinuingShare = 0.5;
 // A scan that does not continue those before says at least this share of what they said, on average; a place that looks
 // alike by chance says less.
@@ -25,8 +26,7 @@ constexpr double kSearchFrom_nat = 3;
 void KidnapDetector::add(const Evidence& seen) {
   if (seen.match_share < kContinuingShare) discontinued_ = seen.keyframe;
   if (seen.established || suspicion_nat_ > 0)
-    suspicion_nat_ =
-        std::clamp(suspicion_nat_ + wanted_nat() - seen.scan_nat, 0.0, kMostSuspicion_nat);
+    suspicion_nat_ = std::clamp(suspicion_nat_ + wanted_nat() - seen.scan_nat, 0.0, kMostSuspicion_nat);
   if (suspicion_nat_ == 0) {
     constexpr double kMemory = 0.9;
     usual_nat_ = kMemory * usual_nat_ + (1 - kMemory) * seen.scan_nat;
@@ -43,9 +43,7 @@ void KidnapDetector::reset() {
   discontinued_ = -2;
 }
 
-double KidnapDetector::share_of_usual_nat() const {
-  return std::max(options_.scan_nat, kDrop * usual_nat_);
-}
+double KidnapDetector::share_of_usual_nat() const { return std::max(options_.scan_nat, kDrop * usual_nat_); }
 
 double KidnapDetector::wanted_nat() const { return discontinued() ? share_of_usual_nat() : options_.scan_nat; }
 
@@ -54,13 +52,12 @@ double KidnapDetector::probability() const {
   return 1 / (1 + std::exp(-(suspicion_nat_ + prior_nat)));
 }
 
-bool KidnapDetector::alarming(double scan_nat) const {
-  return scan_nat < share_of_usual_nat() - options_.alarm_nat;
-}
+bool KidnapDetector::alarming(double scan_nat) const { return scan_nat < share_of_usual_nat() - options_.alarm_nat; }
 
 std::optional<RetrospectiveVerification::Takeover> KidnapDetector::suspected() const {
   if (suspicion_nat_ < kSearchFrom_nat || !discontinued()) return std::nullopt;
-  return RetrospectiveVerification::Takeover{last_good_.keyframe, last_good_.nat + options_.prior_nat + kPlacePrior_nat};
+  return RetrospectiveVerification::Takeover{last_good_.keyframe,
+                                             last_good_.nat + options_.prior_nat + kPlacePrior_nat};
 }
 
 }  // namespace opal

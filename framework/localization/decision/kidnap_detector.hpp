@@ -20,12 +20,12 @@ class OPAL_EXPORT KidnapDetector {
 
   /// A scan beside the best hypothesis.
   struct Evidence {
-    int keyframe = 0;         ///< its number, increasing
-    double tempering_weight = 1;       ///< how much of a new piece of evidence it is, in (0, 1]
-    double match_share = 0;   ///< of its points that lie on what was seen before
-    double scan_nat = 0;      ///< what it says for the hypothesis
-    double gathered_nat = 0;  ///< what the hypothesis has gathered, this scan included
-    bool established = false; ///< the hypothesis had been believed before: suspicion begins with nothing else
+    int keyframe = 0;             ///< its number, increasing
+    double tempering_weight = 1;  ///< how much of a new piece of evidence it is, in (0, 1]
+    double match_share = 0;       ///< of its points that lie on what was seen before
+    double scan_nat = 0;          ///< what it says for the hypothesis
+    double gathered_nat = 0;      ///< what the hypothesis has gathered, this scan included
+    bool established = false;     ///< the hypothesis had been believed before: suspicion begins with nothing else
   };
   void add(const Evidence& evidence);
   void reset();

@@ -47,8 +47,7 @@ void StatusEstimator::believe(const std::vector<Live>& alive) {
   for (const Live& live : alive) belief_.hypotheses.push_back(std::exp(live.hypothesis.log_likelihood - top) / total);
 }
 
-void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base,
-                            PoseEstimate& estimate) const {
+void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const {
   for (std::size_t k = 0; k < alive.size(); ++k) {
     const Live& live = alive[k];
     const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
@@ -58,7 +57,7 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
       continue;
     }
     const auto alternative = std::find_if(estimate.alternatives.begin(), estimate.alternatives.end(),
-                                    [&](const auto& r) { return same_place(r.T_map_base, pose); });
+                                          [&](const auto& r) { return same_place(r.T_map_base, pose); });
     if (alternative != estimate.alternatives.end())
       alternative->probability += probability;
     else if (probability > kAlternativeProbability)
@@ -72,13 +71,12 @@ double StatusEstimator::weight_asked(double unmapped_walls_m) const {
   return std::max(options_.localized_weight, std::min(asked, options_.localized_most_weight));
 }
 
-Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base,
-                              const PoseEstimate& estimate, const Circumstances& now) {
+Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
+                              const Circumstances& now) {
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
   sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.tempering_weight : 0;
   constexpr double kMemory = 0.8;
-  mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat
-                        : alive.front().scan_nat;
+  mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat : alive.front().scan_nat;
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
     return because(Status::lost, sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
                                           options_.lost_scan_nat));
@@ -88,9 +86,9 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
                    sentence("the newest scans do not fit here: kidnapped with probability %.3f, not below %.3f",
                             now.kidnapped, 1 - options_.localized_probability));
   const double asked = weight_asked(now.unmapped_walls_m);
-  const Status status = sure_ >= asked && !doubt   ? Status::localized
+  const Status status = sure_ >= asked && !doubt        ? Status::localized
                         : estimate.alternatives.empty() ? Status::searching
-                                                  : Status::ambiguous;
+                                                        : Status::ambiguous;
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
   if (same || estimate.probability <= options_.localized_probability)
     return because(status, sentence("the probability is %.3f, not above %.3f", estimate.probability,
@@ -99,8 +97,8 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
 }
 
 Status StatusEstimator::because_held(Status status, double asked, double unmapped_walls_m) {
-  const std::string held = sentence(
-      "the probability that is asked for has held here for %.2f of %.2f pieces of new evidence", sure_, asked);
+  const std::string held =
+      sentence("the probability that is asked for has held here for %.2f of %.2f pieces of new evidence", sure_, asked);
   if (asked <= options_.localized_weight) return because(status, held);
   return because(status, held + sentence(", so many since %.1f m of straight walls that were seen are not on the map",
                                          unmapped_walls_m));
@@ -111,12 +109,13 @@ Status StatusEstimator::because(Status status, std::string why) {
   return status;
 }
 
-PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base,
-                                       double stamp_s, const Circumstances& now) {
+PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s,
+                                       const Circumstances& now) {
   PoseEstimate estimate;
   estimate.stamp_s = stamp_s;
   estimate.hypotheses = static_cast<int>(alive.size());
-  none_nat_ = (1 - now.tempering_weight * (1 - evidence_memory_)) * none_nat_ + now.tempering_weight * options_.none_scan_nat;
+  none_nat_ =
+      (1 - now.tempering_weight * (1 - evidence_memory_)) * none_nat_ + now.tempering_weight * options_.none_scan_nat;
   believe(alive);
   estimate.none = belief_.none;
   if (alive.empty()) {

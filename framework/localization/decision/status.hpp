@@ -11,9 +11,9 @@ namespace opal {
 
 /// What the newest scan tells beside the hypotheses' evidence.
 struct Circumstances {
-  double tempering_weight = 1;          ///< how much of a new piece of evidence the scan was, in (0, 1]
-  double kidnapped = 0;          ///< probability that the robot has been kidnapped from all hypotheses
-  double unmapped_walls_m = 0; ///< straight walls around the robot that the best hypothesis does not find on the map
+  double tempering_weight = 1;  ///< how much of a new piece of evidence the scan was, in (0, 1]
+  double kidnapped = 0;         ///< probability that the robot has been kidnapped from all hypotheses
+  double unmapped_walls_m = 0;  ///< straight walls around the robot that the best hypothesis does not find on the map
 };
 
 /// Turns hypotheses into one answer with a status.
@@ -64,10 +64,10 @@ class OPAL_EXPORT StatusEstimator {
   PoseEstimate last_;
   Belief belief_;
   Pose2 T_map_local_;
-  double none_nat_ = 0;      ///< log weight of "none of these"
-  double sure_ = 0;          ///< tempering_weight since the required probability holds at one place
+  double none_nat_ = 0;  ///< log weight of "none of these"
+  double sure_ = 0;      ///< tempering_weight since the required probability holds at one place
   bool was_localized_ = false;
-  double mean_scan_nat_ = 0; ///< of the best hypothesis, over the newest scans
+  double mean_scan_nat_ = 0;  ///< of the best hypothesis, over the newest scans
 };
 
 }  // namespace opal

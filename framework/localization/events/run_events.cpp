@@ -12,7 +12,8 @@ using nlohmann::ordered_json;
 constexpr int kFormat = 2;
 
 ordered_json feature_json(const MapFeature& feature, bool perceivable) {
-  ordered_json json{{"id", feature.id}, {"object", feature.object}, {"type", feature.type}, {"perceivable", perceivable}};
+  ordered_json json{
+      {"id", feature.id}, {"object", feature.object}, {"type", feature.type}, {"perceivable", perceivable}};
   add_geometry(json, feature.geometry);
   return json;
 }

@@ -11,8 +11,8 @@
 
 namespace opal {
 
-/// The events that only the caller of a `Localizer` can write, because only it knows them; docs/events.md. A stream that
-/// `opal view` can show begins with `run_event`, `map_event` and, for every new time line, `start_event`.
+/// The events that only the caller of a `Localizer` can write, because only it knows them; docs/events.md. A stream
+/// that `opal view` can show begins with `run_event`, `map_event` and, for every new time line, `start_event`.
 
 /// Where a run's input came from; names as a reader should see them.
 struct RunDescription {

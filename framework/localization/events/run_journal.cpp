@@ -2,8 +2,8 @@
 
 #include "localization/scoring/observation.hpp"
 
-#include "common/event_json.hpp"
 #include <opal/sensing/free_space.hpp>
+#include "common/event_json.hpp"
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>
@@ -113,7 +113,8 @@ void RunJournal::local_features(const LocalMap& local_map) {
 RunJournal::Json RunJournal::pairs_json(std::span<const Association> pairs) const {
   auto json = Json::array();
   for (const Association& pair : pairs)
-    json.push_back({pair.local_feature, pair.map_feature < 0 ? Json(nullptr) : Json(map_->feature(pair.map_feature).id)});
+    json.push_back(
+        {pair.local_feature, pair.map_feature < 0 ? Json(nullptr) : Json(map_->feature(pair.map_feature).id)});
   return json;
 }
 
@@ -256,9 +257,9 @@ void RunJournal::cost(const StageTimes& times, double total_s) {
   observation_ = nullptr;
   if (!listening()) return;
   auto e = event("cost");
-  e["cpu_ms"] = {{"detect", milliseconds(times.detect_s)},       {"local_map", milliseconds(times.local_map_s)},
-                 {"track", milliseconds(times.track_s)},         {"associate", milliseconds(times.associate_s)},
-                 {"verify", milliseconds(times.verify_s)},       {"status", milliseconds(times.status_s)},
+  e["cpu_ms"] = {{"detect", milliseconds(times.detect_s)}, {"local_map", milliseconds(times.local_map_s)},
+                 {"track", milliseconds(times.track_s)},   {"associate", milliseconds(times.associate_s)},
+                 {"verify", milliseconds(times.verify_s)}, {"status", milliseconds(times.status_s)},
                  {"total", milliseconds(total_s)}};
   events_.write(e);
 }

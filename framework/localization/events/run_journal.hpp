@@ -1,7 +1,7 @@
 #pragma once
 
-#include "localization/tree/hypothesis_set.hpp"
 #include "localization/decision/status.hpp"
+#include "localization/tree/hypothesis_set.hpp"
 
 #include <opal/localization/events/event_stream.hpp>
 #include <opal/localization/events/stage_times.hpp>
@@ -13,7 +13,8 @@ namespace opal {
 /// Writes the event stream of a localizer (docs/events.md). Where nobody listens, every call returns at once.
 class RunJournal final : public HypothesisListener {
  public:
-  RunJournal(EventSink& events, std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const GlobalSearch& search)
+  RunJournal(EventSink& events, std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble,
+             const GlobalSearch& search)
       : events_(events), map_(std::move(map)), ensemble_(ensemble), search_(search) {}
 
   bool listening() const { return events_.listening(); }

@@ -6,13 +6,16 @@ HypothesisScorer::~HypothesisScorer() = default;
 
 std::unique_ptr<ScorerMemory> HypothesisScorer::new_memory(const MapView&) const { return nullptr; }
 
-Score HypothesisScorer::score_new(const Hypothesis& hypothesis, const Observation& observation, const MapView& map) const {
+Score HypothesisScorer::score_new(const Hypothesis& hypothesis, const Observation& observation,
+                                  const MapView& map) const {
   return score(hypothesis, observation, map, new_memory(map).get());
 }
 
 void HypothesisScorer::remember(ScorerMemory&, const ScorerMemory&, double) const {}
 void HypothesisScorer::fade(ScorerMemory&, double) const {}
 bool HypothesisScorer::judges_associations() const { return true; }
-std::vector<Finding> HypothesisScorer::explain(const Hypothesis&, const Observation&, const MapView&) const { return {}; }
+std::vector<Finding> HypothesisScorer::explain(const Hypothesis&, const Observation&, const MapView&) const {
+  return {};
+}
 
 }  // namespace opal

@@ -6,8 +6,7 @@ ThinnedScan thinned(const std::vector<ScanPoint>& points, const Pose2& T_base_la
                     std::size_t most) {
   std::vector<const ScanPoint*> spaced;
   for (const ScanPoint& point : points)
-    if (spaced.empty() || (point.position - spaced.back()->position).norm() >= spacing_m)
-      spaced.push_back(&point);
+    if (spaced.empty() || (point.position - spaced.back()->position).norm() >= spacing_m) spaced.push_back(&point);
   const std::size_t n = std::min(most, spaced.size());
   ThinnedScan chosen;
   for (std::size_t k = 0; k < n; ++k) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/sensing/scan.hpp>
 #include <opal/localization/scoring/score.hpp>
+#include <opal/sensing/scan.hpp>
 
 #include <span>
 #include <vector>
@@ -16,7 +16,7 @@ struct ThinnedScan {
 /// Points such that neighbours in scan order are at least spacing_m apart, at most `most` of them, spread evenly over
 /// the scan.
 OPAL_EXPORT ThinnedScan thinned(const std::vector<ScanPoint>& points, const Pose2& T_base_laser, double spacing_m,
-                    std::size_t most);
+                                std::size_t most);
 
 /// What hypotheses are judged by now: the scan, thinned, and the features that detectors found in it.
 /// @param features  frame of the laser.
@@ -25,6 +25,6 @@ OPAL_EXPORT Observation observe(const LocalMap& local_map, const Scan& scan, con
 
 /// At most `most` bearings, evenly chosen, turned from the laser's frame to the base's.
 OPAL_EXPORT std::vector<double> thinned_bearings(const std::vector<double>& bearings_rad, const Pose2& T_base_laser,
-                                     std::size_t most);
+                                                 std::size_t most);
 
 }  // namespace opal

@@ -37,7 +37,8 @@ std::vector<ScorerEnsemble::NamedFinding> ScorerEnsemble::explain(const Hypothes
 }
 
 bool ScorerEnsemble::judges_associations() const {
-  return std::any_of(scorers_.begin(), scorers_.end(), [](const ActiveScorer& s) { return s.part->judges_associations(); });
+  return std::any_of(scorers_.begin(), scorers_.end(),
+                     [](const ActiveScorer& s) { return s.part->judges_associations(); });
 }
 
 double ScorerEnsemble::decide(const Hypothesis& hypothesis, const Observation& observation) const {

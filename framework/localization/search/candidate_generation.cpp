@@ -39,8 +39,8 @@ std::vector<SearchFeature> best_per_geometry(std::span<const SearchFeature> feat
   });
   std::array<int, 4> taken{};
   std::vector<SearchFeature> best;
-  for (SearchFeature& seed : sorted)
-    if (taken[seed.feature.geometry.index()]++ < most) best.push_back(std::move(seed));
+  for (SearchFeature& each : sorted)
+    if (taken[each.feature.geometry.index()]++ < most) best.push_back(std::move(each));
   return best;
 }
 
@@ -52,8 +52,8 @@ double support_of(const PatternInstance& observed, std::span<const Feature> feat
 
 }  // namespace
 
-CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
-               const SearchOptions& options)
+CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map,
+                                       std::vector<Named<PatternTemplate>> templates, const SearchOptions& options)
     : map_(std::move(map)), options_(options) {
   MappedPatterns mapped = mapped_patterns(*map_, templates);
   mapped_ = std::move(mapped.features);
@@ -63,7 +63,8 @@ CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map, std::
 
 /// Observed patterns of one template that the map knows: well supported ones; of those, the ones that the index expects
 /// least often.
-std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(int number, std::span<const Feature> features, bool under_constrained) const {
+std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(int number, std::span<const Feature> features,
+                                                                      bool under_constrained) const {
   const Table& table = tables_[number];
   std::vector<Lookup> lookups;
   for (PatternInstance& observed : find_patterns(*table.part, features))
@@ -71,7 +72,8 @@ std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(int number
   std::stable_sort(lookups.begin(), lookups.end(), [&](const Lookup& a, const Lookup& b) {
     return support_of(a.observed, features) > support_of(b.observed, features);
   });
-  const auto most = static_cast<std::size_t>(under_constrained ? options_.under_constrained_patterns : options_.patterns);
+  const auto most =
+      static_cast<std::size_t>(under_constrained ? options_.under_constrained_patterns : options_.patterns);
   if (lookups.size() > most) lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(most), lookups.end());
   const auto limit = static_cast<std::size_t>(options_.lookup_limit);
   for (Lookup& lookup : lookups) lookup.expected = table.index.count(lookup.observed, limit);
@@ -80,7 +82,8 @@ std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(int number
   return lookups;
 }
 
-void CandidateGenerator::keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest, bool under_constrained) {
+void CandidateGenerator::keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest,
+                                     bool under_constrained) {
   constexpr std::size_t kPlacesPerSweep = 3;
   std::stable_sort(lookups.begin(), lookups.end(),
                    [](const Lookup& a, const Lookup& b) { return a.expected < b.expected; });
@@ -93,10 +96,11 @@ void CandidateGenerator::keep_rarest(std::vector<Lookup>& lookups, std::size_t m
   lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(kept), lookups.end());
 }
 
-std::vector<CandidateGenerator::Lookup> CandidateGenerator::choose(std::span<const SearchFeature> best, bool under_constrained) const {
+std::vector<CandidateGenerator::Lookup> CandidateGenerator::choose(std::span<const SearchFeature> best,
+                                                                   bool under_constrained) const {
   constexpr std::size_t kFewest = 3;
   std::vector<Feature> features;
-  for (const SearchFeature& seed : best) features.push_back(seed.feature);
+  for (const SearchFeature& each : best) features.push_back(each.feature);
   std::vector<Lookup> chosen;
   for (int number = 0; number < static_cast<int>(tables_.size()); ++number)
     for (Lookup& lookup : shortlist(number, features, under_constrained)) chosen.push_back(std::move(lookup));
@@ -116,7 +120,8 @@ void CandidateGenerator::leave_out_parts(std::vector<Lookup>& chosen) {
   std::vector<std::vector<int>> wholes;
   for (const Lookup& lookup : chosen) wholes.push_back(lookup.observed.members);
   std::erase_if(chosen, [&](const Lookup& lookup) {
-    return std::any_of(wholes.begin(), wholes.end(), [&](const auto& whole) { return is_part(lookup.observed.members, whole); });
+    return std::any_of(wholes.begin(), wholes.end(),
+                       [&](const auto& whole) { return is_part(lookup.observed.members, whole); });
   });
 }
 
@@ -129,7 +134,7 @@ void CandidateGenerator::keep_nearest(std::vector<Place>& places, std::size_t mo
 }
 
 void CandidateGenerator::sweep(const PatternInstance& observed, const PatternInstance& mapped, const Point& position,
-                   std::vector<Point>& positions) const {
+                               std::vector<Point>& positions) const {
   if (!is_under_constrained(observed)) {
     positions.push_back(position);
     return;
@@ -146,13 +151,15 @@ bool CandidateGenerator::is_in_region(const Point& position) const {
 }
 
 void CandidateGenerator::look_up(const Lookup& lookup, int number, const TellingPoints& points, BestShare& filter,
-                     std::vector<Place>& places) const {
+                                 std::vector<Place>& places) const {
   const Table& table = tables_[lookup.table];
   struct Way {
-    Pose2 T_frame_base;           ///< how the observed frame may lie on the mapped one
-    TellingPoints::First points;  ///< in axes of the mapped frame: a sine per mapped pattern would cost as much as the rest
+    Pose2 T_frame_base;  ///< how the observed frame may lie on the mapped one
+    TellingPoints::First
+        points;  ///< in axes of the mapped frame: a sine per mapped pattern would cost as much as the rest
   };
-  const Pose2 T_frame_base = lookup.observed.frame.inverse(), turned_about = Pose2(0, 0, std::numbers::pi) * T_frame_base;
+  const Pose2 T_frame_base = lookup.observed.frame.inverse(),
+              turned_about = Pose2(0, 0, std::numbers::pi) * T_frame_base;
   std::vector<Way> ways{{T_frame_base, turned(points.first(), T_frame_base)}};
   if (lookup.observed.symmetric) ways.push_back({turned_about, turned(points.first(), turned_about)});
   std::vector<Point> positions;
@@ -176,7 +183,8 @@ void CandidateGenerator::look_up(const Lookup& lookup, int number, const Telling
   }
 }
 
-void CandidateGenerator::look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points, double slack_m) const {
+void CandidateGenerator::look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points,
+                                      double slack_m) const {
   for (Place& place : places) {
     points[place.lookup].turn_to(place.heading_rad);
     place.likelihood_field = points[place.lookup].likelihood_field(*map_, place.position, slack_m);
@@ -184,7 +192,7 @@ void CandidateGenerator::look_closely(std::vector<Place>& places, std::vector<Te
 }
 
 std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const std::vector<Place>& places,
-                                                   const std::vector<Lookup>& lookups) const {
+                                                                           const std::vector<Lookup>& lookups) const {
   std::vector<Place> all;
   for (const Place& place : places) {
     const PatternInstance& mapped = tables_[lookups[place.lookup].table].index.patterns()[place.mapped];
@@ -197,8 +205,9 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const
   return all;
 }
 
-std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std::vector<Lookup>& lookups, std::span<const Point> coarse,
-                                              bool under_constrained) const {
+std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std::vector<Lookup>& lookups,
+                                                                      std::span<const Point> coarse,
+                                                                      bool under_constrained) const {
   constexpr std::size_t kSweepsLookedAt = 3000;
   const auto close_looks = static_cast<std::size_t>(options_.close_looks);
   std::vector<TellingPoints> points;
@@ -218,23 +227,23 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std:
 }
 
 std::vector<Association> CandidateGenerator::pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
-                                         std::span<const SearchFeature> features) const {
+                                                     std::span<const SearchFeature> features) const {
   const PatternInstance& pattern = tables_[lookup.table].index.patterns()[mapped];
   std::vector<Association> pairs;
   for (std::size_t slot = 0; slot < lookup.observed.members.size(); ++slot) {
-    const SearchFeature& seed = features[lookup.observed.members[slot]];
+    const SearchFeature& observed = features[lookup.observed.members[slot]];
     const std::vector<int>& numbers = mapped_[pattern.members[slot]].numbers;
-    const Point place = T_map_base * anchor_of(seed.feature.geometry);
+    const Point place = T_map_base * anchor_of(observed.feature.geometry);
     const int nearest = *std::min_element(numbers.begin(), numbers.end(), [&](int a, int b) {
       return distance_m(map_->feature(a).geometry, place) < distance_m(map_->feature(b).geometry, place);
     });
-    pairs.push_back({seed.local, nearest});
+    pairs.push_back({observed.local, nearest});
   }
   return pairs;
 }
 
-CandidateGenerator::Proposal CandidateGenerator::propose(std::span<const SearchFeature> features, std::span<const Point> coarse,
-                                 bool under_constrained) const {
+CandidateGenerator::Proposal CandidateGenerator::propose(std::span<const SearchFeature> features,
+                                                         std::span<const Point> coarse, bool under_constrained) const {
   Proposal proposal;
   const std::vector<SearchFeature> best = best_per_geometry(features, kFeaturesPerGeometry);
   const std::vector<Lookup> lookups = choose(best, under_constrained);
@@ -269,8 +278,8 @@ std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, double di
         const auto it = kept_by_cell.find(key(a, b));
         if (it == kept_by_cell.end()) continue;
         for (std::size_t other : it->second)
-          taken = taken || (distance_m(poses[other], poses[k]) < distance &&
-                            angle_between_rad(poses[other], poses[k]) < angle);
+          taken = taken ||
+                  (distance_m(poses[other], poses[k]) < distance && angle_between_rad(poses[other], poses[k]) < angle);
       }
     if (taken) continue;
     kept_by_cell[key(i, j)].push_back(k);

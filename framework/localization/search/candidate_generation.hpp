@@ -3,10 +3,10 @@
 #include "localization/search/coarse_to_fine.hpp"
 #include "map/view/support_lines.hpp"
 
+#include <opal/common/named.hpp>
 #include <opal/localization/localizer_options.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/map/view/map_view.hpp>
-#include <opal/common/named.hpp>
 #include <opal/patterns/pattern_template.hpp>
 #include "patterns/pattern_index.hpp"
 
@@ -25,7 +25,7 @@ struct SearchFeature {
 struct Candidate {
   Pose2 T_map_base;
   double likelihood_field = 0;  ///< mean score of the coarse scan, in [0, 1]
-  int pattern = -1;     ///< which of the generator's templates
+  int pattern = -1;             ///< which of the generator's templates
   std::vector<Association> pairs = {};
 };
 
@@ -33,7 +33,7 @@ struct Candidate {
 class OPAL_EXPORT CandidateGenerator {
  public:
   CandidateGenerator(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
-         const SearchOptions& options);
+                     const SearchOptions& options);
 
   /// @param coarse  a few dozen scan points, base_link, by which candidates are filtered.
   /// @param under_constrained   look up patterns with a free parameter (true), or those that fix the pose (false).
@@ -48,7 +48,7 @@ class OPAL_EXPORT CandidateGenerator {
     std::vector<LookedUp> looked_up;
   };
   Proposal propose(std::span<const SearchFeature> features, std::span<const Point> coarse,
-                                 bool under_constrained) const;
+                   bool under_constrained) const;
 
   const std::string& pattern_name(int pattern) const { return tables_[pattern].name; }
 
@@ -64,7 +64,7 @@ class OPAL_EXPORT CandidateGenerator {
     std::size_t expected = 0;
   };
   struct Place {
-    Point position;      ///< of base_link, map frame
+    Point position;  ///< of base_link, map frame
     double heading_rad;
     double likelihood_field;
     int lookup;
@@ -73,7 +73,8 @@ class OPAL_EXPORT CandidateGenerator {
 
   std::vector<Lookup> shortlist(int number, std::span<const Feature> features, bool under_constrained) const;
   /// Those that are expected least often, as long as they have no more places together; the fewest in any case.
-  static void keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest, bool under_constrained);
+  static void keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest,
+                          bool under_constrained);
   static void leave_out_parts(std::vector<Lookup>& chosen);
   std::vector<Lookup> choose(std::span<const SearchFeature> best, bool under_constrained) const;
   /// Poses by a few points in large cells; where a pattern sweeps, every third one.
@@ -82,14 +83,15 @@ class OPAL_EXPORT CandidateGenerator {
   bool is_in_region(const Point& position) const;
   void sweep(const PatternInstance& observed, const PatternInstance& mapped, const Point& position,
              std::vector<Point>& positions) const;
-  /// Nearness by all points. @param points  of each lookup.
+  /// Likelihood-field score by all points. @param points  of each lookup.
   void look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points, double slack_m) const;
   /// Each place, and those a step before and behind it along its sweep.
   std::vector<Place> with_neighbours(const std::vector<Place>& places, const std::vector<Lookup>& lookups) const;
   static bool nearer(const Place& a, const Place& b);
   static void keep_nearest(std::vector<Place>& places, std::size_t most);
   /// From many places seen hastily to a few seen closely.
-  std::vector<Place> places_for(const std::vector<Lookup>& lookups, std::span<const Point> coarse, bool under_constrained) const;
+  std::vector<Place> places_for(const std::vector<Lookup>& lookups, std::span<const Point> coarse,
+                                bool under_constrained) const;
   std::vector<Association> pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
                                    std::span<const SearchFeature> features) const;
 
@@ -101,6 +103,6 @@ class OPAL_EXPORT CandidateGenerator {
 
 /// The best candidates such that no two are within distance_m and angle_rad; at most `most`.
 OPAL_EXPORT std::vector<std::size_t> distinct_places(std::span<const Pose2> poses_best_first, double distance_m,
-                                         double angle_rad, std::size_t most);
+                                                     double angle_rad, std::size_t most);
 
 }  // namespace opal

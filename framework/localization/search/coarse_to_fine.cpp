@@ -51,7 +51,8 @@ TellingPoints::First turned(const TellingPoints::First& points, const Pose2& tur
   return turned;
 }
 
-float coarse_likelihood_field(const TellingPoints::First& points, const MapView& map, const Point& position, float bar) {
+float coarse_likelihood_field(const TellingPoints::First& points, const MapView& map, const Point& position,
+                              float bar) {
   constexpr std::size_t kHalf = TellingPoints::kFirst / 2;
   constexpr float kAll = TellingPoints::kFirst;
   const std::span<const Point> all(points);

@@ -27,8 +27,8 @@ class BestShare {
 };
 
 /// The points of a scan as they would lie on the map, in an order in which few of them say much: those along which the
-/// observed pattern could sweep come last, since they lie on the map wherever it sweeps to; the others are spread over the
-/// scan.
+/// observed pattern could sweep come last, since they lie on the map wherever it sweeps to; the others are spread over
+/// the scan.
 class TellingPoints {
  public:
   TellingPoints(const PatternInstance& observed, std::span<const Point> points);
@@ -53,7 +53,8 @@ class TellingPoints {
 /// As they lie in axes that are turned.
 TellingPoints::First turned(const TellingPoints::First& points, const Pose2& turn);
 
-/// Mean likelihood-field score to the map in large cells, the robot being at `position`; 0 as soon as it is sure to be less than `bar`.
+/// Mean likelihood-field score to the map in large cells, the robot being at `position`; 0 as soon as it is sure to be
+/// less than `bar`.
 float coarse_likelihood_field(const TellingPoints::First& points, const MapView& map, const Point& position, float bar);
 
 }  // namespace opal

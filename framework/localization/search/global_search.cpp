@@ -94,7 +94,8 @@ GlobalSearch::Result GlobalSearch::search(const Context& context, StageTimes& ti
   Result result;
   for (const bool under_constrained : {false, true}) {
     // They have many candidates each: they are looked up where those that fix the pose found nothing good.
-    const bool found_good = !result.candidates.empty() && result.candidates.front().nat >= options_.under_constrained_below_nat;
+    const bool found_good =
+        !result.candidates.empty() && result.candidates.front().nat >= options_.under_constrained_below_nat;
     if (under_constrained && (found_good || !context.under_constrained)) break;
     CandidateGenerator::Proposal proposed;
     {

@@ -19,8 +19,8 @@ struct VerifiedCandidate {
   ScorerEnsemble::Verdict verdict = {};
 };
 
-/// Looks for places where the robot may be, over the whole map and without any pose: candidates by patterns, then verified
-/// by the newest scan, coarse to fine.
+/// Looks for places where the robot may be, over the whole map and without any pose: candidates by patterns, then
+/// verified by the newest scan, coarse to fine.
 class OPAL_EXPORT GlobalSearch {
  public:
   GlobalSearch(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
@@ -29,7 +29,7 @@ class OPAL_EXPORT GlobalSearch {
 
   /// What is known beside the scan.
   struct Context {
-    const Scan& scan;                ///< sensor frame
+    const Scan& scan;  ///< sensor frame
     const Pose2& T_base_laser;
     const Observation& observation;  ///< of this scan
     bool under_constrained;          ///< patterns with a free parameter may be looked up, too
@@ -56,7 +56,8 @@ class OPAL_EXPORT GlobalSearch {
 
  private:
   std::vector<SearchFeature> features_for(const Context& context) const;
-  std::vector<VerifiedCandidate> verified(std::vector<Candidate> candidates, const Context& context, Result& result) const;
+  std::vector<VerifiedCandidate> verified(std::vector<Candidate> candidates, const Context& context,
+                                          Result& result) const;
   Hypothesis aligned(Candidate& candidate, const Observation& observation, double sigma_m) const;
   void keep_best(std::vector<VerifiedCandidate>& candidates, const Context& context, Result& result) const;
 

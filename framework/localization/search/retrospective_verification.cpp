@@ -15,17 +15,20 @@ std::vector<T> every_other(const std::vector<T>& all) {
 
 }  // namespace
 
-void RetrospectiveVerification::remember(const Observation& observation, int keyframe, double tempering_weight, double best_nat) {
+void RetrospectiveVerification::remember(const Observation& observation, int keyframe, double tempering_weight,
+                                         double best_nat) {
   pending_ += tempering_weight;
   if (options_.scans == 0 || observation.points.empty() || (pending_ < 1 && !scans_.empty())) return;
   scans_.push_front({observation.local_map.T_local_base(), every_other(observation.points),
                      every_other(observation.evidence_cells), every_other(observation.free_bearings_rad),
-                     observation.range_max_m, observation.laser_position, observation.features, pending_, best_nat, keyframe});
+                     observation.range_max_m, observation.laser_position, observation.features, pending_, best_nat,
+                     keyframe});
   pending_ = 0;
   if (scans_.size() > static_cast<std::size_t>(options_.scans)) scans_.pop_back();
 }
 
-RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypothesis& hypothesis, const LocalMap& local_map) const {
+RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypothesis& hypothesis,
+                                                                     const LocalMap& local_map) const {
   RefinementOptions refinement;
   refinement.iterations = 2;
   const Pose2& T_local_now = local_map.T_local_base();

@@ -10,12 +10,12 @@
 namespace opal {
 
 /// What was seen before. A candidate is judged by it as if it had been a hypothesis all along: who comes late neither
-/// starts with nothing against alternatives that have gathered evidence, nor escapes what was seen at places it must have
-/// come from.
+/// starts with nothing against alternatives that have gathered evidence, nor escapes what was seen at places it must
+/// have come from.
 class OPAL_EXPORT RetrospectiveVerification {
  public:
-  RetrospectiveVerification(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble, const VerificationOptions& options,
-                            double evidence_memory)
+  RetrospectiveVerification(std::shared_ptr<const MapView> map, const ScorerEnsemble& ensemble,
+                            const VerificationOptions& options, double evidence_memory)
       : map_(std::move(map)), ensemble_(ensemble), options_(options), evidence_memory_(evidence_memory) {}
 
   /// Keeps an observation once the newest ones add up to a whole new piece of evidence.
@@ -30,8 +30,8 @@ class OPAL_EXPORT RetrospectiveVerification {
     double nat = 0;    ///< what a hypothesis starts with that takes over from the best one then, the price of being
                        ///< kidnapped, and to this place of all places, included
   };
-  /// From now on a candidate may also be where the robot was kidnapped to: it is judged by what was seen since then only,
-  /// and takes over what the best hypothesis had gathered by then, at a price.
+  /// From now on a candidate may also be where the robot was kidnapped to: it is judged by what was seen since then
+  /// only, and takes over what the best hypothesis had gathered by then, at a price.
   void suspect(const std::optional<Takeover>& kidnapping) { kidnapping_ = kidnapping; }
   /// The robot was kidnapped: what was seen up to this keyframe says nothing any more.
   void forget_until(int keyframe);
@@ -39,17 +39,19 @@ class OPAL_EXPORT RetrospectiveVerification {
   struct Verdict {
     double nat = 0;            ///< evidence of the scans that were kept, weighted as tracking would have weighted them
     ScorerMemories memories;   ///< of the hypothesis, with what these scans add
-    int kidnapped_after = -1;    ///< that evidence rests on being kidnapped after this keyframe; -1: it does not
+    int kidnapped_after = -1;  ///< that evidence rests on being kidnapped after this keyframe; -1: it does not
     double inherited_nat = 0;  ///< part of it that another hypothesis had gathered by then
     int scans = 0;             ///< how many of them were looked at
-    bool hopeless = false;  ///< fell so far behind the best ones of the time that the rest was not looked at
+    bool hopeless = false;     ///< fell so far behind the best ones of the time that the rest was not looked at
   };
   /// @param hypothesis  registration to the local map as it is now.
   Verdict verify(const Hypothesis& hypothesis, const LocalMap& local_map) const;
 
   /// How much of a whole new piece of evidence a scan is after the newest one that is kept, in (0, 1].
   /// @param tempering_weight  of the scan after its predecessor.
-  double since_newest(double tempering_weight) const { return scans_.empty() ? 1 : std::min(1.0, pending_ + tempering_weight); }
+  double since_newest(double tempering_weight) const {
+    return scans_.empty() ? 1 : std::min(1.0, pending_ + tempering_weight);
+  }
 
   void clear();
 
@@ -73,7 +75,7 @@ class OPAL_EXPORT RetrospectiveVerification {
   std::shared_ptr<const MapView> map_;
   const ScorerEnsemble& ensemble_;
   VerificationOptions options_;
-  double evidence_memory_;  ///< as TrackingOptions
+  double evidence_memory_;      ///< as TrackingOptions
   std::deque<PastScan> scans_;  ///< newest first
   double pending_ = 0;          ///< tempering_weight since the newest
   std::optional<Takeover> kidnapping_;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/localization/localizer_options.hpp>
 #include <opal/common/geometry.hpp>
+#include <opal/localization/localizer_options.hpp>
 
 #include <optional>
 

@@ -1,11 +1,12 @@
 #include "localization/tree/hypothesis_set.hpp"
 
-#include "localization/alignment/registration.hpp"
 #include <opal/common/sentence.hpp>
+#include "localization/alignment/registration.hpp"
 
 #include <algorithm>
 
-// How hypotheses say what local features are on the map: the growth of the association tree (Algorithm 2, Hendrikx 2023).
+// How hypotheses say what local features are on the map: the growth of the association tree (Algorithm 2, Hendrikx
+// 2023).
 
 namespace opal {
 namespace {
@@ -17,8 +18,8 @@ bool knows(const Live& live, int local_feature) {
 
 const LocalFeature* find_local(const LocalMap& map, int id) {
   const auto& all = map.features();
-  const auto it = std::lower_bound(all.begin(), all.end(), id,
-                                   [](const LocalFeature& f, int wanted) { return f.id < wanted; });
+  const auto it =
+      std::lower_bound(all.begin(), all.end(), id, [](const LocalFeature& f, int wanted) { return f.id < wanted; });
   return it != all.end() && it->id == id ? &*it : nullptr;
 }
 

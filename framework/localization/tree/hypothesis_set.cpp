@@ -1,7 +1,7 @@
 #include "localization/tree/hypothesis_set.hpp"
 
-#include "localization/alignment/registration.hpp"
 #include <opal/common/sentence.hpp>
+#include "localization/alignment/registration.hpp"
 
 #include <algorithm>
 #include <map>
@@ -103,9 +103,9 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
     // The scan is judged where it fits best: a wall that is not where the map says is the map's error, not its own.
     hypothesis.T_map_local = scan.T_map_base * T_local_base.inverse();
     ScorerEnsemble::Verdict verdict = ensemble_.judge(hypothesis, observation);
-    hypothesis.T_map_local = live.pose.update(predicted, scan, tempering_weight, T_local_base,
-                                              {tracking_.pose_memory, kPoseJump_m}) *
-                             T_local_base.inverse();
+    hypothesis.T_map_local =
+        live.pose.update(predicted, scan, tempering_weight, T_local_base, {tracking_.pose_memory, kPoseJump_m}) *
+        T_local_base.inverse();
     live.scan_nat = verdict.nat;
     ++live.updates;
     const double kept = 1 - tempering_weight * (1 - tracking_.evidence_memory);
@@ -131,7 +131,8 @@ Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_loca
   return found == alive_.end() ? nullptr : &*found;
 }
 
-void HypothesisSet::renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::Verdict verdict, const Observation& observation) const {
+void HypothesisSet::renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::Verdict verdict,
+                          const Observation& observation) const {
   const double gain = verdict.nat - ensemble_.decide(as_new(old.hypothesis), observation);
   if (gain <= 0.3) return;
   old.hypothesis.log_likelihood += gain;
@@ -142,8 +143,8 @@ void HypothesisSet::renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::V
 }
 
 HypothesisSet::Spawned HypothesisSet::in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict,
-                                                const Observation& observation, double tempering_weight,
-                                                const RetrospectiveVerification& retrospective) const {
+                                                    const Observation& observation, double tempering_weight,
+                                                    const RetrospectiveVerification& retrospective) const {
   const double share = retrospective.since_newest(tempering_weight);
   ensemble_.remember(hypothesis, verdict.scores, share);
   RetrospectiveVerification::Verdict past = retrospective.verify(hypothesis, observation.local_map);
@@ -152,10 +153,11 @@ HypothesisSet::Spawned HypothesisSet::in_retrospect(Hypothesis hypothesis, const
 }
 
 double HypothesisSet::surplus_in_retrospect(const Observation& observation, double tempering_weight,
-                                              const RetrospectiveVerification& retrospective) const {
+                                            const RetrospectiveVerification& retrospective) const {
   if (alive_.empty() || alive_.front().kidnapped_after >= 0) return 0;
   const Hypothesis best = as_new(alive_.front().hypothesis);
-  const Spawned anew = in_retrospect(best, ensemble_.judge(best, observation), observation, tempering_weight, retrospective);
+  const Spawned anew =
+      in_retrospect(best, ensemble_.judge(best, observation), observation, tempering_weight, retrospective);
   if (anew.past.scans == 0 || anew.past.hopeless || anew.past.kidnapped_after >= 0) return 0;
   return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
 }
@@ -173,8 +175,8 @@ void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate) {
   alive_.push_back(std::move(live));
 }
 
-void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Observation& observation, double tempering_weight,
-                          const RetrospectiveVerification& retrospective) {
+void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Observation& observation,
+                          double tempering_weight, const RetrospectiveVerification& retrospective) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
   std::optional<double> surplus;
   for (VerifiedCandidate& verified : candidates) {
@@ -193,8 +195,8 @@ void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Obser
     }
     Spawned spawned = in_retrospect(live.hypothesis, verdict, observation, tempering_weight, retrospective);
     if (spawned.past.hopeless) {
-      listener_.candidate_rejected(verified,
-                                   "would be far behind after the " + std::to_string(spawned.past.scans) + " scans before");
+      listener_.candidate_rejected(
+          verified, "would be far behind after the " + std::to_string(spawned.past.scans) + " scans before");
       continue;
     }
     if (!surplus) surplus = surplus_in_retrospect(observation, tempering_weight, retrospective);
@@ -264,8 +266,7 @@ void HypothesisSet::prune() {
     if (live.hypothesis.log_likelihood < best - options_.prune_nat)
       end(live, sentence("worse than the best by %.1f nat, more than %.1f", best - live.hypothesis.log_likelihood,
                          options_.prune_nat));
-    else if (growth_.max_consecutive_not_on_map > 0 &&
-             live.consecutive_not_on_map > growth_.max_consecutive_not_on_map)
+    else if (growth_.max_consecutive_not_on_map > 0 && live.consecutive_not_on_map > growth_.max_consecutive_not_on_map)
       end(live, "too many features in a row that are not on the map");
   }
   std::erase_if(alive_, ended);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "map/view/feature_index.hpp"
-#include "localization/search/retrospective_verification.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/global_search.hpp"
+#include "localization/search/retrospective_verification.hpp"
+#include "map/view/feature_index.hpp"
 
-#include "localization/tree/association_tree.hpp"
 #include "localization/alignment/pose_filter.hpp"
+#include "localization/tree/association_tree.hpp"
 
 #include <opal/localization/localizer_options.hpp>
 
@@ -17,15 +17,15 @@ namespace opal {
 /// A hypothesis that is alive: a leaf of the association tree.
 struct Live {
   Hypothesis hypothesis;
-  int leaf = -1;                ///< in the tree
-  double scan_nat = 0;          ///< what the newest scan said
-  int updates = 0;              ///< scans judged since it was spawned
-  int not_on_map = 0;           ///< associations with nothing, along the branch
+  int leaf = -1;        ///< in the tree
+  double scan_nat = 0;  ///< what the newest scan said
+  int updates = 0;      ///< scans judged since it was spawned
+  int not_on_map = 0;   ///< associations with nothing, along the branch
   int consecutive_not_on_map = 0;
-  int kidnapped_after = -1;       ///< the robot was kidnapped after this keyframe, if it is right; -1: it was not
-  double inherited_nat = 0;     ///< part of its evidence that the best hypothesis had gathered by then
-  PoseFilter pose;              ///< what the scans since it was spawned say about where it is
-  std::vector<Score> scores;    ///< of the newest scan, in the ensemble's order
+  int kidnapped_after = -1;   ///< the robot was kidnapped after this keyframe, if it is right; -1: it was not
+  double inherited_nat = 0;   ///< part of its evidence that the best hypothesis had gathered by then
+  PoseFilter pose;            ///< what the scans since it was spawned say about where it is
+  std::vector<Score> scores;  ///< of the newest scan, in the ensemble's order
 };
 
 /// Why a hypothesis ended.
@@ -63,7 +63,8 @@ class OPAL_EXPORT HypothesisSet {
   void track(const Observation& observation, double tempering_weight, std::span<const Point> coarse,
              const Eigen::Vector2d& window);
 
-  /// Takes candidates that the coarse-to-fine filters let pass as new hypotheses; those at the place of an old one renew it.
+  /// Takes candidates that the coarse-to-fine filters let pass as new hypotheses; those at the place of an old one
+  /// renew it.
   /// @param tempering_weight  of the scan, as for `track`.
   void spawn(std::vector<VerifiedCandidate> candidates, const Observation& observation, double tempering_weight,
              const RetrospectiveVerification& retrospective);
@@ -94,22 +95,25 @@ class OPAL_EXPORT HypothesisSet {
   bool grow_child(const Live& parent, const Association& choice, bool first, const LocalMap& local_map, Live& child);
   /// The hypothesis that is where the candidate is, or none.
   Live* at_place_of(const Candidate& candidate, const Pose2& T_local_base);
-  /// Moves an old hypothesis to where a candidate at its place has it, if that is clearly better aligned; both are judged
-  /// as if they had met nothing yet.
-  void renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::Verdict verdict, const Observation& observation) const;
+  /// Moves an old hypothesis to where a candidate at its place has it, if that is clearly better aligned; both are
+  /// judged as if they had met nothing yet.
+  void renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::Verdict verdict,
+             const Observation& observation) const;
   /// What a hypothesis starts with that is spawned now.
   struct Spawned {
     RetrospectiveVerification::Verdict past;
     double nat = 0;  ///< of the scans before, the newest one, and being spawned
   };
   /// @param hypothesis  that has met nothing yet. @param verdict  on the newest scan.
-  Spawned in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict, const Observation& observation, double tempering_weight,
-                    const RetrospectiveVerification& retrospective) const;
+  Spawned in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict, const Observation& observation,
+                        double tempering_weight, const RetrospectiveVerification& retrospective) const;
   /// Adds it to those that are alive.
   void insert(Live live, Spawned spawned, Candidate candidate);
-  /// How much more the best hypothesis would have if it were spawned now [nat], >= 0. retrospective verification takes scans in larger pieces
-  /// than tracking did, and what is seen for the first time counts most: that is no merit of who comes late.
-  double surplus_in_retrospect(const Observation& observation, double tempering_weight, const RetrospectiveVerification& retrospective) const;
+  /// How much more the best hypothesis would have if it were spawned now [nat], >= 0. retrospective verification takes
+  /// scans in larger pieces than tracking did, and what is seen for the first time counts most: that is no merit of who
+  /// comes late.
+  double surplus_in_retrospect(const Observation& observation, double tempering_weight,
+                               const RetrospectiveVerification& retrospective) const;
   Alignment align(const Pose2& predicted, const Observation& observation) const;
   Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
   void end(Live& live, const std::string& reason, int merged_into = -1);

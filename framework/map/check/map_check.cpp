@@ -79,13 +79,14 @@ void warn_about_geometry(const SemanticMap& map, MapCheck& check) {
   for (const auto& [first, second] : duplicate_features(map))
     names.push_back(quoted(features[first].id) + " and " + quoted(features[second].id));
   if (!names.empty())
-    check.warnings.push_back(count_of(names.size(), "feature") + " with the geometry of another one: " +
-                             examples(names));
+    check.warnings.push_back(count_of(names.size(), "feature") +
+                             " with the geometry of another one: " + examples(names));
   names.clear();
-  for (const PointPair& pair : unshared_points(map)) names.push_back(quoted(pair.point) + " and " + quoted(pair.near_point));
+  for (const PointPair& pair : unshared_points(map))
+    names.push_back(quoted(pair.point) + " and " + quoted(pair.near_point));
   if (!names.empty())
-    check.warnings.push_back(count_of(names.size(), "point") + " within 1 cm of another point, without being one: " +
-                             examples(names));
+    check.warnings.push_back(count_of(names.size(), "point") +
+                             " within 1 cm of another point, without being one: " + examples(names));
   names.clear();
   if (features.size() > 1)
     for (const int number : isolated_features(map)) names.push_back(quoted(features[number].id));
@@ -120,7 +121,8 @@ void warn_about_unused(const SemanticMap& map, MapCheck& check) {
     }
   }
   for (const auto& [word, ids] : nodes_by_word)
-    check.warnings.push_back(word + " is kept, but not used, at " + count_of(ids.size(), "node") + ": " + examples(ids));
+    check.warnings.push_back(word + " is kept, but not used, at " + count_of(ids.size(), "node") + ": " +
+                             examples(ids));
 }
 
 }  // namespace

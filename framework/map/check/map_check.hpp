@@ -13,11 +13,11 @@ namespace opal {
 struct OPAL_EXPORT MapCheck {
   std::map<std::string, int> objects_by_type;
   std::map<std::string, int> features_by_type;
-  std::map<std::string, int> features_by_sensor;      ///< "" for features that no sensor perceives
-  std::array<int, 4> features_by_geometry{};          ///< by GeometryKind
+  std::map<std::string, int> features_by_sensor;  ///< "" for features that no sensor perceives
+  std::array<int, 4> features_by_geometry{};      ///< by GeometryKind
   std::map<std::string, int> patterns_by_template;
-  double wall_length_m = 0;                           ///< of all segments
-  int shared_points = 0;                              ///< points that belong to more than one feature
+  double wall_length_m = 0;                               ///< of all segments
+  int shared_points = 0;                                  ///< points that belong to more than one feature
   std::array<Point, 2> bounds{Point(0, 0), Point(0, 0)};  ///< min and max corner [m]; both zero for an empty map
   /// What may be a mistake, one sentence each; the map is usable all the same.
   std::vector<std::string> warnings;

@@ -126,9 +126,8 @@ std::vector<std::pair<int, int>> duplicate_features(const SemanticMap& map) {
       places[k] = place_of_point.back();
     }
     std::vector<int>& others = features_at[{feature.sensor, feature.geometry.index(), places[0], places[1]}];
-    const auto same = std::find_if(others.begin(), others.end(), [&](int other) {
-      return alike(map.features()[other].geometry, feature.geometry);
-    });
+    const auto same = std::find_if(others.begin(), others.end(),
+                                   [&](int other) { return alike(map.features()[other].geometry, feature.geometry); });
     if (same != others.end())
       pairs.emplace_back(*same, static_cast<int>(i));
     else
@@ -167,8 +166,8 @@ int count_shared_points(const SemanticMap& map) {
       const auto [entry, is_new] = first_feature.try_emplace(point, &feature.id, false);
       if (*entry->second.first != feature.id) entry->second.second = true;
     }
-  return static_cast<int>(std::count_if(first_feature.begin(), first_feature.end(),
-                                        [](const auto& entry) { return entry.second.second; }));
+  return static_cast<int>(
+      std::count_if(first_feature.begin(), first_feature.end(), [](const auto& entry) { return entry.second.second; }));
 }
 
 }  // namespace opal

@@ -102,7 +102,8 @@ class Comparison {
 
   void compare_maps() {
     compare(MapPart::map, ChangeKind::altered, "", "name", before_.name(), after_.name(), quoted);
-    compare(MapPart::map, ChangeKind::altered, "", "smear_m", before_.origin().smear_m, after_.origin().smear_m, number);
+    compare(MapPart::map, ChangeKind::altered, "", "smear_m", before_.origin().smear_m, after_.origin().smear_m,
+            number);
     compare_notes(MapPart::map, "", notes_of(before_.origin()), notes_of(after_.origin()));
     if (before_.prefixes() != after_.prefixes()) add(MapPart::map, ChangeKind::altered, "", "other prefixes of names");
     if (before_.unused() != after_.unused())
@@ -186,10 +187,11 @@ class Comparison {
   void compare_one(const MapPattern& before, const MapPattern& after) {
     const std::string& id = after.id;
     compare(MapPart::pattern, ChangeKind::retyped, id, "", before.pattern_template, after.pattern_template, as_is);
-    compare(MapPart::pattern, ChangeKind::altered, id, "features", members(before_, before), members(after_, after), listed);
-    compare(MapPart::pattern, ChangeKind::altered, id, "subpatterns", before.subpatterns, after.subpatterns, listed);
-    compare(MapPart::pattern, ChangeKind::altered, id, "dimensions", numbers(before.dimensions), numbers(after.dimensions),
+    compare(MapPart::pattern, ChangeKind::altered, id, "features", members(before_, before), members(after_, after),
             listed);
+    compare(MapPart::pattern, ChangeKind::altered, id, "subpatterns", before.subpatterns, after.subpatterns, listed);
+    compare(MapPart::pattern, ChangeKind::altered, id, "dimensions", numbers(before.dimensions),
+            numbers(after.dimensions), listed);
   }
 
   static std::vector<std::string> members(const SemanticMap& map, const MapPattern& pattern) {

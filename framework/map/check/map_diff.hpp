@@ -20,9 +20,9 @@ enum class ChangeKind {
 struct MapChange {
   MapPart part = MapPart::map;
   ChangeKind kind = ChangeKind::altered;
-  std::string id;       ///< of the object, feature or pattern; empty for the map as a whole
-  double moved_m = 0;   ///< farthest that one of its points (ends, corner, centre) moved
-  std::string detail;   ///< in words, for people: "opal:Wall, now opal:Door"
+  std::string id;      ///< of the object, feature or pattern; empty for the map as a whole
+  double moved_m = 0;  ///< farthest that one of its points (ends, corner, centre) moved
+  std::string detail;  ///< in words, for people: "opal:Wall, now opal:Door"
 };
 
 /// What became of a map.

@@ -28,7 +28,8 @@ void sort_by_id(std::vector<std::string>& sentences) {
 
 }  // namespace
 
-OverlaidMap overlaid_map(const SemanticMap& map, const std::vector<MapOverlay>& overlays, const OverlayOptions& options) {
+OverlaidMap overlaid_map(const SemanticMap& map, const std::vector<MapOverlay>& overlays,
+                         const OverlayOptions& options) {
   OverlaidMap result;
   OverlayDraft draft(map);
   json statements = json::array();
@@ -47,7 +48,8 @@ OverlaidMap overlaid_map(const SemanticMap& map, const std::vector<MapOverlay>& 
   const std::vector<int> positions = draft.settle();
   std::vector<MapPattern> patterns = adapted_patterns(map, draft.features, positions, result.changes);
   part_representations(draft.features);
-  result.map = map.with_contents(std::move(draft.objects), std::move(draft.features), std::move(patterns), prefixes, statements);
+  result.map =
+      map.with_contents(std::move(draft.objects), std::move(draft.features), std::move(patterns), prefixes, statements);
   sort_by_id(result.changes);
   sort_by_id(result.doubts);
   return result;

@@ -13,14 +13,14 @@ namespace opal {
 
 /// What shall hold for one thing of a map, instead of what the map says. Metres and radians in the `map` frame.
 struct OverlayChange {
-  std::string target;   ///< id of an object, a representation, a geometry or a point
-  std::string place;    ///< where it is written: "hall.overlay.jsonld: /@graph/0/changes/2"
-  std::string because;  ///< in words; may be empty
+  std::string target;              ///< id of an object, a representation, a geometry or a point
+  std::string place;               ///< where it is written: "hall.overlay.jsonld: /@graph/0/changes/2"
+  std::string because;             ///< in words; may be empty
   bool report_if_missing = false;  ///< a map without the target is no error
-  /// New values: "x", "y" of a point, or of a geometry with one point; "heading_rad", "opening_rad" of a corner, "radius_m"
-  /// of a circle; "existence", "position_sigma_m" of a geometry or of all that represent an object.
+  /// New values: "x", "y" of a point, or of a geometry with one point; "heading_rad", "opening_rad" of a corner,
+  /// "radius_m" of a circle; "existence", "position_sigma_m" of a geometry or of all that represent an object.
   std::map<std::string, double> numbers = {};
-  std::map<std::string, double> was = {};  ///< what the map said when the change was written, by the same names
+  std::map<std::string, double> was = {};         ///< what the map said when the change was written, by the same names
   std::map<std::string, std::string> types = {};  ///< "object_type", "feature_type"
   std::vector<std::string> perceivable_by = {};   ///< sensors that shall look for it
   std::vector<std::string> not_perceivable_by = {};  ///< sensors that shall not
@@ -55,7 +55,8 @@ struct OverlaidMap {
 /// again changes nothing. Points are moved for all that use them, and corners turn with the faces that meet in them.
 /// Patterns lose dimensions that no longer hold, and are left out if a member is no longer perceivable.
 /// @throws MapError for changes that contradict each other (naming both places), that mean nothing for their target, or
-/// whose target the map does not have (naming all of them); for additions that are no map, or that the map has otherwise.
+/// whose target the map does not have (naming all of them); for additions that are no map, or that the map has
+/// otherwise.
 OPAL_EXPORT OverlaidMap overlaid_map(const SemanticMap& map, const std::vector<MapOverlay>& overlays,
                                      const OverlayOptions& options = {});
 

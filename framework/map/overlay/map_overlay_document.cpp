@@ -17,7 +17,8 @@ namespace {
 using namespace vocabulary;
 using Words = std::vector<std::string_view>;
 
-constexpr std::array kNumbers{iri::kX, iri::kY, iri::kHeading, iri::kOpening, iri::kRadius, iri::kExistence, iri::kPositionSigma};
+constexpr std::array kNumbers{iri::kX,      iri::kY,         iri::kHeading,      iri::kOpening,
+                              iri::kRadius, iri::kExistence, iri::kPositionSigma};
 constexpr std::array kTypes{iri::kObjectType, iri::kFeatureType};
 
 /// Opal's words on a node are those that mean something there; what other vocabularies say is for people.
@@ -81,7 +82,8 @@ class OverlayReader {
     words.insert(words.end(), kNumbers.begin(), kNumbers.end());
     words.insert(words.end(), kTypes.begin(), kTypes.end());
     expect_words(node, words);
-    if (!node.types().empty() && !node.has_type(iri::kChange)) node.fail(node.description() + " is no MapChange, expected one");
+    if (!node.types().empty() && !node.has_type(iri::kChange))
+      node.fail(node.description() + " is no MapChange, expected one");
     used_.insert(node.id());
     OverlayChange change;
     change.target = name_of(node.required_reference(iri::kTarget).id);
@@ -117,13 +119,16 @@ class OverlayReader {
   }
 
   static void expect_something(const GraphNode& node, const OverlayChange& change) {
-    if (change.numbers.empty() && change.types.empty() && change.perceivable_by.empty() && change.not_perceivable_by.empty())
-      node.fail("the change of '" + change.target + "' changes nothing, expected x and y, existence, not_perceivable_by, ...");
+    if (change.numbers.empty() && change.types.empty() && change.perceivable_by.empty() &&
+        change.not_perceivable_by.empty())
+      node.fail("the change of '" + change.target +
+                "' changes nothing, expected x and y, existence, not_perceivable_by, ...");
   }
 
   /// What an overlay adds: objects with all that represents them, points, sensors; and what others say of them.
   void add(const GraphNode& node) {
-    if (node.has_type(iri::kChange)) node.fail(node.description() + " belongs to no MapOverlay, expected one whose changes name it");
+    if (node.has_type(iri::kChange))
+      node.fail(node.description() + " belongs to no MapOverlay, expected one whose changes name it");
     for (const std::string_view type : {iri::kSemanticMap, iri::kPattern, iri::kPlacement})
       if (node.has_type(type))
         node.fail("a " + short_term(type) + ", expected objects with their representations, points and sensors");

@@ -70,7 +70,8 @@ int position_of_twin(const OverlayDraft& draft, const MapFeature& feature, std::
 void check_unused(const MapOverlay& overlay, const json& unused) {
   for (const json& node : unused)
     if (is_blank(node["@id"].get<std::string>()))
-      throw MapError(overlay.source + ": " + node.dump().substr(0, 80) + ": a node without @id, expected one; it means nothing to Opal");
+      throw MapError(overlay.source + ": " + node.dump().substr(0, 80) +
+                     ": a node without @id, expected one; it means nothing to Opal");
 }
 
 }  // namespace

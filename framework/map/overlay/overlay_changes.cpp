@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kStale = 0.01;  // m, rad or probability: what differs more is not what the change was written for
 
-[[noreturn]] void refuse(const OverlayChange& change, const std::string& message) { throw MapError(change.place + ": " + message); }
+[[noreturn]] void refuse(const OverlayChange& change, const std::string& message) {
+  throw MapError(change.place + ": " + message);
+}
 
 bool is_coordinate(const std::string& word) { return word == "x" || word == "y"; }
 bool is_quality(const std::string& word) { return word == "existence" || word == "position_sigma_m"; }
@@ -28,7 +30,8 @@ Range range_of(const std::string& word) {
   if (word == "position_sigma_m") return {0, kFarthest_m, "metres >= 0"};
   if (word == "radius_m") return {1e-6, kFarthest_m, "metres > 0"};
   if (word == "opening_rad") return {1e-9, 2 * std::numbers::pi, "an angle in (0, 2 pi)"};
-  return {-kFarthest_m, kFarthest_m, word == "heading_rad" ? "an angle" : "metres in the map frame, at most 1e6 from its origin"};
+  return {-kFarthest_m, kFarthest_m,
+          word == "heading_rad" ? "an angle" : "metres in the map frame, at most 1e6 from its origin"};
 }
 
 /// The number of a geometry that a word stands for; nullptr if it has no such number.
@@ -134,10 +137,13 @@ void ChangeMaker::check(const OverlayChange& change, const Target& target) {
   }
   for (const auto* sensors : {&change.perceivable_by, &change.not_perceivable_by})
     for (const std::string& sensor : *sensors) {
-      if (target.features.empty()) refuse(change, "'" + target.id + "' is nothing that a sensor perceives, expected an object that something represents, or a geometry");
+      if (target.features.empty())
+        refuse(change,
+               "'" + target.id +
+                   "' is nothing that a sensor perceives, expected an object that something represents, or a geometry");
       for (const int i : target.features)
-        claim("'" + draft_.features[i].id + "' perceivable by " + sensor, sensors == &change.perceivable_by ? "yes" : "no",
-              change.place);
+        claim("'" + draft_.features[i].id + "' perceivable by " + sensor,
+              sensors == &change.perceivable_by ? "yes" : "no", change.place);
     }
 }
 
@@ -198,7 +204,8 @@ std::string ChangeMaker::disable(const OverlayChange& change, const Target& targ
   }
   if (disabled == 0 && others == all)
     doubts.push_back(target.id + ": is not perceivable by " + sensor + " but by " +
-                     draft_.features[target.features.front()].sensor + ", so that nothing is disabled (" + change.place + ")");
+                     draft_.features[target.features.front()].sensor + ", so that nothing is disabled (" +
+                     change.place + ")");
   return disabled == 0 ? "" : counted(disabled, "feature") + " no longer perceivable by " + sensor;
 }
 
@@ -226,8 +233,8 @@ std::string ChangeMaker::enable(const Target& target, const std::string& sensor)
   return enabled == 0 ? "" : counted(enabled, "feature") + " perceivable by " + sensor;
 }
 
-/// In three rounds, so that the order of changes means nothing: a feature for another sensor is a copy of what the first
-/// round left.
+/// In three rounds, so that the order of changes means nothing: a feature for another sensor is a copy of what the
+/// first round left.
 void ChangeMaker::apply(const Found& found) {
   std::vector<std::vector<std::string>> effects(found.size());
   const auto round = [&](auto step) {
@@ -248,7 +255,8 @@ void ChangeMaker::apply(const Found& found) {
     std::string text;
     for (const std::string& effect : effects[i])
       if (!effect.empty()) text += (text.empty() ? "" : "; ") + effect;
-    sentences.push_back(found[i].second.id + ": " + (text.empty() ? "as wanted already" : text) + reason(*found[i].first));
+    sentences.push_back(found[i].second.id + ": " + (text.empty() ? "as wanted already" : text) +
+                        reason(*found[i].first));
   }
 }
 
@@ -262,13 +270,16 @@ void ChangeMaker::make(const std::vector<MapOverlay>& overlays) {
         check(change, target);
         found.emplace_back(&change, std::move(target));
       } else if (options_.report_missing || change.report_if_missing) {
-        doubts.push_back(change.target + ": the map does not have it, so nothing is changed (" + change.place + ")" + reason(change));
+        doubts.push_back(change.target + ": the map does not have it, so nothing is changed (" + change.place + ")" +
+                         reason(change));
       } else {
         missing += "\n  " + change.place + ": '" + change.target + "'" + reason(change);
       }
     }
   if (!missing.empty())
-    throw MapError("the map does not have what is to be changed; expected ids of the map, or \"if_missing\": \"report\":" + missing);
+    throw MapError(
+        "the map does not have what is to be changed; expected ids of the map, or \"if_missing\": \"report\":" +
+        missing);
   for (const auto& [change, target] : found) check_was(*change, target);
   apply(found);
 }

@@ -8,7 +8,7 @@
 namespace opal {
 namespace {
 
-constexpr double kFits_rad = 0.02;    // a corner that differs more from its faces was not made of them
+constexpr double kFits_rad = 0.02;  // a corner that differs more from its faces was not made of them
 constexpr double kTurned_rad = 1e-9;
 
 /// The faces that end and begin at a point, seen from their left.
@@ -25,7 +25,8 @@ void take(std::optional<int>& face, int feature, const std::vector<MapFeature>& 
 Faces faces_at(const OverlayDraft& draft, const std::string& point) {
   Faces faces;
   for (const OverlayDraft::Place& place : draft.features_by_point.at(point)) {
-    if (draft.is_twin(place.feature) || kind_of(draft.features[place.feature].geometry) != GeometryKind::segment) continue;
+    if (draft.is_twin(place.feature) || kind_of(draft.features[place.feature].geometry) != GeometryKind::segment)
+      continue;
     take(place.point == 0 ? faces.after : faces.before, place.feature, draft.features, faces.several);
   }
   return faces;
@@ -78,12 +79,15 @@ void turn_corners(const std::vector<MapFeature>& before, const std::set<std::str
     const auto& old_corner = std::get<OrientedPoint>(before[i].geometry);
     if (faces.several || !fits(old_corner, was, kFits_rad)) {
       if (!draft.is_twin(static_cast<int>(i)))
-        doubts.push_back(feature.id + ": faces that meet in it have turned, but not its heading_rad and opening_rad; expected a change that says them");
+        doubts.push_back(feature.id +
+                         ": faces that meet in it have turned, but not its heading_rad and opening_rad; expected a "
+                         "change that says them");
       continue;
     }
     corner->heading_rad = is.heading_rad;
     corner->opening_rad = is.opening_rad;
-    if (!draft.is_twin(static_cast<int>(i))) sentences.push_back(feature.id + ": turned with the faces that meet in it");
+    if (!draft.is_twin(static_cast<int>(i)))
+      sentences.push_back(feature.id + ": turned with the faces that meet in it");
   }
 }
 

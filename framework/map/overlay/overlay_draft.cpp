@@ -18,7 +18,8 @@ bool same_shape(const Geometry& a, const Geometry& b) {
     if ((points_a[i] - points_b[i]).norm() > kRounding_m) return false;
   if (const auto* corner = std::get_if<OrientedPoint>(&a)) {
     const auto& other = std::get<OrientedPoint>(b);
-    return same_direction(corner->heading_rad, other.heading_rad) && same_direction(corner->opening_rad, other.opening_rad);
+    return same_direction(corner->heading_rad, other.heading_rad) &&
+           same_direction(corner->opening_rad, other.opening_rad);
   }
   if (const auto* circle = std::get_if<Circle>(&a))
     return std::abs(circle->radius_m - std::get<Circle>(b).radius_m) < kRounding_m;

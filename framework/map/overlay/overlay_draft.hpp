@@ -14,8 +14,8 @@ namespace opal {
 
 /// A map that overlays are being laid over. Objects and features of the map stand first, in its order.
 ///
-/// What an overlay adds and the map has already stands here a second time, as a twin: changes are made to both, and in the
-/// end they must be the same. So an overlay may change what another one adds, and be applied again.
+/// What an overlay adds and the map has already stands here a second time, as a twin: changes are made to both, and in
+/// the end they must be the same. So an overlay may change what another one adds, and be applied again.
 struct OverlayDraft {
   struct Place {
     int feature;  ///< position in `features`
@@ -42,7 +42,7 @@ struct OverlayDraft {
   std::unordered_map<std::string, std::vector<Place>> features_by_point;
 
   explicit OverlayDraft(const SemanticMap& map);
-  int add(MapObject object);   ///< @return its position
+  int add(MapObject object);  ///< @return its position
   int add(MapFeature feature);
   bool is_twin(int feature) const { return feature_twins.contains(feature); }
 

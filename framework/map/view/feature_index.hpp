@@ -10,8 +10,8 @@
 
 namespace opal {
 
-/// How many mapped features an observed one may be, going by what it says of itself: a circle's radius, a corner's opening,
-/// a segment's length (a lower bound). O(log n).
+/// How many mapped features an observed one may be, going by what it says of itself: a circle's radius, a corner's
+/// opening, a segment's length (a lower bound). O(log n).
 class FeatureIndex {
  public:
   explicit FeatureIndex(const MapView& map);

@@ -35,16 +35,13 @@ struct ExtentOf {
 
 Extent extent_of(const Geometry& geometry) { return std::visit(ExtentOf{}, geometry); }
 
-Box box_of(const Extent& extent) {
-  return {{extent.low.x(), extent.low.y()}, {extent.high.x(), extent.high.y()}};
-}
+Box box_of(const Extent& extent) { return {{extent.low.x(), extent.low.y()}, {extent.high.x(), extent.high.y()}}; }
 
 std::vector<int> features_of(const SemanticMap& map, const std::string& sensor) {
   std::vector<int> numbers;
   for (std::size_t k = 0; k < map.features().size(); ++k)
     if (map.features()[k].sensor == sensor) numbers.push_back(static_cast<int>(k));
-  if (numbers.empty())
-    throw ConfigError(map.name() + ": holds no feature that sensor '" + sensor + "' can perceive");
+  if (numbers.empty()) throw ConfigError(map.name() + ": holds no feature that sensor '" + sensor + "' can perceive");
   return numbers;
 }
 
@@ -91,8 +88,8 @@ struct Ray {
 
 // A walk along a ray goes as far as the distance in the grid allows, and looks for surfaces where it allows less than
 // a step. The numbers of each step are looked up: a walk is a chain of steps each of which waits for the one before.
-constexpr double kStep_m = 0.09;       // just below a cell
-constexpr double kInCell_m = 0.071;    // half a cell's diagonal: how far the grid's distance may be off
+constexpr double kStep_m = 0.09;           // just below a cell
+constexpr double kInCell_m = 0.071;        // half a cell's diagonal: how far the grid's distance may be off
 constexpr std::uint8_t kPassable_cm = 12;  // from here on, more than kInCell_m + kStep_m / 2: no surface is in reach
 
 /// By distance [cm].
@@ -189,11 +186,8 @@ std::array<Point, 2> MapView::bounds() const { return {index_->bounds.low, index
 std::vector<int> MapView::within(const Point& p, double radius_m) const {
   constexpr double kRounding_m = 1e-9;  // of the box, for coordinates up to 1e6 m: what is near enough decides
   const Point radius = Point::Constant(radius_m + kRounding_m);
-  const auto near_enough = [&](const Entry& e) {
-    return distance_m(feature(e.second).geometry, p) <= radius_m;
-  };
-  const auto query =
-      bg::index::intersects(box_of({p - radius, p + radius})) && bg::index::satisfies(near_enough);
+  const auto near_enough = [&](const Entry& e) { return distance_m(feature(e.second).geometry, p) <= radius_m; };
+  const auto query = bg::index::intersects(box_of({p - radius, p + radius})) && bg::index::satisfies(near_enough);
   return index_->numbers_of(query);
 }
 
@@ -219,7 +213,8 @@ float MapView::likelihood_field(const Point& p) const {
 }
 
 float MapView::likelihood_field_sum(std::span<const Point> points, const Point& position, double slack_m) const {
-  const float* table = &index_->likelihood_field[std::clamp(kMostSlack_cm - static_cast<int>(100 * slack_m), 0, kMostSlack_cm)];
+  const float* table =
+      &index_->likelihood_field[std::clamp(kMostSlack_cm - static_cast<int>(100 * slack_m), 0, kMostSlack_cm)];
   float sum = 0;
   for (const Point& point : points) sum += table[index_->surfaces.distance_cm(position + point)];
   return sum;
@@ -232,8 +227,7 @@ float MapView::coarse_likelihood_field_sum(std::span<const Point> points, const 
   return sum;
 }
 
-MapView::Crossing MapView::first_crossing(const Point& origin, const Point& target,
-                                          double min_penetration_m) const {
+MapView::Crossing MapView::first_crossing(const Point& origin, const Point& target, double min_penetration_m) const {
   const Point way = target - origin;
   const double length = way.norm();
   if (!(length > 0)) return {};
@@ -247,8 +241,7 @@ MapView::Crossing MapView::first_crossing(const Point& origin, const Point& targ
         if (number < 0) continue;
         const Surface& surface = index_->by_number[number];
         bool from_behind = false;
-        const double meets =
-            surface.is_circle() ? meets_circle(ray, surface) : meets_face(ray, surface, from_behind);
+        const double meets = surface.is_circle() ? meets_circle(ray, surface) : meets_face(ray, surface, from_behind);
         if (meets > 0) return {number, meets, from_behind};
       }
     }

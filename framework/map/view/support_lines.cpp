@@ -69,7 +69,8 @@ Segment prolonged(const Segment& line, double by_m) {
   return {line.begin - further, line.end + further};
 }
 
-/// What may go on in a line that grows. Looked up along the line for more than its reach, so that it can grow for a while.
+/// What may go on in a line that grows. Looked up along the line for more than its reach, so that it can grow for a
+/// while.
 class Continuations {
  public:
   Continuations(const RTree& tree, const SupportLineOptions& options) : tree_(tree), options_(options) {}
@@ -121,8 +122,7 @@ std::size_t next_collinear(const Segment& line, const std::vector<std::size_t>& 
 
 /// One pass: longer lines absorb shorter ones. True if any was absorbed.
 bool absorb_once(std::vector<Line>& lines, const SupportLineOptions& options) {
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const Line& a, const Line& b) { return a.support_m > b.support_m; });
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.support_m > b.support_m; });
   std::vector<Entry> entries;
   for (std::size_t k = 0; k < lines.size(); ++k) entries.emplace_back(box_around(lines[k].extent, 0), k);
   const RTree tree(entries);
@@ -132,7 +132,8 @@ bool absorb_once(std::vector<Line>& lines, const SupportLineOptions& options) {
     if (gone[a]) continue;
     Continuations continuations(tree, options);
     const Segment& line = lines[a].extent;
-    for (std::size_t b = a; (b = next_collinear(line, continuations.of(line), lines, gone, b, options)) < lines.size();) {
+    for (std::size_t b = a;
+         (b = next_collinear(line, continuations.of(line), lines, gone, b, options)) < lines.size();) {
       absorb(lines[a], lines[b]);
       gone[b] = any = true;
     }

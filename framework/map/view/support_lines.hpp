@@ -10,15 +10,15 @@ namespace opal {
 
 /// A mapped feature as patterns see it: one feature, or several faces that lie on one line.
 struct MappedFeature {
-  Feature feature;               ///< in the map frame
-  std::vector<int> numbers;      ///< positions in SemanticMap::features(), along the line
+  Feature feature;           ///< in the map frame
+  std::vector<int> numbers;  ///< positions in SemanticMap::features(), along the line
 };
 
 struct SupportLineOptions {
-  double min_length_m = 0.4;     ///< shorter faces support no line
+  double min_length_m = 0.4;  ///< shorter faces support no line
   double angle_rad = 0.05;
   double offset_m = 0.12;
-  double gap_m = 3.0;            ///< doors and clutter interrupt a wall; its line goes on
+  double gap_m = 3.0;  ///< doors and clutter interrupt a wall; its line goes on
 };
 
 /// Joins faces that look the same way along one line. Order of `faces` does not matter for the result's set.

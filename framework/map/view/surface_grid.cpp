@@ -105,8 +105,8 @@ void SurfaceGrid::paint(Painting& painting, int number, const Segment& segment) 
     if (from > to) continue;
     const double x_a = segment.begin.x() + from * direction.x(), x_b = segment.begin.x() + to * direction.x();
     const int i_low = std::max(0, static_cast<int>((std::min(x_a, x_b) - kCap_m - low_.x()) / kCell_m));
-    const int i_high = std::min(columns_ * kSide - 1,
-                                static_cast<int>((std::max(x_a, x_b) + kCap_m - low_.x()) / kCell_m));
+    const int i_high =
+        std::min(columns_ * kSide - 1, static_cast<int>((std::max(x_a, x_b) + kCap_m - low_.x()) / kCell_m));
     for (int i = i_low; i <= i_high; ++i) {
       const Point p(low_.x() + (i + 0.5) * kCell_m, y);
       const double u = std::clamp(direction.dot(p - segment.begin), 0.0, length);

@@ -14,8 +14,8 @@ namespace opal {
 /// only where some surface is within the cap. Surfaces of opposite orientation are kept in two layers, so that both
 /// faces of a thin wall can be found. Frame: `map`.
 ///
-/// Distances lie apart from identities, and once more in cells of 0.4 m: a search looks at far more places than it looks
-/// at closely, and in a large map what it waits for is memory.
+/// Distances lie apart from identities, and once more in cells of 0.4 m: a search looks at far more places than it
+/// looks at closely, and in a large map what it waits for is memory.
 class SurfaceGrid {
  public:
   static constexpr double kCell_m = 0.1;
@@ -82,7 +82,7 @@ class SurfaceGrid {
   void make_coarse();
 
   Point low_;
-  Point cells_;  ///< in x and y
+  Point cells_;      ///< in x and y
   int columns_ = 0;  ///< of tiles
   int rows_ = 0;
   std::vector<std::uint32_t> tile_of_;

@@ -51,8 +51,7 @@ std::vector<NamedScan> poor_scans(const Scan& example) {
           {"a scan of two points", scan_of({{2, 1}, {2, 1.1}})},
           {"a scan of 400 equal points", scan_of(std::vector<Point>(400, Point(2, 1)))},
           {"a scan of points where the sensor stands", scan_of(std::vector<Point>(50, Point(0, 0)))},
-          {"a scan of points on one ray",
-           scan_of({{1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}, {6, 0}, {7, 0}, {8, 0}})},
+          {"a scan of points on one ray", scan_of({{1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}, {6, 0}, {7, 0}, {8, 0}})},
           {"a scan of not-a-number points", scan_of(std::vector<Point>(50, Point(nan, nan)))},
           {"a scan of infinite points", scan_of(std::vector<Point>(50, Point(infinity, -infinity)))},
           {"a scan in which every fifth point is not a number", holes},
@@ -73,8 +72,7 @@ std::string covariance_defect(const Feature& feature) {
   const Eigen::MatrixXd used = covariance.topLeftCorner(n, n);
   const double scale = used.cwiseAbs().maxCoeff();
   if (!used.isApprox(used.transpose(), 1e-9)) return "has a covariance that is not symmetric";
-  if (used.diagonal().minCoeff() <= 0)
-    return "has a covariance without a positive variance for each of its numbers";
+  if (used.diagonal().minCoeff() <= 0) return "has a covariance without a positive variance for each of its numbers";
   if (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(used).eigenvalues().minCoeff() < -1e-9 * scale)
     return "has a covariance with a negative eigenvalue";
   if (n == 2 && (!covariance.row(2).isZero(0) || !covariance.col(2).isZero(0)))
@@ -96,8 +94,7 @@ class Detection {
       found += check_scan(name, trial_.scans[i]);
     }
     if (trial_.must_find_something && found == 0)
-      violations_.add("blind",
-                      "finds nothing in any of the " + std::to_string(trial_.scans.size()) + " scans");
+      violations_.add("blind", "finds nothing in any of the " + std::to_string(trial_.scans.size()) + " scans");
     return violations_.take();
   }
 
@@ -123,8 +120,8 @@ class Detection {
     for (const Feature& feature : features) {
       const std::string subject = "finds " + described(feature.geometry) + " in " + name + ", which ";
       if (std::find(type_.produces.begin(), type_.produces.end(), feature.type) == type_.produces.end())
-        violations_.add("type", subject + "is of type \"" + feature.type +
-                                    "\", but it does not say that it produces these");
+        violations_.add("type",
+                        subject + "is of type \"" + feature.type + "\", but it does not say that it produces these");
       if (!is_possible(feature.geometry)) violations_.add("geometry", subject + "is no possible shape");
       const std::string defect = covariance_defect(feature);
       if (!defect.empty()) violations_.add("covariance", subject + defect);
@@ -159,8 +156,8 @@ class Detection {
       const Feature expected = transformed(Pose2(0, 0, turn_rad), feature);
       const auto is_this = [&](const Feature& candidate) { return alike(expected, candidate); };
       if (std::none_of(found.begin(), found.end(), is_this))
-        violations_.add("turn", "finds " + described(feature.geometry) + " in " + name +
-                                    ", but not its like in " + occasion);
+        violations_.add("turn",
+                        "finds " + described(feature.geometry) + " in " + name + ", but not its like in " + occasion);
     }
   }
 

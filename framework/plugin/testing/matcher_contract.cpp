@@ -21,8 +21,7 @@ Points positions(const Scan& scan) {
 
 bool same(const ScanMatch& a, const ScanMatch& b) {
   return a.converged == b.converged && a.T_reference_scan.position() == b.T_reference_scan.position() &&
-         a.T_reference_scan.heading_rad() == b.T_reference_scan.heading_rad() &&
-         a.inlier_share == b.inlier_share;
+         a.T_reference_scan.heading_rad() == b.T_reference_scan.heading_rad() && a.inlier_share == b.inlier_share;
 }
 
 class Laying {
@@ -33,11 +32,9 @@ class Laying {
     const Points room = positions(simulated_scan(example_room(), {3.5, 2.3, 0.2}, 1));
     check_poor(room);
     int converged = 0;
-    for (const Pose2& step :
-         {Pose2(0, 0, 0), Pose2(0.1, 0, 0), Pose2(0.05, 0.02, 0.1), Pose2(0.15, -0.05, -0.2)})
+    for (const Pose2& step : {Pose2(0, 0, 0), Pose2(0.1, 0, 0), Pose2(0.05, 0.02, 0.1), Pose2(0.15, -0.05, -0.2)})
       converged += check_step(room, step);
-    if (converged == 0)
-      violations_.add("never", "never converges on scans of a room from a guess that is 5 cm off");
+    if (converged == 0) violations_.add("never", "never converges on scans of a room from a guess that is 5 cm off");
     return violations_.take();
   }
 
@@ -54,8 +51,7 @@ class Laying {
     if (!is_finite(result.T_reference_scan) || !result.covariance.allFinite())
       violations_.add("finite", "converges on " + name + " with numbers that are not finite");
     if (!(result.inlier_share >= 0 && result.inlier_share <= 1))
-      violations_.add("share",
-                      "reports an inlier share of " + std::to_string(result.inlier_share) + " on " + name);
+      violations_.add("share", "reports an inlier share of " + std::to_string(result.inlier_share) + " on " + name);
   }
 
   void check_poor(const Points& room) {
@@ -86,9 +82,8 @@ class Laying {
     const double error_m = distance_m(result.T_reference_scan, T_reference_scan);
     const double error_rad = angle_between_rad(result.T_reference_scan, T_reference_scan);
     if (error_m > 0.03 || error_rad > 0.015)  // the guess is 0.05 m and 0.03 rad off
-      violations_.add("error", "says that it has converged on a scan of a room, but is " +
-                                   std::to_string(error_m) + " m and " + std::to_string(error_rad) +
-                                   " rad off");
+      violations_.add("error", "says that it has converged on a scan of a room, but is " + std::to_string(error_m) +
+                                   " m and " + std::to_string(error_rad) + " rad off");
     return true;
   }
 

@@ -41,14 +41,10 @@ class RandomSelections {
     return selection;
   }
 
-  Pose2 motion() {
-    return {between(-50, 50), between(-50, 50), between(-std::numbers::pi, std::numbers::pi)};
-  }
+  Pose2 motion() { return {between(-50, 50), between(-50, 50), between(-std::numbers::pi, std::numbers::pi)}; }
 
  private:
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
   double heading() {
     if (between(0, 1) < 0.4) return between(-std::numbers::pi, std::numbers::pi);
@@ -60,8 +56,7 @@ class RandomSelections {
     if (kind == GeometryKind::point) return place;
     if (kind == GeometryKind::circle) return Circle{place, 0.05 + 0.5 * size_m_};
     if (kind == GeometryKind::oriented_point)
-      return OrientedPoint{place, heading(),
-                           std::numbers::pi * (between(0, 1) < 0.5 ? 0.5 : 1.5) + between(-0.3, 0.3)};
+      return OrientedPoint{place, heading(), std::numbers::pi * (between(0, 1) < 0.5 ? 0.5 : 1.5) + between(-0.3, 0.3)};
     return Segment{place, place + (0.1 + 6 * size_m_) * unit_vector(heading())};
   }
 
@@ -104,8 +99,7 @@ class Matching {
  private:
   bool check_shape() {
     if (shape_.slots.empty() || shape_.slots.size() > 5) {
-      violations_.add("shape",
-                      "asks for " + std::to_string(shape_.slots.size()) + " features, expected 1 to 5");
+      violations_.add("shape", "asks for " + std::to_string(shape_.slots.size()) + " features, expected 1 to 5");
       return false;
     }
     const bool reaches = std::isfinite(shape_.reach_m) && (shape_.reach_m > 0 || shape_.slots.size() == 1);
@@ -121,8 +115,7 @@ class Matching {
 
   bool fits_slots(const Selection& selection, const Order& order) const {
     for (std::size_t slot = 0; slot < order.size(); ++slot)
-      if (kind_of(selection[static_cast<std::size_t>(order[slot])].geometry) != shape_.slots[slot])
-        return false;
+      if (kind_of(selection[static_cast<std::size_t>(order[slot])].geometry) != shape_.slots[slot]) return false;
     return true;
   }
 
@@ -139,8 +132,7 @@ class Matching {
       if (!fits_slots(selection, order)) continue;
       Instance instance = match(selection, order);
       if (instance && only)
-        violations_.add("orders",
-                        "accepts a selection in two orders, expected exactly one: " + summary(selection));
+        violations_.add("orders", "accepts a selection in two orders, expected exactly one: " + summary(selection));
       if (instance) only = std::move(instance);
     } while (std::next_permutation(order.begin(), order.end()));
     return only;
@@ -166,19 +158,17 @@ class Matching {
     std::iota(all.begin(), all.end(), 0);
     if (members != all)
       violations_.add("members", "gives an instance" + of + " whose members are not each feature once");
-    if (!is_finite(instance.frame))
-      violations_.add("frame", "gives an instance" + of + " whose frame is not finite");
+    if (!is_finite(instance.frame)) violations_.add("frame", "gives an instance" + of + " whose frame is not finite");
     const bool extent = std::isfinite(instance.extent_min_m) && std::isfinite(instance.extent_max_m) &&
                         instance.extent_min_m <= instance.extent_max_m && instance.overhang_m >= 0;
     if (!extent) violations_.add("extent", "gives an instance" + of + " with an impossible extent");
     std::vector<Comparison> comparisons;
     for (const Invariant& invariant : instance.invariants) {
       comparisons.push_back(invariant.comparison);
-      if (!std::isfinite(invariant.value))
-        violations_.add("value", "gives an invariant" + of + " that is not finite");
+      if (!std::isfinite(invariant.value)) violations_.add("value", "gives an invariant" + of + " that is not finite");
       if (!(invariant.tolerance >= 0) || !std::isfinite(invariant.tolerance))
-        violations_.add("tolerance", "gives an invariant" + of + " with a tolerance of " +
-                                         std::to_string(invariant.tolerance));
+        violations_.add("tolerance",
+                        "gives an invariant" + of + " with a tolerance of " + std::to_string(invariant.tolerance));
     }
     if (!comparisons_) comparisons_ = comparisons;
     if (comparisons != *comparisons_)
@@ -197,9 +187,8 @@ class Matching {
     for (std::size_t k = 0; k < instance->invariants.size(); ++k) {
       const double before = instance->invariants[k].value, after = image->invariants[k].value;
       if (std::abs(before - after) > trial_.tolerance * (1 + std::abs(before)))
-        violations_.add("invariant", "has an invariant " + std::to_string(k) +
-                                         " that a rigid motion changes from " + std::to_string(before) +
-                                         " to " + std::to_string(after) + ", for " + of);
+        violations_.add("invariant", "has an invariant " + std::to_string(k) + " that a rigid motion changes from " +
+                                         std::to_string(before) + " to " + std::to_string(after) + ", for " + of);
     }
     check_frame(*instance, *image, motion, of);
   }
@@ -208,10 +197,8 @@ class Matching {
                    const std::string& of) {
     const Pose2 expected = motion * instance.frame;
     const double turned_rad = angle_between_rad(expected, image.frame);
-    const double error_rad =
-        instance.symmetric ? std::min(turned_rad, std::numbers::pi - turned_rad) : turned_rad;
-    const double tolerance =
-        1e2 * trial_.tolerance;  // coordinates are up to 50 m, angles amplify by the reach
+    const double error_rad = instance.symmetric ? std::min(turned_rad, std::numbers::pi - turned_rad) : turned_rad;
+    const double tolerance = 1e2 * trial_.tolerance;  // coordinates are up to 50 m, angles amplify by the reach
     if (distance_m(expected, image.frame) > tolerance || error_rad > tolerance)
       violations_.add("rigid", "has a frame that does not move rigidly with its features, for " + of);
   }
@@ -260,8 +247,7 @@ class Matching {
         {"equal features", with([&](Feature& f) {
            if (f.geometry.index() == ordinary.front().geometry.index()) f = ordinary.front();
          })},
-        {"features that are not a number",
-         with([&](Feature& f) { f = transformed(Pose2(nan, nan, nan), f); })}};
+        {"features that are not a number", with([&](Feature& f) { f = transformed(Pose2(nan, nan, nan), f); })}};
     for (const auto& each : cases) {
       const auto& name = each.first;  // clang 14 captures no structured bindings
       const auto& selection = each.second;
@@ -275,11 +261,8 @@ class Matching {
   }
 
   void check_finite(const PatternInstance& instance, const std::string& name) {
-    const auto finite = [](const Invariant& i) {
-      return std::isfinite(i.value) && std::isfinite(i.tolerance);
-    };
-    if (!is_finite(instance.frame) ||
-        !std::all_of(instance.invariants.begin(), instance.invariants.end(), finite))
+    const auto finite = [](const Invariant& i) { return std::isfinite(i.value) && std::isfinite(i.tolerance); };
+    if (!is_finite(instance.frame) || !std::all_of(instance.invariants.begin(), instance.invariants.end(), finite))
       violations_.add("degenerate", "gives an instance with numbers that are not finite for " + name);
   }
 

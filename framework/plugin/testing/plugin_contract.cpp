@@ -31,8 +31,7 @@ bool belongs_to_a_library(const std::string& symbol) {
 
 void check_exports(const std::string& file, Violations& violations) {
   for (const ExportedSymbol& symbol : exported_symbols(file)) {
-    const bool fine =
-        symbol.name == "opal_plugin_v1" || (symbol.is_weak && belongs_to_a_library(symbol.name));
+    const bool fine = symbol.name == "opal_plugin_v1" || (symbol.is_weak && belongs_to_a_library(symbol.name));
     if (!fine)
       violations.add("exports", "exports " + symbol.name +
                                     ", expected opal_plugin_v1 alone; build it with opal_add_plugin, or with "
@@ -44,20 +43,13 @@ void check_exports(const std::string& file, Violations& violations) {
 template <class Call>
 auto with_interface(PluginKind kind, Call&& call) {
   switch (kind) {
-    case PluginKind::feature_detector:
-      return call.template operator()<FeatureDetector>();
-    case PluginKind::pattern_template:
-      return call.template operator()<PatternTemplate>();
-    case PluginKind::hypothesis_scorer:
-      return call.template operator()<HypothesisScorer>();
-    case PluginKind::log_source:
-      return call.template operator()<LogSource>();
-    case PluginKind::map_importer:
-      return call.template operator()<MapImporter>();
-    case PluginKind::scan_matcher:
-      return call.template operator()<ScanMatcher>();
-    case PluginKind::map_store:
-      break;
+    case PluginKind::feature_detector: return call.template operator()<FeatureDetector>();
+    case PluginKind::pattern_template: return call.template operator()<PatternTemplate>();
+    case PluginKind::hypothesis_scorer: return call.template operator()<HypothesisScorer>();
+    case PluginKind::log_source: return call.template operator()<LogSource>();
+    case PluginKind::map_importer: return call.template operator()<MapImporter>();
+    case PluginKind::scan_matcher: return call.template operator()<ScanMatcher>();
+    case PluginKind::map_store: break;
   }
   return call.template operator()<MapStore>();
 }
@@ -98,8 +90,7 @@ void expect_refused(const PluginRegistry& registry, const RegisteredType& type, 
                     const json& value, Violations& violations) {
   const std::string message = refusal(registry, type, {{option, value}});
   if (message.empty())
-    violations.add("option " + option,
-                   type.info.name + " accepts " + value.dump() + " for the option " + option);
+    violations.add("option " + option, type.info.name + " accepts " + value.dump() + " for the option " + option);
   else if (message.find(option) == std::string::npos)
     violations.add("option " + option, type.info.name + " refuses an option without naming it: " + message);
 }
@@ -113,8 +104,7 @@ void check_options(const PluginRegistry& registry, const RegisteredType& type, V
     if (option.maximum.is_number())
       expect_refused(registry, type, option.name, option.maximum.get<double>() + 1e9, violations);
     if (option.description.empty())
-      violations.add("described " + option.name,
-                     type.info.name + " does not describe its option " + option.name);
+      violations.add("described " + option.name, type.info.name + " does not describe its option " + option.name);
     // Both ends are in range, but need not go with the other defaults: a factory may refuse them.
     for (const json& end : {option.minimum, option.maximum})
       if (!end.is_null()) (void)refusal(registry, type, {{option.name, end}});
@@ -126,8 +116,8 @@ void check_type(const PluginRegistry& registry, const RegisteredType& type, Viol
   if (!message.empty())
     return violations.add("defaults " + type.info.name, "cannot be used with its defaults: " + message);
   check_options(registry, type, violations);
-  const auto sentences = with_interface(
-      type.kind, [&]<class T>() { return violations_of(*registry.make<T>(type.info.name), type.info); });
+  const auto sentences =
+      with_interface(type.kind, [&]<class T>() { return violations_of(*registry.make<T>(type.info.name), type.info); });
   for (const std::string& sentence : sentences)
     violations.add(sentence, "has a type that breaks its contract: " + sentence);
 }

@@ -19,8 +19,7 @@ class UselessFiles {
  public:
   UselessFiles() {
     std::string pattern = (fs::temp_directory_path() / "opal_contract_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-      throw Error(pattern + ": cannot make a folder for the contract's files");
+    if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern + ": cannot make a folder for the contract's files");
     folder_ = pattern;
     fs::create_directory(folder_ / "folder");
     std::ofstream(folder_ / "empty.bin");
@@ -63,8 +62,7 @@ void expect_refusal(Violations& violations, const std::string& name, const std::
 }
 
 template <class Reader>
-void check_recognition(Violations& violations, const Reader& reader, const std::string& name,
-                       const std::string& path) {
+void check_recognition(Violations& violations, const Reader& reader, const std::string& name, const std::string& path) {
   violations.expect_no_throw("looking at " + name, [&] {
     if (reader.recognizes(path)) violations.add("recognizes", "recognises " + name + " as its own");
   });
@@ -78,11 +76,9 @@ void check_useless_log(Violations& violations, const LogSource& source, const st
       const auto reader = source.open(path);
       if (reader == nullptr) return violations.add("null", "opens " + name + " and returns null");
       for (int records = 0; reader->next(); ++records)
-        if (records > 4096)
-          return violations.add("endless", "finds more records in " + name + " than it has bytes");
+        if (records > 4096) return violations.add("endless", "finds more records in " + name + " than it has bytes");
       if (!(reader->progress() >= 0 && reader->progress() <= 1))
-        violations.add("progress",
-                       "reports a progress of " + std::to_string(reader->progress()) + " in " + name);
+        violations.add("progress", "reports a progress of " + std::to_string(reader->progress()) + " in " + name);
     } catch (const LogError&) {
       return;
     }

@@ -42,8 +42,7 @@ struct RangeAlong {
 
 double first_range(std::span<const Geometry> surfaces, const Point& origin, const Point& direction) {
   double range = kNever;
-  for (const Geometry& surface : surfaces)
-    range = std::min(range, std::visit(RangeAlong{origin, direction}, surface));
+  for (const Geometry& surface : surfaces) range = std::min(range, std::visit(RangeAlong{origin, direction}, surface));
   return range;
 }
 
@@ -56,9 +55,7 @@ std::string text(const Point& p) {
 struct Describe {
   std::string operator()(const Point& p) const { return "a point at " + text(p); }
   std::string operator()(const OrientedPoint& p) const { return "an oriented point at " + text(p.position); }
-  std::string operator()(const Segment& s) const {
-    return "a segment from " + text(s.begin) + " to " + text(s.end);
-  }
+  std::string operator()(const Segment& s) const { return "a segment from " + text(s.begin) + " to " + text(s.end); }
   std::string operator()(const Circle& c) const {
     return "a circle at " + text(c.center) + " with radius " + std::to_string(c.radius_m);
   }
@@ -70,12 +67,8 @@ struct IsPossible {
     return p.position.allFinite() && std::isfinite(p.heading_rad) && p.opening_rad > 0 &&
            p.opening_rad < 2 * std::numbers::pi;
   }
-  bool operator()(const Segment& s) const {
-    return s.begin.allFinite() && s.end.allFinite() && s.length_m() > 0;
-  }
-  bool operator()(const Circle& c) const {
-    return c.center.allFinite() && std::isfinite(c.radius_m) && c.radius_m > 0;
-  }
+  bool operator()(const Segment& s) const { return s.begin.allFinite() && s.end.allFinite() && s.length_m() > 0; }
+  bool operator()(const Circle& c) const { return c.center.allFinite() && std::isfinite(c.radius_m) && c.radius_m > 0; }
 };
 
 }  // namespace
@@ -120,8 +113,7 @@ std::vector<Geometry> room(const std::vector<Point>& corners_counter_clockwise) 
 }
 
 std::vector<Geometry> example_room() {
-  std::vector<Geometry> surfaces =
-      room({{0, 0}, {3, 0}, {3, -1}, {4.5, -1}, {4.5, 0}, {7, 0}, {7, 5}, {0.5, 4.6}});
+  std::vector<Geometry> surfaces = room({{0, 0}, {3, 0}, {3, -1}, {4.5, -1}, {4.5, 0}, {7, 0}, {7, 5}, {0.5, 4.6}});
   const std::vector<Point> pillar{{2, 3}, {2, 3.4}, {2.4, 3.4}, {2.4, 3}};  // clockwise: seen from outside
   for (const Geometry& face : room(pillar)) surfaces.push_back(face);
   surfaces.push_back(Circle{{5, 2}, 0.25});

@@ -3,8 +3,8 @@
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/violations.hpp"
 
-#include "map/check/map_diff.hpp"
 #include <opal/map/view/map_view.hpp>
+#include "map/check/map_diff.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -66,13 +66,15 @@ void check_versions(Violations& violations, const MapStore& store, const std::st
   const StoredVersion one = store.push(*first, {building, "first"});
   const StoredVersion two = store.push(*second, {building, "second", 1});
   if (one.version != 1 || two.version != 2) violations.add("numbers", "does not number versions 1, 2");
-  expect_refusal<StoreConflict>(violations, "a push that expects another version",
-                                [&] { store.push(*first, {building, "", 1}); });
+  expect_refusal<StoreConflict>(violations, "a push that expects another version", [&] {
+    store.push(*first, {building, "", 1});
+  });
   if (store.list(building).size() != 2) violations.add("list", "does not list the versions that were pushed");
   const auto pulled = [&](int version) { return SemanticMap::parse(store.pull(building, version).document, "pulled"); };
   if (!map_diff(*first, *pulled(1)).empty() || !map_diff(*second, *pulled(2)).empty())
     violations.add("round trip", "gives back another map than was pushed");
-  if (!map_diff(*second, *pulled(0)).empty()) violations.add("newest", "does not give the newest version for version 0");
+  if (!map_diff(*second, *pulled(0)).empty())
+    violations.add("newest", "does not give the newest version for version 0");
   expect_refusal<StoreError>(violations, "a version that is not there", [&] { store.pull(building, 3); });
   check_questions(violations, store, first, building);
 }
@@ -88,8 +90,9 @@ std::vector<std::string> map_store_violations(const MapStore& store, const TypeI
     if (password != nullptr && *password != '\0' && where.find(password) != std::string::npos)
       violations.add("secret", "tells a password when it says where it is");
   });
-  expect_refusal<StoreError>(violations, "a push for a building without a name",
-                             [&] { store.push(*map_of_room(""), {"", ""}); });
+  expect_refusal<StoreError>(violations, "a push for a building without a name", [&] {
+    store.push(*map_of_room(""), {"", ""});
+  });
   expect_refusal<StoreError>(violations, "a pull for a building without a name", [&] { store.pull("", 0); });
   expect_refusal<StoreError>(violations, "a negative version", [&] { store.pull("hall", -1); });
   expect_refusal<StoreError>(violations, "a radius below zero", [&] {

@@ -33,21 +33,21 @@ void open_spaces(FloorPlan& plan) {
 
 /// Lifts, stairs and shafts in the middle.
 void core(FloorPlan& plan) {
-  plan.room({690, 1880, 1310, 2080});            // lift lobby
+  plan.room({690, 1880, 1310, 2080});  // lift lobby
   for (const int x : {740, 930, 1120}) {
     plan.open({x, 1860, x + 120, 1880});
     plan.open({x, 2080, x + 120, 2100});
   }
-  plan.room({760, 1400, 1010, 1780});            // toilets
+  plan.room({760, 1400, 1010, 1780});  // toilets
   plan.door({690, 1500, 760, 1600});
   plan.wall({760, 1640, 880, 1655});
-  plan.room({1040, 1400, 1240, 1780});           // pantry, open to the corridor
+  plan.room({1040, 1400, 1240, 1780});  // pantry, open to the corridor
   plan.open({1240, 1460, 1310, 1720});
   plan.wall({1040, 1400, 1100, 1500});
-  plan.room({770, 2200, 1230, 2560});            // stairs
+  plan.room({770, 2200, 1230, 2560});  // stairs
   plan.door({1230, 2300, 1310, 2400});
   plan.wall({770, 2330, 1080, 2430});
-  plan.open({840, 1270, 1160, 1330});            // wall of lockers
+  plan.open({840, 1270, 1160, 1330});  // wall of lockers
   plan.open({690, 2640, 740, 2740});
   plan.open({900, 2740, 1100, 2800});
 }

@@ -22,7 +22,8 @@ struct Architect {
 
 const std::vector<Architect>& architects() {
   static const std::vector<Architect> all{
-      {{"atlas", "20 x 41 m, rooms around open space, 154 concave corners", 0}, [](Variation&, double) { return plan_atlas(); }},
+      {{"atlas", "20 x 41 m, rooms around open space, 154 concave corners", 0},
+       [](Variation&, double) { return plan_atlas(); }},
       {{"gemini", "70 x 17 m, open space and hallway, two rows of round columns", 0},
        [](Variation&, double) { return plan_gemini(); }},
       {{"office", "rooms on both sides of corridors", 1000}, plan_office},
@@ -50,14 +51,15 @@ const Architect& architect_of(const std::string& kind) {
 double size_of(const BuildingRequest& request, const BuildingKind& kind) {
   if (request.size_m2 == 0) return kind.usual_size_m2;
   if (!(request.size_m2 >= kLeast_m2 && request.size_m2 <= kMost_m2))
-    throw ConfigError("size of a building is " + text_of(request.size_m2) + " m^2, expected " + text_of(kLeast_m2) + " to " +
-                      text_of(kMost_m2));
+    throw ConfigError("size of a building is " + text_of(request.size_m2) + " m^2, expected " + text_of(kLeast_m2) +
+                      " to " + text_of(kMost_m2));
   return request.size_m2;
 }
 
 std::string name_of(const BuildingRequest& request, const BuildingKind& kind, double size_m2) {
   if (kind.usual_size_m2 == 0) return kind.name;
-  return kind.name + " " + std::to_string(request.seed) + ", " + text_of(size_m2) + " m^2, symmetry " + text_of(request.symmetry);
+  return kind.name + " " + std::to_string(request.seed) + ", " + text_of(size_m2) + " m^2, symmetry " +
+         text_of(request.symmetry);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kRecess = 15, kShutDoor = 100;
 constexpr int kCornerClear = 60;  // of a block, without niches
-constexpr int kDeepest = 80;       // niche
-constexpr int kShallowest = 150;   // dead end
+constexpr int kDeepest = 80;      // niche
+constexpr int kShallowest = 150;  // dead end
 constexpr int kStep = 300;        // a niche or door at most every 3 m
 
 /// What may be cut into a block's face, per step of its length.
@@ -66,14 +66,20 @@ class Corridors {
 
   void add_block(const Box& block) {
     for (int x = block.left + kCornerClear; x + kStep + kCornerClear <= block.right; x += kStep) {
-      add_cut(x, [&](int from, int to, int near, int far) { return Box{from, block.bottom + near, to, block.bottom + far}; });
+      add_cut(x, [&](int from, int to, int near, int far) {
+        return Box{from, block.bottom + near, to, block.bottom + far};
+      });
       add_cut(x, [&](int from, int to, int near, int far) { return Box{from, block.top - far, to, block.top - near}; });
     }
     for (int y = block.bottom + kCornerClear; y + kStep + kCornerClear <= block.top; y += kStep) {
       if (!is_closed(block.left, y))
-        add_cut(y, [&](int from, int to, int near, int far) { return Box{block.left + near, from, block.left + far, to}; });
+        add_cut(y, [&](int from, int to, int near, int far) {
+          return Box{block.left + near, from, block.left + far, to};
+        });
       if (!is_closed(block.right, y))
-        add_cut(y, [&](int from, int to, int near, int far) { return Box{block.right - far, from, block.right - near, to}; });
+        add_cut(y, [&](int from, int to, int near, int far) {
+          return Box{block.right - far, from, block.right - near, to};
+        });
     }
   }
 
@@ -87,6 +93,7 @@ class Corridors {
   /// Opposite the blocks; glass where blocks have doors.
   void add_outer_walls() {
     const int width = xs_.back(), height = ys_.back();
+    // clang-format off
     for (std::size_t column = 1; column + 1 < xs_.size(); column += 2)
       for (int x = xs_[column] + kCornerClear; x + kStep + kCornerClear <= xs_[column + 1]; x += kStep) {
         add_cut(x, [](int from, int to, int near, int far) { return Box{from, -far, to, -near}; }, true);
@@ -97,6 +104,7 @@ class Corridors {
         add_cut(y, [](int from, int to, int near, int far) { return Box{-far, from, -near, to}; }, true);
         add_cut(y, [&](int from, int to, int near, int far) { return Box{width + near, from, width + far, to}; }, true);
       }
+    // clang-format on
   }
 
   template <class BoxBehind>
@@ -110,7 +118,8 @@ class Corridors {
     building_.plan.thing(behind(from, to, kRecess, kRecess + 5), "opal:Door");
   }
 
-  /// Closes a corridor along y between two crossings, in part or all of it; those along x stay open, so nothing is cut off.
+  /// Closes a corridor along y between two crossings, in part or all of it; those along x stay open, so nothing is cut
+  /// off.
   void add_dead_end(const Box& corridor) {
     const bool is_there = vary_.yes(false, 0.3), is_south = vary_.chance(0.5);
     int length = vary_.between(corridor.height() / 3 / 5 * 5, corridor.height());

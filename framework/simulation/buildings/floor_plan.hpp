@@ -19,7 +19,7 @@ class FloorPlan {
   struct Stroke {
     Box box;
     Ground ground = Ground::solid;
-    int thing = kWall;   ///< solid: position in things()
+    int thing = kWall;     ///< solid: position in things()
     int space = kNoSpace;  ///< floor: number of the room; walls are named room by room
   };
   struct Column {

@@ -6,8 +6,8 @@ namespace {
 constexpr int kLength = 7000, kDepth = 1700;
 constexpr int kPitchX = 740, kPitchY = 620, kRadius = 33;
 constexpr int kFirstX = 170, kSouthY = 540;
-constexpr int kNorthWall = 1640;                     // of the open space, with niches as deep as the building
-constexpr int kHallway = 4000;                       // the open space ends here
+constexpr int kNorthWall = 1640;  // of the open space, with niches as deep as the building
+constexpr int kHallway = 4000;    // the open space ends here
 constexpr int kHallwaySouth = 410, kHallwayNorth = 1290;
 
 constexpr int column_x(int number) { return kFirstX + number * kPitchX; }
@@ -34,8 +34,8 @@ void building_elements(FloorPlan& plan) {
   plan.wall({column_x(6) + 130, 700, column_x(6) + 610, 1000});  // lifts, two doors in recesses
   plan.open({column_x(6) + 190, 700, column_x(6) + 310, 720});
   plan.open({column_x(6) + 410, 700, column_x(6) + 530, 720});
-  plan.wall({column_x(8) + 200, 730, column_x(8) + 420, 950});   // shaft
-  plan.wall({6550, 950, kLength, kHallwayNorth});                // emergency stairs, where a tenth column would stand
+  plan.wall({column_x(8) + 200, 730, column_x(8) + 420, 950});  // shaft
+  plan.wall({6550, 950, kLength, kHallwayNorth});               // emergency stairs, where a tenth column would stand
 }
 
 /// Rooms along the hallway.

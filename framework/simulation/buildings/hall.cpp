@@ -15,7 +15,8 @@ struct WallBay {
   int pilaster = 0;  ///< how far it stands out at the bay's begin
 };
 
-/// One side of the hall: how a box along the wall (from, to) and behind it (near, far; negative: in the hall) lies in the plan.
+/// One side of the hall: how a box along the wall (from, to) and behind it (near, far; negative: in the hall) lies in
+/// the plan.
 struct Side {
   int quarter = 0;  ///< 0: south wall, 1: east, 2: north, 3: west
   int width = 0, height = 0;
@@ -118,8 +119,8 @@ class Hall {
     const int width = lines_x_[column + 1] - lines_x_[column], height = lines_y_[row + 1] - lines_y_[row];
     const int room_x = vary_.between(140, width / 2 - 60), room_y = vary_.between(140, height / 2 - 60);
     if (!is_there) return;
-    building_.plan.wall({lines_x_[column] + room_x, lines_y_[row] + room_y, lines_x_[column + 1] - room_x,
-                         lines_y_[row + 1] - room_y});
+    building_.plan.wall(
+        {lines_x_[column] + room_x, lines_y_[row] + room_y, lines_x_[column + 1] - room_x, lines_y_[row + 1] - room_y});
   }
 
   Variation& vary_;

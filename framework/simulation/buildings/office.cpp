@@ -14,12 +14,12 @@ constexpr int kNarrowestRoom = 250;
 struct Room {
   int width = 0;
   int door = 0, door_width = 0;
-  bool has_glass = false;          ///< beside the door
-  bool has_window = false;         ///< down to the floor, where there is a facade
-  int shaft = 0;                   ///< side of a square shaft in a back corner; below 30: none
+  bool has_glass = false;   ///< beside the door
+  bool has_window = false;  ///< down to the floor, where there is a facade
+  int shaft = 0;            ///< side of a square shaft in a back corner; below 30: none
   bool shaft_is_west = true;
-  int buttress = 0;                ///< how far the wall's end stands out into the corridor; below 15: not
-  bool is_open = false;            ///< towards the corridor, no door
+  int buttress = 0;      ///< how far the wall's end stands out into the corridor; below 15: not
+  bool is_open = false;  ///< towards the corridor, no door
 };
 
 /// Rooms along one side of a corridor, all of one depth.
@@ -54,7 +54,8 @@ class Office {
     const int wing_height = 2 * depth_ + corridor_ + 3 * kPartition;
     for (int k = 0; k < corridors_; ++k) add_corridor(k * wing_height, k == 0, k + 1 == corridors_);
     if (corridors_ > 1)
-      for (int k = 0; k <= wings_; ++k) add_cross_corridor(left_of_wing(k) - cross_, corridors_ * wing_height - kPartition);
+      for (int k = 0; k <= wings_; ++k)
+        add_cross_corridor(left_of_wing(k) - cross_, corridors_ * wing_height - kPartition);
     for (const Box& stub : buttresses_) building_.plan.wall(stub);
     return std::move(building_);
   }
@@ -94,7 +95,7 @@ class Office {
     plan.room({left, 0, left + cross_, top});
     if (vary_.yes(usual_.has_window, 0.5)) plan.facade_glass({left + 40, -10, left + cross_ - 40, 0});
     if (vary_.yes(usual_.has_window, 0.5)) plan.facade_glass({left + 40, top, left + cross_ - 40, top + 10});
-    const bool is_first = left < 0, is_last = left + cross_ > wings_ * (wing_length() + cross_) - cross_;
+    const bool is_first = left<0, is_last = left + cross_> wings_ * (wing_length() + cross_) - cross_;
     for (int y = depth_; (is_first || is_last) && y + 100 < top; y += depth_) {
       const int at = y + vary_.length(0, -100, 100), out = vary_.length(30, 0, 40);
       if (out >= 15 && is_first) plan.wall({left, at, left + out, at + 40});
@@ -129,7 +130,8 @@ class Office {
       const int middle = x + room.width / 2, pillar = kPartition + depth_ / 2;
       plan.wall(band.box(middle - 20, middle + 20, pillar - 20, pillar + 20));
     }
-    if (room.buttress >= 15 && x > left + kPartition) buttresses_.push_back(band.box(x - 25, x + 15, -room.buttress, 0));
+    if (room.buttress >= 15 && x > left + kPartition)
+      buttresses_.push_back(band.box(x - 25, x + 15, -room.buttress, 0));
   }
 
   void add_front(const Band& band, const Room& room, int x) {

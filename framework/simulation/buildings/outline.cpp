@@ -43,7 +43,8 @@ class Walk {
   }
   bool is_floor(const Place& p) const { return grid_.is_floor(p[0], p[1]); }
   int& sides(int column, int row) {
-    return sides_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+    return sides_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(column)];
   }
 
   Outline outline_from(const Side& start) {

@@ -18,8 +18,8 @@ struct OutlineFace {
   int length() const { return std::abs(end[0] - begin[0]) + std::abs(end[1] - begin[1]); }
 };
 
-/// Faces all around a piece of solid, or around the floor: each begins where the one before ends, the first one where the
-/// last one ends. It begins at a corner of its lowest row, so that a plan has one outline only.
+/// Faces all around a piece of solid, or around the floor: each begins where the one before ends, the first one where
+/// the last one ends. It begins at a corner of its lowest row, so that a plan has one outline only.
 using Outline = std::vector<OutlineFace>;
 
 /// All outlines, from the lowest row up and from left to right.

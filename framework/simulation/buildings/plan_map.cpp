@@ -102,7 +102,13 @@ class Assembly {
 
   void add_face(const OutlineFace& face, int object) {
     const std::string id = id_of(object) + "/face-" + std::to_string(++faces_[static_cast<std::size_t>(object)]);
-    features_.push_back({id, object, "opal:Wall", face.is_glass ? "" : kSensor, segment(face), 0, 1,
+    features_.push_back({id,
+                         object,
+                         "opal:Wall",
+                         face.is_glass ? "" : kSensor,
+                         segment(face),
+                         0,
+                         1,
                          {point_at(face.begin), point_at(face.end)}});
   }
 
@@ -113,8 +119,13 @@ class Assembly {
     const int opening = is_concave ? 2 : 6;
     const int heading = (2 * after.quarter + opening / 2 + 4) % 8 - 4;
     const double eighth_rad = std::numbers::pi / 4;
-    features_.push_back({numbered("corner", ++counts_["corner"]), object, "opal:Corner", kSensor,
-                         OrientedPoint{to_map(after.begin), heading * eighth_rad, opening * eighth_rad}, 0, 1,
+    features_.push_back({numbered("corner", ++counts_["corner"]),
+                         object,
+                         "opal:Corner",
+                         kSensor,
+                         OrientedPoint{to_map(after.begin), heading * eighth_rad, opening * eighth_rad},
+                         0,
+                         1,
                          {point_at(after.begin)}});
   }
 
@@ -122,11 +133,18 @@ class Assembly {
     const int object = add_object(closure.type);
     const Box& box = closure.box;
     // Clockwise: seen from outside.
-    const std::array<Place, 4> places{{{box.left, box.bottom}, {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}}};
+    const std::array<Place, 4> places{
+        {{box.left, box.bottom}, {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}}};
     for (std::size_t k = 0; k < places.size(); ++k) {
       const Place &begin = places[k], &end = places[(k + 1) % places.size()];
-      features_.push_back({id_of(object) + "/leaf-" + std::to_string(k + 1), object, "opal:Wall", "",
-                           Segment{to_map(begin), to_map(end)}, 0, 1, {point_at(begin), point_at(end)}});
+      features_.push_back({id_of(object) + "/leaf-" + std::to_string(k + 1),
+                           object,
+                           "opal:Wall",
+                           "",
+                           Segment{to_map(begin), to_map(end)},
+                           0,
+                           1,
+                           {point_at(begin), point_at(end)}});
     }
   }
 
@@ -148,6 +166,8 @@ class Assembly {
 
 }  // namespace
 
-std::shared_ptr<const SemanticMap> map_of(const std::string& name, const FloorPlan& plan) { return Assembly(plan).run(name); }
+std::shared_ptr<const SemanticMap> map_of(const std::string& name, const FloorPlan& plan) {
+  return Assembly(plan).run(name);
+}
 
 }  // namespace opal::simulation

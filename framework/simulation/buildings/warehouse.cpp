@@ -11,16 +11,20 @@ constexpr int kBackAisle = 400;
 constexpr int kSidesOfRacks = 300;  // aisles along the west and east wall
 constexpr int kLongestRack = 3000;  // without a cross aisle
 constexpr int kCrossAisle = 350;
-constexpr int kOffice = 500;        // its length
-constexpr int kFrame = 550;         // between pilasters of the west and east walls
+constexpr int kOffice = 500;  // its length
+constexpr int kFrame = 550;   // between pilasters of the west and east walls
 
 class Warehouse {
  public:
   Warehouse(Variation& vary, double size_m2)
-      : vary_(vary), rack_depth_(vary.between(110, 250)), aisle_(vary.between(280, 360)), dock_zone_(vary.between(700, 1200)) {
+      : vary_(vary),
+        rack_depth_(vary.between(110, 250)),
+        aisle_(vary.between(280, 360)),
+        dock_zone_(vary.between(700, 1200)) {
     const double width = 100 * std::sqrt(1.5 * size_m2);
     const int racks = std::max(2, static_cast<int>(std::lround((width - 2 * kSidesOfRacks) / pitch())));
-    height_ = std::max(dock_zone_ + kBackAisle + 600, static_cast<int>(std::lround(100 * std::sqrt(size_m2 / 1.5) / 5)) * 5);
+    height_ =
+        std::max(dock_zone_ + kBackAisle + 600, static_cast<int>(std::lround(100 * std::sqrt(size_m2 / 1.5) / 5)) * 5);
     usual_door_ = vary.between(240, 360);
     usual_door_ = std::min(usual_door_, pitch() - 60);
     has_pillars_ = vary.chance(0.6);
@@ -32,7 +36,8 @@ class Warehouse {
     const int width = rows_.back() + kSidesOfRacks;
     building_.plan.room({0, 0, width, height_});
     const bool has_office = vary_.yes(false, 0.7), is_west = vary_.chance(0.5);
-    if (has_office) office_ = is_west ? Box{0, 0, kOffice, office_depth()} : Box{width - kOffice, 0, width, office_depth()};
+    if (has_office)
+      office_ = is_west ? Box{0, 0, kOffice, office_depth()} : Box{width - kOffice, 0, width, office_depth()};
     for (std::size_t k = 0; k + 1 < rows_.size(); k += 2) {
       add_row(rows_[k], rows_[k + 1]);
       add_dock(rows_[k], rows_[k + 1], width);

@@ -5,8 +5,8 @@
 namespace opal {
 namespace {
 
-constexpr int kMetreDecimals = 3, kPoseDecimals = 3, kAngleDecimals = 4, kNatDecimals = 2,
-              kProbabilityDecimals = 4, kCpuDecimals = 3;
+constexpr int kMetreDecimals = 3, kPoseDecimals = 3, kAngleDecimals = 4, kNatDecimals = 2, kProbabilityDecimals = 4,
+              kCpuDecimals = 3;
 constexpr double kShownProbability = 0.0005;
 
 /// Kind and numbers, as elements or as one member.
@@ -14,12 +14,8 @@ struct WriteGeometry {
   RecordText& record;
   bool as_member;
 
-  RecordText& named(const char* kind) const {
-    return as_member ? record.key(kind).open('[') : record.text(kind);
-  }
-  RecordText& at(const Point& p) const {
-    return record.number(p.x(), kMetreDecimals).number(p.y(), kMetreDecimals);
-  }
+  RecordText& named(const char* kind) const { return as_member ? record.key(kind).open('[') : record.text(kind); }
+  RecordText& at(const Point& p) const { return record.number(p.x(), kMetreDecimals).number(p.y(), kMetreDecimals); }
   void done() const {
     if (as_member) record.close(']');
   }
@@ -101,10 +97,7 @@ void write_mapped_feature(const RunHeader::Feature& feature, RecordText& record)
 
 void write_local_features(const RunFrame& frame, RecordText& record) {
   write_list("features", frame.changed, record, [&](const RecordedLocalFeature& feature) {
-    record.integer(feature.id)
-        .text(feature.type)
-        .integer(feature.stable ? 1 : 0)
-        .integer(feature.measurements);
+    record.integer(feature.id).text(feature.type).integer(feature.stable ? 1 : 0).integer(feature.measurements);
     std::visit(WriteGeometry{record, false}, feature.geometry);
   });
   if (!frame.gone.empty()) record.key("gone").ids(frame.gone);
@@ -112,10 +105,7 @@ void write_local_features(const RunFrame& frame, RecordText& record) {
 
 void write_tree(const RunFrame& frame, RecordText& record) {
   write_list("spawned", frame.spawns, record, [&](const RecordedSpawn& spawn) {
-    record.integer(spawn.id)
-        .integer(spawn.parent)
-        .text(spawn.pattern_template)
-        .pose(spawn.T_map_base, kPoseDecimals);
+    record.integer(spawn.id).integer(spawn.parent).text(spawn.pattern_template).pose(spawn.T_map_base, kPoseDecimals);
     record.number(spawn.log_likelihood, kNatDecimals);
     write_pairs(spawn.pairs, record);
   });
@@ -142,11 +132,7 @@ void write_tree(const RunFrame& frame, RecordText& record) {
 void write_search(const RecordedSearch& search, RecordText& record) {
   record.key("search").open('{').key("patterns").open('[');
   for (const auto& lookup : search.patterns)
-    record.open('[')
-        .text(lookup.pattern_template)
-        .ids(lookup.local_features)
-        .integer(lookup.candidates)
-        .close(']');
+    record.open('[').text(lookup.pattern_template).ids(lookup.local_features).integer(lookup.candidates).close(']');
   record.close(']').key("proposed").integer(search.proposed).key("rejected").open('[');
   for (const auto& rejected : search.rejected) {
     record.open('[')
@@ -159,8 +145,7 @@ void write_search(const RecordedSearch& search, RecordText& record) {
   record.close(']').close('}');
 }
 
-void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t most_scores,
-                   RecordText& record) {
+void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t most_scores, RecordText& record) {
   record.key("p").open('[');
   for (const RecordedHypothesis& hypothesis : hypotheses)
     if (hypothesis.probability > kShownProbability)

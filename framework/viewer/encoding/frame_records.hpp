@@ -16,8 +16,7 @@ void write_local_features(const RunFrame& frame, RecordText& record);
 void write_tree(const RunFrame& frame, RecordText& record);
 void write_search(const RecordedSearch& search, RecordText& record);
 /// Probabilities of the hypotheses that have rows, and the scores of the best few.
-void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t most_scores,
-                   RecordText& record);
+void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t most_scores, RecordText& record);
 /// The estimate, truth and cost.
 void write_answer(const RunFrame& frame, RecordText& record);
 

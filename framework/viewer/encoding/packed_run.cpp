@@ -32,8 +32,7 @@ class Packing {
 /// Packs frames with several levels of detail at once, finest first, and keeps those that fit.
 class Packings {
  public:
-  Packings(std::span<const PageDetail> details, std::size_t limit, bool keep_last,
-           const MakeNarrator& make_narrator)
+  Packings(std::span<const PageDetail> details, std::size_t limit, bool keep_last, const MakeNarrator& make_narrator)
       : limit_(limit), keep_last_(keep_last), narrate_(make_narrator()) {
     for (const PageDetail& detail : details) packings_.push_back(std::make_unique<Packing>(detail));
   }
@@ -58,8 +57,7 @@ class Packings {
     for (const auto& packing : packings_) {
       std::string data = packing->finish();
       const bool last = packing == packings_.back() && keep_last_;
-      if (data.size() <= limit_ || last)
-        return PackedRun{"", std::move(data), 0, notes, packing->detail().reduced};
+      if (data.size() <= limit_ || last) return PackedRun{"", std::move(data), 0, notes, packing->detail().reduced};
     }
     return std::nullopt;
   }
@@ -85,9 +83,8 @@ class Packings {
 };
 
 std::optional<PackedRun> try_to_pack(const std::string& out, Packings packings) {
-  const RunReading reading = read_run(out, [&](const RunHeader& header, RunFrame&& frame) {
-    return packings.take(header, std::move(frame));
-  });
+  const RunReading reading =
+      read_run(out, [&](const RunHeader& header, RunFrame&& frame) { return packings.take(header, std::move(frame)); });
   if (reading.frames == 0) throw EventError(event_file(out) + ": holds no update, expected at least one");
   std::optional<PackedRun> packed = packings.finish(reading.notes);
   if (packed) packed->frames = reading.frames;

@@ -56,8 +56,7 @@ std::string PageEncoder::map_record(const RunHeader& header) const {
   for (const auto& pattern : header.patterns) {
     record.open('{').key("id").text(pattern.id).key("template").text(pattern.pattern_template);
     record.key("features").open('[');
-    for (const int member : pattern.features)
-      record.text(header.features[static_cast<std::size_t>(member)].id);
+    for (const int member : pattern.features) record.text(header.features[static_cast<std::size_t>(member)].id);
     record.close(']').close('}');
   }
   return record.close(']').close('}').take();
@@ -65,8 +64,7 @@ std::string PageEncoder::map_record(const RunHeader& header) const {
 
 std::string PageEncoder::frame_record(const RunFrame& frame, const Words& words) {
   if (frame.starts) rows_.clear();
-  const std::size_t shown =
-      std::min(frame.hypotheses.size(), static_cast<std::size_t>(detail_.most_hypotheses));
+  const std::size_t shown = std::min(frame.hypotheses.size(), static_cast<std::size_t>(detail_.most_hypotheses));
   const std::span<const RecordedHypothesis> hypotheses(frame.hypotheses.data(), shown);
   RecordText record;
   record.open('{');
@@ -76,8 +74,7 @@ std::string PageEncoder::frame_record(const RunFrame& frame, const Words& words)
   write_tree(frame, record);
   if (frame.search) write_search(*frame.search, record);
   rows_.write(hypotheses, as_written(frame.T_local_base), record);
-  if (shown < frame.hypotheses.size())
-    record.key("alive").integer(static_cast<long long>(frame.hypotheses.size()));
+  if (shown < frame.hypotheses.size()) record.key("alive").integer(static_cast<long long>(frame.hypotheses.size()));
   write_beliefs(hypotheses, static_cast<std::size_t>(detail_.most_scores), record);
   write_answer(frame, record);
   write_words(words, frame.starts.has_value(), record);

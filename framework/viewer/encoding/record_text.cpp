@@ -74,8 +74,7 @@ RecordText& RecordText::points(std::span<const Point> points, double unit_m, int
   open('[');
   long long x = 0, y = 0;
   for (std::size_t k = 0; k < points.size(); k += static_cast<std::size_t>(stride)) {
-    const long long next_x = std::llround(points[k].x() / unit_m),
-                    next_y = std::llround(points[k].y() / unit_m);
+    const long long next_x = std::llround(points[k].x() / unit_m), next_y = std::llround(points[k].y() / unit_m);
     integer(next_x - x).integer(next_y - y);
     x = next_x;
     y = next_y;

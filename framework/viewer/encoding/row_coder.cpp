@@ -20,8 +20,7 @@ void RowCoder::clear() {
   T_local_base_ = {};
 }
 
-void RowCoder::write(std::span<const RecordedHypothesis> hypotheses, const Pose2& T_local_base,
-                     RecordText& record) {
+void RowCoder::write(std::span<const RecordedHypothesis> hypotheses, const Pose2& T_local_base, RecordText& record) {
   const Pose2 D = T_local_base_.inverse() * T_local_base;
   T_local_base_ = T_local_base;
   write_leave(hypotheses, record);
@@ -40,8 +39,7 @@ void RowCoder::write_leave(std::span<const RecordedHypothesis> hypotheses, Recor
   std::erase_if(rows_, [&](const Row& row) { return !alive.contains(row.id); });
 }
 
-void RowCoder::write_rows(std::span<const RecordedHypothesis> hypotheses, const Pose2& D,
-                          RecordText& record) {
+void RowCoder::write_rows(std::span<const RecordedHypothesis> hypotheses, const Pose2& D, RecordText& record) {
   if (rows_.empty()) return;
   const auto alive = by_id(hypotheses);
   std::vector<Step> steps;
@@ -55,8 +53,7 @@ void RowCoder::write_rows(std::span<const RecordedHypothesis> hypotheses, const 
   record.close(']');
 }
 
-void RowCoder::write_enter(std::span<const RecordedHypothesis> hypotheses, std::size_t carried,
-                           RecordText& record) {
+void RowCoder::write_enter(std::span<const RecordedHypothesis> hypotheses, std::size_t carried, RecordText& record) {
   if (hypotheses.size() == carried) return;
   std::vector<int> known;
   for (const Row& row : rows_) known.push_back(row.id);
@@ -66,12 +63,7 @@ void RowCoder::write_enter(std::span<const RecordedHypothesis> hypotheses, std::
     if (std::binary_search(known.begin(), known.end(), hypothesis.id)) continue;
     const Step step = step_of(hypothesis.T_map_base);
     const long long nat = std::llround(hypothesis.log_likelihood / detail_.unit_nat);
-    record.open('[')
-        .integer(hypothesis.id)
-        .integer(step.x)
-        .integer(step.y)
-        .integer(step.heading)
-        .integer(nat);
+    record.open('[').integer(hypothesis.id).integer(step.x).integer(step.y).integer(step.heading).integer(nat);
     record.close(']');
     rows_.push_back({hypothesis.id, pose_of(step), nat});
   }

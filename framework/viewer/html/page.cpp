@@ -28,8 +28,8 @@ std::string nonce_of(const std::string& data) {
 }
 
 std::string policy(const std::string& nonce) {
-  return "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'nonce-" +
-         nonce + "'; script-src 'nonce-" + nonce +
+  return "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'nonce-" + nonce +
+         "'; script-src 'nonce-" + nonce +
          "'; connect-src 'self'; img-src data: blob:; base-uri 'none'; form-action 'none'\">\n";
 }
 
@@ -66,8 +66,8 @@ std::size_t room_for_data(std::size_t runs) {
 std::string page_of(const std::vector<PackedRun>& runs) {
   std::string data;
   for (const PackedRun& run : runs)
-    data += "<script type=\"text/plain\" class=\"opal-run\" data-name=\"" + html_text(run.name) + "\">" +
-            run.data + "</script>\n";
+    data += "<script type=\"text/plain\" class=\"opal-run\" data-name=\"" + html_text(run.name) + "\">" + run.data +
+            "</script>\n";
   return page_with(data);
 }
 

@@ -6,7 +6,7 @@ const kBand_px = 16,
   kTicks_px = 14,
   kGap_px = 2,
   kNames_px = 9;
-const kBorn = kEventKinds.indexOf('spawned'),
+const kSpawned = kEventKinds.indexOf('spawned'),
   kEnded = kEventKinds.indexOf('ended'),
   kSearch = kEventKinds.indexOf('search');
 
@@ -92,7 +92,7 @@ export class EventStrip {
       const at = x(timeLine.timeOf(part, frame));
       if (at - last[kind] < 1) continue;
       last[kind] = at;
-      if (kind === kBorn) fill(context, palette.alternative, at, top, 1.5, kTicks_px / 2 - 2);
+      if (kind === kSpawned) fill(context, palette.alternative, at, top, 1.5, kTicks_px / 2 - 2);
       else if (kind === kEnded) fill(context, palette.finding, at, middle + 2, 1.5, kTicks_px / 2 - 2);
       else if (kind === kSearch) fill(context, palette.pattern, at - 0.5, middle - 1.5, 3, 3);
     }

@@ -130,8 +130,7 @@ double EventPlace::coordinate(std::size_t index) const {
 double EventPlace::angle(std::size_t index) const {
   const Event& value = (*value_)[index];
   const double number = value.is_number() ? value.get<double>() : std::nan("");
-  return std::abs(number) <= kLargestAngle_rad ? number
-                                               : element(index).number(-kLargestAngle_rad, kLargestAngle_rad);
+  return std::abs(number) <= kLargestAngle_rad ? number : element(index).number(-kLargestAngle_rad, kLargestAngle_rad);
 }
 
 Pose2 EventPlace::pose() const {

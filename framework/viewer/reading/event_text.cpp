@@ -27,11 +27,9 @@ class EventAssembly {
 
   bool key(std::string& name) {
     auto& members = open_.back()->get_ref<Event::object_t&>();
-    if (members.size() >= kMostMembers)
-      throw EventError("an object of more than 500 members, expected fewer");
+    if (members.size() >= kMostMembers) throw EventError("an object of more than 500 members, expected fewer");
     for (const auto& member : members)
-      if (member.first == name)
-        throw EventError("the key '" + name + "' stands twice in one object, expected once");
+      if (member.first == name) throw EventError("the key '" + name + "' stands twice in one object, expected once");
     // The underlying vector's: ordered_map's own insertion would search a second time.
     members.Event::object_t::Container::emplace_back(std::move(name), nullptr);
     return true;
@@ -40,8 +38,8 @@ class EventAssembly {
   bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& error) {
     const bool overflow = dynamic_cast<const nlohmann::detail::out_of_range*>(&error) != nullptr;
     throw EventError("column " + std::to_string(byte) + ": " +
-                     (overflow ? "a number too large for a double" : "'" + tail(token) + "'") +
-                     ", expected " + (overflow ? "a finite number" : "JSON text"));
+                     (overflow ? "a number too large for a double" : "'" + tail(token) + "'") + ", expected " +
+                     (overflow ? "a finite number" : "JSON text"));
   }
 
  private:

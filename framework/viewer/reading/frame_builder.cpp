@@ -70,8 +70,7 @@ void FrameBuilder::begin_frame(const EventPlace& event) {
   RunFrame frame;
   read_frame_event("keyframe", event, features_, frame);
   if (starts_) first_stamp_s_ = newest_stamp_s_ = frame.stamp_s;
-  if (frame.stamp_s < newest_stamp_s_)
-    event.member("stamp_s").fail("a stamp not before the keyframe's before it");
+  if (frame.stamp_s < newest_stamp_s_) event.member("stamp_s").fail("a stamp not before the keyframe's before it");
   newest_stamp_s_ = frame.stamp_s;
   frame.time_s = frame.stamp_s - first_stamp_s_;
   frame.starts = std::exchange(starts_, std::nullopt);
@@ -90,8 +89,7 @@ RunFrame FrameBuilder::end_frame(const EventPlace& event) {
 void FrameBuilder::require_open(const EventPlace& event) const {
   const EventPlace keyframe = event.member("keyframe");
   if (!frame_) keyframe.fail("a 'keyframe' event that begins this update");
-  if (keyframe.count() != frame_->keyframe)
-    keyframe.fail(std::to_string(frame_->keyframe) + ", the open keyframe");
+  if (keyframe.count() != frame_->keyframe) keyframe.fail(std::to_string(frame_->keyframe) + ", the open keyframe");
 }
 
 void FrameBuilder::require_closed(const EventPlace& event) const {

@@ -35,7 +35,7 @@ class FrameBuilder {
   std::optional<RunHeader> run_;  ///< until `map` completes it
   std::shared_ptr<const RunHeader> header_;
   FeaturePositions features_;
-  std::vector<StampedPose> truth_;  ///< T_map_base of the time line, by increasing stamp
+  std::vector<StampedPose> truth_;             ///< T_map_base of the time line, by increasing stamp
   std::optional<std::string> starts_ = "run";  ///< the time line that the next frame begins
   double first_stamp_s_ = 0, newest_stamp_s_ = 0;
   std::optional<RunFrame> frame_;

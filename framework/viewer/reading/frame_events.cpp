@@ -61,8 +61,7 @@ std::vector<RecordedFinding> read_findings(const EventPlace& event, const Featur
     RecordedFinding finding{place.member("scorer").name(), place.member("words").sentence(), -1,
                             optional_points(place, "line")};
     if (!finding.line.empty() && finding.line.size() != 2) place.member("line").fail("[x, y, x, y]");
-    if (const auto mapped = place.find("map_feature"))
-      finding.map_feature = mapped_feature(*mapped, features);
+    if (const auto mapped = place.find("map_feature")) finding.map_feature = mapped_feature(*mapped, features);
     findings.push_back(std::move(finding));
   }
   return findings;
@@ -84,9 +83,8 @@ void read_local_features(const EventPlace& event, const FeaturePositions&, RunFr
   if (const auto changed = event.find("changed"))
     for (std::size_t k = 0; k < changed->elements(); ++k) {
       const EventPlace place = changed->element(k);
-      frame.changed.push_back({place.member("id").count(), place.member("type").name(),
-                               place.member("stable").flag(), place.member("measurements").count(),
-                               place.geometry()});
+      frame.changed.push_back({place.member("id").count(), place.member("type").name(), place.member("stable").flag(),
+                               place.member("measurements").count(), place.geometry()});
     }
   if (const auto gone = event.find("gone"))
     for (const int id : gone->ids()) frame.gone.push_back(id);
@@ -110,8 +108,8 @@ void read_searched(const EventPlace& event, const FeaturePositions& features, Ru
   if (const auto patterns = event.find("patterns"))
     for (std::size_t k = 0; k < patterns->elements(); ++k) {
       const EventPlace place = patterns->element(k);
-      search.patterns.push_back({place.member("template").name(), place.member("local_features").ids(),
-                                 place.member("candidates").count()});
+      search.patterns.push_back(
+          {place.member("template").name(), place.member("local_features").ids(), place.member("candidates").count()});
     }
   const auto proposed = event.find("proposed");
   search.proposed = proposed ? proposed->count() : 0;
@@ -135,8 +133,8 @@ void read_associated(const EventPlace& event, const FeaturePositions& features, 
 }
 
 void read_dissociated(const EventPlace& event, const FeaturePositions&, RunFrame& frame) {
-  frame.losses.push_back({event.member("hypothesis").count(), event.member("local_features").ids(),
-                          event.member("reason").sentence()});
+  frame.losses.push_back(
+      {event.member("hypothesis").count(), event.member("local_features").ids(), event.member("reason").sentence()});
 }
 
 void read_rejected(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
@@ -178,8 +176,7 @@ void read_estimate(const EventPlace& event, const FeaturePositions& features, Ru
   const EventPlace array = event.member("hypotheses");
   frame.hypotheses.clear();
   frame.hypotheses.reserve(array.elements());
-  for (std::size_t k = 0; k < array.elements(); ++k)
-    frame.hypotheses.push_back(read_hypothesis(array.element(k)));
+  for (std::size_t k = 0; k < array.elements(); ++k) frame.hypotheses.push_back(read_hypothesis(array.element(k)));
   require_distinct(array, frame.hypotheses);
   frame.findings = read_findings(event, features);
 }
@@ -199,16 +196,12 @@ void read_cost(const EventPlace& event, const FeaturePositions&, RunFrame& frame
 using Reader = void (*)(const EventPlace&, const FeaturePositions&, RunFrame&);
 
 const std::map<std::string, Reader>& readers() {
-  static const std::map<std::string, Reader> kReaders{{"keyframe", read_keyframe},
-                                                      {"local_features", read_local_features},
-                                                      {"pruned", read_pruned},
-                                                      {"searched", read_searched},
-                                                      {"spawned", read_spawned},
-                                                      {"associated", read_associated},
-                                                      {"dissociated", read_dissociated},
-                                                      {"rejected", read_rejected},
-                                                      {"estimate", read_estimate},
-                                                      {"cost", read_cost}};
+  static const std::map<std::string, Reader> kReaders{
+      {"keyframe", read_keyframe},       {"local_features", read_local_features},
+      {"pruned", read_pruned},           {"searched", read_searched},
+      {"spawned", read_spawned},         {"associated", read_associated},
+      {"dissociated", read_dissociated}, {"rejected", read_rejected},
+      {"estimate", read_estimate},       {"cost", read_cost}};
   return kReaders;
 }
 

@@ -129,7 +129,7 @@ struct RecordedSearch {
 struct RunFrame {
   int keyframe = 0;
   double stamp_s = 0;
-  double time_s = 0;            ///< since the first update of the time line
+  double time_s = 0;                  ///< since the first update of the time line
   std::optional<std::string> starts;  ///< name of the time line that begins here
   Pose2 T_local_base;
   bool scan_match = false;
@@ -148,10 +148,10 @@ struct RunFrame {
   double none = 0;
   std::string why;  ///< the status is what it is; may be empty
   int best = -1;
-  std::vector<RecordedHypothesis> hypotheses;  ///< alive at the end of the update, best first
-  std::vector<RecordedFinding> findings;       ///< about the best one
+  std::vector<RecordedHypothesis> hypotheses;          ///< alive at the end of the update, best first
+  std::vector<RecordedFinding> findings;               ///< about the best one
   std::vector<std::pair<std::string, double>> cpu_ms;  ///< per stage, in the order of the pipeline, "total" last
-  std::optional<Pose2> truth;                  ///< T_map_base
+  std::optional<Pose2> truth;                          ///< T_map_base
 };
 
 }  // namespace opal

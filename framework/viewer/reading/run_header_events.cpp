@@ -29,8 +29,7 @@ RunHeader::Feature read_feature(const EventPlace& place, std::size_t objects) {
   feature.id = place.member("id").name();
   const EventPlace object = place.member("object");
   feature.object = object.count();
-  if (feature.object >= static_cast<int>(objects))
-    object.fail("one of " + std::to_string(objects) + " objects");
+  if (feature.object >= static_cast<int>(objects)) object.fail("one of " + std::to_string(objects) + " objects");
   feature.type = place.member("type").name();
   if (const auto perceivable = place.find("perceivable")) feature.perceivable = perceivable->flag();
   feature.geometry = place.geometry();
@@ -55,16 +54,14 @@ int mapped_feature(const EventPlace& id, const FeaturePositions& positions) {
 
 void read_run_event(const EventPlace& event, RunHeader& header) {
   const EventPlace format = event.member("format");
-  if (format.count() != kFormat)
-    format.fail("2, the format of event streams that this version of Opal reads");
+  if (format.count() != kFormat) format.fail("2, the format of event streams that this version of Opal reads");
   header.opal = optional_sentence(event, "opal");
   header.log = optional_sentence(event, "log");
   header.config = optional_sentence(event, "config");
   header.map_file = optional_sentence(event, "map");
   header.sensor = optional_sentence(event, "sensor");
   if (const auto pose = event.find("T_base_laser")) header.T_base_laser = pose->pose();
-  if (const auto range = event.find("range_max_m"))
-    header.range_max_m = range->number(0, EventPlace::kFarthest_m);
+  if (const auto range = event.find("range_max_m")) header.range_max_m = range->number(0, EventPlace::kFarthest_m);
 }
 
 FeaturePositions read_map_event(const EventPlace& event, RunHeader& header) {
@@ -95,8 +92,7 @@ std::vector<StampedPose> read_truth_event(const EventPlace& event) {
     const EventPlace stamp = row.element(0);
     if (!(stamp.stamp_s() > newest_s)) stamp.fail("a stamp after the one before");
     newest_s = stamp.stamp_s();
-    poses[k] = {newest_s,
-                {row.element(1).coordinate(), row.element(2).coordinate(), row.element(3).coordinate()}};
+    poses[k] = {newest_s, {row.element(1).coordinate(), row.element(2).coordinate(), row.element(3).coordinate()}};
   }
   return poses;
 }

@@ -30,12 +30,10 @@ void note_open_keyframe(const FrameBuilder& builder, RunReading& reading) {
 }
 
 /// @return whether to go on
-bool read_line(const LineReader& reader, FrameBuilder& builder, const FrameVisitor& visit,
-               RunReading& reading) {
+bool read_line(const LineReader& reader, FrameBuilder& builder, const FrameVisitor& visit, RunReading& reading) {
   const std::optional<Event> event = event_of(reader);
   if (!event) {
-    reading.notes.push_back("line " + std::to_string(reader.number()) +
-                            " is cut off; what came before it is shown");
+    reading.notes.push_back("line " + std::to_string(reader.number()) + " is cut off; what came before it is shown");
     return true;
   }
   std::optional<RunFrame> frame = builder.add(*event);
@@ -73,8 +71,8 @@ RunReading read_run(const std::string& out, const FrameVisitor& visit) {
   }
   reading.header = builder.header();
   if (!reading.header)
-    throw EventError(path + ":" + std::to_string(reader.number()) +
-                     ": the stream ends before its 'map' event, " + "expected 'run' and 'map' first");
+    throw EventError(path + ":" + std::to_string(reader.number()) + ": the stream ends before its 'map' event, " +
+                     "expected 'run' and 'map' first");
   if (go_on) note_open_keyframe(builder, reading);
   return reading;
 }

@@ -14,8 +14,7 @@ struct TracedHypothesis {
   std::string pattern_template;
   double spawned_s = 0;  ///< time since the start of the time line
   int spawned_keyframe = 0;
-  std::vector<RecordedPair>
-      pairs;  ///< associations that hold now (at the end, if it has ended), oldest first
+  std::vector<RecordedPair> pairs;  ///< associations that hold now (at the end, if it has ended), oldest first
 
   // Newest, or the last there were.
   Pose2 T_map_base;

@@ -7,12 +7,11 @@
 namespace opal {
 namespace {
 
-/// The map as far as it is drawn. Ids are made up: the recording's are not needed for that, and may clash
+/// The map as far as it is drawn. Ids are new: the recording's are not needed for that, and may clash
 /// where one geometry stands once per sensor.
 std::shared_ptr<const SemanticMap> drawn_map(const RunHeader& header) {
   std::vector<MapObject> objects;
-  for (const auto& object : header.objects)
-    objects.push_back({"o" + std::to_string(objects.size()), object.type});
+  for (const auto& object : header.objects) objects.push_back({"o" + std::to_string(objects.size()), object.type});
   std::vector<MapFeature> features;
   for (const auto& recorded : header.features) {
     MapFeature feature;
@@ -59,8 +58,7 @@ class PlacedByBest {
     for (const auto& lookup : state_.frame().search->patterns) {
       std::vector<Point> members;
       for (const int id : lookup.local_features)
-        if (const RecordedLocalFeature* local = find(id))
-          members.push_back(T_map_local_ * anchor_of(local->geometry));
+        if (const RecordedLocalFeature* local = find(id)) members.push_back(T_map_local_ * anchor_of(local->geometry));
       if (members.size() > 1) scene_.patterns.push_back(std::move(members));
     }
   }
@@ -95,8 +93,7 @@ class PlacedByBest {
 void add_ended(const RunState& state, DrawingScene& scene) {
   constexpr double kReckonedWith = 0.05;
   for (const EndedHypothesis& ended : state.ended()) {
-    const bool shown =
-        ended.end_keyframe == state.frame().keyframe || ended.life.highest_probability >= kReckonedWith;
+    const bool shown = ended.end_keyframe == state.frame().keyframe || ended.life.highest_probability >= kReckonedWith;
     if (shown && ended.end.merged_into < 0) scene.ended.push_back(ended.end.T_map_base);
   }
 }
@@ -107,8 +104,7 @@ void add_hypotheses(const RunState& state, DrawingScene& scene) {
   // The scene's first is the best; the estimate's best is the recorder's word for it.
   if (const TracedHypothesis* best = state.best()) {
     const auto& rows = state.frame().hypotheses;
-    const auto place =
-        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.id == best->id; });
+    const auto place = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.id == best->id; });
     std::rotate(scene.hypotheses.begin(), scene.hypotheses.begin() + (place - rows.begin()),
                 scene.hypotheses.begin() + (place - rows.begin()) + 1);
   }
@@ -127,8 +123,7 @@ std::string title_of(const RunHeader& header, const RunState& state) {
   const RunFrame& frame = state.frame();
   const std::string log = header.log.substr(header.log.find_last_of('/') + 1);
   return (log.empty() ? "" : shortened(log) + ", ") + shortened(state.time_line()) + " at " +
-         fixed_text(frame.time_s, 2) + " s: " + frame.status + ", probability " +
-         probability_text(frame.probability);
+         fixed_text(frame.time_s, 2) + " s: " + frame.status + ", probability " + probability_text(frame.probability);
 }
 
 }  // namespace

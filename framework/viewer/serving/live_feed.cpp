@@ -1,9 +1,9 @@
 #include "viewer/serving/live_feed.hpp"
 
-#include "viewer/reading/event_text.hpp"
-#include "viewer/words/explanation.hpp"
-#include "viewer/reading/frame_builder.hpp"
 #include "viewer/encoding/page_encoder.hpp"
+#include "viewer/reading/event_text.hpp"
+#include "viewer/reading/frame_builder.hpp"
+#include "viewer/words/explanation.hpp"
 
 #include <condition_variable>
 #include <deque>

@@ -8,8 +8,8 @@
 
 namespace opal {
 
-/// Turns the events of a run that goes on into records, with explanations, in a thread of its own. Whoever writes events
-/// never waits for that: `write` appends a copy to a queue without an end, whatever becomes of it afterwards.
+/// Turns the events of a run that goes on into records, with explanations, in a thread of its own. Whoever writes
+/// events never waits for that: `write` appends a copy to a queue without an end, whatever becomes of it afterwards.
 class LiveFeed final : public EventSink {
  public:
   /// @param records  gets what comes out; must outlive the feed.

@@ -55,9 +55,8 @@ void LiveServer::Implementation::configure() {
                               {"Cache-Control", "no-store"}});
   server.set_pre_routing_handler(
       [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
-  server.Get("/", [this](const Request&, Response& response) {
-    response.set_content(page, "text/html; charset=utf-8");
-  });
+  server.Get("/",
+             [this](const Request&, Response& response) { response.set_content(page, "text/html; charset=utf-8"); });
   server.Get("/events", [this](const Request& request, Response& response) { open_stream(request, response); });
 }
 

@@ -36,8 +36,8 @@ class Explainer {
 
   void take(const RunFrame& frame);
 
-  /// The newest frame in words: the answer first, then what speaks for and against it, its alternatives, those that fell.
-  /// Empty before the first frame. Deterministic, and independent of the order of a frame's unordered events.
+  /// The newest frame in words: the answer first, then what speaks for and against it, its alternatives, those that
+  /// fell. Empty before the first frame. Deterministic, and independent of the order of a frame's unordered events.
   std::vector<Sentence> explanation() const;
 
  private:

@@ -40,8 +40,7 @@ class MomentSearch {
 
   void require_found(const std::string& out) const {
     if (names_.empty()) throw EventError(out + ": holds no complete update, expected one to look at");
-    if (!first_s_)
-      throw EventError(out + ": time line '" + moment_.query + "' was asked for, the run has: " + names_);
+    if (!first_s_) throw EventError(out + ": time line '" + moment_.query + "' was asked for, the run has: " + names_);
     const bool too_late = moment_.clock != Moment::Clock::end && moment_.seconds > newest_s_ + kWritten_s;
     if (!taken_ || too_late)
       throw EventError(out + ": moment " + fixed_text(moment_.seconds, 3) + " s, expected one " +
@@ -76,7 +75,8 @@ Moment parse_moment(const std::string& text, const std::string& query) {
   const bool is_stamp = text.starts_with(stamp);
   const auto seconds = number_of(std::string_view(text).substr(is_stamp ? stamp.size() : 0));
   if (!seconds)
-    throw Error("moment '" + text + "', expected seconds since the start (12.5), a stamp of the log (stamp:1626.25) or 'end'");
+    throw Error("moment '" + text +
+                "', expected seconds since the start (12.5), a stamp of the log (stamp:1626.25) or 'end'");
   return {is_stamp ? Moment::Clock::stamp : Moment::Clock::since_start, *seconds, query};
 }
 

@@ -20,8 +20,10 @@ struct Moment {
 Moment parse_moment(const std::string& text, const std::string& query);
 
 /// Reads a run up to a moment: `take` gets every frame that comes before it, the last one being the newest that is not
-/// after it. Frames of other time lines may come first; whoever follows frames forgets those when a frame starts a new one.
-/// @throws EventError as read_run does, and if the run has no such time line, or the moment is outside of what it holds.
+/// after it. Frames of other time lines may come first; whoever follows frames forgets those when a frame starts a new
+/// one.
+/// @throws EventError as read_run does, and if the run has no such time line, or the moment is outside of what it
+/// holds.
 RunReading read_until(const std::string& out, const Moment& moment,
                       const std::function<void(const RunHeader&, const RunFrame&)>& take);
 

@@ -24,16 +24,16 @@ std::vector<const TracedHypothesis*> alternatives_of(const TracedHypothesis& bes
 }
 
 std::string alternative_text(const TracedHypothesis& alternative, const TracedHypothesis& best) {
-  return "hypothesis " + std::to_string(alternative.id) + " at " + pose_text(alternative.T_map_base) + " has probability " +
-         probability_text(alternative.probability) + ": " + comparison_text(alternative, best);
+  return "hypothesis " + std::to_string(alternative.id) + " at " + pose_text(alternative.T_map_base) +
+         " has probability " + probability_text(alternative.probability) + ": " + comparison_text(alternative, best);
 }
 
 auto rank_of(const EndedHypothesis& ended) {
   return std::make_tuple(-ended.life.led_s.value_or(-1), -ended.life.highest_probability, -ended.end_s, ended.end.id);
 }
 
-/// Former best ones, the latest first; then those that were once the most probable. A hypothesis that ended because another
-/// one is at its place has not fallen.
+/// Former best ones, the latest first; then those that were once the most probable. A hypothesis that ended because
+/// another one is at its place has not fallen.
 std::vector<const EndedHypothesis*> fallen_of(const RunState& state) {
   std::vector<const EndedHypothesis*> fallen;
   for (const EndedHypothesis& ended : state.ended())
@@ -70,8 +70,9 @@ void add_alternatives(const ExplainedMoment& moment, std::vector<Sentence>& sent
   for (std::size_t k = 0; k < std::min(kNamedAlternatives, alternatives.size()); ++k)
     sentences.push_back({SentenceKind::alternative, alternative_text(*alternatives[k], *best)});
   if (alternatives.size() > kNamedAlternatives)
-    sentences.push_back({SentenceKind::alternative, count_text(alternatives.size() - kNamedAlternatives, "more alternative") +
-                                                  " with at least " + probability_text(kLeastProbability)});
+    sentences.push_back(
+        {SentenceKind::alternative, count_text(alternatives.size() - kNamedAlternatives, "more alternative") +
+                                        " with at least " + probability_text(kLeastProbability)});
 }
 
 void add_fallen(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {

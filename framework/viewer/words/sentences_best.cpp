@@ -63,9 +63,10 @@ class Support {
       sentences.push_back({SentenceKind::support, "rests on " + count_text(pairs_, "association") + " with " +
                                                       count_text(nearest_m_.size(), "object") + ": " + objects()});
     if (!not_on_map_.empty())
-      sentences.push_back({SentenceKind::support,
-                           "says of " + count_text(not_on_map_.size(), "local feature") +
-                               (not_on_map_.size() == 1 ? " that it is" : " that they are") + " not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
+      sentences.push_back(
+          {SentenceKind::support, "says of " + count_text(not_on_map_.size(), "local feature") +
+                                      (not_on_map_.size() == 1 ? " that it is" : " that they are") +
+                                      " not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
   }
 
  private:
@@ -98,7 +99,8 @@ class Support {
 /// Empty if its spawn is not recorded.
 std::string origin_text(const TracedHypothesis& hypothesis) {
   if (hypothesis.parent < 0 && hypothesis.pattern_template.empty()) return {};
-  std::string text = hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "spawned";
+  std::string text =
+      hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "spawned";
   text += " at " + seconds_text(hypothesis.spawned_s);
   return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
 }

@@ -39,8 +39,8 @@ const RecordedSearch::Rejected* best_rejected(const RecordedSearch& search) {
 }
 
 std::string search_text(const RecordedSearch& search, double searched_s) {
-  std::string text = "last search, at " + seconds_text(searched_s) + ": looked up " + lookups_text(search.patterns) + ", " +
-                     count_text(search.proposed, "place") + " proposed";
+  std::string text = "last search, at " + seconds_text(searched_s) + ": looked up " + lookups_text(search.patterns) +
+                     ", " + count_text(search.proposed, "place") + " proposed";
   const RecordedSearch::Rejected* best = best_rejected(search);
   if (!best) return text;
   return text + ", " + std::to_string(search.rejected.size()) + " rejected, the best of these at " +
@@ -57,8 +57,8 @@ std::string senses_text(const ExplainedMoment& moment) {
 
 std::string truth_text(const Pose2& truth, const TracedHypothesis& best) {
   const double off_deg = angle_between_rad(truth, best.T_map_base) * 180 / std::numbers::pi;
-  return "the recorded truth is " + metres_text(distance_m(truth, best.T_map_base)) + " and " +
-         fixed_text(off_deg, 1) + " deg away";
+  return "the recorded truth is " + metres_text(distance_m(truth, best.T_map_base)) + " and " + fixed_text(off_deg, 1) +
+         " deg away";
 }
 
 }  // namespace

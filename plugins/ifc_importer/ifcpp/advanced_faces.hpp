@@ -28,8 +28,10 @@ class AdvancedFaces {
     if (!on_surface || as<IfcPlane>(on_surface->m_FaceSurface)) return {loops};
     const auto cylinder = as<IfcCylindricalSurface>(on_surface->m_FaceSurface);
     if (!cylinder)
-      throw Unreadable("IfcAdvancedBrep: a face on an " +
-                       std::string(on_surface->m_FaceSurface ? on_surface->m_FaceSurface->className() : "unknown surface") + ", which is not cut");
+      throw Unreadable(
+          "IfcAdvancedBrep: a face on an " +
+          std::string(on_surface->m_FaceSurface ? on_surface->m_FaceSurface->className() : "unknown surface") +
+          ", which is not cut");
     const double radius_m = unit_m_ * number_of(cylinder->m_Radius, "radius");
     if (!(radius_m > 0)) throw Unreadable("a cylinder without radius");
     return strips(loops, transform_of(cylinder->m_Position, unit_m_), radius_m);
@@ -62,10 +64,12 @@ class AdvancedFaces {
 
   std::vector<Point3> points_of(const shared_ptr<IfcOrientedEdge>& oriented) const {
     if (!oriented || !oriented->m_EdgeElement) throw Unreadable("IfcAdvancedBrep: an edge is missing");
-    const Point3 begin = corner_of(oriented->m_EdgeElement->m_EdgeStart), end = corner_of(oriented->m_EdgeElement->m_EdgeEnd);
+    const Point3 begin = corner_of(oriented->m_EdgeElement->m_EdgeStart),
+                 end = corner_of(oriented->m_EdgeElement->m_EdgeEnd);
     std::vector<Point3> points{begin, end};
     if (const auto curved = as<IfcEdgeCurve>(oriented->m_EdgeElement))
-      points = curves_.between(curved->m_EdgeGeometry, begin, end, !curved->m_SameSense || curved->m_SameSense->m_value);
+      points =
+          curves_.between(curved->m_EdgeGeometry, begin, end, !curved->m_SameSense || curved->m_SameSense->m_value);
     if (oriented->m_Orientation && !oriented->m_Orientation->m_value) std::reverse(points.begin(), points.end());
     return points;
   }
@@ -74,7 +78,8 @@ class AdvancedFaces {
     std::vector<Unrolled> closed, around;
     for (const auto& loop : loops) {
       Unrolled unrolled = unroll(loop, T);
-      (std::abs(unrolled.back().x() - unrolled.front().x()) > std::numbers::pi ? around : closed).push_back(std::move(unrolled));
+      (std::abs(unrolled.back().x() - unrolled.front().x()) > std::numbers::pi ? around : closed)
+          .push_back(std::move(unrolled));
     }
     if (!around.empty()) closed.push_back(tube(std::move(around)));
     double from = 1e9, to = -1e9;
@@ -129,7 +134,8 @@ class AdvancedFaces {
 
   static std::vector<Point3> rolled(const Unrolled& loop, const Transform3& T, double radius_m) {
     std::vector<Point3> points;
-    for (const Point& p : loop) points.push_back(T * Point3(radius_m * std::cos(p.x()), radius_m * std::sin(p.x()), p.y()));
+    for (const Point& p : loop)
+      points.push_back(T * Point3(radius_m * std::cos(p.x()), radius_m * std::sin(p.x()), p.y()));
     return points;
   }
 

@@ -5,7 +5,6 @@
 #include "advanced_faces.hpp"
 #include "profiles.hpp"
 
-#include <ifcpp/geometry/Carve/RepresentationConverter.h>
 #include <ifcpp/IFC4/include/IfcAdvancedBrepWithVoids.h>
 #include <ifcpp/IFC4/include/IfcBlock.h>
 #include <ifcpp/IFC4/include/IfcBooleanOperand.h>
@@ -24,6 +23,7 @@
 #include <ifcpp/IFC4/include/IfcRightCircularCylinder.h>
 #include <ifcpp/IFC4/include/IfcSweptDiskSolid.h>
 #include <ifcpp/IFC4/include/IfcTriangulatedFaceSet.h>
+#include <ifcpp/geometry/Carve/RepresentationConverter.h>
 
 namespace opal::ifc_importer::ifcpp {
 
@@ -108,8 +108,8 @@ class Bodies {
     const Transform3 T_prism = T * transform_of(bounded->m_Position, unit_m_);
     Body both;
     both.kind = Body::Kind::intersect;
-    both.operands = {std::move(half), prism({profiles_.outline(bounded->m_PolygonalBoundary)}, T_prism, -kPrism_m * Point3::UnitZ(),
-                                            2 * kPrism_m * Point3::UnitZ())};
+    both.operands = {std::move(half), prism({profiles_.outline(bounded->m_PolygonalBoundary)}, T_prism,
+                                            -kPrism_m * Point3::UnitZ(), 2 * kPrism_m * Point3::UnitZ())};
     return both;
   }
 
@@ -127,15 +127,18 @@ class Bodies {
   Body of_block(const IfcBlock& block, const Transform3& T) {
     const double x = unit_m_ * number_of(block.m_XLength, "length"), y = unit_m_ * number_of(block.m_YLength, "length"),
                  z = unit_m_ * number_of(block.m_ZLength, "length");
-    return prism({{{0, 0}, {x, 0}, {x, y}, {0, y}}}, T * transform_of(block.m_Position, unit_m_), Point3::Zero(), z * Point3::UnitZ());
+    return prism({{{0, 0}, {x, 0}, {x, y}, {0, y}}}, T * transform_of(block.m_Position, unit_m_), Point3::Zero(),
+                 z * Point3::UnitZ());
   }
 
   Body of_cylinder(const IfcRightCircularCylinder& cylinder, const Transform3& T) {
-    const double radius_m = unit_m_ * number_of(cylinder.m_Radius, "radius"), height_m = unit_m_ * number_of(cylinder.m_Height, "height");
+    const double radius_m = unit_m_ * number_of(cylinder.m_Radius, "radius"),
+                 height_m = unit_m_ * number_of(cylinder.m_Height, "height");
     if (!(radius_m > 0)) throw Unreadable("a cylinder without radius");
     std::vector<Point> rim = arc_points({Point::Zero(), radius_m}, 0, 2 * std::numbers::pi, kChordShare * radius_m);
     rim.pop_back();
-    return prism({std::move(rim)}, T * transform_of(cylinder.m_Position, unit_m_), Point3::Zero(), height_m * Point3::UnitZ());
+    return prism({std::move(rim)}, T * transform_of(cylinder.m_Position, unit_m_), Point3::Zero(),
+                 height_m * Point3::UnitZ());
   }
 
   /// From `base` along `way`, both in the profile's frame.

@@ -1,7 +1,7 @@
 #pragma once
 
-// Part of ifc_model.cpp: points along curves. The library drops the segments of indexed curves, and takes splines for something
-// near to their control points.
+// Part of ifc_model.cpp: points along curves. The library drops the segments of indexed curves, and takes splines for
+// something near to their control points.
 
 #include "../step_arguments.hpp"
 #include "placements.hpp"
@@ -44,7 +44,8 @@ using IndexedCurves = std::unordered_map<int, std::vector<IndexedSegment>>;
 class Curves {
  public:
   /// @param unit_m, angle_rad  lengths of the model's units.
-  Curves(double unit_m, double angle_rad, IndexedCurves indexed) : unit_m_(unit_m), angle_rad_(angle_rad), indexed_(std::move(indexed)) {}
+  Curves(double unit_m, double angle_rad, IndexedCurves indexed)
+      : unit_m_(unit_m), angle_rad_(angle_rad), indexed_(std::move(indexed)) {}
 
   /// In the curve's own frame [m], both ends included. @throws Unreadable for kinds that are not computed.
   std::vector<Point3> points(const shared_ptr<IfcCurve>& curve, int depth = 0) const {
@@ -55,11 +56,13 @@ class Curves {
     if (const auto trimmed = as<IfcTrimmedCurve>(curve)) return of_trimmed(*trimmed);
     if (const auto conic = as<IfcConic>(curve)) return of_conic(ellipse_of(*conic), 0, 2 * std::numbers::pi);
     if (const auto spline = as<IfcBSplineCurve>(curve)) return of_spline(*spline);
-    throw Unreadable(curve ? std::string(curve->className()) + ": curves of this kind are not computed" : "a curve is missing");
+    throw Unreadable(curve ? std::string(curve->className()) + ": curves of this kind are not computed"
+                           : "a curve is missing");
   }
 
   /// Along a curve from one of its points to another, both included; around a closed one if they are the same.
-  std::vector<Point3> between(const shared_ptr<IfcCurve>& curve, const Point3& begin, const Point3& end, bool forward) const {
+  std::vector<Point3> between(const shared_ptr<IfcCurve>& curve, const Point3& begin, const Point3& end,
+                              bool forward) const {
     if (as<IfcLine>(curve)) return {begin, end};
     std::vector<Point3> points;
     if (const auto conic = as<IfcConic>(curve)) {
@@ -144,7 +147,8 @@ class Curves {
       std::vector<Point3> part = this->points(segment->m_ParentCurve, depth + 1);
       if (part.empty()) continue;
       if (segment->m_SameSense && !segment->m_SameSense->m_value) std::reverse(part.begin(), part.end());
-      if (parts++ == 1 && !has_end(part, points.back()) && has_end(part, points.front())) std::reverse(points.begin(), points.end());
+      if (parts++ == 1 && !has_end(part, points.back()) && has_end(part, points.front()))
+        std::reverse(points.begin(), points.end());
       if (parts > 1 && !is_same(part.front(), points.back()) && is_same(part.back(), points.back()))
         std::reverse(part.begin(), part.end());
       append(part, points);
@@ -153,7 +157,9 @@ class Curves {
   }
 
   static bool is_same(const Point3& a, const Point3& b) { return (a - b).norm() < kSameJoint_m; }
-  static bool has_end(const std::vector<Point3>& part, const Point3& p) { return is_same(part.front(), p) || is_same(part.back(), p); }
+  static bool has_end(const std::vector<Point3>& part, const Point3& p) {
+    return is_same(part.front(), p) || is_same(part.back(), p);
+  }
 
   std::vector<Point3> of_trimmed(const IfcTrimmedCurve& curve) const {
     const bool forward = !curve.m_SenseAgreement || curve.m_SenseAgreement->m_value;
@@ -164,7 +170,8 @@ class Curves {
     const auto conic = as<IfcConic>(curve.m_BasisCurve);
     if (!conic) throw Unreadable("a trimmed curve whose basis is no line, circle or ellipse");
     const Ellipse ellipse = ellipse_of(*conic);
-    const double from_rad = on_conic(ellipse, curve.m_Trim1, by_points), to_rad = on_conic(ellipse, curve.m_Trim2, by_points);
+    const double from_rad = on_conic(ellipse, curve.m_Trim1, by_points),
+                 to_rad = on_conic(ellipse, curve.m_Trim2, by_points);
     return of_conic(ellipse, from_rad, sweep_rad(from_rad, to_rad, forward));
   }
 
@@ -208,12 +215,14 @@ class Curves {
 
   Ellipse ellipse_of(const IfcConic& conic) const {
     Ellipse ellipse{transform_of(conic.m_Position, unit_m_)};
-    if (const auto* circle = dynamic_cast<const IfcCircle*>(&conic)) ellipse.a = ellipse.b = unit_m_ * number_of(circle->m_Radius, "radius");
+    if (const auto* circle = dynamic_cast<const IfcCircle*>(&conic))
+      ellipse.a = ellipse.b = unit_m_ * number_of(circle->m_Radius, "radius");
     if (const auto* oval = dynamic_cast<const IfcEllipse*>(&conic)) {
       ellipse.a = unit_m_ * number_of(oval->m_SemiAxis1, "semi-axis");
       ellipse.b = unit_m_ * number_of(oval->m_SemiAxis2, "semi-axis");
     }
-    if (!(ellipse.a > 0 && ellipse.b > 0 && std::max(ellipse.a, ellipse.b) < 1e7)) throw Unreadable("a circle or ellipse without a size");
+    if (!(ellipse.a > 0 && ellipse.b > 0 && std::max(ellipse.a, ellipse.b) < 1e7))
+      throw Unreadable("a circle or ellipse without a size");
     return ellipse;
   }
 
@@ -235,8 +244,10 @@ class Curves {
       throw Unreadable("a spline without knots");
     for (std::size_t k = 0; k < with_knots->m_Knots.size(); ++k) {
       const auto& times = with_knots->m_KnotMultiplicities[k];
-      if (!times || times->m_value < 1 || times->m_value > 100) throw Unreadable("a spline with a knot that is not there");
-      spline.knots.insert(spline.knots.end(), static_cast<std::size_t>(times->m_value), number_of(with_knots->m_Knots[k], "knot"));
+      if (!times || times->m_value < 1 || times->m_value > 100)
+        throw Unreadable("a spline with a knot that is not there");
+      spline.knots.insert(spline.knots.end(), static_cast<std::size_t>(times->m_value),
+                          number_of(with_knots->m_Knots[k], "knot"));
     }
     if (const auto* rational = dynamic_cast<const IfcRationalBSplineCurveWithKnots*>(&curve))
       for (const auto& weight : rational->m_WeightsData) spline.weights.push_back(number_of(weight, "weight"));

@@ -34,8 +34,9 @@ namespace opal::ifc_importer::ifcpp {
 
 /// Representations that are no solids, or solids that stand for something else.
 inline bool is_no_body(const std::string& identifier) {
-  static constexpr std::array kOthers{"Axis",  "Box",      "FootPrint", "Annotation", "Profile", "Clearance", "Lighting",
-                                      "Plan",  "Reference", "CoG",      "Body-FallBack", "Surface", "FootPrint2D", "Survey Points"};
+  static constexpr std::array kOthers{"Axis",          "Box",      "FootPrint",   "Annotation",   "Profile",
+                                      "Clearance",     "Lighting", "Plan",        "Reference",    "CoG",
+                                      "Body-FallBack", "Surface",  "FootPrint2D", "Survey Points"};
   return std::find(kOthers.begin(), kOthers.end(), identifier) != kOthers.end();
 }
 
@@ -109,9 +110,11 @@ class Elements {
     add(element.m_Name);
     add(element.m_ObjectType);
     for (const auto& typed : element.m_IsTypedBy_inverse)
-      if (const auto relation = locked(typed); relation && relation->m_RelatingType) add(relation->m_RelatingType->m_Name);
+      if (const auto relation = locked(typed); relation && relation->m_RelatingType)
+        add(relation->m_RelatingType->m_Name);
     for (const auto& association : element.m_HasAssociations_inverse)
-      if (const auto relation = as<IfcRelAssociatesMaterial>(locked(association))) read_material(relation->m_RelatingMaterial, read);
+      if (const auto relation = as<IfcRelAssociatesMaterial>(locked(association)))
+        read_material(relation->m_RelatingMaterial, read);
   }
 
   void read_material(const shared_ptr<IfcMaterialSelect>& select, Element& read) const {
@@ -137,7 +140,8 @@ class Elements {
   }
 
   /// @param axis_of  gets the axis and the direction of the product; null: nobody wants them.
-  void read_shape(const IfcProduct& product, std::vector<Body>& bodies, std::vector<std::string>& troubles, Element* axis_of) {
+  void read_shape(const IfcProduct& product, std::vector<Body>& bodies, std::vector<std::string>& troubles,
+                  Element* axis_of) {
     if (!product.m_Representation) return;
     try {
       const Transform3 T = placements_.of(product.m_ObjectPlacement);
@@ -185,8 +189,8 @@ class Elements {
     }
   }
 
-  void read_mapped(const IfcMappedItem& mapped, const Transform3& T, std::vector<Body>& bodies, std::vector<std::string>& troubles,
-                   int depth) {
+  void read_mapped(const IfcMappedItem& mapped, const Transform3& T, std::vector<Body>& bodies,
+                   std::vector<std::string>& troubles, int depth) {
     const auto& source = mapped.m_MappingSource;
     if (!source || !source->m_MappedRepresentation) throw Unreadable("a mapped item without a source");
     if (depth > 20 || ++mapped_items_ > 1'000'000) throw Unreadable("mapped items within mapped items without an end");

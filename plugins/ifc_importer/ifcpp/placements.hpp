@@ -45,7 +45,8 @@ inline Transform3 transform_of(const shared_ptr<IfcAxis2Placement3D>& placement,
 
 inline Transform3 transform_of(const shared_ptr<IfcAxis2Placement2D>& placement, double unit_m) {
   if (!placement) return Transform3::Identity();
-  return frame(point_of(placement->m_Location, unit_m), Point3::UnitZ(), direction_of(placement->m_RefDirection, Point3::UnitX()));
+  return frame(point_of(placement->m_Location, unit_m), Point3::UnitZ(),
+               direction_of(placement->m_RefDirection, Point3::UnitX()));
 }
 
 inline Transform3 transform_of(const shared_ptr<IfcAxis2Placement>& placement, double unit_m) {
@@ -59,7 +60,8 @@ inline Transform3 transform_of(const shared_ptr<IfcCartesianTransformationOperat
   const auto in_space = as<IfcCartesianTransformationOperator3D>(target);
   const Point3 z = in_space ? direction_of(in_space->m_Axis3, Point3::UnitZ()) : Point3::UnitZ();
   Transform3 T = frame(point_of(target->m_LocalOrigin, unit_m), z, direction_of(target->m_Axis1, Point3::UnitX()));
-  if (target->m_Axis2 && T.linear().col(1).dot(direction_of(target->m_Axis2, Point3::UnitY())) < 0) T.linear().col(1) *= -1;
+  if (target->m_Axis2 && T.linear().col(1).dot(direction_of(target->m_Axis2, Point3::UnitY())) < 0)
+    T.linear().col(1) *= -1;
   Point3 scale = Point3::Constant(target->m_Scale ? number_of(target->m_Scale, "scale") : 1);
   if (const auto uneven = as<IfcCartesianTransformationOperator3DnonUniform>(target)) {
     if (uneven->m_Scale2) scale.y() = number_of(uneven->m_Scale2, "scale");
@@ -78,7 +80,8 @@ struct AxisLine {
 
 inline AxisLine line_of(const shared_ptr<IfcGridAxis>& axis, double unit_m) {
   const auto curve = axis ? as<IfcPolyline>(axis->m_AxisCurve) : nullptr;
-  if (!curve || curve->m_Points.size() != 2) throw Unreadable("stands on a grid axis that is no straight line, which is not computed");
+  if (!curve || curve->m_Points.size() != 2)
+    throw Unreadable("stands on a grid axis that is no straight line, which is not computed");
   AxisLine line{point_of(curve->m_Points[0], unit_m), point_of(curve->m_Points[1], unit_m)};
   line.direction = line.direction - line.through;
   if (line.direction.norm() < 1e-9) throw Unreadable("stands on a grid axis without length");
@@ -101,7 +104,8 @@ inline AxisLine meeting_of(const shared_ptr<IfcVirtualGridIntersection>& meeting
   if (std::abs(sine) < 1e-6) throw Unreadable("stands on grid axes that do not cross");
   const double along = (lines[1].through - lines[0].through).cross(lines[1].direction).z() / sine;
   Point3 place = lines[0].through + along * lines[0].direction;
-  if (meeting->m_OffsetDistances.size() > 2) place.z() += unit_m * number_of(meeting->m_OffsetDistances[2], "an offset");
+  if (meeting->m_OffsetDistances.size() > 2)
+    place.z() += unit_m * number_of(meeting->m_OffsetDistances[2], "an offset");
   return {place, lines[0].direction};
 }
 

@@ -4,13 +4,13 @@
 
 #include "curves.hpp"
 
-#include <ifcpp/geometry/Carve/RepresentationConverter.h>
 #include <ifcpp/IFC4/include/IfcArbitraryClosedProfileDef.h>
 #include <ifcpp/IFC4/include/IfcArbitraryOpenProfileDef.h>
 #include <ifcpp/IFC4/include/IfcArbitraryProfileDefWithVoids.h>
 #include <ifcpp/IFC4/include/IfcCompositeProfileDef.h>
 #include <ifcpp/IFC4/include/IfcDerivedProfileDef.h>
 #include <ifcpp/IFC4/include/IfcMirroredProfileDef.h>
+#include <ifcpp/geometry/Carve/RepresentationConverter.h>
 
 namespace opal::ifc_importer::ifcpp {
 
@@ -34,7 +34,8 @@ class Profiles {
     if (const auto closed = as<IfcArbitraryClosedProfileDef>(profile)) return of_curves(*closed);
     if (const auto derived = as<IfcDerivedProfileDef>(profile)) return of_derived(*derived, depth);
     if (const auto several = as<IfcCompositeProfileDef>(profile)) return of_several(*several, depth);
-    if (as<IfcArbitraryOpenProfileDef>(profile)) throw Unreadable(std::string(profile->className()) + ": open profiles are not computed");
+    if (as<IfcArbitraryOpenProfileDef>(profile))
+      throw Unreadable(std::string(profile->className()) + ": open profiles are not computed");
     return of_parameters(profile);
   }
 
@@ -51,14 +52,16 @@ class Profiles {
     const auto line = std::make_shared<IfcPolyline>();
     for (const Point3& p : curves_.points(curve)) {
       const auto point = std::make_shared<IfcCartesianPoint>();
-      for (const double value : {p.x(), p.y(), p.z()}) point->m_Coordinates.push_back(std::make_shared<IfcLengthMeasure>(value / unit_m_));
+      for (const double value : {p.x(), p.y(), p.z()})
+        point->m_Coordinates.push_back(std::make_shared<IfcLengthMeasure>(value / unit_m_));
       line->m_Points.push_back(point);
     }
     return line;
   }
 
   void straighten(const shared_ptr<IfcProfileDef>& profile) const {
-    if (const auto closed = as<IfcArbitraryClosedProfileDef>(profile)) closed->m_OuterCurve = straightened(closed->m_OuterCurve);
+    if (const auto closed = as<IfcArbitraryClosedProfileDef>(profile))
+      closed->m_OuterCurve = straightened(closed->m_OuterCurve);
     if (const auto with_voids = as<IfcArbitraryProfileDefWithVoids>(profile))
       for (auto& inner : with_voids->m_InnerCurves) inner = straightened(inner);
   }
@@ -95,7 +98,8 @@ class Profiles {
       loops.emplace_back();
       for (const vec2& p : path) loops.back().emplace_back(p.x, p.y);
     }
-    if (loops.empty()) throw Unreadable(std::string("a profile of the kind ") + profile->className() + " without outline");
+    if (loops.empty())
+      throw Unreadable(std::string("a profile of the kind ") + profile->className() + " without outline");
     return loops;
   }
 

@@ -27,7 +27,8 @@ struct LengthUnit {
 
 inline double factor_of(const shared_ptr<IfcSIPrefix>& prefix) {
   if (!prefix) return 1;
-  constexpr double kFactors[] = {1e18, 1e15, 1e12, 1e9, 1e6, 1e3, 1e2, 1e1, 1e-1, 1e-2, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-18};
+  constexpr double kFactors[] = {1e18, 1e15, 1e12, 1e9,  1e6,  1e3,   1e2,   1e1,
+                                 1e-1, 1e-2, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-18};
   const auto position = static_cast<std::size_t>(prefix->m_enum);
   return position < std::size(kFactors) ? kFactors[position] : 1;
 }
@@ -46,7 +47,8 @@ inline LengthUnit length_unit(const shared_ptr<IfcNamedUnit>& unit, int depth = 
     return {metres == 1 ? "m" : metres == 1e-3 ? "mm" : metres == 1e-2 ? "cm" : std::to_string(metres) + " m", metres};
   }
   const auto converted = as<IfcConversionBasedUnit>(unit);
-  if (!converted || !converted->m_ConversionFactor || depth > 3) throw Unreadable("has a length unit that is not defined by metres");
+  if (!converted || !converted->m_ConversionFactor || depth > 3)
+    throw Unreadable("has a length unit that is not defined by metres");
   const LengthUnit base = length_unit(as<IfcNamedUnit>(converted->m_ConversionFactor->m_UnitComponent), depth + 1);
   return {text_of(converted->m_Name), value_of(converted->m_ConversionFactor->m_ValueComponent) * base.metres};
 }
@@ -58,7 +60,8 @@ inline LengthUnit length_unit(const shared_ptr<IfcProject>& project) {
       const auto named = as<IfcNamedUnit>(unit);
       if (!named || !named->m_UnitType || named->m_UnitType->m_enum != IfcUnitEnum::ENUM_LENGTHUNIT) continue;
       const LengthUnit length = length_unit(named);
-      if (!(length.metres > 1e-7 && length.metres < 1e7)) throw Unreadable("has a length unit of " + std::to_string(length.metres) + " m");
+      if (!(length.metres > 1e-7 && length.metres < 1e7))
+        throw Unreadable("has a length unit of " + std::to_string(length.metres) + " m");
       return length;
     }
   throw Unreadable("assigns no unit of length (IfcProject.UnitsInContext)");

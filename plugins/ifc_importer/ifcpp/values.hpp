@@ -82,7 +82,8 @@ shared_ptr<T> locked(const weak_ptr<T>& object) {
 
 template <class Coordinate>
 Point3 coordinates(const std::vector<shared_ptr<Coordinate>>& values, const char* what) {
-  if (values.size() < 2 || values.size() > 3) throw Unreadable(std::string(what) + " has " + std::to_string(values.size()) + " coordinates");
+  if (values.size() < 2 || values.size() > 3)
+    throw Unreadable(std::string(what) + " has " + std::to_string(values.size()) + " coordinates");
   Point3 point = Point3::Zero();
   for (std::size_t k = 0; k < values.size(); ++k) point[static_cast<Eigen::Index>(k)] = number_of(values[k], what);
   return point;

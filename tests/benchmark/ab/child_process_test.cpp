@@ -18,7 +18,8 @@ using opal::TemporaryFolder;
 namespace {
 
 /// All that a child says, and its failure behind it.
-std::vector<std::string> heard(const std::function<void(const ChildProcess::Say&)>& work, double wall_s = 60, double memory_mb = 1e6) {
+std::vector<std::string> heard(const std::function<void(const ChildProcess::Say&)>& work, double wall_s = 60,
+                               double memory_mb = 1e6) {
   ChildProcess child(work);
   std::vector<std::string> all;
   for (;;) {
@@ -68,7 +69,8 @@ TEST_CASE("tasks that one process has claimed are refused to others, and free ag
   REQUIRE(next_answer(other, 60, 1e6).given);
   Claim(folder.path(), 0, 10);
   Claim(folder.path(), 20, 30);
-  CHECK_THROWS_WITH(Claim(folder.path(), 19, 21), Catch::StartsWith(folder.path() + ": process ") && Catch::Contains("computes these cells already"));
+  CHECK_THROWS_WITH(Claim(folder.path(), 19, 21),
+                    Catch::StartsWith(folder.path() + ": process ") && Catch::Contains("computes these cells already"));
   other.end();
   Claim(folder.path(), 0, 30);
 }

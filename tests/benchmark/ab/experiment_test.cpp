@@ -3,16 +3,16 @@
 #include "benchmark/ab/documents/experiment.hpp"
 
 #include <opal/common/error.hpp>
-#include "jsonld/json_ld.hpp"
 #include <opal/common/strict_json.hpp>
+#include "jsonld/json_ld.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace opal::ab;
-using opal::ab_tests::content_of;
-using opal::TemporaryFolder;
-using opal::ab_tests::written;
 using nlohmann::json;
+using opal::TemporaryFolder;
+using opal::ab_tests::content_of;
+using opal::ab_tests::written;
 
 namespace {
 
@@ -97,17 +97,25 @@ TEST_CASE("what an experiment must not be is refused with its place") {
   CHECK_THAT(refusal_with(P("/arm"), 1), Catch::StartsWith("/arm: unknown key, expected one of: "));
   CHECK_THAT(refusal_with(P("/arms/0/deploiment"), "default"), Catch::StartsWith("/arms/0/deploiment: unknown key"));
   CHECK_THAT(refusal_with(P("/sites/0/seed"), 1), Catch::StartsWith("/sites/0/seed: unknown key"));
-  CHECK_THAT(refusal_with(P("/simulated/0/building/size"), 1), Catch::StartsWith("/simulated/0/building/size: unknown key"));
+  CHECK_THAT(refusal_with(P("/simulated/0/building/size"), 1),
+             Catch::StartsWith("/simulated/0/building/size: unknown key"));
   CHECK_THAT(refusal_with(P("/limits/cell_s"), 0), Catch::StartsWith("/limits/cell_s: 0, expected a number from"));
-  CHECK_THAT(refusal_with(P("/arms"), json::array()), Catch::StartsWith("/arms: [], expected a list of at least two arms"));
-  CHECK(refusal_with(P("/arms/1/name"), "evidence") == "/arms/1/name: \"evidence\", expected a name that no other arm has");
-  CHECK(refusal_with(P("/arms/1/name"), "a/b") == "/arms/1/name: \"a/b\", expected a name of letters, digits, _, - and .");
+  CHECK_THAT(refusal_with(P("/arms"), json::array()),
+             Catch::StartsWith("/arms: [], expected a list of at least two arms"));
+  CHECK(refusal_with(P("/arms/1/name"), "evidence") ==
+        "/arms/1/name: \"evidence\", expected a name that no other arm has");
+  CHECK(refusal_with(P("/arms/1/name"), "a/b") ==
+        "/arms/1/name: \"a/b\", expected a name of letters, digits, _, - and .");
   CHECK(refusal_with(P("/baseline"), "c") == "/baseline: \"c\", expected the name of an arm: evidence, lack_of_fit");
-  CHECK(refusal_with(P("/sites/0/seeds"), 3) == "/sites/0/seeds: 3, expected no seeds: without damage, a recording is the same for every seed");
+  CHECK(refusal_with(P("/sites/0/seeds"), 3) ==
+        "/sites/0/seeds: 3, expected no seeds: without damage, a recording is the same for every seed");
   CHECK_THAT(refusal_with(P("/sites/0/damage"), "drip=1"), Catch::StartsWith("/sites/0/damage: "));
-  CHECK_THAT(refusal_with(P("/simulated/0/map"), "a.jsonld"), Catch::StartsWith("/simulated/0/map: \"a.jsonld\", expected either a map or a building"));
-  CHECK_THAT(refusal_with(P("/simulated/0/challenge"), "Z1"), Catch::StartsWith("/simulated/0/challenge: \"Z1\", expected A1"));
-  CHECK_THAT(refusal_with(P("/simulated/0/name"), "malaga-demo"), Catch::Contains("expected a name that no other scenario has"));
+  CHECK_THAT(refusal_with(P("/simulated/0/map"), "a.jsonld"),
+             Catch::StartsWith("/simulated/0/map: \"a.jsonld\", expected either a map or a building"));
+  CHECK_THAT(refusal_with(P("/simulated/0/challenge"), "Z1"),
+             Catch::StartsWith("/simulated/0/challenge: \"Z1\", expected A1"));
+  CHECK_THAT(refusal_with(P("/simulated/0/name"), "malaga-demo"),
+             Catch::Contains("expected a name that no other scenario has"));
   CHECK_THAT(refusal_with(P("/arms/0/plugins"), "nowhere"), Catch::Contains("expected a folder"));
 }
 
@@ -122,14 +130,17 @@ TEST_CASE("arms that shall observe differ by their scorers only") {
   document["mode"] = "observe";
   CHECK(refusal_of(document) == "accepted");
   document["arms"][1]["overrides"]["stages"] = {{"hypotheses", {{"max_hypotheses", 50}}}};
-  CHECK_THAT(refusal_of(document), Catch::StartsWith("/mode: \"observe\", but arm lack_of_fit differs from evidence by more than its scorers"));
+  CHECK_THAT(
+      refusal_of(document),
+      Catch::StartsWith("/mode: \"observe\", but arm lack_of_fit differs from evidence by more than its scorers"));
   document["mode"] = "look";
   CHECK(refusal_of(document) == "/mode: \"look\", expected \"decide\" or \"observe\"");
 }
 
 TEST_CASE("arms that are not given the same are refused") {
   using P = json::json_pointer;
-  CHECK_THAT(refusal_with(P("/arms/1/overrides/map"), "b.jsonld"), Catch::Contains("arm lack_of_fit has another \"map\" than evidence, expected the same inputs"));
+  CHECK_THAT(refusal_with(P("/arms/1/overrides/map"), "b.jsonld"),
+             Catch::Contains("arm lack_of_fit has another \"map\" than evidence, expected the same inputs"));
   CHECK_THAT(refusal_with(P("/arms/1/overrides/sensor"), {{"id", "Other"}}), Catch::Contains("another \"sensor\""));
   CHECK_THAT(refusal_with(P("/arms/1/overrides/overlays"), {"b.jsonld"}), Catch::Contains("another \"overlays\""));
 }

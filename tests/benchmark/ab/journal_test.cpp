@@ -7,13 +7,17 @@
 #include <catch2/catch.hpp>
 
 using namespace opal::ab;
-using opal::ab_tests::content_of;
 using opal::TemporaryFolder;
+using opal::ab_tests::content_of;
 
 namespace {
 
 CellResult result_of(std::size_t number) {
-  return {number, "00ff", {{"success", 1}, {"distance_to_success_m", 0.1 * double(number)}}, {{"cpu_ms", 1.5}}, number % 2 ? "crashed \"so\"\n" : ""};
+  return {number,
+          "00ff",
+          {{"success", 1}, {"distance_to_success_m", 0.1 * double(number)}},
+          {{"cpu_ms", 1.5}},
+          number % 2 ? "crashed \"so\"\n" : ""};
 }
 
 std::vector<std::size_t> numbers_in(const std::string& path) {

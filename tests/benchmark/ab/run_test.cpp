@@ -14,11 +14,11 @@
 #include <thread>
 
 using namespace opal::ab_tests;
+using nlohmann::json;
 using opal::TemporaryFolder;
 using opal::store_tests::Finished;
 using opal::store_tests::opal_run;
 using opal::store_tests::Program;
-using nlohmann::json;
 
 namespace {
 
@@ -57,7 +57,7 @@ TEST_CASE("results do not depend on how many processes or shards compute them, n
   const TemporaryFolder folder;
   const std::string experiment = written(folder, experiment_with_drives());
   const std::string& expected = reference();
-  SECTION("three processes") { 
+  SECTION("three processes") {
     CHECK(computed(experiment, folder.path_of("three"), {"--jobs", "3"}) == expected);
     CHECK(lines_of(folder.path_of("three/results.jsonl")).size() == kCells);
     CHECK(lines_of(folder.path_of("three/times.jsonl")).size() == kCells);
@@ -69,7 +69,8 @@ TEST_CASE("results do not depend on how many processes or shards compute them, n
     CHECK(early.exit_code == 1);
     CHECK_THAT(early.said, Catch::Contains(" of 22 cells are finished"));
     CHECK_FALSE(fs::exists(out + "/results.jsonl"));
-    for (const char* shard : {"1/3", "2/3"}) CHECK(opal_run({"ab", "work", experiment, "-o", out, "--shard", shard}).exit_code == 0);
+    for (const char* shard : {"1/3", "2/3"})
+      CHECK(opal_run({"ab", "work", experiment, "-o", out, "--shard", shard}).exit_code == 0);
     CHECK(opal_run({"ab", "collect", experiment, "-o", out}).exit_code == 0);
     CHECK(content_of(out + "/results.jsonl") == expected);
   }
@@ -88,7 +89,8 @@ TEST_CASE("results do not depend on how many processes or shards compute them, n
     CHECK(killed > 0);
     CHECK(computed(experiment, out) == expected);
     std::size_t lines = 0;
-    for (const auto& journal : fs::directory_iterator(out + "/journals")) lines += lines_of(journal.path().string()).size();
+    for (const auto& journal : fs::directory_iterator(out + "/journals"))
+      lines += lines_of(journal.path().string()).size();
     CHECK(lines == kCells);  // none was computed twice
   }
 }
@@ -97,8 +99,9 @@ TEST_CASE("cells that Ctrl-C or scancel interrupts are no failures of their arms
   const TemporaryFolder folder;
   const std::string experiment = written(folder, small_experiment()), out = folder.path_of("out");
   for (int k = 0; k < 3; ++k) {
-    const std::string command = "timeout --signal=" + std::string(k % 2 ? "TERM" : "INT") + " 0." + std::to_string(2 + k) +
-                                " \"$OPAL_PROGRAM\" ab " + experiment + " -o " + out + " > " + folder.path_of("said") + " 2>&1";
+    const std::string command = "timeout --signal=" + std::string(k % 2 ? "TERM" : "INT") + " 0." +
+                                std::to_string(2 + k) + " \"$OPAL_PROGRAM\" ab " + experiment + " -o " + out + " > " +
+                                folder.path_of("said") + " 2>&1";
     std::system(command.c_str());  // timeout signals the whole group of processes
   }
   CHECK(computed(experiment, out) == computed(experiment, folder.path_of("undisturbed")));
@@ -107,8 +110,8 @@ TEST_CASE("cells that Ctrl-C or scancel interrupts are no failures of their arms
 TEST_CASE("an arm that crashes, hangs, throws, leaves or eats memory has failures, and the others their results") {
   const TemporaryFolder folder;
   json experiment = small_experiment();
-  experiment["arms"] = {experiment["arms"][0], faulty_arm("crash", 1), faulty_arm("hang", 1), faulty_arm("throw", 1),
-                        faulty_arm("leave", 1), faulty_arm("eat", 1)};
+  experiment["arms"] = {experiment["arms"][0],  faulty_arm("crash", 1), faulty_arm("hang", 1),
+                        faulty_arm("throw", 1), faulty_arm("leave", 1), faulty_arm("eat", 1)};
   json unborn = faulty_arm("crash", 0);
   unborn["name"] = "unborn";
   experiment["arms"].push_back(unborn);
@@ -157,7 +160,9 @@ TEST_CASE("an experiment may be looked at before its end as often as it says") {
   document["looks"] = 2;
   const std::string experiment = written(folder, document), out = folder.path_of("out");
   const auto collected = [&] { return opal_run({"ab", "collect", experiment, "-o", out}).said; };
-  const auto work = [&](const std::string& shard) { REQUIRE(opal_run({"ab", "work", experiment, "-o", out, "--shard", shard}).exit_code == 0); };
+  const auto work = [&](const std::string& shard) {
+    REQUIRE(opal_run({"ab", "work", experiment, "-o", out, "--shard", shard}).exit_code == 0);
+  };
   work("1/5");
   CHECK_THAT(collected(), Catch::Contains("looks are at every 5 cells, once"));
   work("2/3");
@@ -196,7 +201,9 @@ TEST_CASE("arms that were given different logs are refused when they are collect
   folder.write("out/journals/1-of-1.0.jsonl", text);
   const Finished collected = opal_run({"ab", "collect", experiment, "-o", out});
   CHECK(collected.exit_code == 3);
-  CHECK_THAT(collected.said, Catch::Contains("malaga-demo-q02/1/lack_of_fit 0123456789abcdef, expected the same map and log for all arms"));
+  CHECK_THAT(
+      collected.said,
+      Catch::Contains("malaga-demo-q02/1/lack_of_fit 0123456789abcdef, expected the same map and log for all arms"));
 }
 
 TEST_CASE("a second run of the same cells is refused, and says who is at work") {
@@ -205,7 +212,8 @@ TEST_CASE("a second run of the same cells is refused, and says who is at work") 
   document["arms"].push_back(faulty_arm("hang", 1));
   const std::string experiment = written(folder, document), out = folder.path_of("out");
   Program first({"ab", experiment, "-o", out});
-  for (int k = 0; k < 500 && !fs::exists(out + "/journals/1-of-1.0.jsonl"); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  for (int k = 0; k < 500 && !fs::exists(out + "/journals/1-of-1.0.jsonl"); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const Finished second = opal_run({"ab", experiment, "-o", out});
   CHECK(second.exit_code == 3);
   CHECK_THAT(second.said, Catch::Contains("computes these cells already"));

@@ -27,7 +27,8 @@ json small_experiment() {
 json experiment_with_drives() {
   json experiment = small_experiment();
   const json building{{"kind", "corridor"}, {"size_m2", 300}};
-  experiment["simulated"] = {{{"name", "corridor"}, {"building", building}, {"drives", 2}, {"distance_m", 8}, {"people", 1}, {"seeds", 3}}};
+  experiment["simulated"] = {
+      {{"name", "corridor"}, {"building", building}, {"drives", 2}, {"distance_m", 8}, {"people", 1}, {"seeds", 3}}};
   return experiment;
 }
 

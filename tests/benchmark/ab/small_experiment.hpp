@@ -18,7 +18,8 @@ nlohmann::json experiment_with_drives();
 nlohmann::json faulty_arm(const std::string& how, int after);
 
 /// Writes the document. @return its path.
-std::string written(const TemporaryFolder& folder, const nlohmann::json& experiment, const std::string& name = "small.jsonld");
+std::string written(const TemporaryFolder& folder, const nlohmann::json& experiment,
+                    const std::string& name = "small.jsonld");
 
 std::string content_of(const std::string& path);
 

@@ -1,8 +1,8 @@
 #include "tests/kit/temporary_folder.hpp"
 
+#include "benchmark/experiments/challenges/baseline.hpp"
 #include "benchmark/experiments/challenges/challenge_report.hpp"
 #include "benchmark/experiments/kit/published.hpp"
-#include "benchmark/experiments/challenges/baseline.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -105,8 +105,7 @@ TEST_CASE("a baseline's table that is none is refused by file and line") {
     return read_baseline(file.path(), recording_of(1));
   };
   CHECK_THROWS_WITH(reading("a,b\n"), Contains("line 1") && Contains("expected timestamp"));
-  CHECK_THROWS_WITH(reading(header + "0,1,2,3,1,1,1\n0.2,1,two,3,1,1,1\n"),
-                    Contains("line 3") && Contains("'two'"));
+  CHECK_THROWS_WITH(reading(header + "0,1,2,3,1,1,1\n0.2,1,two,3,1,1,1\n"), Contains("line 3") && Contains("'two'"));
   CHECK_THROWS_WITH(reading(header + "0,1,2,3\n"), Contains("4 columns"));
 }
 

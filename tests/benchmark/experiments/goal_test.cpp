@@ -33,8 +33,7 @@ std::vector<GoalRun> driven(int jobs) {
   PluginRegistry registry;
   registry.load_all(OPAL_PLUGIN_DIR);
   const GoalExperiment experiment = in_the_room();
-  const Contender contender{"default", read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld"),
-                            "disambiguate"};
+  const Contender contender{"default", read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld"), "disambiguate"};
   const std::vector<GoalTask> tasks{{"A1", {"opal:ColumnPair"}, 2, Pose2(2, 2, 1), {6, 4}},
                                     {"A2", {"opal:ColumnPair"}, 2, Pose2(6, 4, 0), {2, 2}}};
   std::vector<GoalRun> runs(tasks.size());

@@ -13,12 +13,12 @@ constexpr double kLevel = 0.05;
 /// In how many of so many simulated experiments something was claimed.
 struct Claims {
   int experiments = 0;
-  std::vector<int> by_metric = {0, 0, 0};     ///< each by itself, uncorrected
-  int any = 0;                                ///< in the sentence, corrected over the metrics
-  std::vector<int> by_pairs = {0, 0, 0};      ///< had pairs been taken as independent
+  std::vector<int> by_metric = {0, 0, 0};  ///< each by itself, uncorrected
+  int any = 0;                             ///< in the sentence, corrected over the metrics
+  std::vector<int> by_pairs = {0, 0, 0};   ///< had pairs been taken as independent
   std::vector<int> by_sign_flip = {0, 0, 0};
-  std::vector<int> uncovered = {0, 0, 0};     ///< interval without "no difference"
-  int site = 0;                               ///< a site of the first metric by itself
+  std::vector<int> uncovered = {0, 0, 0};  ///< interval without "no difference"
+  int site = 0;                            ///< a site of the first metric by itself
 
   double share(int count) const { return static_cast<double>(count) / experiments; }
 };
@@ -50,7 +50,9 @@ Claims claims_in(const SimulatedExperiment& experiment, int experiments) {
   return claims;
 }
 
-std::vector<std::size_t> sites(std::size_t count, std::size_t queries) { return std::vector<std::size_t>(count, queries); }
+std::vector<std::size_t> sites(std::size_t count, std::size_t queries) {
+  return std::vector<std::size_t>(count, queries);
+}
 
 void print(const Claims& c) {
   // decides | pairs independent | sign flips | interval without 0 || any claim, any site by itself
@@ -80,7 +82,8 @@ TEST_CASE("the same arm twice is told apart in three to seven of a hundred exper
 
 TEST_CASE("rates of false claims in 5,000 experiments, for docs/notebook/statistics_and_page.md", "[.][rates]") {
   constexpr int kExperiments = 5000;
-  const auto show = [](const char* name, const std::vector<std::size_t>& cluster_sizes, double success, double correlated) {
+  const auto show = [](const char* name, const std::vector<std::size_t>& cluster_sizes, double success,
+                       double correlated) {
     SimulatedExperiment experiment{cluster_sizes};
     experiment.success = success;
     experiment.correlated = correlated;

@@ -28,15 +28,18 @@ double bound_of(double level) { return quantile(complement(boost::math::normal()
 TEST_CASE("O'Brien and Fleming's bounds as published for this spending function") {
   // Lan & DeMets (1983) as tabulated in Reboussin et al. (2000): five and three looks, level 0.05, two-sided.
   const std::vector<double> five{4.8769, 3.3569, 2.6803, 2.2898, 2.0310}, three{3.7103, 2.5114, 1.9930};
-  for (int look = 1; look <= 5; ++look) CHECK(bound_of(look_level(0.05, look, 5)) == Approx(five[static_cast<std::size_t>(look - 1)]).margin(2e-4));
-  for (int look = 1; look <= 3; ++look) CHECK(bound_of(look_level(0.05, look, 3)) == Approx(three[static_cast<std::size_t>(look - 1)]).margin(2e-4));
+  for (int look = 1; look <= 5; ++look)
+    CHECK(bound_of(look_level(0.05, look, 5)) == Approx(five[static_cast<std::size_t>(look - 1)]).margin(2e-4));
+  for (int look = 1; look <= 3; ++look)
+    CHECK(bound_of(look_level(0.05, look, 3)) == Approx(three[static_cast<std::size_t>(look - 1)]).margin(2e-4));
   CHECK(look_level(0.05, 1, 1) == Approx(0.05));
   CHECK_THROWS_AS(look_level(0.05, 3, 2), opal::Error);
   CHECK_THROWS_AS(look_levels(0.05, std::vector<double>{0.5, 0.5}), opal::Error);
 }
 
 TEST_CASE("ranks: ties share theirs, zeros take part and weigh nothing, infinite comes last") {
-  CHECK(signed_ranks(std::vector<double>{0, -2, 2, kInfinite, -kInfinite, 1}) == std::vector<double>{0, -3.5, 3.5, 5.5, -5.5, 2});
+  CHECK(signed_ranks(std::vector<double>{0, -2, 2, kInfinite, -kInfinite, 1}) ==
+        std::vector<double>{0, -3.5, 3.5, 5.5, -5.5, 2});
   CHECK(wilcoxon(std::vector<double>{}).p == 1);
   CHECK(wilcoxon(std::vector<double>{0, 0, 0}).p == 1);
   CHECK(wilcoxon(std::vector<double>{1, 2, 3, 4, 5, 6}).p == Approx(2.0 / 64));
@@ -56,14 +59,17 @@ TEST_CASE("sign flips: by enumeration, by halves and by drawing") {
 
 TEST_CASE("the bootstrap draws whole clusters, or pairs within each") {
   const std::vector<std::size_t> sizes{3, 2};
-  const auto clusters_are_whole = [](const Weights& w) { return w[0] == w[1] && w[1] == w[2] && w[3] == w[4] && w[0] + w[3] == 2 ? 1.0 : 0.0; };
+  const auto clusters_are_whole = [](const Weights& w) {
+    return w[0] == w[1] && w[1] == w[2] && w[3] == w[4] && w[0] + w[3] == 2 ? 1.0 : 0.0;
+  };
   const auto sizes_are_kept = [](const Weights& w) { return w[0] + w[1] + w[2] == 3 && w[3] + w[4] == 2 ? 1.0 : 0.0; };
   for (const double good : bootstrap(sizes, clusters_are_whole, {50, 1, true})) CHECK(good == 1);
   for (const double good : bootstrap(sizes, sizes_are_kept, {50, 1, false})) CHECK(good == 1);
   const Statistic first = [](const Weights& w) { return static_cast<double>(w[0]); };
   CHECK(bootstrap(sizes, first, {50, 1, true}) == bootstrap(sizes, first, {50, 1, true}));
   CHECK(bootstrap(sizes, first, {50, 1, true}) != bootstrap(sizes, first, {50, 2, true}));
-  CHECK(jackknife(sizes, [](const Weights& w) { return std::accumulate(w.begin(), w.end(), 0.0); }) == std::vector<double>{2, 3});
+  CHECK(jackknife(sizes, [](const Weights& w) { return std::accumulate(w.begin(), w.end(), 0.0); }) ==
+        std::vector<double>{2, 3});
 }
 
 TEST_CASE("quantiles of numbers of which some are infinite") {

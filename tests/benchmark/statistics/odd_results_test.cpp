@@ -15,8 +15,11 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-ResultRow row(const std::string& arm, const std::string& cluster, int query, double success, double distance_m, double cpu_ms) {
-  return {arm, cluster, std::to_string(query), 1, {{"success", success}, {"distance_m", distance_m}, {"cpu_ms", cpu_ms}}, ""};
+ResultRow row(const std::string& arm, const std::string& cluster, int query, double success, double distance_m,
+              double cpu_ms) {
+  return {
+      arm, cluster, std::to_string(query), 1, {{"success", success}, {"distance_m", distance_m}, {"cpu_ms", cpu_ms}},
+      ""};
 }
 
 ComparisonOptions options() {
@@ -64,8 +67,10 @@ TEST_CASE("one query, or one site, is an experiment that tells little") {
     check_sane(verdict);
     CHECK_THAT(verdict.sentence, Contains("Said of this site only"));
     CHECK_FALSE(verdict.metrics[0].between_clusters);
-    if (queries < 6) CHECK(verdict.metrics[0].outcome == Outcome::open);
-    else CHECK(verdict.metrics[0].outcome == Outcome::better);
+    if (queries < 6)
+      CHECK(verdict.metrics[0].outcome == Outcome::open);
+    else
+      CHECK(verdict.metrics[0].outcome == Outcome::better);
   }
 }
 

@@ -1,8 +1,8 @@
 #include "simulated_experiment.hpp"
 
 #include "benchmark/statistics/cluster_test.hpp"
-#include "benchmark/verdict/pair_scores.hpp"
 #include "benchmark/statistics/power.hpp"
+#include "benchmark/verdict/pair_scores.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -22,7 +22,8 @@ double found(const SimulatedExperiment& experiment, std::size_t metric) {
   options.metrics = {options.metrics[metric]};
   int told = 0;
   for (int i = 0; i < kExperiments; ++i)
-    told += compare(simulate(experiment, 5000 + static_cast<std::uint64_t>(i)), options).front().metrics[0].outcome == Outcome::better;
+    told += compare(simulate(experiment, 5000 + static_cast<std::uint64_t>(i)), options).front().metrics[0].outcome ==
+            Outcome::better;
   return static_cast<double>(told) / kExperiments;
 }
 

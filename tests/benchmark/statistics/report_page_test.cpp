@@ -25,7 +25,9 @@ ReportPage page_of(const SimulatedExperiment& experiment) {
   page.configuration = "{\n \"arms\": [\"a\", \"b\"]\n}";
   page.versions = {{"opal", "0.1.0", "5f2c"}, {"score_evidence", "0.1.0", "77ab"}};
   page.command = "opal ab experiment.jsonld -o out";
-  page.link = [](const ResultRow& row) { return row.cluster == "site0" ? "" : "runs/" + row.arm + "/" + row.cluster + "/" + row.query + ".html?a=1&b=2"; };
+  page.link = [](const ResultRow& row) {
+    return row.cluster == "site0" ? "" : "runs/" + row.arm + "/" + row.cluster + "/" + row.query + ".html?a=1&b=2";
+  };
   return page;
 }
 
@@ -60,7 +62,8 @@ TEST_CASE("nothing in results becomes markup, and nothing is fetched") {
 }
 
 TEST_CASE("a page of odd results has no number that is none") {
-  for (const std::vector<std::size_t>& sites : {std::vector<std::size_t>{1}, std::vector<std::size_t>{2, 2}, std::vector<std::size_t>(8, 1)}) {
+  for (const std::vector<std::size_t>& sites :
+       {std::vector<std::size_t>{1}, std::vector<std::size_t>{2, 2}, std::vector<std::size_t>(8, 1)}) {
     const std::string html = to_html(page_of({sites}));
     CHECK_THAT(html, !Contains("nan") && !Contains("\"inf") && !Contains("-inf"));
   }

@@ -17,17 +17,23 @@ struct Site {
   int queries = 0, only_b = 0, only_a = 0, both = 0;
 };
 
-/// @param metres  how much sooner b is where both get there. @param ratio  of costs, b to a, spread by 1 % over the sites.
+/// @param metres  how much sooner b is where both get there. @param ratio  of costs, b to a, spread by 1 % over the
+/// sites.
 ResultsTable results(const std::vector<Site>& sites, double metres, double ratio) {
   ResultsTable table;
   for (std::size_t i = 0; i < sites.size(); ++i)
     for (int query = 0; query < sites[i].queries; ++query) {
       const Site& site = sites[i];
       const bool b = query < site.both + site.only_b;
-      const bool a = query < site.both || (query >= site.both + site.only_b && query < site.both + site.only_b + site.only_a);
+      const bool a =
+          query < site.both || (query >= site.both + site.only_b && query < site.both + site.only_b + site.only_a);
       const auto add = [&](const std::string& arm, bool success, double distance_m, double cpu_ms) {
-        table.push_back({arm, site.name, std::to_string(query), 1,
-                         {{"success", success}, {"first_fix_m", success ? distance_m : kNever}, {"cpu_ms", cpu_ms}}, ""});
+        table.push_back({arm,
+                         site.name,
+                         std::to_string(query),
+                         1,
+                         {{"success", success}, {"first_fix_m", success ? distance_m : kNever}, {"cpu_ms", cpu_ms}},
+                         ""});
       };
       add("A", a, 2, 1);
       add("B", b, 2 - metres, ratio * (1 + 0.01 * (static_cast<double>(i) / 7 + 0.1 * (query % 3))));
@@ -50,7 +56,8 @@ Verdict verdict_on(const ResultsTable& table, int look = 1, int looks = 1) {
 /// Seven sites of 20 queries; b gets these more, a those, and both the rest.
 std::vector<Site> seven(const std::vector<int>& only_b, const std::vector<int>& only_a) {
   std::vector<Site> sites;
-  for (std::size_t i = 0; i < 7; ++i) sites.push_back({"site" + std::to_string(i + 1), 20, only_b[i], only_a[i], 20 - only_b[i] - only_a[i]});
+  for (std::size_t i = 0; i < 7; ++i)
+    sites.push_back({"site" + std::to_string(i + 1), 20, only_b[i], only_a[i], 20 - only_b[i] - only_a[i]});
   return sites;
 }
 
@@ -59,7 +66,8 @@ std::vector<Site> seven(const std::vector<int>& only_b, const std::vector<int>& 
 TEST_CASE("what is told: both values, difference, interval, and where") {
   const Verdict verdict = verdict_on(results(seven({3, 9, 4, 3, 10, 4, 3}, {0, 0, 0, 0, 0, 0, 0}), 0.4, 1.12));
   CHECK(verdict.sentence ==
-        "B localizes in 100.0 % against 74.3 % (difference 25.7 points, 95 % interval 11.7 to 39.7), median 0.4 m sooner (95 % interval 0.4 "
+        "B localizes in 100.0 % against 74.3 % (difference 25.7 points, 95 % interval 11.7 to 39.7), median 0.4 m "
+        "sooner (95 % interval 0.4 "
         "to 0.4), 13 % more CPU (95 % interval 12 to 13); better on site2 and site5, no difference told elsewhere.");
 }
 
@@ -73,7 +81,8 @@ TEST_CASE("what is worse and cheaper is said so") {
 TEST_CASE("no verdict says how many more queries would tell what") {
   const Verdict verdict = verdict_on(results(seven({3, 0, 2, 1, 2, 0, 2}, {1, 1, 0, 1, 0, 1, 0}), 0, 1));
   CHECK(verdict.metrics[0].outcome == Outcome::open);
-  CHECK_THAT(verdict.sentence, Contains("No verdict yet on success (97.1 % against 92.9 %, difference 4.3 points, 95 % interval"));
+  CHECK_THAT(verdict.sentence,
+             Contains("No verdict yet on success (97.1 % against 92.9 %, difference 4.3 points, 95 % interval"));
   CHECK_THAT(verdict.sentence, Contains("more queries, from ") && Contains("would tell a difference of 4.3 points"));
 }
 
@@ -97,7 +106,12 @@ TEST_CASE("many ties: the median is none, the ranks tell, and the sentence count
     for (int query = 0; query < 10; ++query)
       for (const std::string arm : {"A", "B"}) {
         const double distance_m = query >= 4 + site % 2 ? 0 : arm == "A" ? 3 : 1;
-        table.push_back({arm, "s" + std::to_string(site), std::to_string(query), 1, {{"success", 1}, {"first_fix_m", distance_m}, {"cpu_ms", 1}}, ""});
+        table.push_back({arm,
+                         "s" + std::to_string(site),
+                         std::to_string(query),
+                         1,
+                         {{"success", 1}, {"first_fix_m", distance_m}, {"cpu_ms", 1}},
+                         ""});
       }
   const Verdict verdict = verdict_on(table);
   CHECK(verdict.metrics[1].outcome == Outcome::better);
@@ -115,7 +129,8 @@ TEST_CASE("few sites are named as the scope, and looks in the notes") {
 TEST_CASE("crashes are named and count as worse") {
   ResultsTable table = results(seven({0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}), 0, 1);
   for (ResultRow& row : table)
-    if (row.arm == "B" && (row.query == "0" || row.query == "1" || row.query == "2")) row.failure = "timed out after 60 s";
+    if (row.arm == "B" && (row.query == "0" || row.query == "1" || row.query == "2"))
+      row.failure = "timed out after 60 s";
   const Verdict verdict = verdict_on(table);
   CHECK(verdict.metrics[0].outcome == Outcome::worse);
   CHECK_THAT(verdict.notes[0], Contains("B did not run to the end in 21 of 140 runs"));

@@ -16,7 +16,8 @@ namespace {
 /// An arm's chance: what it has in common with all windows of a site, and its own.
 class Noise {
  public:
-  Noise(double correlated, opal::simulation::Random& random) : own_(std::sqrt(1 - correlated)), of_site_(random.normal(std::sqrt(correlated))) {}
+  Noise(double correlated, opal::simulation::Random& random)
+      : own_(std::sqrt(1 - correlated)), of_site_(random.normal(std::sqrt(correlated))) {}
   double draw(opal::simulation::Random& random) const { return of_site_ + random.normal(own_); }
 
  private:
@@ -45,7 +46,8 @@ ResultsTable simulate(const SimulatedExperiment& e, std::uint64_t seed) {
       for (const std::size_t arm : {0u, 1u}) {
         const double z = shared + std::sqrt(1 - e.common) * ease[arm].draw(random) + (arm == 1 ? e.planted : 0);
         const double ms = (arm == 1 ? e.cost_ratio : 1) * std::exp(shared_cost + 0.1 * cost[arm].draw(random));
-        table.push_back({arm == 0 ? "a" : "b", "site" + std::to_string(site), "q" + std::to_string(query), 1, values(z, ms), ""});
+        table.push_back(
+            {arm == 0 ? "a" : "b", "site" + std::to_string(site), "q" + std::to_string(query), 1, values(z, ms), ""});
       }
     }
   }

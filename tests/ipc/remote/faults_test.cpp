@@ -1,10 +1,10 @@
 #include "room.hpp"
 
-#include "navigation/node_registry.hpp"
 #include "closed_loop/closed_loop.hpp"
 #include "ipc/loopback/loopback_http.hpp"
 #include "ipc/remote/localization_messages.hpp"
 #include "ipc/remote/remote_localization.hpp"
+#include "navigation/node_registry.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -45,9 +45,7 @@ class RawConnection {
   ~RawConnection() { ::close(socket_); }
   RawConnection(const RawConnection&) = delete;
   RawConnection& operator=(const RawConnection&) = delete;
-  void say(const std::string& bytes) {
-    static_cast<void>(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL));
-  }
+  void say(const std::string& bytes) { static_cast<void>(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL)); }
 
  private:
   int socket_;
@@ -58,13 +56,10 @@ class Impostor {
  public:
   explicit Impostor(std::function<void(httplib::Response&)> to_scans) {
     const std::string map =
-        json{{"protocol", remote::kProtocol}, {"sensor", LaserModel().id}, {"map", room()->to_json_ld()}}
-            .dump();
-    server_.Get("/v1/map",
-                [map](const httplib::Request&, httplib::Response& r) { r.set_content(map, kJson); });
-    server_.Post("/v1/begin", [](const httplib::Request&, httplib::Response& r) {
-      r.set_content(R"({"session":"x.1"})", kJson);
-    });
+        json{{"protocol", remote::kProtocol}, {"sensor", LaserModel().id}, {"map", room()->to_json_ld()}}.dump();
+    server_.Get("/v1/map", [map](const httplib::Request&, httplib::Response& r) { r.set_content(map, kJson); });
+    server_.Post("/v1/begin",
+                 [](const httplib::Request&, httplib::Response& r) { r.set_content(R"({"session":"x.1"})", kJson); });
     server_.Post("/v1/scans", [to_scans](const httplib::Request&, httplib::Response& r) { to_scans(r); });
     port_ = bind_to_loopback(server_, 0, "");
     thread_ = std::thread([this] { server_.listen_after_bind(); });
@@ -147,11 +142,10 @@ TEST_CASE("a robot stands still while localization is away, and gets to its goal
   options.motion.radius_m = world().robot_radius_m;
   options.most_s = 240;
   options.tick_s = 0.1;
-  const auto tree = behaviours::read_tree(behaviours::standard_nodes(),
-                                          OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
-  const DriveRecord record =
-      drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree,
-                    simulation.floor().anywhere(random), options);
+  const auto tree =
+      behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
+  const DriveRecord record = drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2),
+                                           *tree, simulation.floor().anywhere(random), options);
   CHECK(record.unanswered_scans >= 5);
   CHECK(record.unanswered_scans < 12);
   CHECK(record.reached);
@@ -256,10 +250,8 @@ TEST_CASE("a program that is silent, or answers nonsense, counts as away") {
              Catch::Contains("opal serve"));
   CHECK_THAT(trouble_with([](httplib::Response& r) { r.set_content("hello", "text/plain"); }),
              Catch::Contains("127.0.0.1"));
-  CHECK_THAT(
-      trouble_with([](httplib::Response& r) { r.set_content(R"({"stamp_s":1,"status":"fine"})", kJson); }),
-      Catch::Contains("searching, ambiguous"));
-  CHECK_THAT(trouble_with(
-                 [](httplib::Response& r) { r.status = 500, r.set_content("out of memory", "text/plain"); }),
+  CHECK_THAT(trouble_with([](httplib::Response& r) { r.set_content(R"({"stamp_s":1,"status":"fine"})", kJson); }),
+             Catch::Contains("searching, ambiguous"));
+  CHECK_THAT(trouble_with([](httplib::Response& r) { r.status = 500, r.set_content("out of memory", "text/plain"); }),
              Catch::Contains("out of memory"));
 }

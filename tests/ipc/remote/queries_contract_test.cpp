@@ -1,8 +1,8 @@
 #include "room.hpp"
 
-#include "navigation/node_registry.hpp"
 #include "closed_loop/closed_loop.hpp"
 #include "ipc/remote/remote_localization.hpp"
+#include "navigation/node_registry.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -22,8 +22,7 @@ struct Both {
 };
 
 bool equal(const Pose2& a, const Pose2& b) {
-  return a.x() == b.x() && a.y() == b.y() && a.heading_rad() == b.heading_rad() &&
-         a.rotate({1, 0}) == b.rotate({1, 0});
+  return a.x() == b.x() && a.y() == b.y() && a.heading_rad() == b.heading_rad() && a.rotate({1, 0}) == b.rotate({1, 0});
 }
 
 void check_equal(const PoseEstimate& a, const PoseEstimate& b) {
@@ -73,9 +72,10 @@ DriveRecord driven(Localization& localization, std::uint64_t seed, const char* b
   ClosedLoopOptions options;
   options.motion.radius_m = world().robot_radius_m;
   options.most_s = 240;
-  const auto tree = behaviours::read_tree(behaviours::standard_nodes(),
-                                          OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
-  return drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree, goal, options);
+  const auto tree =
+      behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
+  return drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree, goal,
+                       options);
 }
 
 }  // namespace
@@ -141,6 +141,5 @@ TEST_CASE("a robot drives the same way whether localization is in its process or
   CHECK(here.time_s == there.time_s);
   CHECK(here.driven_m == there.driven_m);
   REQUIRE(here.moments.size() == there.moments.size());
-  for (std::size_t k = 0; k < here.moments.size(); ++k)
-    CHECK(equal(here.moments[k].truth, there.moments[k].truth));
+  for (std::size_t k = 0; k < here.moments.size(); ++k) CHECK(equal(here.moments[k].truth, there.moments[k].truth));
 }

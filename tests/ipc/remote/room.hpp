@@ -39,6 +39,5 @@ inline std::unique_ptr<opal::Localizer> localizer_of(const opal::LaserModel& las
 }
 
 inline std::unique_ptr<opal::remote::LocalizationServer> server(int port = 0) {
-  return std::make_unique<opal::remote::LocalizationServer>(room(), opal::LaserModel().id, localizer_of,
-                                                            port);
+  return std::make_unique<opal::remote::LocalizationServer>(room(), opal::LaserModel().id, localizer_of, port);
 }

@@ -90,8 +90,7 @@ bool same_document(const Json& a, const Json& b) {
 std::string difference(const Json& expected, const Json& found) {
   const Json patch = Json::diff(canonical(expected, {}, false), canonical(found, {}, false));
   std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(patch.size(), 5); ++i)
-    text += "    " + patch[i].dump() + "\n";
+  for (std::size_t i = 0; i < std::min<std::size_t>(patch.size(), 5); ++i) text += "    " + patch[i].dump() + "\n";
   return text + "    found: " + found.dump().substr(0, 2000) + "\n";
 }
 

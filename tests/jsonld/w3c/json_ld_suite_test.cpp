@@ -1,5 +1,5 @@
-// Runs the W3C JSON-LD 1.1 test suites (https://w3c.github.io/json-ld-api/tests/): every test of them. What does not pass
-// stands in docs/json_ld.md, with what happens instead.
+// Runs the W3C JSON-LD 1.1 test suites (https://w3c.github.io/json-ld-api/tests/): every test of them. What does not
+// pass stands in docs/json_ld.md, with what happens instead.
 #include "json_comparison.hpp"
 #include "w3c_suite.hpp"
 
@@ -117,7 +117,8 @@ TEST_CASE("framing passes the W3C JSON-LD 1.1 suite") { check_suite("frame", fra
 
 TEST_CASE("kept pointers lead into the source and change nothing else") {
   check_pointers_of_suite("expand", expanded);
-  check_pointers_of_suite("flatten", [](const W3cCase& test) { return opal::json_ld::flatten(test.input, test.options); });
+  check_pointers_of_suite("flatten",
+                          [](const W3cCase& test) { return opal::json_ld::flatten(test.input, test.options); });
 }
 
 TEST_CASE("rejecting unknown terms refuses a document or changes nothing") {

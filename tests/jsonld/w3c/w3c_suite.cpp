@@ -41,7 +41,9 @@ void set_options(json_ld::Options& options, const Json& test) {
 
 Json W3cCase::option(const char* name) const { return test.value("option", Json::object()).value(name, Json()); }
 
-Json W3cCase::document(const char* entry) const { return read_json((kSuite / test.at(entry).get<std::string>()).string()); }
+Json W3cCase::document(const char* entry) const {
+  return read_json((kSuite / test.at(entry).get<std::string>()).string());
+}
 
 bool has_w3c_suite(const std::string& name) {
   const bool found = fs::exists(kSuite / (name + "-manifest.jsonld"));

@@ -12,7 +12,7 @@ namespace opal::test {
 
 /// What one test of the W3C suite gives: the input, the test with its options, and the options made of them.
 struct W3cCase {
-  std::string id;           ///< "expand #t0001"
+  std::string id;  ///< "expand #t0001"
   const nlohmann::json& test;
   const nlohmann::json& input;
   json_ld::Options& options;

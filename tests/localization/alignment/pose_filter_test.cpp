@@ -29,7 +29,9 @@ PoseFilter settled_at(const Pose2& T_map_base) {
   return filter;
 }
 
-Pose2 shifted(const Pose2& pose, double x_m, double y_m) { return {pose.x() + x_m, pose.y() + y_m, pose.heading_rad()}; }
+Pose2 shifted(const Pose2& pose, double x_m, double y_m) {
+  return {pose.x() + x_m, pose.y() + y_m, pose.heading_rad()};
+}
 
 /// The pose of a robot that stands, after twenty scans of so much tempering_weight that lie elsewhere.
 Pose2 after_twenty(const Pose2& known, const Pose2& elsewhere, double tempering_weight) {
@@ -102,7 +104,8 @@ TEST_CASE("a heading that is poorly known leaves more room to the side the furth
     const Alignment column{Pose2(), Eigen::Vector3d(50, 50, 1).asDiagonal(), Eigen::Vector3d(1, 1, 1).asDiagonal()};
     filter.update(Pose2(), column, 1, Pose2(), {});
     const Pose2 predicted(driven_m, 0, 0);
-    return filter.update(predicted, {shifted(predicted, 0, 0.05), column.by_points, column.by_guess}, 1, predicted, {}).y();
+    return filter.update(predicted, {shifted(predicted, 0, 0.05), column.by_points, column.by_guess}, 1, predicted, {})
+        .y();
   };
   CHECK(side_step_after(10) > 1.2 * side_step_after(0.1));
 }
@@ -121,7 +124,8 @@ TEST_CASE("a filter in a rigidly moved map says the rigidly moved poses") {
     const Pose2 predicted = pose_here * step, scan = predicted * Pose2(noise(random), noise(random), noise(random));
     const Alignment seen = k % 2 == 0 ? seen_from_all_sides(scan) : seen_in_corridor(scan);
     pose_here = here.update(predicted, seen, 0.4, T_local_base, {});
-    const Alignment seen_there{moved * scan, turn * seen.by_points * turn.transpose(), turn * seen.by_guess * turn.transpose()};
+    const Alignment seen_there{moved * scan, turn * seen.by_points * turn.transpose(),
+                               turn * seen.by_guess * turn.transpose()};
     pose_there = there.update(pose_there * step, seen_there, 0.4, T_local_base, {});
     INFO("update " << k);
     CHECK(distance_m(pose_there, moved * pose_here) < 1e-9);

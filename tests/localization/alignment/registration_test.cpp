@@ -37,9 +37,9 @@ TEST_CASE("registration recovers the pose from any two points, one corner, or a 
   const Pose2 truth(x, y, heading);
   const Circle column{{2, 3}, 0.3}, other{{-4, 1}, 0.3};
   const OrientedPoint corner{{1, -2}, 0.7, 1.57};
-  for (const auto& pairs : {std::vector{seen_from(truth, column), seen_from(truth, other)},
-                            std::vector{seen_from(truth, corner)},
-                            std::vector{seen_from(truth, corner), seen_from(truth, kEast), seen_from(truth, column)}}) {
+  for (const auto& pairs :
+       {std::vector{seen_from(truth, column), seen_from(truth, other)}, std::vector{seen_from(truth, corner)},
+        std::vector{seen_from(truth, corner), seen_from(truth, kEast), seen_from(truth, column)}}) {
     const Registration found = register_geometry(pairs);
     CHECK(found.fixed == 3);
     check_pose(found.T_map_local, truth, 1e-6);
@@ -62,9 +62,7 @@ TEST_CASE("parallel faces at a wrong distance show the difference as errors") {
   CHECK(found.errors_m[1] == Approx(0.3).margin(0.02));
 }
 
-TEST_CASE("registration of nothing fixes nothing") {
-  CHECK(register_geometry({}).fixed == 0);
-}
+TEST_CASE("registration of nothing fixes nothing") { CHECK(register_geometry({}).fixed == 0); }
 
 TEST_CASE("registration moves rigidly with the map and with the local frame") {
   std::mt19937 random(3);

@@ -20,8 +20,7 @@ TEST_CASE("an event is one line, with its members in the order they were given")
 TEST_CASE("numbers in events have at most six decimals, at any depth") {
   std::ostringstream out;
   opal::JsonLinesSink sink(out);
-  sink.write(
-      {{"a", 1.0 / 3}, {"b", {{"c", ordered_json::array({2e-9, -1.23456789})}}}, {"n", 12345678901LL}});
+  sink.write({{"a", 1.0 / 3}, {"b", {{"c", ordered_json::array({2e-9, -1.23456789})}}}, {"n", 12345678901LL}});
   CHECK(out.str() == "{\"a\":0.333333,\"b\":{\"c\":[0.0,-1.234568]},\"n\":12345678901}\n");
 }
 

@@ -94,8 +94,8 @@ TEST_CASE("features that no detector produces are said to stay unseen") {
 
 TEST_CASE("a check counts what the example room holds and finds only its door unrepresented") {
   const MapCheck check = check_map(*SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld"));
-  CHECK(check.objects_by_type == std::map<std::string, int>{
-                                     {"opal:Column", 2}, {"opal:Corner", 1}, {"opal:Door", 1}, {"opal:Wall", 4}});
+  CHECK(check.objects_by_type ==
+        std::map<std::string, int>{{"opal:Column", 2}, {"opal:Corner", 1}, {"opal:Door", 1}, {"opal:Wall", 4}});
   CHECK(check.features_by_geometry == std::array<int, 4>{0, 1, 5, 2});
   CHECK(check.wall_length_m == Approx(8 + 5 + 2.6 + 4.5 + 5));
   CHECK(check.shared_points == 4);
@@ -109,8 +109,9 @@ TEST_CASE("repeated geometry, unshared ends and lonely features are warned about
   const Names warnings = check_map(*map).warnings;
   REQUIRE(warnings.size() == 3);
   CHECK(warnings[0] == "1 feature with the geometry of another one: 'a' and 'a2'");
-  CHECK(warnings[1] == "4 points within 1 cm of another point, without being one: 'a2/begin' and 'a/begin', 'a2/end' "
-                       "and 'a/end', 'back/begin' and 'a/end' and 1 more");
+  CHECK(warnings[1] ==
+        "4 points within 1 cm of another point, without being one: 'a2/begin' and 'a/begin', 'a2/end' "
+        "and 'a/end', 'back/begin' and 'a/end' and 1 more");
   CHECK(warnings[2] == "1 feature with no other within 15 m: 'far'");
 }
 

@@ -18,7 +18,8 @@ struct Parts {
 
 Parts parts() {
   Parts made;
-  const std::vector<Geometry> geometries{Segment{{0, 0}, {4, 0}}, Circle{{2, 2}, 0.3}, OrientedPoint{{0, 0}, 0.5, 1.5}, Point(7, 7)};
+  const std::vector<Geometry> geometries{Segment{{0, 0}, {4, 0}}, Circle{{2, 2}, 0.3}, OrientedPoint{{0, 0}, 0.5, 1.5},
+                                         Point(7, 7)};
   for (const Geometry& geometry : geometries) {
     MapFeature feature;
     feature.id = "f" + std::to_string(made.features.size());
@@ -54,6 +55,7 @@ TEST_CASE("equal maps do not differ, however they were made") {
 
 TEST_CASE("maps do not differ if and only if their documents are equal") {
   const std::vector<std::function<void(Parts&)>> changes{
+      // clang-format off
       [](Parts& p) { p.name = "other"; },
       [](Parts& p) { p.origin.smear_m = 0.1; },
       [](Parts& p) { p.origin.placements[0].T_map_source = {1, 2.5, 0.5}; },
@@ -92,6 +94,7 @@ TEST_CASE("maps do not differ if and only if their documents are equal") {
       [](Parts& p) { p.patterns[0].dimensions = {0.1}; },
       [](Parts& p) { p.patterns.push_back({"p2", "acme:Pair", {2, 3}, {"p1"}}); },
       [](Parts& p) { p.patterns.clear(); },
+      // clang-format on
   };
   for (std::size_t k = 0; k < changes.size(); ++k) {
     CAPTURE(k);
@@ -108,8 +111,9 @@ TEST_CASE("maps do not differ if and only if their documents are equal") {
 
 TEST_CASE("what is said in other vocabularies, and prefixes, are part of a map") {
   const auto map = [](const std::string& prefix, int price) {
-    return SemanticMap::parse(R"({"@context": ["urn:opal:v1", {")" + prefix + R"(": "urn:acme:"}], "@graph": [{"@id": "w", "@type": "Wall", ")" +
-                                  prefix + R"(:price": )" + std::to_string(price) + "}]}",
+    return SemanticMap::parse(R"({"@context": ["urn:opal:v1", {")" + prefix +
+                                  R"(": "urn:acme:"}], "@graph": [{"@id": "w", "@type": "Wall", ")" + prefix +
+                                  R"(:price": )" + std::to_string(price) + "}]}",
                               "hall");
   };
   CHECK(map_diff(*map("acme", 1), *map("acme", 1)).empty());

@@ -16,19 +16,24 @@ using Json = nlohmann::json;
 
 std::string node_of_kiosk(int number) {
   const std::string id = "kiosk-" + std::to_string(number);
+  // clang-format off
   return Json{{"@id", id}, {"@type", "acme:Kiosk"}, {"represented_by",
     {{"@type", "ObjectFeatureRepresentation"}, {"perceivable_by", "PlanarLidar2D"}, {"represented_by",
       {{"@id", id + "/rim"}, {"@type", "Circle"}, {"radius_m", 0.3},
        {"center", {{"@id", id + "/center"}, {"@type", "Point"}, {"x", number + 0.5}, {"y", 1.5}}}}}}}}.dump();
+  // clang-format on
 }
 
 /// Changes of one thing each, so that none contradicts another.
 std::vector<MapOverlay> random_overlays(std::mt19937& random) {
   const auto uniform = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
-  const auto any = [&](std::vector<Json> choices) { return choices[std::uniform_int_distribution<std::size_t>(0, choices.size() - 1)(random)]; };
+  const auto any = [&](std::vector<Json> choices) {
+    return choices[std::uniform_int_distribution<std::size_t>(0, choices.size() - 1)(random)];
+  };
   std::vector<Json> changes;
   for (const char* point : {"corner-1", "corner-2", "corner-3", "corner-4", "kiosk-1/center"})
-    changes.push_back({{"target", point}, {any({"x", "y"}).get<std::string>(), uniform(-0.4, 0.4) + (point[0] == 'k' ? 3 : 6)}});
+    changes.push_back(
+        {{"target", point}, {any({"x", "y"}).get<std::string>(), uniform(-0.4, 0.4) + (point[0] == 'k' ? 3 : 6)}});
   for (const char* thing : {"face-1", "face-2", "wall-3", "wall-4", "c1", "kiosk-1"})
     changes.push_back(any({Json{{"target", thing}, {"existence", uniform(0, 1)}},
                            Json{{"target", thing}, {"not_perceivable_by", "PlanarLidar2D"}},
@@ -46,7 +51,8 @@ std::vector<MapOverlay> random_overlays(std::mt19937& random) {
   }
   std::vector<MapOverlay> overlays;
   for (std::size_t i = 0; i < texts.size(); ++i)
-    overlays.push_back(overlay(texts[i], i == 1 ? node_of_kiosk(1) + "," + node_of_kiosk(2) : "", "overlay-" + std::to_string(i) + ".jsonld"));
+    overlays.push_back(overlay(texts[i], i == 1 ? node_of_kiosk(1) + "," + node_of_kiosk(2) : "",
+                               "overlay-" + std::to_string(i) + ".jsonld"));
   return overlays;
 }
 

@@ -21,7 +21,8 @@ Segment face(const SemanticMap& map, const std::string& id) { return std::get<Se
 }  // namespace
 
 TEST_CASE("features are disabled by their perceivable-by relation, and enabled again") {
-  const OverlaidMap off = overlaid(*room(), overlay(R"({"target": "face-2", "not_perceivable_by": "PlanarLidar2D", "because": "glass"})"));
+  const OverlaidMap off =
+      overlaid(*room(), overlay(R"({"target": "face-2", "not_perceivable_by": "PlanarLidar2D", "because": "glass"})"));
   CHECK(feature(*off.map, "face-2").sensor.empty());
   CHECK(feature(*off.map, "face-1").sensor == "PlanarLidar2D");
   CHECK(off.map->features().size() == room()->features().size());
@@ -36,7 +37,8 @@ TEST_CASE("a whole object is disabled, with its corner, and told what else leans
   CHECK(feature(*off.map, "face-1").sensor.empty());
   CHECK(feature(*off.map, "k1").sensor.empty());
   CHECK(object(*off.map, "wall-1").type == "opal:Wall");
-  const OverlaidMap other = overlaid(*room(), overlay(R"({"target": "wall-4", "not_perceivable_by": "PlanarLidar2D"})"));
+  const OverlaidMap other =
+      overlaid(*room(), overlay(R"({"target": "wall-4", "not_perceivable_by": "PlanarLidar2D"})"));
   CHECK_THAT(all_of(other.doubts), Contains("k1: is still perceivable by PlanarLidar2D, but 'face-4'"));
 }
 
@@ -67,7 +69,8 @@ TEST_CASE("a corner that its faces never made is not turned, but told") {
   const OverlaidMap moved = overlaid(*odd, overlay(R"({"target": "corner-4", "x": 1})"));
   CHECK(std::get<OrientedPoint>(feature(*moved.map, "k1").geometry).heading_rad == 2);
   CHECK_THAT(all_of(moved.doubts), Contains("k1: faces that meet in it have turned"));
-  const OverlaidMap said = overlaid(*odd, overlay(R"({"target": "corner-4", "x": 1}, {"target": "k1", "heading_rad": 1.5})"));
+  const OverlaidMap said =
+      overlaid(*odd, overlay(R"({"target": "corner-4", "x": 1}, {"target": "k1", "heading_rad": 1.5})"));
   CHECK(std::get<OrientedPoint>(feature(*said.map, "k1").geometry).heading_rad == 1.5);
   CHECK(said.doubts.empty());
 }
@@ -77,7 +80,8 @@ TEST_CASE("a geometry with one point is moved by its own id") {
   const auto circle = std::get<Circle>(feature(*moved.map, "c1/rim").geometry);
   CHECK(circle.center == Point(4, 2));
   CHECK(circle.radius_m == 0.3);
-  CHECK_THAT(refusal(*room(), {overlay(R"({"target": "face-1", "x": 1})")}), Contains("'face-1' has no x, expected a point"));
+  CHECK_THAT(refusal(*room(), {overlay(R"({"target": "face-1", "x": 1})")}),
+             Contains("'face-1' has no x, expected a point"));
 }
 
 TEST_CASE("types and qualities are set, of a feature or of all of an object") {
@@ -105,15 +109,18 @@ TEST_CASE("objects and features are added, and may use points of the map") {
   CHECK(feature(*added.map, "kiosk/face").points.front() == "corner-3");
   CHECK(object(*added.map, "wall-2").features.size() == 2);
   CHECK(added.map->unused().size() == room()->unused().size() + 1);
-  CHECK_THAT(all_of(added.changes), Contains("kiosk: added, acme:Kiosk") && Contains("face-2/niche: added to 'wall-2'"));
+  CHECK_THAT(all_of(added.changes),
+             Contains("kiosk: added, acme:Kiosk") && Contains("face-2/niche: added to 'wall-2'"));
 }
 
 TEST_CASE("what is added may be changed by another overlay, whichever comes first") {
   const MapOverlay kiosk = overlay("", R"({"@id": "kiosk", "@type": "acme:Kiosk", "represented_by": {
       "@type": "ObjectFeatureRepresentation", "perceivable_by": "PlanarLidar2D", "represented_by": {"@id": "kiosk/rim",
-        "@type": "Circle", "center": {"@type": "Point", "x": 5, "y": 2}, "radius_m": 0.4}}})", "kiosk.jsonld");
+        "@type": "Circle", "center": {"@type": "Point", "x": 5, "y": 2}, "radius_m": 0.4}}})",
+                                   "kiosk.jsonld");
   const MapOverlay moved = overlay(R"({"target": "kiosk/rim", "x": 6}, {"target": "kiosk", "object_type": "acme:Stand"},
-                                      {"target": "kiosk", "not_perceivable_by": "PlanarLidar2D"})", "", "moved.jsonld");
+                                      {"target": "kiosk", "not_perceivable_by": "PlanarLidar2D"})",
+                                   "", "moved.jsonld");
   const OverlaidMap one = overlaid_map(*room(), {kiosk, moved}), two = overlaid_map(*room(), {moved, kiosk});
   CHECK(one.map->to_json_ld() == two.map->to_json_ld());
   CHECK(one.changes == two.changes);
@@ -121,8 +128,10 @@ TEST_CASE("what is added may be changed by another overlay, whichever comes firs
 }
 
 TEST_CASE("what the map no longer has is an error by id, or told") {
-  const std::string changes = R"({"target": "wall-9", "existence": 0, "because": "demolished"}, {"target": "face-1", "existence": 0.5})";
-  const std::string message = refusal(*room(), {overlay(changes), overlay(R"({"target": "corner-7", "x": 1})", "", "b.jsonld")});
+  const std::string changes =
+      R"({"target": "wall-9", "existence": 0, "because": "demolished"}, {"target": "face-1", "existence": 0.5})";
+  const std::string message =
+      refusal(*room(), {overlay(changes), overlay(R"({"target": "corner-7", "x": 1})", "", "b.jsonld")});
   CHECK_THAT(message, Contains("room.overlay.jsonld: /@graph/0/changes/0: 'wall-9', because demolished") &&
                           Contains("b.jsonld: /@graph/0/changes/0: 'corner-7'"));
   OverlayOptions lenient;
@@ -130,7 +139,8 @@ TEST_CASE("what the map no longer has is an error by id, or told") {
   const OverlaidMap told = overlaid_map(*room(), {overlay(changes)}, lenient);
   CHECK(feature(*told.map, "face-1").existence == 0.5);
   CHECK_THAT(all_of(told.doubts), Contains("wall-9: the map does not have it") && Contains("because demolished"));
-  const OverlaidMap willing = overlaid(*room(), overlay(R"({"target": "wall-9", "existence": 0, "if_missing": "report"})"));
+  const OverlaidMap willing =
+      overlaid(*room(), overlay(R"({"target": "wall-9", "existence": 0, "if_missing": "report"})"));
   CHECK(willing.doubts == std::vector<std::string>{told.doubts[0].substr(0, told.doubts[0].find(", because"))});
 }
 
@@ -157,9 +167,12 @@ TEST_CASE("contradicting changes are an error that names both places, in any ord
   contradict(R"({"target": "corner-2", "x": 8.1})", R"({"target": "corner-2", "x": 8.2})");
   contradict(R"({"target": "wall-1", "existence": 0.1})", R"({"target": "face-1", "existence": 0.2})");
   contradict(R"({"target": "wall-1", "object_type": "Column"})", R"({"target": "wall-1", "object_type": "Door"})");
-  contradict(R"({"target": "c1", "perceivable_by": "PlanarLidar2D"})", R"({"target": "c1/rim", "not_perceivable_by": "PlanarLidar2D"})");
+  contradict(R"({"target": "c1", "perceivable_by": "PlanarLidar2D"})",
+             R"({"target": "c1/rim", "not_perceivable_by": "PlanarLidar2D"})");
   contradict(R"({"target": "k1", "x": 1})", R"({"target": "corner-1", "x": 2})");
-  CHECK(refusal(*room(), {overlay(R"({"target": "corner-2", "x": 8.1})"), overlay(R"({"target": "corner-2", "x": 8.1, "y": 1})")}).empty());
+  CHECK(refusal(*room(), {overlay(R"({"target": "corner-2", "x": 8.1})"),
+                          overlay(R"({"target": "corner-2", "x": 8.1, "y": 1})")})
+            .empty());
 }
 
 TEST_CASE("changes that mean nothing for their target are errors") {
@@ -169,18 +182,22 @@ TEST_CASE("changes that mean nothing for their target are errors") {
   CHECK_THAT(refused(R"({"target": "corner-1", "existence": 1})"), Contains("'corner-1' has no existence"));
   CHECK_THAT(refused(R"({"target": "face-1", "object_type": "Wall"})"), Contains("'face-1' has no object_type"));
   CHECK_THAT(refused(R"({"target": "corner-1", "feature_type": "Wall"})"), Contains("'corner-1' has no feature_type"));
-  CHECK_THAT(refused(R"({"target": "corner-1", "perceivable_by": "Camera"})"), Contains("nothing that a sensor perceives"));
-  CHECK_THAT(refused(R"({"target": "face-1", "existence": 1.5})"), Contains("existence is 1.5, expected a probability"));
+  CHECK_THAT(refused(R"({"target": "corner-1", "perceivable_by": "Camera"})"),
+             Contains("nothing that a sensor perceives"));
+  CHECK_THAT(refused(R"({"target": "face-1", "existence": 1.5})"),
+             Contains("existence is 1.5, expected a probability"));
   CHECK_THAT(refused(R"({"target": "corner-1", "x": 1e9})"), Contains("at most 1e6"));
   CHECK_THAT(refused(R"({"target": "corner-2", "x": 0})"), Contains("face-1"));  // no length is left
 }
 
 TEST_CASE("additions that the map has otherwise, or that are no map, are errors") {
   const auto refused = [](const std::string& node) { return refusal(*room(), {overlay("", node)}); };
-  CHECK_THAT(refused(R"({"@id": "wall-1", "@type": "Column"})"), Contains("object 'wall-1' is opal:Column, but the map has it as opal:Wall"));
+  CHECK_THAT(refused(R"({"@id": "wall-1", "@type": "Column"})"),
+             Contains("object 'wall-1' is opal:Column, but the map has it as opal:Wall"));
   CHECK_THAT(refused(R"({"@id": "c1", "@type": "Column", "represented_by": {"@type": "ObjectFeatureRepresentation",
       "perceivable_by": "PlanarLidar2D", "represented_by": {"@id": "c1/rim", "@type": "Circle",
-        "center": {"@type": "Point", "x": 3, "y": 2}, "radius_m": 0.5}}})"), Contains("the map has another 'c1/rim'"));
+        "center": {"@type": "Point", "x": 3, "y": 2}, "radius_m": 0.5}}})"),
+             Contains("the map has another 'c1/rim'"));
   CHECK_THAT(refused(R"({"@id": "d", "@type": "Wall", "represented_by": {"@type": "ObjectFeatureRepresentation",
       "represented_by": {"@id": "d/face", "@type": "LineSegment", "begin": "corner-9", "end": "corner-1"}}})"),
              Contains("refers to 'corner-9'"));

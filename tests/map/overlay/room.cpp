@@ -55,7 +55,9 @@ std::shared_ptr<const SemanticMap> room() { return SemanticMap::parse(kRoom, "ro
 
 MapOverlay overlay(const std::string& changes, const std::string& nodes, const std::string& name) {
   return parse_overlay(R"({"@context": ["urn:opal:v1", {"acme": "https://acme.example/#"}], "@graph": [
-    {"@type": "MapOverlay", "changes": [)" + changes + "]}" + (nodes.empty() ? "" : ", " + nodes) + "]}", name);
+    {"@type": "MapOverlay", "changes": [)" +
+                           changes + "]}" + (nodes.empty() ? "" : ", " + nodes) + "]}",
+                       name);
 }
 
 OverlaidMap overlaid(const SemanticMap& map, const MapOverlay& overlay) { return overlaid_map(map, {overlay}); }

@@ -91,22 +91,24 @@ TEST_CASE("a ray finds the first wall it crosses, and says if it comes from behi
   CHECK_FALSE(from_above.from_behind);
   CHECK(view.first_crossing({1, -1}, {1, 1}, 0.2).from_behind);
   CHECK(view.first_crossing({2, 5}, {2, 1}, 0.2).feature == 2);
-  CHECK(view.first_crossing({1, 2}, {1, 0.0}, 0.2).feature == -1);   // overshoots by less than the margin
-  CHECK(view.first_crossing({5, 2}, {5, -3}, 0.2).feature == -1);    // passes beside
-  CHECK(view.first_crossing({1, 2}, {1, 2}, 0.2).feature == -1);     // no way at all
+  CHECK(view.first_crossing({1, 2}, {1, 0.0}, 0.2).feature == -1);  // overshoots by less than the margin
+  CHECK(view.first_crossing({5, 2}, {5, -3}, 0.2).feature == -1);   // passes beside
+  CHECK(view.first_crossing({1, 2}, {1, 2}, 0.2).feature == -1);    // no way at all
 }
 
 TEST_CASE("faces that lie on one straight line and look the same way share its number, wherever the map lies") {
   for (const Pose2& moved : {Pose2(), Pose2(-40, 300, 0.4), Pose2(7, 7, 2.9)}) {
     std::vector<Geometry> geometries;
-    const auto add = [&](const Point& begin, const Point& end) { geometries.push_back(Segment{moved * begin, moved * end}); };
+    const auto add = [&](const Point& begin, const Point& end) {
+      geometries.push_back(Segment{moved * begin, moved * end});
+    };
     add({0, 0}, {6, 0});
-    add({7, 0.1}, {9, 0.1});     // the next piece
-    add({9, -0.05}, {9.4, 0});   // a short one, hardly askew
-    add({42, 0}, {43, 0});       // beyond 30 m
-    add({6, -0.1}, {0, -0.1});   // the other side of the wall
-    add({0, 0.6}, {6, 0.6});     // beside it
-    add({6, 0}, {6, 3});         // across
+    add({7, 0.1}, {9, 0.1});    // the next piece
+    add({9, -0.05}, {9.4, 0});  // a short one, hardly askew
+    add({42, 0}, {43, 0});      // beyond 30 m
+    add({6, -0.1}, {0, -0.1});  // the other side of the wall
+    add({0, 0.6}, {6, 0.6});    // beside it
+    add({6, 0}, {6, 3});        // across
     geometries.push_back(Circle{moved * Point(8, 0), 0.2});
     const MapView view(map_of(geometries), "PlanarLidar2D");
     std::vector<int> lines;
@@ -120,7 +122,8 @@ TEST_CASE("one line goes on as far as each piece follows the one before, in both
   for (const double turned_rad : {0.0, 0.7, -2.3}) {
     std::vector<Geometry> geometries;
     for (int k : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11})
-      geometries.push_back(transformed(Pose2(3, 5, turned_rad), Segment{{25.0 * k, 0.01 * k}, {25.0 * k + 2, 0.01 * k}}));
+      geometries.push_back(
+          transformed(Pose2(3, 5, turned_rad), Segment{{25.0 * k, 0.01 * k}, {25.0 * k + 2, 0.01 * k}}));
     const MapView view(map_of(geometries), "PlanarLidar2D");
     for (int number : view.features()) {
       CAPTURE(turned_rad, number);
@@ -156,6 +159,5 @@ TEST_CASE("likelihood_field with slack, and in large cells, is no less than what
 }
 
 TEST_CASE("a sensor that perceives nothing of a map is refused by name") {
-  CHECK_THROWS_WITH(MapView(map_of({kUpper}), "Camera"),
-                    "test: holds no feature that sensor 'Camera' can perceive");
+  CHECK_THROWS_WITH(MapView(map_of({kUpper}), "Camera"), "test: holds no feature that sensor 'Camera' can perceive");
 }

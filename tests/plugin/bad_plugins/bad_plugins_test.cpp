@@ -35,8 +35,7 @@ std::string refusal_of(const std::string& path) {
 }
 
 template <class T>
-std::string failure_to_make(const std::string& plugin,
-                            const nlohmann::json& options = nlohmann::json::object()) {
+std::string failure_to_make(const std::string& plugin, const nlohmann::json& options = nlohmann::json::object()) {
   PluginRegistry registry;
   registry.load(bad_plugin(plugin + ".so"));
   try {
@@ -102,8 +101,7 @@ TEST_CASE("a type is made as what it is") {
   registry.load(bad_plugin("good.so"));
   CHECK_THROWS_WITH(registry.make<opal::HypothesisScorer>("bad:good"),
                     "bad:good from good 1.2.3 is a FeatureDetector, expected a HypothesisScorer");
-  CHECK_THROWS_WITH(registry.make<FeatureDetector>("bad:goods"),
-                    "no plugin offers bad:goods; there is: bad:good");
+  CHECK_THROWS_WITH(registry.make<FeatureDetector>("bad:goods"), "no plugin offers bad:goods; there is: bad:good");
   CHECK_THROWS_WITH(registry.make<FeatureDetector>("bad:good", {{"count", 101}}),
                     "bad:good: option count: 101, expected an integer from 0 to 100");
 }
@@ -156,8 +154,8 @@ TEST_CASE("a plugin with another ABI is refused, both tags are printed") {
                            " eigen_align=" + std::to_string(EIGEN_MAX_ALIGN_BYTES) +
                            "\"; build it with the compiler and flags of the framework";
   const std::string tag = bad_plugin("wrong_tag.so");
-  CHECK(refusal_of(tag) == tag + ": was built for \"api=1 gxx_abi=1002 eigen_align=" +
-                               std::to_string(EIGEN_MAX_ALIGN_BYTES) + ours);
+  CHECK(refusal_of(tag) ==
+        tag + ": was built for \"api=1 gxx_abi=1002 eigen_align=" + std::to_string(EIGEN_MAX_ALIGN_BYTES) + ours);
   const std::string alignment = bad_plugin("wrong_alignment.so");
   CHECK(refusal_of(alignment) == alignment + ": was built for \"" + opal::kAbiTag +
                                      " eigen_align=" + std::to_string(2 * EIGEN_MAX_ALIGN_BYTES) + ours);
@@ -170,8 +168,7 @@ TEST_CASE("a plugin for another API is refused, both are named") {
 
 TEST_CASE("a plugin with an undefined symbol is refused at load, the symbol is named") {
   const std::string file = bad_plugin("undefined_symbol.so");
-  CHECK(refusal_of(file) ==
-        file + ": cannot be opened: undefined symbol: opal_test_function_that_nobody_defines");
+  CHECK(refusal_of(file) == file + ": cannot be opened: undefined symbol: opal_test_function_that_nobody_defines");
 }
 
 TEST_CASE("a library with the section of a plugin, but without its symbol, is refused") {
@@ -181,8 +178,7 @@ TEST_CASE("a library with the section of a plugin, but without its symbol, is re
 
 TEST_CASE("a plugin with an incomplete descriptor is refused") {
   const std::string file = bad_plugin("incomplete.so");
-  CHECK(refusal_of(file) ==
-        file + ": its descriptor lacks a name, a version or a function that registers types");
+  CHECK(refusal_of(file) == file + ": its descriptor lacks a name, a version or a function that registers types");
 }
 
 TEST_CASE("a plugin that registers a type without a factory is refused") {
@@ -212,16 +208,14 @@ TEST_CASE("a missing file and a folder are refused") {
 TEST_CASE("a plugin without its description is refused") {
   const PluginFolder folder;
   const std::string file = folder.copy(bad_plugin("other_description.so"));
-  CHECK(refusal_of(file) ==
-        folder.path() +
-            "/other_description.jsonld: cannot be read; every plugin has its description beside "
-            "it (docs/write_a_plugin.md)");
+  CHECK(refusal_of(file) == folder.path() +
+                                "/other_description.jsonld: cannot be read; every plugin has its description beside "
+                                "it (docs/write_a_plugin.md)");
 }
 
 TEST_CASE("a plugin with an invalid description is refused") {
-  CHECK(
-      refusal_with_description("/types/0/options/0/default", 1000) ==
-      "FOLDER/other_description.jsonld: /types/0/options/0/default: 1000, expected an integer from 0 to 100");
+  CHECK(refusal_with_description("/types/0/options/0/default", 1000) ==
+        "FOLDER/other_description.jsonld: /types/0/options/0/default: 1000, expected an integer from 0 to 100");
 }
 
 TEST_CASE("a plugin that its description does not fit is refused") {
@@ -232,10 +226,8 @@ TEST_CASE("a plugin that its description does not fit is refused") {
             "other_description 1.2.4");
   CHECK(refusal_with_description("/types/0/@id", "bad:Absent") ==
         file + "does not register bad:Absent, which its description promises");
-  CHECK(
-      refusal_with_description("/types/0/kind", "PatternTemplate") ==
-      file +
-          "bad:other_description is registered as FeatureDetector, but its description says PatternTemplate");
+  CHECK(refusal_with_description("/types/0/kind", "PatternTemplate") ==
+        file + "bad:other_description is registered as FeatureDetector, but its description says PatternTemplate");
   CHECK(refusal_with_description("/types/0/produces", {"bad:Other"}) ==
         file + "bad:other_description produces bad:Thing, but its description says bad:Other");
   CHECK(refusal_with_description("/types/0/consumes", {"bad:Other"}) ==

@@ -1,6 +1,6 @@
-#include "jsonld/json_ld.hpp"
 #include <opal/common/strict_json.hpp>
 #include <opal/plugin/testing/plugin_contract.hpp>
+#include "jsonld/json_ld.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -105,8 +105,7 @@ TEST_CASE("an honest detector of a type that the framework does not know breaks 
 }
 
 TEST_CASE("a detector that breaks a promise is told which") {
-  CHECK_THAT(text(detector_offences(
-                 [](const Scan&) -> std::vector<Feature> { throw std::runtime_error("no luck"); })),
+  CHECK_THAT(text(detector_offences([](const Scan&) -> std::vector<Feature> { throw std::runtime_error("no luck"); })),
              Contains("acme:PostDetector throws on an empty scan: no luck"));
   CHECK_THAT(text(detector_offences_with([](Feature& f) { f.type = "acme:Door"; })),
              Contains("of type \"acme:Door\", but it does not say that it produces these"));
@@ -148,19 +147,15 @@ TEST_CASE("an honest pattern over a type that the framework does not know breaks
 }
 
 TEST_CASE("a pattern that breaks a promise is told which") {
-  const auto add_position = [](PatternInstance& i, const Circle& a) {
-    i.invariants[0].value += a.center.x();
-  };
-  CHECK_THAT(text(pattern_offences_with(add_position)),
-             Contains("has an invariant 0 that a rigid motion changes"));
+  const auto add_position = [](PatternInstance& i, const Circle& a) { i.invariants[0].value += a.center.x(); };
+  CHECK_THAT(text(pattern_offences_with(add_position)), Contains("has an invariant 0 that a rigid motion changes"));
   CHECK_THAT(text(pattern_offences_with([](PatternInstance& i, const Circle&) { i.frame = Pose2(); })),
              Contains("has a frame that does not move rigidly"));
   CHECK_THAT(text(pattern_offences_with([](PatternInstance& i, const Circle&) {
                i.members = {0, 0};
              })),
              Contains("whose members are not each feature once"));
-  CHECK_THAT(text(pattern_offences_with(
-                 [](PatternInstance& i, const Circle&) { i.invariants[1].tolerance = kNan; })),
+  CHECK_THAT(text(pattern_offences_with([](PatternInstance& i, const Circle&) { i.invariants[1].tolerance = kNan; })),
              Contains("with a tolerance of nan"));
   CHECK_THAT(text(pattern_offences_with([](PatternInstance& i, const Circle& a) {
                if (a.radius_m > 0.3) i.invariants.pop_back();
@@ -204,9 +199,8 @@ TEST_CASE("a plugin that fails when it is called breaks its contract, with the f
   const std::string folder = std::string(OPAL_BAD_PLUGIN_DIR) + "/";
   CHECK_THAT(
       text(testing::plugin_violations(folder + "throws_in_detect.so")),
-      Contains(
-          "throws_in_detect.so has a type that breaks its contract: bad:throws_in_detect throws on an empty "
-          "scan: this detector fails on every scan"));
+      Contains("throws_in_detect.so has a type that breaks its contract: bad:throws_in_detect throws on an empty "
+               "scan: this detector fails on every scan"));
   CHECK_THAT(text(testing::plugin_violations(folder + "throws_in_match.so")),
              Contains("bad:throws_in_match throws on") && Contains("this pattern fails on every tuple"));
   CHECK_THAT(text(testing::plugin_violations(folder + "absent.so")),
@@ -218,7 +212,8 @@ TEST_CASE("a scorer that breaks a promise is told which") {
     std::function<double(const Hypothesis&, const Observation&)> judge;
     bool by_associations = true;
     bool judges_associations() const override { return by_associations; }
-    Score score(const Hypothesis& hypothesis, const Observation& seen, const MapView&, const ScorerMemory*) const override {
+    Score score(const Hypothesis& hypothesis, const Observation& seen, const MapView&,
+                const ScorerMemory*) const override {
       return {judge(hypothesis, seen), "", {}};
     }
   };
@@ -240,15 +235,20 @@ TEST_CASE("a scorer that breaks a promise is told which") {
   CHECK_THAT(offences([&](const Hypothesis&, const Observation&) { return ++calls; }),
              Contains("another score when it is asked again"));
   scorer.by_associations = false;
-  CHECK_THAT(offences([](const Hypothesis& h, const Observation&) { return 0.1 * static_cast<double>(h.associations.size()); }),
+  CHECK_THAT(offences([](const Hypothesis& h, const Observation&) {
+               return 0.1 * static_cast<double>(h.associations.size());
+             }),
              Contains("another score than without its associations, which it says it does not judge"));
-  CHECK(offences([](const Hypothesis&, const Observation& seen) { return static_cast<double>(seen.points.size()); }) == "");
+  CHECK(offences([](const Hypothesis&, const Observation& seen) { return static_cast<double>(seen.points.size()); }) ==
+        "");
 }
 
 TEST_CASE("a scorer that explains itself badly is told so") {
   struct Scorer final : HypothesisScorer {
     Finding finding;
-    Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory*) const override { return {}; }
+    Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory*) const override {
+      return {};
+    }
     std::vector<Finding> explain(const Hypothesis&, const Observation&, const MapView&) const override {
       return {finding};
     }

@@ -84,8 +84,7 @@ TEST_CASE("a rotated scan gives the rotated features") {
     const Scan scan = scan_of(furnished_room(), scanner, random);
     for (const auto& [name, detector] : detectors()) {
       CAPTURE(name, angle, scanner.beams);
-      check_same(detector->detect(turned(scan, angle)),
-                 transformed_all({0, 0, angle}, detector->detect(scan)));
+      check_same(detector->detect(turned(scan, angle)), transformed_all({0, 0, angle}, detector->detect(scan)));
     }
   }
 }
@@ -100,8 +99,7 @@ TEST_CASE("where the sweep of an all-around scanner starts does not matter") {
     Scan shifted = scan;
     const int shift = GENERATE(1, 90, 355, 610);
     std::rotate(shifted.points.begin(), shifted.points.begin() + shift, shifted.points.end());
-    for (auto p = shifted.points.end() - shift; p != shifted.points.end(); ++p)
-      p->bearing_rad += 2 * std::numbers::pi;
+    for (auto p = shifted.points.end() - shift; p != shifted.points.end(); ++p) p->bearing_rad += 2 * std::numbers::pi;
     for (const auto& [name, detector] : detectors()) {
       CAPTURE(name, shift);
       check_same(detector->detect(shifted), detector->detect(scan));

@@ -75,8 +75,7 @@ TEST_CASE("walls of a room meet: both ends are true and lie on the corner") {
     CAPTURE(segment(wall).begin.transpose(), segment(wall).end.transpose());
     CHECK(wall.true_end == std::array{true, true});
     double nearest = 1;
-    for (const Segment& side : room.walls)
-      nearest = std::min(nearest, (side.begin - segment(wall).begin).norm());
+    for (const Segment& side : room.walls) nearest = std::min(nearest, (side.begin - segment(wall).begin).norm());
     CHECK(nearest < 1e-3);
   }
 }

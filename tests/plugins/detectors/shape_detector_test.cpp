@@ -48,9 +48,7 @@ TEST_CASE("one wall that hides another makes no corner") {
   CHECK(corners_in(scan_of({{{{2, -2}, {2, 0}}, {{4, -1}, {4, 3}}}, {}}, Scanner{})).empty());
 }
 
-TEST_CASE("a rounded edge is no corner") {
-  CHECK(corners_in(scan_of({{}, {{{2, 0}, 0.6}}}, Scanner{})).empty());
-}
+TEST_CASE("a rounded edge is no corner") { CHECK(corners_in(scan_of({{}, {{{2, 0}, 0.6}}}, Scanner{})).empty()); }
 
 TEST_CASE("a corner's error agrees with its covariance") {
   std::mt19937 random(GENERATE(5, 6));

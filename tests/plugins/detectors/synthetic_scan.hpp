@@ -23,9 +23,7 @@ struct Scanner {
   double sigma_m = 0;
 };
 
-inline Scanner all_around(int beams = 720) {
-  return {-std::numbers::pi, 2 * std::numbers::pi / beams, beams, 30, 0};
-}
+inline Scanner all_around(int beams = 720) { return {-std::numbers::pi, 2 * std::numbers::pi / beams, beams, 30, 0}; }
 
 inline double range_to(const Segment& wall, const Point& beam) {
   const Point along = wall.end - wall.begin;
@@ -89,8 +87,7 @@ inline World moved(const Pose2& T, World world) {
 /// Outline of a closed polygon.
 inline std::vector<Segment> outline(const std::vector<Point>& vertices) {
   std::vector<Segment> walls;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    walls.push_back({vertices[i], vertices[(i + 1) % vertices.size()]});
+  for (std::size_t i = 0; i < vertices.size(); ++i) walls.push_back({vertices[i], vertices[(i + 1) % vertices.size()]});
   return walls;
 }
 
@@ -98,8 +95,8 @@ inline std::vector<Segment> outline(const std::vector<Point>& vertices) {
 inline World furnished_room() {
   World world{outline({{-2, -3}, {6, -3}, {6, 3}, {2, 3}, {2, 1.5}, {-2, 1.5}}), {{{3.5, -1}, 0.3}}};
   const Pose2 T(3, 0.9, std::atan2(0.9, 3) + std::numbers::pi / 4);
-  const auto box = outline(
-      {T * Point(-0.25, -0.25), T * Point(0.25, -0.25), T * Point(0.25, 0.25), T * Point(-0.25, 0.25)});
+  const auto box =
+      outline({T * Point(-0.25, -0.25), T * Point(0.25, -0.25), T * Point(0.25, 0.25), T * Point(-0.25, 0.25)});
   world.walls.insert(world.walls.end(), box.begin(), box.end());
   return world;
 }

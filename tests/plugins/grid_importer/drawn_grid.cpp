@@ -8,7 +8,6 @@
 
 namespace opal::test {
 
-
 std::shared_ptr<const MapImporter> grid_importer(const nlohmann::json& options) {
   PluginRegistry registry;
   registry.load(OPAL_PLUGIN_DIR "/grid_importer.so");

@@ -23,7 +23,8 @@ class DrawnGrid {
   static constexpr std::uint8_t kFree = 254;
   static constexpr double kCell_m = 0.05;
 
-  DrawnGrid(int columns, int rows) : columns_(columns), rows_(rows), pixels_(static_cast<std::size_t>(columns * rows), kUnknown) {}
+  DrawnGrid(int columns, int rows)
+      : columns_(columns), rows_(rows), pixels_(static_cast<std::size_t>(columns * rows), kUnknown) {}
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }

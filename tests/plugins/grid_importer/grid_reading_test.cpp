@@ -56,7 +56,8 @@ std::string plain_pgm(const DrawnGrid& grid) {
 std::string wide_pgm(const DrawnGrid& grid) {
   std::string bytes = "P5 " + std::to_string(grid.columns()) + " " + std::to_string(grid.rows()) + " 65535\n";
   for (int row = grid.rows() - 1; row >= 0; --row)
-    for (int column = 0; column < grid.columns(); ++column) bytes += std::string(2, static_cast<char>(grid.at(column, row)));
+    for (int column = 0; column < grid.columns(); ++column)
+      bytes += std::string(2, static_cast<char>(grid.at(column, row)));
   return bytes;
 }
 
@@ -154,7 +155,8 @@ TEST_CASE("a bad yaml file is refused with its line, the key, what was found and
   CHECK_THAT(message_of(start + "resolution: 0.05\norigin: [1e30, 0, 0]\n"), Contains("line 3: origin"));
   CHECK_THAT(message_of(start + rest + "mode: colour\n"), Contains("mode: colour, expected trinary, scale or raw"));
   CHECK_THAT(message_of(start + rest + "negate: 2\n"), Contains("negate: 2, expected 0 or 1"));
-  CHECK_THAT(message_of(start + rest + "free_thresh: 1.5\n"), Contains("free_thresh: 1.5, expected a number from 0 to 1"));
+  CHECK_THAT(message_of(start + rest + "free_thresh: 1.5\n"),
+             Contains("free_thresh: 1.5, expected a number from 0 to 1"));
   CHECK_THAT(message_of(start + rest + "free_thresh: 0.8\n"), Contains("expected at most occupied_thresh"));
   CHECK_THAT(message_of(start + rest + start), Contains("line 4: image: room.pgm, expected this key only once"));
   CHECK_THAT(message_of(start + "origin: [0, 0, 0]\n"), Contains("room.yaml: resolution is missing"));
@@ -173,7 +175,8 @@ TEST_CASE("a bad image is refused with its name, the place, what was found and w
              Contains("room.pgm: byte 31: 2993 bytes of pixels until the end of the file, expected 3000 for 60 x 50"));
   CHECK_THAT(message_of(yaml, "P5 60"), Contains("room.pgm: byte 5: end of file, expected the height"));
   CHECK_THAT(message_of(yaml, "P5 sixty"), Contains("room.pgm: byte 3: no number, expected the width"));
-  CHECK_THAT(message_of(yaml, "P5 4000000000 4000000000 255\n"), Contains("room.pgm: header: 4000000000 x 4000000000 pixels"));
+  CHECK_THAT(message_of(yaml, "P5 4000000000 4000000000 255\n"),
+             Contains("room.pgm: header: 4000000000 x 4000000000 pixels"));
   CHECK_THAT(message_of(yaml, "P5 99999999999999999999 2 255\n"), Contains("a number above 2^32, expected the width"));
   CHECK_THAT(message_of(yaml, "P5 0 2 255\n"), Contains("room.pgm: header: 0 x 2 pixels, expected at least 1 x 1"));
   CHECK_THAT(message_of(yaml, "P5 8000 8000 255\n"), Contains("expected 64000000 for 8000 x 8000"));
@@ -183,6 +186,7 @@ TEST_CASE("a bad image is refused with its name, the place, what was found and w
   CHECK_THAT(message_of(yaml, ""), Contains("room.pgm: byte 0: neither"));
   CHECK_THAT(message_of(yaml, "\x89PNG\r\n\x1a\n"), Contains("room.pgm: header: libpng"));
   CHECK_THAT(message_of(yaml, room().png().substr(0, 60)), Contains("room.pgm: pixels: libpng"));
-  CHECK_THAT(message_of(yaml_for("missing.pgm")), Contains("missing.pgm: cannot read the file: No such file or directory"));
+  CHECK_THAT(message_of(yaml_for("missing.pgm")),
+             Contains("missing.pgm: cannot read the file: No such file or directory"));
   CHECK_THAT(message_of(yaml_for(".")), Contains("cannot read the file"));
 }

@@ -13,7 +13,7 @@ using namespace opal::test;
 
 struct Expected {
   const char* site;
-  int long_faces;  ///< of at least 1 m, at least
+  int long_faces;   ///< of at least 1 m, at least
   double length_m;  ///< in all, at least
   int columns;      ///< round ones, at least
 };
@@ -21,10 +21,10 @@ struct Expected {
 }  // namespace
 
 TEST_CASE("walls of recorded buildings come out as long faces") {
-  const Expected expected = GENERATE(Expected{"acapulco", 230, 800, 1}, Expected{"belgioioso", 150, 550, 0},
-                                     Expected{"csail", 155, 600, 1}, Expected{"freiburg-079", 95, 370, 1},
-                                     Expected{"malaga-demo", 38, 150, 2}, Expected{"malaga", 40, 195, 17},
-                                     Expected{"seattle", 55, 190, 0});
+  const Expected expected =
+      GENERATE(Expected{"acapulco", 230, 800, 1}, Expected{"belgioioso", 150, 550, 0}, Expected{"csail", 155, 600, 1},
+               Expected{"freiburg-079", 95, 370, 1}, Expected{"malaga-demo", 38, 150, 2},
+               Expected{"malaga", 40, 195, 17}, Expected{"seattle", 55, 190, 0});
   const std::string path = std::string(OPAL_SOURCE_DIR "/../shared/data/sites/") + expected.site + ".map.yaml";
   if (!std::filesystem::exists(path)) {
     WARN(path << " is not here: skipped");

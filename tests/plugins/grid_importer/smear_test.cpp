@@ -18,7 +18,8 @@ using grid_importer::Occupancy;
 using grid_importer::OccupancyGrid;
 
 OccupancyGrid grid_of(const std::vector<std::string>& rows_from_top, double cell_m) {
-  OccupancyGrid grid(static_cast<int>(rows_from_top[0].size()), static_cast<int>(rows_from_top.size()), cell_m, Pose2());
+  OccupancyGrid grid(static_cast<int>(rows_from_top[0].size()), static_cast<int>(rows_from_top.size()), cell_m,
+                     Pose2());
   for (int row = 0; row < grid.rows(); ++row)
     for (int column = 0; column < grid.columns(); ++column) {
       const char c = rows_from_top[static_cast<std::size_t>(grid.rows() - 1 - row)][static_cast<std::size_t>(column)];
@@ -81,16 +82,9 @@ TEST_CASE("the distance transform is the distance to the nearest cell, by defini
 }
 
 TEST_CASE("smear grows occupied cells to a disc and makes cells of ten centimetres") {
-  const OccupancyGrid fine = grid_of({"............",
-                                      "............",
-                                      "............",
-                                      "............",
-                                      "....#.......",
-                                      "............",
-                                      "............",
-                                      "............",
-                                      "............",
-                                      "??????......"}, 0.05);
+  const OccupancyGrid fine = grid_of({"............", "............", "............", "............", "....#.......",
+                                      "............", "............", "............", "............", "??????......"},
+                                     0.05);
   const OccupancyGrid thick = grid_importer::smeared(fine, 0.2);
   CHECK(thick.resolution_m() == Approx(0.1));
   CHECK(text_of(thick) == std::vector<std::string>{"......", ".##...", ".###..", "..#...", "......"});
@@ -98,7 +92,8 @@ TEST_CASE("smear grows occupied cells to a disc and makes cells of ten centimetr
 
 TEST_CASE("a grid of large cells is smeared, but gets no larger cells") {
   const OccupancyGrid large = grid_of({".....", ".....", "..#..", ".....", "....."}, 0.2);
-  CHECK(text_of(grid_importer::smeared(large, 0.4)) == std::vector<std::string>{".....", "..#..", ".###.", "..#..", "....."});
+  CHECK(text_of(grid_importer::smeared(large, 0.4)) ==
+        std::vector<std::string>{".....", "..#..", ".###.", "..#..", "....."});
 }
 
 TEST_CASE("taking smear off leaves the middle of every stroke, and gives the rest to what is nearest") {
@@ -126,8 +121,9 @@ TEST_CASE("faces of thick walls are within five centimetres of the true ones, or
   const MapImport thick = import(two_rooms(), {{"thicken_m", smear_m}});
   CAPTURE(smear_m);
   CHECK(thick.map->origin().smear_m == Approx(smear_m).margin(0.1));
-  CHECK(std::any_of(thick.report.begin(), thick.report.end(),
-                    [](const std::string& sentence) { return sentence.find("thicker in the grid than they are") != std::string::npos; }));
+  CHECK(std::any_of(thick.report.begin(), thick.report.end(), [](const std::string& sentence) {
+    return sentence.find("thicker in the grid than they are") != std::string::npos;
+  }));
   const std::vector<Segment> faces = all<Segment>(*thick.map);
   int compared = 0;
   for (const Segment& wanted : all<Segment>(*clean)) {
@@ -142,5 +138,6 @@ TEST_CASE("faces of thick walls are within five centimetres of the true ones, or
 }
 
 TEST_CASE("how thick walls may be made is checked") {
-  CHECK_THROWS_WITH(import(two_rooms(), {{"thicken_m", 3}}), Catch::Contains("thicken_m") && Catch::Contains("from 0 to 2"));
+  CHECK_THROWS_WITH(import(two_rooms(), {{"thicken_m", 3}}),
+                    Catch::Contains("thicken_m") && Catch::Contains("from 0 to 2"));
 }

@@ -114,7 +114,9 @@ TEST_CASE("a slanted wall is one straight face and no staircase") {
   for (int column = 10; column < 250; ++column) {
     const double surface = 20 + 0.31 * (column - 10);
     for (int row = 0; row < 140; ++row)
-      grid.at(column, row) = row < surface - 1 ? DrawnGrid::kUnknown : row < surface + 1 ? DrawnGrid::kOccupied : DrawnGrid::kFree;
+      grid.at(column, row) = row < surface - 1   ? DrawnGrid::kUnknown
+                             : row < surface + 1 ? DrawnGrid::kOccupied
+                                                 : DrawnGrid::kFree;
   }
   const auto map = import(grid).map;
   CAPTURE(text_of(*map));
@@ -167,9 +169,8 @@ TEST_CASE("noise of a cell moves no face by more than a fifth of one") {
   const auto map = import(grid).map;
   CAPTURE(text_of(*map));
   const auto faces = all<Segment>(*map);
-  const auto longest = std::max_element(faces.begin(), faces.end(), [](const Segment& a, const Segment& b) {
-    return a.length_m() < b.length_m();
-  });
+  const auto longest = std::max_element(faces.begin(), faces.end(),
+                                        [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
   REQUIRE(longest != faces.end());
   CHECK(longest->length_m() == Approx(0.05 * 279).margin(0.15));
   CHECK(longest->midpoint().y() == Approx(centre(0, 29).y()).margin(0.01));

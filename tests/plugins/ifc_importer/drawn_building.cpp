@@ -84,16 +84,17 @@ int DrawnBuilding::shape(const std::vector<int>& solids) {
   return add("IFCPRODUCTDEFINITIONSHAPE", "$,$," + listed({body}));
 }
 
-int DrawnBuilding::add_thing(const std::string& type, const std::string& name, int shape, const std::string& further_arguments,
-                             const Pose2& pose) {
+int DrawnBuilding::add_thing(const std::string& type, const std::string& name, int shape,
+                             const std::string& further_arguments, const Pose2& pose) {
   const int place = placement(pose, site_);
-  things_.push_back(add(type, "'" + id(name) + "',$,'" + name + "',$,$," + ref(place) + "," + (shape ? ref(shape) : "$") + ",$" +
+  things_.push_back(add(type, "'" + id(name) + "',$,'" + name + "',$,$," + ref(place) + "," +
+                                  (shape ? ref(shape) : "$") + ",$" +
                                   (further_arguments.empty() ? "" : "," + further_arguments)));
   return things_.back();
 }
 
-int DrawnBuilding::add_box(const std::string& type, const std::string& name, const Pose2& pose, double length_m, double width_m,
-                           const std::string& further_arguments, double height_m) {
+int DrawnBuilding::add_box(const std::string& type, const std::string& name, const Pose2& pose, double length_m,
+                           double width_m, const std::string& further_arguments, double height_m) {
   return add_thing(type, name, shape({box_solid(pose, length_m, width_m, height_m)}), further_arguments);
 }
 
@@ -106,10 +107,11 @@ int DrawnBuilding::add_column(const std::string& name, const Point& center, doub
   return add_thing("IFCCOLUMN", name, shape({extruded(profile, axes(Pose2(center, 0)), 3)}), "$");
 }
 
-void DrawnBuilding::add_door(int wall, const std::string& name, const Pose2& pose, double width_m, double wall_thickness_m) {
+void DrawnBuilding::add_door(int wall, const std::string& name, const Pose2& pose, double width_m,
+                             double wall_thickness_m) {
   const int hole = shape({box_solid(pose, width_m, wall_thickness_m, 2.1)});
-  const int opening = add("IFCOPENINGELEMENT", "'" + id(name + "-hole") + "',$,$,$,$," + ref(placement(Pose2(), site_)) + "," +
-                                                   ref(hole) + ",$,$");
+  const int opening = add("IFCOPENINGELEMENT", "'" + id(name + "-hole") + "',$,$,$,$," +
+                                                   ref(placement(Pose2(), site_)) + "," + ref(hole) + ",$,$");
   const double beside = width_m / 2 - 0.025;
   const std::vector<int> solids{box_solid(Pose2(-beside, 0, 0), 0.05, wall_thickness_m, 2.1),
                                 box_solid(Pose2(beside, 0, 0), 0.05, wall_thickness_m, 2.1),
@@ -128,13 +130,14 @@ void DrawnBuilding::add_storey(const std::string& name, double elevation_m) {
   const int origin = point(0, 0, elevation_m);
   const int position = add("IFCAXIS2PLACEMENT3D", ref(origin) + ",$,$");
   const int place = add("IFCLOCALPLACEMENT", "$," + ref(position));
-  add("IFCBUILDINGSTOREY", "'" + id(name) + "',$,'" + name + "',$,$," + ref(place) + ",$,$,.ELEMENT.," + number(elevation_m));
+  add("IFCBUILDINGSTOREY",
+      "'" + id(name) + "',$,'" + name + "',$,$," + ref(place) + ",$,$,.ELEMENT.," + number(elevation_m));
 }
 
 std::string DrawnBuilding::text(const std::string& schema) const {
   return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('drawn','',(''),(''),'','','');\n"
-         "FILE_SCHEMA(('" + schema + "'));\nENDSEC;\nDATA;\n" +
-         lines_ + "ENDSEC;\nEND-ISO-10303-21;\n";
+         "FILE_SCHEMA(('" +
+         schema + "'));\nENDSEC;\nDATA;\n" + lines_ + "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 
 std::string DrawnBuilding::id(const std::string& name) {
@@ -160,7 +163,9 @@ MapImport import_text(const std::string& text, nlohmann::json options) {
   return ifc_importer(options)->import(file.path());
 }
 
-MapImport import(const DrawnBuilding& building, const nlohmann::json& options) { return import_text(building.text(), options); }
+MapImport import(const DrawnBuilding& building, const nlohmann::json& options) {
+  return import_text(building.text(), options);
+}
 
 const ImportedElement& element(const MapImport& imported, const std::string& name) {
   for (const ImportedElement& element : imported.elements)
@@ -169,11 +174,12 @@ const ImportedElement& element(const MapImport& imported, const std::string& nam
   return imported.elements.front();
 }
 
-std::vector<const MapFeature*> features_of(const SemanticMap& map, const std::string& name, GeometryKind kind, bool seen) {
+std::vector<const MapFeature*> features_of(const SemanticMap& map, const std::string& name, GeometryKind kind,
+                                           bool seen) {
   std::vector<const MapFeature*> features;
   for (const MapFeature& feature : map.features())
-    if (map.objects()[static_cast<std::size_t>(feature.object)].id == DrawnBuilding::id(name) && kind_of(feature.geometry) == kind &&
-        feature.sensor.empty() != seen)
+    if (map.objects()[static_cast<std::size_t>(feature.object)].id == DrawnBuilding::id(name) &&
+        kind_of(feature.geometry) == kind && feature.sensor.empty() != seen)
       features.push_back(&feature);
   return features;
 }

@@ -28,7 +28,9 @@ class DrawnBuilding {
   void add_whole(const std::string& type, const std::string& name, const std::vector<int>& parts);
   void add_storey(const std::string& name, double elevation_m);
   /// A thing whose body is this representation item.
-  int add_item(const std::string& type, const std::string& name, int item) { return add_thing(type, name, shape({item}), "$"); }
+  int add_item(const std::string& type, const std::string& name, int item) {
+    return add_thing(type, name, shape({item}), "$");
+  }
   /// An extrusion of a profile, upwards from z = 0 to 3 m.
   int extruded(int profile, const Pose2& pose = Pose2()) { return extruded(profile, axes(pose), 3); }
   /// Any instance; @return its number.
@@ -72,7 +74,8 @@ MapImport import(const DrawnBuilding& building, const nlohmann::json& options = 
 
 const ImportedElement& element(const MapImport& imported, const std::string& name);
 /// Positions of the features of an object that a sensor perceives, of one kind.
-std::vector<const MapFeature*> features_of(const SemanticMap& map, const std::string& name, GeometryKind kind, bool seen = true);
+std::vector<const MapFeature*> features_of(const SemanticMap& map, const std::string& name, GeometryKind kind,
+                                           bool seen = true);
 std::vector<const MapFeature*> all_of(const SemanticMap& map, GeometryKind kind);
 
 }  // namespace opal

@@ -25,7 +25,8 @@ bool is_absent() {
 
 double distance_m(const std::vector<Segment>& segments, const Point& p) {
   double nearest_m = 1e9;
-  for (const Segment& s : segments) nearest_m = std::min(nearest_m, s.length_m() > 0 ? opal::distance_m(s, p) : (s.begin - p).norm());
+  for (const Segment& s : segments)
+    nearest_m = std::min(nearest_m, s.length_m() > 0 ? opal::distance_m(s, p) : (s.begin - p).norm());
   return nearest_m;
 }
 
@@ -63,7 +64,8 @@ std::map<std::string, Agreement> compare(const nlohmann::json& reference, const 
     const auto found = by_id.find(expected.at("guid").get<std::string>());
     if (found == by_id.end()) continue;
     std::vector<Segment> outline;
-    for (const auto& s : expected.at("segs").get<std::vector<std::array<double, 4>>>()) outline.push_back({{s[0], s[1]}, {s[2], s[3]}});
+    for (const auto& s : expected.at("segs").get<std::vector<std::array<double, 4>>>())
+      outline.push_back({{s[0], s[1]}, {s[2], s[3]}});
     const std::vector<Segment> own = outline_of(*found->second);
     if (own.empty()) continue;
     const double off_m = std::max(farthest_m(outline, own), farthest_m(own, outline));
@@ -85,7 +87,8 @@ TEST_CASE("walls, columns, doors and windows of real buildings lie where an inde
     CAPTURE(file);
     const MapImport imported = ifc_importer({{"z_m", reference.at("z")}})->import((kModels / file).string());
     auto agreement = compare(reference, imported);
-    const auto &walls = agreement["IFCWALL"], &columns = agreement["IFCCOLU"], &doors = agreement["IFCDOOR"], &windows = agreement["IFCWIND"];
+    const auto &walls = agreement["IFCWALL"], &columns = agreement["IFCCOLU"], &doors = agreement["IFCDOOR"],
+               &windows = agreement["IFCWIND"];
     CHECK(walls.right >= 0.99 * walls.total);
     CHECK(columns.right == columns.total);
     CHECK(doors.right >= 0.95 * doors.total);
@@ -95,7 +98,8 @@ TEST_CASE("walls, columns, doors and windows of real buildings lie where an inde
 
 TEST_CASE("the columns of a real hall are 46 circles of 15 cm") {
   if (is_absent()) return;
-  const MapImport imported = ifc_importer({{"storey", "Level 1"}})->import((kModels / "HHS_Office_construction.ifc").string());
+  const MapImport imported =
+      ifc_importer({{"storey", "Level 1"}})->import((kModels / "HHS_Office_construction.ifc").string());
   const auto rims = all_of(*imported.map, GeometryKind::circle);
   CHECK(rims.size() == 46);
   for (const MapFeature* rim : rims) CHECK(std::get<Circle>(rim->geometry).radius_m == Approx(0.15).margin(1e-6));
@@ -114,7 +118,8 @@ TEST_CASE("columns on a grid stand on its crossings") {
 
 TEST_CASE("faces of real buildings that meet share a point, and no gap below a centimetre is left between them") {
   if (is_absent()) return;
-  for (const std::string file : {"Office_A_20110811.ifc", "Duplex.ifc", "TallBuilding.ifc", "LargeBuilding.ifc", "simple_room_v6.ifc"}) {
+  for (const std::string file :
+       {"Office_A_20110811.ifc", "Duplex.ifc", "TallBuilding.ifc", "LargeBuilding.ifc", "simple_room_v6.ifc"}) {
     CAPTURE(file);
     const MapImport imported = ifc_importer()->import((kModels / file).string());
     std::map<std::string, Point> points;

@@ -59,8 +59,9 @@ TEST_CASE("references to nothing, in circles, and numbers given twice are refuse
   const std::string text = drawn();
   CHECK_THAT(refusal(replaced(text, "IFCUNITASSIGNMENT((#1", "IFCUNITASSIGNMENT((#99999")),
              Contains("(IFCUNITASSIGNMENT) refers to #99999, which the file does not define"));
-  CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\n#900=IFCLOCALPLACEMENT(#901,$);\n#901=IFCLOCALPLACEMENT(#900,$);\n")),
-             Contains("in a circle"));
+  CHECK_THAT(
+      refusal(replaced(text, "DATA;\n", "DATA;\n#900=IFCLOCALPLACEMENT(#901,$);\n#901=IFCLOCALPLACEMENT(#900,$);\n")),
+      Contains("in a circle"));
   CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\n#1=IFCDIRECTION((1.,0.,0.));\n")), Contains("is there twice"));
 }
 
@@ -92,7 +93,8 @@ TEST_CASE("a model without a unit of length is refused") {
 }
 
 TEST_CASE("classes that the reader does not know are told about") {
-  const MapImport imported = import_text(replaced(drawn(), "DATA;\n", "DATA;\n#900=IFCCOURSE('0123456789012345678901',$);\n"));
+  const MapImport imported =
+      import_text(replaced(drawn(), "DATA;\n", "DATA;\n#900=IFCCOURSE('0123456789012345678901',$);\n"));
   bool told = false;
   for (const std::string& sentence : imported.report) told = told || sentence.find("1 IFCCOURSE") != std::string::npos;
   CHECK(told);
@@ -100,7 +102,8 @@ TEST_CASE("classes that the reader does not know are told about") {
 
 TEST_CASE("a model of wrong types is refused or reported, and brings nothing down") {
   const std::string text = drawn();
-  for (const char* type : {"IFCDIRECTION", "IFCLOCALPLACEMENT", "IFCSHAPEREPRESENTATION", "IFCRECTANGLEPROFILEDEF", "IFCWALL"})
+  for (const char* type :
+       {"IFCDIRECTION", "IFCLOCALPLACEMENT", "IFCSHAPEREPRESENTATION", "IFCRECTANGLEPROFILEDEF", "IFCWALL"})
     for (const char* by : {"IFCCARTESIANPOINT(", "IFCAXIS2PLACEMENT3D(", "IFCEXTRUDEDAREASOLID(", "IFCPOLYLINE("}) {
       CAPTURE(type, by);
       CHECK_NOTHROW(refusal(replaced(text, std::string(type) + "(", by)));
@@ -108,7 +111,8 @@ TEST_CASE("a model of wrong types is refused or reported, and brings nothing dow
 }
 
 TEST_CASE("bodies that cannot be cut are named with the reason") {
-  const std::string text = replaced(drawn(), "IFCCIRCLEPROFILEDEF(.AREA.,$,$,0.2)", "IFCCIRCLEPROFILEDEF(.AREA.,$,$,1.E12)");
+  const std::string text =
+      replaced(drawn(), "IFCCIRCLEPROFILEDEF(.AREA.,$,$,0.2)", "IFCCIRCLEPROFILEDEF(.AREA.,$,$,1.E12)");
   const MapImport imported = import_text(text);
   CHECK(element(imported, "column").status == ImportStatus::unreadable);
   CHECK_FALSE(element(imported, "column").reason.empty());

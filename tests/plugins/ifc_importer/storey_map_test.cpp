@@ -44,7 +44,8 @@ TEST_CASE("a room's walls are seen from inside and outside, and share their corn
   const MapImport imported = import(room());
   const SemanticMap& map = *imported.map;
   const auto faces = all_of(map, GeometryKind::segment);
-  CHECK(faces.size() == 8 + 4);  // the short sides of south and north lie in line with west and east, and are others' faces
+  CHECK(faces.size() ==
+        8 + 4);  // the short sides of south and north lie in line with west and east, and are others' faces
   CHECK(has(faces, {0, 0}, {6, 0}));
   CHECK(has(faces, {6, 4}, {0, 4}));
   CHECK(has(faces, {6, 0}, {6, 4}));
@@ -192,11 +193,13 @@ TEST_CASE("furniture and proxies stay out unless the classes say otherwise, and 
   CHECK(element(usual, "desk").status == ImportStatus::left_out);
   CHECK(element(usual, "desk").outline.size() == 4);
   CHECK(element(usual, "desk").reason == "furniture is moved");
-  const MapImport chosen = import(building, {{"classes", {{"IfcFurnishingElement", "opal:Desk"}, {"IfcWall", "leave_out"}}}});
+  const MapImport chosen =
+      import(building, {{"classes", {{"IfcFurnishingElement", "opal:Desk"}, {"IfcWall", "leave_out"}}}});
   REQUIRE(chosen.map->objects().size() == 1);
   CHECK(chosen.map->objects()[0].type == "opal:Desk");
   CHECK(element(chosen, "south").status == ImportStatus::left_out);
-  CHECK_THROWS_WITH(ifc_importer({{"classes", {{"IfcWall", "omit"}}}}), Catch::Contains("IfcWall") && Catch::Contains("leave_out"));
+  CHECK_THROWS_WITH(ifc_importer({{"classes", {{"IfcWall", "omit"}}}}),
+                    Catch::Contains("IfcWall") && Catch::Contains("leave_out"));
 }
 
 TEST_CASE("glass is there and no LiDAR looks for it; mullions are seen") {
@@ -241,7 +244,8 @@ TEST_CASE("storeys are listed from the lowest, chosen by name, and the lowest wi
   CHECK(*ifc_importer({{"storey", "Ground"}, {"sensor_height_m", 0.5}})->import(file.path()).height_m == Approx(0.5));
   CHECK_THROWS_WITH(ifc_importer({{"storey", "Attic"}})->import(file.path()),
                     file.path() + ": has no storey 'Attic', expected one of 'Foundation', 'Ground', 'Roof'");
-  CHECK_THROWS_WITH(ifc_importer({{"storey", "Roof"}})->import(file.path()), Catch::Contains("nothing of the building is there"));
+  CHECK_THROWS_WITH(ifc_importer({{"storey", "Roof"}})->import(file.path()),
+                    Catch::Contains("nothing of the building is there"));
 }
 
 TEST_CASE("what the model says survives writing and reading") {

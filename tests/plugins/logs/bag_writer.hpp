@@ -14,7 +14,9 @@ namespace opal::log_tests {
 /// Writes plain CDR in either byte order.
 class CdrWriter {
  public:
-  explicit CdrWriter(bool big_endian = false) : big_endian_(big_endian) { bytes_ = {0, big_endian ? '\0' : '\1', 0, 0}; }
+  explicit CdrWriter(bool big_endian = false) : big_endian_(big_endian) {
+    bytes_ = {0, big_endian ? '\0' : '\1', 0, 0};
+  }
 
   template <class Number>
   CdrWriter& number(Number value) {
@@ -67,8 +69,8 @@ struct LaserScanMessage {
   }
 };
 
-inline std::string odometry_bytes(double stamp_s, const std::vector<double>& pose, const std::string& base = "base_link",
-                                  bool big_endian = false) {
+inline std::string odometry_bytes(double stamp_s, const std::vector<double>& pose,
+                                  const std::string& base = "base_link", bool big_endian = false) {
   CdrWriter cdr(big_endian);
   cdr.header(stamp_s, "odom").text(base).pose(pose);
   for (int i = 0; i < 36 + 6 + 36; ++i) cdr.number(0.0);  // covariance, twist, covariance
@@ -117,7 +119,8 @@ class BagWriter {
 
   void message(int topic, double recorded_s, const std::string& data) {
     sqlite3_stmt* statement = nullptr;
-    sqlite3_prepare_v2(database_, "INSERT INTO messages(topic_id, timestamp, data) VALUES(?,?,?)", -1, &statement, nullptr);
+    sqlite3_prepare_v2(database_, "INSERT INTO messages(topic_id, timestamp, data) VALUES(?,?,?)", -1, &statement,
+                       nullptr);
     sqlite3_bind_int(statement, 1, topic);
     sqlite3_bind_int64(statement, 2, static_cast<sqlite3_int64>(recorded_s * 1e9));
     sqlite3_bind_blob(statement, 3, data.data(), static_cast<int>(data.size()), SQLITE_TRANSIENT);

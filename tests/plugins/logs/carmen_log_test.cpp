@@ -4,8 +4,8 @@
 #include <opal/sensing/replay.hpp>
 #include "plugins/carmen_log/carmen_log.hpp"
 
-#include <catch2/catch.hpp>
 #include <zlib.h>
+#include <catch2/catch.hpp>
 
 #include <cmath>
 
@@ -154,7 +154,8 @@ TEST_CASE("carriage returns, tabs, plus signs and repeated blanks are no damage"
 
 TEST_CASE("newer messages state their own beams") {
   const std::string robot_laser =
-      "ROBOTLASER1 0 -1.5 3.0 0.5 81.9 0.01 0 3 1.5 2.5 3.5 2 7 8 0.1 0.2 0.3 1.1 2.2 0.6 0 0 0.5 0.4 1e6 11 nohost 11\n";
+      "ROBOTLASER1 0 -1.5 3.0 0.5 81.9 0.01 0 3 1.5 2.5 3.5 2 7 8 0.1 0.2 0.3 1.1 2.2 0.6 0 0 0.5 0.4 1e6 11 nohost "
+      "11\n";
   const std::string raw_laser = "RAWLASER1 0 -1.5 3.0 0.5 81.9 0.01 0 3 1.5 2.5 3.5 0 12 nohost 12\n";
   const Walked walked = walk(kStart + robot_laser + raw_laser);
   REQUIRE(walked.scans().size() == 1);  // the raw readings are those of the robot's laser once more

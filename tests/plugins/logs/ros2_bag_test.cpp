@@ -64,7 +64,8 @@ TEST_CASE("scans and odometry of a recording become records in either byte order
     scan.ranges_m = {0.05f, 2, 13, std::numeric_limits<float>::infinity(), 12};
     scan.big_endian = big_endian;
     bag.message(bag.scans(), 1000.5, scan.bytes());
-    bag.message(bag.odometry(), 1000.4, odometry_bytes(1000.125, {1, 2, 0.1, 0, 0, kHalf, kHalf}, "base_link", big_endian));
+    bag.message(bag.odometry(), 1000.4,
+                odometry_bytes(1000.125, {1, 2, 0.1, 0, 0, kHalf, kHalf}, "base_link", big_endian));
     bag.message(bag.topic("/chatter", "std_msgs/msg/String"), 1000.3, "no CDR at all");
   }
   const Walked walked = walk(folder.path_of("a.db3"));
@@ -189,8 +190,9 @@ TEST_CASE("of several topics the usual one is read, or the one that is asked for
     bag.message(bag.odometry("/wheels"), 3, odometry_bytes(3, kHere));
     bag.message(bag.odometry("/fused"), 4, odometry_bytes(4, kHere));
   }
-  CHECK_THROWS_WITH(walk(path), path + ": several topics of type nav_msgs/msg/Odometry (/fused, /wheels), expected an "
-                                       "option to choose one");
+  CHECK_THROWS_WITH(walk(path), path +
+                                    ": several topics of type nav_msgs/msg/Odometry (/fused, /wheels), expected an "
+                                    "option to choose one");
   const Walked usual = walk(path, {"", "/wheels"});
   REQUIRE(usual.records.size() == 2);
   CHECK(std::get<RawScan>(usual.records[0]).stamp_s == 1);

@@ -147,9 +147,17 @@ TEST_CASE("ellipses are chords that are near to them; a round one is a column") 
 
 TEST_CASE("splines are chords that are near to them, rational or not; without control points they are named") {
   DxfText dxf(6);
-  dxf.spline("A-WALL", 2, {0, 0, 0, 1, 1, 1}, {{3, 0}, {3, 3}, {0, 3}}, {1, std::sqrt(0.5), 1});  // a quarter of a circle
+  dxf.spline("A-WALL", 2, {0, 0, 0, 1, 1, 1}, {{3, 0}, {3, 3}, {0, 3}},
+             {1, std::sqrt(0.5), 1});  // a quarter of a circle
   dxf.spline("A-WALL", 3, {0, 0, 0, 0, 1, 1, 1, 1}, {{10, 0}, {11, 1}, {13, 1}, {14, 0}});
-  dxf.entity("SPLINE", "A-WALL").pair(70, 1064).pair(71, 3).pair(72, 0).pair(73, 0).pair(74, 2).point(11, {0, 9}).point(11, {3, 9});
+  dxf.entity("SPLINE", "A-WALL")
+      .pair(70, 1064)
+      .pair(71, 3)
+      .pair(72, 0)
+      .pair(73, 0)
+      .pair(74, 2)
+      .point(11, {0, 9})
+      .point(11, {3, 9});
   dxf.spline("A-WALL", 3, {0, 0, 0, 0, 0, 0, 0, 0}, {{10, 0}, {11, 1}, {13, 1}, {14, 0}});
   const MapImport plan = import_dxf(dxf.text());
   const ImportedElement arc = thing(plan, "100"), wave = thing(plan, "101");
@@ -161,8 +169,9 @@ TEST_CASE("splines are chords that are near to them, rational or not; without co
   CHECK(thing(plan, "102").status == ImportStatus::unreadable);
   CHECK_THAT(thing(plan, "102").reason, Contains("no control points"));
   CHECK_THAT(thing(plan, "103").reason, Contains("knots do not rise"));
-  CHECK_THROWS_WITH(import_dxf(DxfText(6).spline("A-WALL", 1, {0, 0, 1, 1}, {{0, 0}, {1, 0}}).pair(10, 3).text()),
-                    Contains("SPLINE: 3 times code 10, expected 2, as code 73 says") || Contains("SPLINE: 3 times code 10"));
+  CHECK_THROWS_WITH(
+      import_dxf(DxfText(6).spline("A-WALL", 1, {0, 0, 1, 1}, {{0, 0}, {1, 0}}).pair(10, 3).text()),
+      Contains("SPLINE: 3 times code 10, expected 2, as code 73 says") || Contains("SPLINE: 3 times code 10"));
 }
 
 TEST_CASE("a multiline is all its lines: a wall with two faces") {

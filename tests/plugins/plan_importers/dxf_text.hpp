@@ -40,12 +40,17 @@ class DxfText {
   DxfText& arc(const std::string& layer, const opal::Point& centre, double radius, double from_deg, double to_deg) {
     return entity("ARC", layer).point(10, centre).pair(40, radius).pair(50, from_deg).pair(51, to_deg);
   }
-  DxfText& ellipse(const std::string& layer, const opal::Point& centre, const opal::Point& major, double ratio, double from_rad,
-                   double to_rad) {
-    return entity("ELLIPSE", layer).point(10, centre).point(11, major).pair(40, ratio).pair(41, from_rad).pair(42, to_rad);
+  DxfText& ellipse(const std::string& layer, const opal::Point& centre, const opal::Point& major, double ratio,
+                   double from_rad, double to_rad) {
+    return entity("ELLIPSE", layer)
+        .point(10, centre)
+        .point(11, major)
+        .pair(40, ratio)
+        .pair(41, from_rad)
+        .pair(42, to_rad);
   }
-  DxfText& spline(const std::string& layer, int degree, const std::vector<double>& knots, const std::vector<opal::Point>& points,
-                  const std::vector<double>& weights = {}) {
+  DxfText& spline(const std::string& layer, int degree, const std::vector<double>& knots,
+                  const std::vector<opal::Point>& points, const std::vector<double>& weights = {}) {
     entity("SPLINE", layer).pair(70, 8).pair(71, degree).pair(72, static_cast<double>(knots.size()));
     pair(73, static_cast<double>(points.size())).pair(74, 0);
     for (const double knot : knots) pair(40, knot);
@@ -56,7 +61,14 @@ class DxfText {
   /// Straight, from one place to another, with a line on either side of it.
   DxfText& mline(const std::string& layer, const opal::Point& from, const opal::Point& to, double half_width) {
     const opal::Point along = (to - from).normalized(), across = opal::left_of(along);
-    entity("MLINE", layer).pair(2, std::string("STANDARD")).pair(40, 1).pair(70, 0).pair(71, 1).pair(72, 2).pair(73, 2).point(10, from);
+    entity("MLINE", layer)
+        .pair(2, std::string("STANDARD"))
+        .pair(40, 1)
+        .pair(70, 0)
+        .pair(71, 1)
+        .pair(72, 2)
+        .pair(73, 2)
+        .point(10, from);
     for (const opal::Point& p : {from, to}) {
       point(11, p).point(12, along).point(13, across);
       for (const double offset : {half_width, -half_width}) pair(74, 2).pair(41, offset).pair(41, 0).pair(75, 0);

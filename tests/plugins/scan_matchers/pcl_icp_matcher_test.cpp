@@ -16,7 +16,7 @@ std::shared_ptr<const ScanMatcher> pcl_matcher() {
   registry.load(OPAL_PLUGIN_DIR "/pcl_icp_matcher.so");
   return registry.make<ScanMatcher>("opal:PclIcpMatcher");
 }
-}
+}  // namespace
 
 TEST_CASE("the PCL matcher improves a guess that is off by centimetres and degrees") {
   std::mt19937 random(7);

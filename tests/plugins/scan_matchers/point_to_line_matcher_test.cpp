@@ -27,8 +27,8 @@ struct Case {
 Case office_case(std::mt19937& random) {
   const Pose2 first(1.2 + uniform(random, 0.4), 3.2 + uniform(random, 0.4), uniform(random, 0.5));
   const Pose2 motion(0.4 + uniform(random, 0.2), uniform(random, 0.1), uniform(random, 0.3));
-  return {room::scan(room::office(), first, kNoise_m, random), room::scan(room::office(), first * motion, kNoise_m, random),
-          motion};
+  return {room::scan(room::office(), first, kNoise_m, random),
+          room::scan(room::office(), first * motion, kNoise_m, random), motion};
 }
 
 }  // namespace
@@ -56,7 +56,8 @@ TEST_CASE("moving the reference frame moves the match and nothing else") {
     const Pose2 T_new_reference(uniform(random, 100), uniform(random, 100), uniform(random, 3.1));
     const Pose2 here = matcher.match(c.reference, c.scan, guess, kSigma).T_reference_scan;
     const Pose2 there =
-        matcher.match(room::moved(T_new_reference, c.reference), c.scan, T_new_reference * guess, kSigma).T_reference_scan;
+        matcher.match(room::moved(T_new_reference, c.reference), c.scan, T_new_reference * guess, kSigma)
+            .T_reference_scan;
     CAPTURE(i);
     CHECK(distance_m(T_new_reference * here, there) < 0.02);  // cells fall differently
     CHECK(angle_between_rad(T_new_reference * here, there) < 0.01);

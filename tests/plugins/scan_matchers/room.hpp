@@ -43,8 +43,8 @@ inline std::vector<Segment> box(double x, double y, double width, double depth) 
 
 /// An office of 8 m by 6 m with a door, a cupboard, a desk and a pillar.
 inline std::vector<Segment> office() {
-  std::vector<Segment> walls{{{0, 0}, {8, 0}}, {{8, 0}, {8, 2}}, {{8, 3}, {8, 6}}, {{8, 6}, {0, 6}}, {{0, 6}, {0, 0}},
-                             {{11, 0}, {11, 6}}};
+  std::vector<Segment> walls{{{0, 0}, {8, 0}}, {{8, 0}, {8, 2}}, {{8, 3}, {8, 6}},
+                             {{8, 6}, {0, 6}}, {{0, 6}, {0, 0}}, {{11, 0}, {11, 6}}};
   for (const auto& furniture : {box(3, 5.4, 1.2, 0.6), box(5, 0, 1.6, 0.8), box(2.2, 2, 0.4, 0.4)})
     walls.insert(walls.end(), furniture.begin(), furniture.end());
   return walls;

@@ -35,7 +35,8 @@ Observation seen(double from_rad = -std::numbers::pi, double to_rad = std::numbe
   return observation;
 }
 
-double nat(const std::vector<Thing>& things, const Hypothesis& hypothesis = at(Pose2()), const Observation& observation = seen()) {
+double nat(const std::vector<Thing>& things, const Hypothesis& hypothesis = at(Pose2()),
+           const Observation& observation = seen()) {
   return scorer()->score_new(hypothesis, observation, map_of(things)).log_likelihood;
 }
 
@@ -98,7 +99,9 @@ TEST_CASE("who judges a scan of before by its evidence_cells of then judges as t
   CHECK(nat(room(), at(Pose2()), then) < nat(room()) - 1);
 }
 
-TEST_CASE("an object that some beams end on and others pass through speaks against a hypothesis more than one that is absent") {
+TEST_CASE(
+    "an object that some beams end on and others pass through speaks against a hypothesis more than one that is "
+    "absent") {
   Observation observation = seen();
   for (Point& point : observation.points) {  // the lower half of a wall at x = 2
     const double bearing_rad = std::atan2(point.y(), point.x());
@@ -166,8 +169,8 @@ TEST_CASE("an end that is seen elsewhere on a wall, or of another wall, is no en
   const Point up(0, 1);
   const auto ends_there = [&](const Segment& face) { return nat(map, at(Pose2()), with_face(face, {true, true})); };
   CHECK(ends_there({kFace.begin + 0.6 * up, kFace.end - 0.6 * up}) == 0);
-  CHECK(ends_there({kFace.end, kFace.begin}) == 0);                     // its other side
-  CHECK(ends_there({kFace.begin, kFace.begin + Point(2, 2)}) == 0);     // turned
+  CHECK(ends_there({kFace.end, kFace.begin}) == 0);                  // its other side
+  CHECK(ends_there({kFace.begin, kFace.begin + Point(2, 2)}) == 0);  // turned
   CHECK(ends_there({kFace.begin + 5 * up, kFace.end + 5 * up}) == 0);
 }
 

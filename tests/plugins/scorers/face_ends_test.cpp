@@ -38,7 +38,9 @@ std::vector<Geometry> random_walls(int count, unsigned seed) {
   return walls;
 }
 
-FaceEnds ends_of(std::shared_ptr<const SemanticMap> map) { return FaceEnds::of(MapView(std::move(map), "PlanarLidar2D")); }
+FaceEnds ends_of(std::shared_ptr<const SemanticMap> map) {
+  return FaceEnds::of(MapView(std::move(map), "PlanarLidar2D"));
+}
 
 const Segment kUpper{{0, 0.1}, {4, 0.1}}, kLower{{4, 0}, {0, 0}};
 
@@ -95,7 +97,8 @@ TEST_CASE("ends of faces are those that a walk over all faces finds") {
       const auto& other = std::get<Segment>(walls[n]);
       if (other.direction().dot(unit_vector(heading_rad)) < std::cos(gate.angle_rad)) continue;
       const Point from = p - other.end;
-      const double gates = std::hypot(other.direction().dot(from) / gate.along_m, cross(other.direction(), from) / gate.across_m);
+      const double gates =
+          std::hypot(other.direction().dot(from) / gate.along_m, cross(other.direction(), from) / gate.across_m);
       if (gates < expected.gates) expected = {static_cast<int>(n), Tip::end, gates};
     }
     const FaceEnd end = view.nearest(p, unit_vector(heading_rad), Tip::end, gate);

@@ -12,11 +12,13 @@ std::shared_ptr<const HypothesisScorer> scorer(const nlohmann::json& options = n
 /// @param from_rad, to_rad  where the laser sees the room's wall.
 Observation seen(double radius_m = 5, double from_rad = -std::numbers::pi, double to_rad = std::numbers::pi) {
   Observation observation{no_local_map(), {}, {}, 12, Point::Zero(), {}};
-  for (double bearing = from_rad; bearing < to_rad; bearing += 0.05) observation.points.push_back(radius_m * unit_vector(bearing));
+  for (double bearing = from_rad; bearing < to_rad; bearing += 0.05)
+    observation.points.push_back(radius_m * unit_vector(bearing));
   return observation;
 }
 
-double overlap_m(const MapView& map, const Observation& observation, const nlohmann::json& options = {{"margin_m", 0.5}, {"unmatched_m", 0}}) {
+double overlap_m(const MapView& map, const Observation& observation,
+                 const nlohmann::json& options = {{"margin_m", 0.5}, {"unmatched_m", 0}}) {
   return scorer(options)->score_new(at(Pose2()), observation, map).breakdown.front().value;
 }
 
@@ -42,7 +44,8 @@ TEST_CASE("more overlap than is allowed ends a hypothesis, and says how much it 
   const auto strict = scorer({{"veto_m", 1.0}});
   CHECK(strict->score_new(at(Pose2()), seen(), map_of({{"Wall", kWall}})).veto ==
         "2.0 m of mapped geometry stand in free space, more than 1.0 m");
-  CHECK(strict->score_new(at(Pose2(-3, 0, 0)), seen(), map_of({{"Wall", kWall}})).veto.empty());  // 6 m before the robot
+  CHECK(
+      strict->score_new(at(Pose2(-3, 0, 0)), seen(), map_of({{"Wall", kWall}})).veto.empty());  // 6 m before the robot
 }
 
 TEST_CASE("a laser that sees half of the room knows nothing of the other half") {
@@ -63,7 +66,7 @@ TEST_CASE("doors and windows are no evidence, columns are by their width") {
 
 TEST_CASE("doubt in the map is doubt in the evidence") {
   CHECK(overlap_m(map_of({{"Wall", kWall, 0, 0.25}}), seen()) == Approx(0.5));
-  CHECK(overlap_m(map_of({{"Wall", kWall, 0.5, 1}}), seen()) == Approx(2));   // 1.5 m inside, 2 sigma are 1 m
+  CHECK(overlap_m(map_of({{"Wall", kWall, 0.5, 1}}), seen()) == Approx(2));  // 1.5 m inside, 2 sigma are 1 m
   CHECK(overlap_m(map_of({{"Wall", kWall, 0.9, 1}}), seen()) == 0);
 }
 

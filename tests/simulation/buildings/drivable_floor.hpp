@@ -2,12 +2,11 @@
 
 #include <opal/map/semantic_map.hpp>
 
-#include "simulation/ray_caster.hpp"
 #include <vector>
+#include "simulation/ray_caster.hpp"
 
-/// Where a round robot can drive in a mapped building: the largest connected area, all doors open whose leaves no sensor
-/// perceives, glass shut. Worked out on a fine grid
-/// from the map alone. Frame: `map`.
+/// Where a round robot can drive in a mapped building: the largest connected area, all doors open whose leaves no
+/// sensor perceives, glass shut. Worked out on a fine grid from the map alone. Frame: `map`.
 class DrivableFloor {
  public:
   DrivableFloor(const opal::SemanticMap& map, double radius_m, double cell_m);
@@ -17,8 +16,8 @@ class DrivableFloor {
   /// Centres of the cells where it can, row by row.
   std::vector<opal::Point> places() const;
 
-  double floor_m2() const;      ///< in front of some face, whether or not the robot gets there
-  double covered_m2() const;    ///< that the robot's disc can cover, driving all over places()
+  double floor_m2() const;    ///< in front of some face, whether or not the robot gets there
+  double covered_m2() const;  ///< that the robot's disc can cover, driving all over places()
   double covered_share() const { return covered_m2() / floor_m2(); }
 
  private:
@@ -37,4 +36,3 @@ class DrivableFloor {
   opal::Point origin_ = opal::Point::Zero();  ///< centre of the first cell
   std::vector<bool> is_floor_, can_stand_, is_covered_;
 };
-

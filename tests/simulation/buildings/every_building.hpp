@@ -3,9 +3,9 @@
 #include "map/check/map_check.hpp"
 
 #include <catch2/catch.hpp>
-#include "simulation/buildings/building.hpp"
 #include <string>
 #include <vector>
+#include "simulation/buildings/building.hpp"
 
 inline std::string document_of(const opal::SemanticMap& map) { return map.to_json_ld().dump(1) + '\n'; }
 
@@ -19,7 +19,8 @@ inline std::vector<opal::simulation::BuildingRequest> every_building() {
     }
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
       for (const double symmetry : {0.0, 0.5, 1.0})
-        for (const double share : {0.4, 2.0}) requests.push_back({kind.name, seed, share * kind.usual_size_m2, symmetry});
+        for (const double share : {0.4, 2.0})
+          requests.push_back({kind.name, seed, share * kind.usual_size_m2, symmetry});
   }
   return requests;
 }

@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include "simulation/ray_caster.hpp"
 #include <tuple>
+#include "simulation/ray_caster.hpp"
 
 using namespace opal;
 using namespace opal::simulation;
@@ -99,7 +99,8 @@ TEST_CASE("from the visible side of every face a beam meets something: nothing l
       const auto* face = std::get_if<Segment>(&feature.geometry);
       if (!face) continue;
       if (feature.id.find("/leaf-") != std::string::npos) continue;  // its ends touch the jambs
-      const Point start = face->begin + 0.1 * (face->end - face->begin) + 1e-3 * face->normal();  // beside a leaf that is there
+      const Point start =
+          face->begin + 0.1 * (face->end - face->begin) + 1e-3 * face->normal();  // beside a leaf that is there
       for (int k = -4; k <= 4; ++k) {
         const Point way = unit_vector(face->heading_rad() + std::numbers::pi * (0.5 + 0.11 * k));
         const RayHit hit = caster.cast(start, way, 1e3);

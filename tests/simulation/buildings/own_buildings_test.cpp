@@ -1,7 +1,7 @@
 #include "every_building.hpp"
 
-#include "patterns/pattern_layer.hpp"
 #include <opal/plugin/plugin_registry.hpp>
+#include "patterns/pattern_layer.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -29,7 +29,9 @@ int count_corners(const SemanticMap& map, bool concave) {
   return count;
 }
 
-int count_circles(const SemanticMap& map) { return check_map(map).features_by_geometry[static_cast<std::size_t>(GeometryKind::circle)]; }
+int count_circles(const SemanticMap& map) {
+  return check_map(map).features_by_geometry[static_cast<std::size_t>(GeometryKind::circle)];
+}
 
 Point extent_of(const SemanticMap& map) {
   const MapCheck check = check_map(map);
@@ -39,7 +41,8 @@ Point extent_of(const SemanticMap& map) {
 PatternLayer binary_layer(const std::shared_ptr<const SemanticMap>& map, double size_m) {
   PluginRegistry registry;
   registry.load(OPAL_PLUGIN_DIR "/binary.so");
-  const std::vector<Named<PatternTemplate>> templates{{"opal:ColumnPair", registry.make<PatternTemplate>("opal:ColumnPair")}};
+  const std::vector<Named<PatternTemplate>> templates{
+      {"opal:ColumnPair", registry.make<PatternTemplate>("opal:ColumnPair")}};
   return find_pattern_layer(MapView(map, "PlanarLidar2D"), templates, {size_m});
 }
 

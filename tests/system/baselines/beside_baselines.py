@@ -118,7 +118,7 @@ class Comparison:
         return judged
 
     def table(self):
-        lines = ["| | success | strict | median distance m | localized and right | false confidence: rows, queries "
+        lines = ["| | success | strict | median distance m | localized and right | false positives: rows, queries "
                  "| CPU ms per update (ratio) |", "| --- | --- | --- | --- | --- | --- | --- |"]
         by_site = {name: {} for name in CONTENDERS}
         for kind in self.kinds:

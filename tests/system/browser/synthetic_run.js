@@ -187,7 +187,7 @@ function localFeatures(run, frame, known, T_map_base, local, k) {
   if (gone.length > 0) frame.gone = gone;
 }
 
-/// Births, growth and ends of a frame; returns the positions of rows that leave.
+/// Spawns, growth and ends of a frame; returns the positions of rows that leave.
 function evolve(run, frame, alive, T_map_base, k, known, wanted) {
   const { random } = run,
     ended = [];

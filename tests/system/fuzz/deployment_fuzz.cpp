@@ -1,6 +1,6 @@
 // libFuzzer entry point: any text gives a deployment or an opal::Error.
-#include <opal/deployment/deployment.hpp>
 #include <opal/common/error.hpp>
+#include <opal/deployment/deployment.hpp>
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
-// libFuzzer entry point: whatever a yaml file and its image hold, importing them gives a map or an opal::Error. Input: the
-// yaml text, a zero byte, the bytes of the image; the yaml calls the image "i".
+// libFuzzer entry point: whatever a yaml file and its image hold, importing them gives a map or an opal::Error. Input:
+// the yaml text, a zero byte, the bytes of the image; the yaml calls the image "i".
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/common/error.hpp>

@@ -1,6 +1,6 @@
 // Whatever the bytes, reading them ends with a document or with an opal::Error.
-#include "jsonld/json_ld.hpp"
 #include <opal/common/strict_json.hpp>
+#include "jsonld/json_ld.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +14,7 @@ opal::json_ld::Options options_for(std::uint8_t choice) {
   options.base = choice & 1 ? "http://example.org/a/b" : "";
   options.keep_pointers = choice & 2;
   options.reject_unknown_terms = choice & 4;
-  options.contexts["urn:c"] = {
-      {"@context", {{"@vocab", "urn:v:"}, {"t", {{"@id", "urn:t"}, {"@context", "urn:c"}}}}}};
+  options.contexts["urn:c"] = {{"@context", {{"@vocab", "urn:v:"}, {"t", {{"@id", "urn:t"}, {"@context", "urn:c"}}}}}};
   options.contexts["urn:d"] = {{"@context", {"urn:e", "urn:e"}}};
   options.contexts["urn:e"] = {{"@context", {"urn:d", "urn:d"}}};
   options.contexts["urn:f"] = nullptr;

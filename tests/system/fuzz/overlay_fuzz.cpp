@@ -1,4 +1,5 @@
-// Whatever the bytes, an overlay is laid over a map or refused with an opal::Error; laid over the result, it changes nothing.
+// Whatever the bytes, an overlay is laid over a map or refused with an opal::Error; laid over the result, it changes
+// nothing.
 #include <opal/common/error.hpp>
 #include "map/overlay/map_overlay.hpp"
 

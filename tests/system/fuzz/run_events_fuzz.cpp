@@ -1,10 +1,10 @@
 // Whatever the bytes of an event stream, reading it line by line ends with frames or with an opal::Error;
 // frames that come out can be followed, explained, encoded and placed in a picture.
+#include "viewer/encoding/page_encoder.hpp"
 #include "viewer/reading/event_text.hpp"
-#include "viewer/words/explanation.hpp"
 #include "viewer/reading/frame_builder.hpp"
 #include "viewer/scene/frame_scene.hpp"
-#include "viewer/encoding/page_encoder.hpp"
+#include "viewer/words/explanation.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -26,8 +26,7 @@ class Viewer {
     state_.apply(frame);
     const opal::Words words = opal::words_of(explainer_->explanation());
     // The page must be able to read what is written.
-    if (!opal::parse_event(encoder_.frame_record(frame, words)).is_object())
-      throw std::logic_error("no record");
+    if (!opal::parse_event(encoder_.frame_record(frame, words)).is_object()) throw std::logic_error("no record");
     opal::scene_of(header, state_, {});
   }
 

@@ -1,4 +1,5 @@
-// libFuzzer entry point: any text gives a map or an opal::Error, and a map that was read is written and read again whole.
+// libFuzzer entry point: any text gives a map or an opal::Error, and a map that was read is written and read again
+// whole.
 #include <opal/common/error.hpp>
 #include <opal/map/semantic_map.hpp>
 

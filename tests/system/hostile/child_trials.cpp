@@ -17,7 +17,6 @@
 
 namespace {
 
-
 constexpr int kProcessor_s = 10;
 constexpr int kWait_ms = 120'000;  // for a child that sleeps, on a machine that is busy
 constexpr rlim_t kAddressSpace = rlim_t{3} << 30;

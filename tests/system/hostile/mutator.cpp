@@ -68,18 +68,10 @@ std::string Mutator::change_lines(const std::string& text) {
   const std::size_t a = below(lines.size()), b = below(lines.size()), count = 1 + below(6);
   const auto at = [&](std::size_t k) { return lines.begin() + static_cast<std::ptrdiff_t>(k); };
   switch (below(4)) {
-    case 0:
-      lines.erase(at(a), at(std::min(lines.size(), a + count)));
-      break;
-    case 1:
-      lines.insert(at(a), lines[b]);
-      break;
-    case 2:
-      std::swap(lines[a], lines[b]);
-      break;
-    default:
-      std::rotate(at(std::min(a, b)), at((a + b) / 2), at(std::max(a, b)));
-      break;
+    case 0: lines.erase(at(a), at(std::min(lines.size(), a + count))); break;
+    case 1: lines.insert(at(a), lines[b]); break;
+    case 2: std::swap(lines[a], lines[b]); break;
+    default: std::rotate(at(std::min(a, b)), at((a + b) / 2), at(std::max(a, b))); break;
   }
   return joined(lines);
 }
@@ -117,8 +109,7 @@ std::string Mutator::nest(const std::string& text) {
 std::string Mutator::encode_otherwise(const std::string& text) {
   std::string encoded;
   switch (below(5)) {
-    case 0:
-      return "\xEF\xBB\xBF" + text;
+    case 0: return "\xEF\xBB\xBF" + text;
     case 1:
       for (const char c : text) encoded += c == '\n' ? std::string("\r\n") : std::string(1, c);
       return encoded;
@@ -129,8 +120,7 @@ std::string Mutator::encode_otherwise(const std::string& text) {
       encoded = "\xFF\xFE";
       for (const char c : text) encoded += std::string{c, '\0'};
       return encoded;
-    default:
-      return std::string(1 + below(64), '\0') + text;
+    default: return std::string(1 + below(64), '\0') + text;
   }
 }
 
@@ -138,26 +128,17 @@ std::string Mutator::once(std::string text, char reference) {
   if (text.empty()) return text;
   switch (below(12)) {
     case 0:
-    case 1:
-      return flip_bytes(std::move(text));
-    case 2:
-      return cut(text);
-    case 3:
-      return without_piece(text);
-    case 4:
-      return with_piece_twice(text);
+    case 1: return flip_bytes(std::move(text));
+    case 2: return cut(text);
+    case 3: return without_piece(text);
+    case 4: return with_piece_twice(text);
     case 5:
-    case 6:
-      return change_lines(text);
+    case 6: return change_lines(text);
     case 7:
-    case 8:
-      return change_number(text);
-    case 9:
-      return swap_references(std::move(text), reference);
-    case 10:
-      return nest(text);
-    default:
-      return encode_otherwise(text);
+    case 8: return change_number(text);
+    case 9: return swap_references(std::move(text), reference);
+    case 10: return nest(text);
+    default: return encode_otherwise(text);
   }
 }
 

@@ -68,18 +68,19 @@ class StatusReader final : public EventSink {
   void write(const nlohmann::ordered_json& event) override {
     if (event["event"] != "estimate") return;
     if (event["status"] == "localized" && !first_localized) first_localized = event["keyframe"].get<int>();
-    const bool said = event["why"].get<std::string>().find("straight walls that were seen are not on the map") != std::string::npos;
+    const bool said =
+        event["why"].get<std::string>().find("straight walls that were seen are not on the map") != std::string::npos;
     told += said && event["status"] != "localized";
   }
   std::optional<int> first_localized;
   int told = 0;
 };
 
-StatusReader read_status(const RecordedSite& site, std::shared_ptr<const SemanticMap> map, double novelty_per_m,
-                         double most_novelty = 20) {
+StatusReader read_status(const RecordedSite& site, std::shared_ptr<const SemanticMap> map, double weight_per_m,
+                         double most_weight = 20) {
   LocalizerParts parts = site.parts(std::move(map));
-  parts.stages.status.localized_weight_per_m = novelty_per_m;
-  parts.stages.status.localized_most_weight = most_novelty;
+  parts.stages.status.localized_weight_per_m = weight_per_m;
+  parts.stages.status.localized_most_weight = most_weight;
   StatusReader reader;
   Localizer localizer(std::move(parts), &reader);
   replay(localizer, site.samples);

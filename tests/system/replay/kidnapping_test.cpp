@@ -29,8 +29,8 @@ Run run_kidnapping(const RecordedSite& site) {
     const PoseEstimate& said = replayed[k].estimate;
     if (k == log.cut) run.cut = run.rows.size();
     if (said.has_pose)
-      run.rows.push_back({"", log.recorded_s[k], said.T_map_base * site.laser.T_base_laser, said.status,
-                          said.probability, said.none});
+      run.rows.push_back(
+          {"", log.recorded_s[k], said.T_map_base * site.laser.T_base_laser, said.status, said.probability, said.none});
   }
   return run;
 }

@@ -1,7 +1,7 @@
 #include "recorded_site.hpp"
 
-#include <opal/sensing/log_source.hpp>
 #include <opal/map/map_importer.hpp>
+#include <opal/sensing/log_source.hpp>
 
 #include <algorithm>
 

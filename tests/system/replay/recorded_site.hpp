@@ -1,10 +1,10 @@
 #pragma once
 
 #include <opal/deployment/deployment.hpp>
-#include "evaluation/ground_truth.hpp"
 #include <opal/localization/localizer.hpp>
 #include <opal/plugin/plugin_registry.hpp>
 #include <opal/sensing/replay.hpp>
+#include "evaluation/ground_truth.hpp"
 #include "evaluation/site.hpp"
 
 #include <memory>

@@ -9,7 +9,8 @@ using namespace opal;
 
 namespace {
 
-std::vector<nlohmann::ordered_json> searches_of(const RecordedSite& site, const std::function<void(LocalizerOptions&)>& change) {
+std::vector<nlohmann::ordered_json> searches_of(const RecordedSite& site,
+                                                const std::function<void(LocalizerOptions&)>& change) {
   LocalizerParts parts = site.parts();
   change(parts.stages);
   EventRecorder recorder;
@@ -44,16 +45,24 @@ TEST_CASE("a search looks at no more places than it may, but for the three patte
 
 TEST_CASE("while a place is likely, fewer searches are made") {
   const RecordedSite site("malaga-demo");
-  const std::size_t always = searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.every_when_likely = 1; }).size();
-  const std::size_t seldom = searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.every_when_likely = 4; }).size();
+  const std::size_t always =
+      searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.every_when_likely = 1; }).size();
+  const std::size_t seldom =
+      searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.every_when_likely = 4; }).size();
   CHECK(seldom < always);
-  CHECK(searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.every_when_likely = 4; stages.schedule.likely_probability = 1; }).size() == always);
+  CHECK(searches_of(site, [&](LocalizerOptions& stages) {
+          stages.schedule.every_when_likely = 4;
+          stages.schedule.likely_probability = 1;
+        }).size() == always);
 }
 
 TEST_CASE("a search that had much to look at lets further chances pass") {
   const RecordedSite site("malaga-demo");
-  const std::size_t always = searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 0; }).size();
-  const std::size_t seldom = searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 10; }).size();
+  const std::size_t always =
+      searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 0; }).size();
+  const std::size_t seldom =
+      searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 10; }).size();
   CHECK(seldom < always);
-  CHECK(searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 1000; }).size() == always);  // a small building
+  CHECK(searches_of(site, [&](LocalizerOptions& stages) { stages.schedule.places_per_chance = 1000; }).size() ==
+        always);  // a small building
 }

@@ -1,4 +1,4 @@
-"""Tests of judge.py, tables.py and what make_results.py chooses, with made-up files. Python's standard library only."""
+"""Tests of judge.py, tables.py and what make_results.py chooses, with small files of its own. Python's standard library only."""
 
 import argparse
 import json

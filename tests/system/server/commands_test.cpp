@@ -22,10 +22,12 @@ std::string path_of(const std::string& name) { return (server().folder() / name)
 }  // namespace
 
 TEST_CASE("a map goes to the store, is listed, and comes back") {
-  const Finished pushed = opal_run({"map", "push", kRoom, "--building", "room", "--message", "as built", "--expect", "0"});
+  const Finished pushed =
+      opal_run({"map", "push", kRoom, "--building", "room", "--message", "as built", "--expect", "0"});
   CAPTURE(pushed.said);
   CHECK(pushed.exit_code == 0);
-  CHECK_THAT(pushed.said, Contains("pushed: version 1 of 'room'") && Contains("by keeper: as built; 8 features, to database postgres on "));
+  CHECK_THAT(pushed.said, Contains("pushed: version 1 of 'room'") &&
+                              Contains("by keeper: as built; 8 features, to database postgres on "));
   const Finished listed = opal_run({"map", "list", "--building", "room"});
   CHECK_THAT(listed.said, Contains("room      1        2") && Contains("keeper") && Contains("as built"));
   CHECK(opal_run({"map", "list", "--building", "roof"}).exit_code == 1);
@@ -49,14 +51,17 @@ TEST_CASE("diff compares documents and versions, and tells by its exit code") {
   const Finished moved = opal_run({"map", "diff", "store:changing@1", "store:changing"});
   CAPTURE(moved.said);
   CHECK(moved.exit_code == 1);
-  CHECK_THAT(moved.said, Contains("features: 3 moved (by at most 0.250 m)") && Contains("feature south_face moved by 0.250 m"));
-  CHECK_THAT(opal_run({"map", "diff", "store:changing@1", "store:changing", "--summary"}).said, !Contains("south_face"));
+  CHECK_THAT(moved.said,
+             Contains("features: 3 moved (by at most 0.250 m)") && Contains("feature south_face moved by 0.250 m"));
+  CHECK_THAT(opal_run({"map", "diff", "store:changing@1", "store:changing", "--summary"}).said,
+             !Contains("south_face"));
 }
 
 TEST_CASE("a stored map stands wherever a map is asked for") {
   store()->push(*malaga(), {"everywhere"});
   CHECK(opal_run({"map", "check", "store:everywhere"}).exit_code == 0);
-  CHECK(opal_run({"map", "damage", "store:everywhere", "--damage", "drop=0.3", "-o", path_of("worse.jsonld")}).exit_code == 0);
+  CHECK(opal_run({"map", "damage", "store:everywhere", "--damage", "drop=0.3", "-o", path_of("worse.jsonld")})
+            .exit_code == 0);
   CHECK(opal_run({"map", "push", "store:everywhere@1", "--building", "copied"}).exit_code == 0);
   CHECK(opal_run({"map", "diff", "store:everywhere", "store:copied"}).exit_code == 0);
   CHECK(opal_run({"map", "check", "store:"}).exit_code == 3);

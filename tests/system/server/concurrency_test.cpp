@@ -1,7 +1,7 @@
 // Pushes that are interrupted, that come at once, and that expect something else than they find.
 #include "made_maps.hpp"
-#include "program.hpp"
 #include "plugins/postgis_store/server.hpp"
+#include "program.hpp"
 #include "test_server.hpp"
 
 #include "map/check/map_diff.hpp"
@@ -49,8 +49,8 @@ constexpr const char* kStuckPush =
     "SELECT pid FROM pg_stat_activity WHERE wait_event_type = 'Lock' AND query LIKE 'INSERT INTO opal.features%' "
     "AND datname = current_database()";
 
-/// Starts a push, and stops it in the middle, when the graph is there and the features are not: `interrupt` gets the push
-/// and the server's process that serves it.
+/// Starts a push, and stops it in the middle, when the graph is there and the features are not: `interrupt` gets the
+/// push and the server's process that serves it.
 template <class Interrupt>
 Finished push_interrupted_by(const std::vector<std::string>& push, Interrupt interrupt) {
   std::optional<Program> pusher;
@@ -82,7 +82,8 @@ std::string orphans() {
   return answer_to(
       "SELECT (SELECT count(*) FROM opal.nodes WHERE map NOT IN (SELECT id FROM opal.map_versions)) + "
       "(SELECT count(*) FROM opal.features WHERE map NOT IN (SELECT id FROM opal.map_versions)) + "
-      "(SELECT count(*) FROM opal.map_versions v JOIN opal.buildings b ON b.id = v.building WHERE v.version > b.newest)");
+      "(SELECT count(*) FROM opal.map_versions v JOIN opal.buildings b ON b.id = v.building WHERE v.version > "
+      "b.newest)");
 }
 
 }  // namespace
@@ -110,9 +111,9 @@ TEST_CASE("a push whose session the server ends in the middle says so and leaves
   const Map old_map = malaga(), new_map = large_map(500, 1);
   const std::string building = "terminated";
   store()->push(*old_map, {building});
-  const Finished ended =
-      push_interrupted_by({"map", "push", written(new_map, "new.jsonld"), "--building", building},
-                          [&](Program&, const std::string& pid) { answer_to("SELECT pg_terminate_backend($1::integer)", {pid}); });
+  const Finished ended = push_interrupted_by(
+      {"map", "push", written(new_map, "new.jsonld"), "--building", building},
+      [&](Program&, const std::string& pid) { answer_to("SELECT pg_terminate_backend($1::integer)", {pid}); });
   CAPTURE(ended.said);
   CHECK(ended.exit_code == 3);
   CHECK_THAT(ended.said, Contains("the connection broke"));
@@ -128,8 +129,8 @@ TEST_CASE("robots that push at once lose nothing") {
   for (int k = 0; k < kRobots; ++k) maps.push_back(large_map(300 + k, static_cast<unsigned>(k)));
   for (int k = 0; k < kRobots; ++k)
     robots.push_back(std::make_unique<Program>(
-        std::vector<std::string>{"map", "push", written(maps[k], "robot" + std::to_string(k) + ".jsonld"), "--building", "together",
-                                 "--message", std::to_string(k)}));
+        std::vector<std::string>{"map", "push", written(maps[k], "robot" + std::to_string(k) + ".jsonld"), "--building",
+                                 "together", "--message", std::to_string(k)}));
   for (const auto& robot : robots) {
     const Finished finished = robot->wait();
     CAPTURE(finished.said);
@@ -150,7 +151,8 @@ TEST_CASE("of robots that push the first maps of a new database at once, none fa
   const std::string map = written(large_map(50, 1), "first.jsonld");
   std::vector<std::unique_ptr<Program>> robots;
   for (int k = 0; k < 4; ++k)
-    robots.push_back(std::make_unique<Program>(std::vector<std::string>{"map", "push", map, "--building", k % 2 ? "a" : "b"}));
+    robots.push_back(
+        std::make_unique<Program>(std::vector<std::string>{"map", "push", map, "--building", k % 2 ? "a" : "b"}));
   for (const auto& robot : robots) {
     const Finished finished = robot->wait();
     CAPTURE(finished.said);
@@ -174,7 +176,8 @@ TEST_CASE("of robots that push on the same version and say so, one wins and the 
     won += finished.exit_code == 0;
     if (finished.exit_code != 0) {
       CHECK(finished.exit_code == 1);
-      CHECK_THAT(finished.said, Contains("building 'expected' is at version 2, expected version 1; nothing was pushed"));
+      CHECK_THAT(finished.said,
+                 Contains("building 'expected' is at version 2, expected version 1; nothing was pushed"));
     }
   }
   CHECK(won == 1);

@@ -1,7 +1,7 @@
 // Servers that are not there, go away, refuse, or hold something else; and what is said about it.
 #include "made_maps.hpp"
-#include "program.hpp"
 #include "plugins/postgis_store/server.hpp"
+#include "program.hpp"
 #include "test_server.hpp"
 
 #include <opal/deployment/deployment.hpp>
@@ -94,7 +94,8 @@ TEST_CASE("a password appears nowhere, right or wrong") {
       {"map", "push", OPAL_SOURCE_DIR "/maps/example_room.jsonld", "--building", "secret"},
       {"map", "pull", "--building", "secret", "-o", folder.path_of("map.jsonld")},
       {"map", "check", "store:secret"},
-      {"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "--map", "store:secret", "-o", folder.path()},
+      {"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "--map", "store:secret", "-o",
+       folder.path()},
       {"plugins", "--check", OPAL_PLUGIN_DIR "/postgis_store.so"}};
   for (const std::string& password : {std::string(TestServer::kPassword), std::string("S3cret-but-wrong!")}) {
     const Setting word("PGPASSWORD", password);
@@ -120,7 +121,8 @@ TEST_CASE("credentials come from a password file and a service file, too") {
   const TemporaryFolder folder;
   std::ofstream(folder.path_of("pgpass")) << "*:*:*:keeper:" << TestServer::kPassword << '\n';
   fs::permissions(folder.path_of("pgpass"), fs::perms::owner_read | fs::perms::owner_write);
-  std::ofstream(folder.path_of("services")) << "[maps]\nhost=127.0.0.1\nport=" << std::getenv("PGPORT") << "\nuser=keeper\ndbname=postgres\n";
+  std::ofstream(folder.path_of("services"))
+      << "[maps]\nhost=127.0.0.1\nport=" << std::getenv("PGPORT") << "\nuser=keeper\ndbname=postgres\n";
   const std::string port = std::getenv("PGPORT");
   const Setting no_password("PGPASSWORD", ""), pgpass("PGPASSFILE", folder.path_of("pgpass"));
   CHECK(store()->list("filed").size() == 1);
@@ -136,7 +138,8 @@ TEST_CASE("a server that is not there, or says nothing, is told in good time") {
   const Setting host("PGHOST", "127.0.0.1"), port("PGPORT", silent.port());
   const auto hasty = plugins().make<MapStore>("opal:PostgisStore", {{"connect_timeout_s", 2}});
   CHECK_THROWS_AS(hasty->list(""), StoreUnreachable);
-  CHECK_THROWS_WITH(hasty->pull("hall", 0), Contains("database postgres on 127.0.0.1:" + silent.port()) && Contains("timeout expired"));
+  CHECK_THROWS_WITH(hasty->pull("hall", 0),
+                    Contains("database postgres on 127.0.0.1:" + silent.port()) && Contains("timeout expired"));
   const Setting nowhere("PGPORT", "1");
   CHECK_THROWS_WITH(hasty->list(""), Contains("Connection refused"));
 }
@@ -158,7 +161,8 @@ TEST_CASE("a database without a map store, or with one of another time, is refus
   CHECK(listed.exit_code == 3);
   store()->push(*malaga(), {"hall"});
   run_sql("INSERT INTO opal.schema_version (version) VALUES (99)");
-  CHECK_THROWS_WITH(store()->pull("hall", 0), Contains("schema version 99, this program knows up to 1; use a newer Opal"));
+  CHECK_THROWS_WITH(store()->pull("hall", 0),
+                    Contains("schema version 99, this program knows up to 1; use a newer Opal"));
   CHECK_THROWS_WITH(store()->push(*malaga(), {"hall"}), Contains("schema version 99"));
   run_sql("DELETE FROM opal.schema_version WHERE version = 99");
   CHECK(store()->list("hall").size() == 1);
@@ -202,8 +206,8 @@ TEST_CASE("a localizer that has its map goes on when the server goes away") {
   const TemporaryFolder folder;
   const Setting cache("OPAL_MAP_CACHE", "");
   store()->push(*malaga(), {"hall"});
-  Program localizer({"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "--map", "store:hall", "--serve=0",
-                     "--speed", "60", "-o", folder.path()});
+  Program localizer({"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "--map", "store:hall",
+                     "--serve=0", "--speed", "60", "-o", folder.path()});
   const bool has_its_map = localizer.says("map: version 1 of 'hall'") && localizer.says("http://");
   server().stop();
   CHECK(has_its_map);
@@ -225,8 +229,8 @@ TEST_CASE("a robot that starts without its server uses the last map that it pull
   CHECK_THAT(opal_run({"map", "check", "store:hall with cache"}).said, Contains("map: version 2 of 'hall with cache'"));
   opal_run({"map", "check", "store:hall with cache@1"});
   server().stop();
-  const std::vector<std::string> localize{"localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "-o",
-                                          folder.path(), "--map"};
+  const std::vector<std::string> localize{
+      "localize", OPAL_SOURCE_DIR "/configs/malaga.jsonld", kMalaga + ".log.gz", "-o", folder.path(), "--map"};
   const auto with_map = [&](const std::string& map) {
     std::vector<std::string> command = localize;
     command.push_back(map);

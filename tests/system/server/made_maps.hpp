@@ -1,8 +1,8 @@
 #pragma once
 
 #include <opal/map/map_store.hpp>
-#include <opal/plugin/plugin_registry.hpp>
 #include <opal/map/semantic_map.hpp>
+#include <opal/plugin/plugin_registry.hpp>
 
 #include <memory>
 #include <string>
@@ -16,8 +16,8 @@ const PluginRegistry& plugins();
 /// A store as a program makes it, on the server that the environment names now.
 std::shared_ptr<const MapStore> store();
 
-/// A document with everything that a map can have: another vocabulary about things known and unknown, prefixes, geometry
-/// that nothing uses, two sensors, patterns, placements, shared points, odd characters, awkward numbers.
+/// A document with everything that a map can have: another vocabulary about things known and unknown, prefixes,
+/// geometry that nothing uses, two sensors, patterns, placements, shared points, odd characters, awkward numbers.
 Map rich_map();
 /// `features` features of all shapes over a square with 100 features per 30 m x 30 m, for two sensors and for none.
 Map large_map(int features, unsigned seed);

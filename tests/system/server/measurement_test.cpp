@@ -1,4 +1,5 @@
-// What the map store costs: build/release/bin/map_store_tests "[.measurement]". docs/notebook/maps_and_kidnapping.md has the table.
+// What the map store costs: build/release/bin/map_store_tests "[.measurement]". docs/notebook/maps_and_kidnapping.md
+// has the table.
 #include "made_maps.hpp"
 
 #include <opal/map/view/map_view.hpp>
@@ -30,7 +31,8 @@ double ms_per_question(const MapView& view, int questions, Ask ask) {
   ask(Point(low));  // the first one finds a connection, and the server's memory warm
   return 1000 * seconds_of([&] {
            for (int k = 0; k < questions; ++k) ask(Point(x(random), y(random)));
-         }) / questions;
+         }) /
+         questions;
 }
 
 }  // namespace
@@ -46,9 +48,12 @@ TEST_CASE("what the map store costs", "[.measurement]") {
     const double pull_s = seconds_of([&] { pulled = both->pull(building, 0); });
     const double parse_s = seconds_of([&] { (void)SemanticMap::parse(pulled.document, "pulled"); });
     const MapView view(map, "PlanarLidar2D");
-    std::printf("%d, %.2f, %.2f, %.2f, %.1f", features, push_s, pull_s, parse_s, 1e-6 * static_cast<double>(pulled.document.size()));
+    std::printf("%d, %.2f, %.2f, %.2f, %.1f", features, push_s, pull_s, parse_s,
+                1e-6 * static_cast<double>(pulled.document.size()));
     for (const double radius_m : {10.0, 30.0}) {
-      const auto ask_store = [&](const Point& p) { (void)both->features_near({building, 0, "PlanarLidar2D", p, radius_m}); };
+      const auto ask_store = [&](const Point& p) {
+        (void)both->features_near({building, 0, "PlanarLidar2D", p, radius_m});
+      };
       std::printf(", %.2f", ms_per_question(view, 200, ask_store));
       std::printf(" %.4f", ms_per_question(view, 2000, [&](const Point& p) { (void)view.within(p, radius_m); }));
     }

@@ -24,8 +24,8 @@ std::vector<int> sorted(std::vector<int> numbers) {
   return numbers;
 }
 
-/// Somewhere around the map, or on an end, a centre or a rim of a feature; as far as anything, or exactly as far as some
-/// feature is.
+/// Somewhere around the map, or on an end, a centre or a rim of a feature; as far as anything, or exactly as far as
+/// some feature is.
 class Questions {
  public:
   Questions(const MapView& view, unsigned seed) : view_(view), random_(seed) {}
@@ -38,7 +38,9 @@ class Questions {
 
  private:
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  const Geometry& some_geometry() { return view_.feature(view_.features()[random_() % view_.features().size()]).geometry; }
+  const Geometry& some_geometry() {
+    return view_.feature(view_.features()[random_() % view_.features().size()]).geometry;
+  }
   const Geometry& some_geometry_near(const Point& center) {
     const std::vector<int> near = view_.within(center, 15);
     return near.empty() ? some_geometry() : view_.feature(near[random_() % near.size()]).geometry;
@@ -49,7 +51,8 @@ class Questions {
   }
   Point on_some_feature() {
     const Geometry& geometry = some_geometry();
-    if (const auto* segment = std::get_if<Segment>(&geometry)) return random_() % 2 ? segment->begin : segment->midpoint();
+    if (const auto* segment = std::get_if<Segment>(&geometry))
+      return random_() % 2 ? segment->begin : segment->midpoint();
     if (const auto* circle = std::get_if<Circle>(&geometry); circle && random_() % 2)
       return circle->center + circle->radius_m * unit_vector(uniform(-3, 3));
     return anchor_of(geometry);
@@ -61,8 +64,8 @@ class Questions {
 
 struct Tally {
   int questions = 0, found = 0, differ = 0;
-  int sql_differ = 0;  ///< of the SQL function, by features whose distance is not within 1e-9 m of the radius
-  int on_the_line = 0; ///< differences of the SQL function in the last digits of a distance
+  int sql_differ = 0;   ///< of the SQL function, by features whose distance is not within 1e-9 m of the radius
+  int on_the_line = 0;  ///< differences of the SQL function in the last digits of a distance
 };
 
 /// By the SQL function that the database offers to everybody.
@@ -70,18 +73,20 @@ std::vector<int> by_sql(postgis_store::Server& server, const NearQuery& query) {
   std::vector<int> numbers;
   const auto text = [](double value) { return nlohmann::json(value).dump(); };
   server.read([&](postgis_store::Session& session) {
-    for (const auto& row : session.ask("SELECT number FROM opal.features_near($1, $2::integer, $3, $4::float8, $5::float8, $6::float8)",
-                                       {query.building, std::to_string(query.version), query.sensor, text(query.center.x()),
-                                        text(query.center.y()), text(query.radius_m)}))
+    for (const auto& row :
+         session.ask("SELECT number FROM opal.features_near($1, $2::integer, $3, $4::float8, $5::float8, $6::float8)",
+                     {query.building, std::to_string(query.version), query.sensor, text(query.center.x()),
+                      text(query.center.y()), text(query.radius_m)}))
       numbers.push_back(std::stoi(row[0]));
   });
   return numbers;
 }
 
-void compare_sql(const MapView& view, const Question& question, const std::vector<int>& expected, const std::vector<int>& found,
-                 Tally& tally) {
+void compare_sql(const MapView& view, const Question& question, const std::vector<int>& expected,
+                 const std::vector<int>& found, Tally& tally) {
   std::vector<int> different;
-  std::set_symmetric_difference(expected.begin(), expected.end(), found.begin(), found.end(), std::back_inserter(different));
+  std::set_symmetric_difference(expected.begin(), expected.end(), found.begin(), found.end(),
+                                std::back_inserter(different));
   for (const int number : different) {
     const double off_m = distance_m(view.feature(number).geometry, question.center) - question.radius_m;
     ++(std::abs(off_m) < 1e-9 ? tally.on_the_line : tally.sql_differ);
@@ -108,10 +113,10 @@ Tally ask_both(const Map& map, const std::string& building, const std::string& s
     tally.differ += found != expected;
     compare_sql(view, question, expected, by_sql(server, query), tally);
   }
-  WARN(building + ", " + sensor + ": " + std::to_string(tally.questions) + " questions, " + std::to_string(tally.found) +
-       " features found, " + std::to_string(tally.differ) + " answers differ; the SQL function differs in " +
-       std::to_string(tally.sql_differ) + " features, and in " + std::to_string(tally.on_the_line) +
-       " more whose distance is within 1e-9 m of the radius");
+  WARN(building + ", " + sensor + ": " + std::to_string(tally.questions) + " questions, " +
+       std::to_string(tally.found) + " features found, " + std::to_string(tally.differ) +
+       " answers differ; the SQL function differs in " + std::to_string(tally.sql_differ) + " features, and in " +
+       std::to_string(tally.on_the_line) + " more whose distance is within 1e-9 m of the radius");
   return tally;
 }
 
@@ -136,7 +141,8 @@ TEST_CASE("both stores find the same features near a place in a large map") {
 TEST_CASE("a question about a building, a version or a place that is not there is refused") {
   const auto both = store();
   both->push(*malaga(), {"asked"});
-  CHECK_THROWS_WITH(both->features_near({"unasked", 0, "PlanarLidar2D", {0, 0}, 1}), Catch::Contains("no map of building 'unasked'"));
+  CHECK_THROWS_WITH(both->features_near({"unasked", 0, "PlanarLidar2D", {0, 0}, 1}),
+                    Catch::Contains("no map of building 'unasked'"));
   CHECK_THROWS_WITH(both->features_near({"asked", 9, "PlanarLidar2D", {0, 0}, 1}),
                     Catch::Contains("no version 9 of building 'asked'; there is: 1"));
   CHECK(both->features_near({"asked", 0, "NoSensor", {0, 0}, 100}).empty());

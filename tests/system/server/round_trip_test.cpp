@@ -4,10 +4,10 @@
 #include "test_server.hpp"
 
 #include <opal/common/error.hpp>
-#include "map/check/map_diff.hpp"
-#include <opal/map/map_importer.hpp>
 #include <opal/common/strict_json.hpp>
+#include <opal/map/map_importer.hpp>
 #include <opal/plugin/testing/store_contract.hpp>
+#include "map/check/map_diff.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -55,7 +55,8 @@ Map imported(const fs::path& source) {
 TEST_CASE("the store on PostGIS keeps the contract of its kind") {
   const TypeInfo type{"opal:PostgisStore", {}, {}};
   store()->push(*SemanticMap::make("", {}, {}), {"first of all"});  // makes the tables
-  for (const std::string& violation : testing::live_map_store_violations(*store(), type, "contract")) FAIL_CHECK(violation);
+  for (const std::string& violation : testing::live_map_store_violations(*store(), type, "contract"))
+    FAIL_CHECK(violation);
 }
 
 TEST_CASE("a map with everything in it comes back as it was") {
@@ -66,9 +67,7 @@ TEST_CASE("a map with everything in it comes back as it was") {
   check_round_trip(*map, "rich");
 }
 
-TEST_CASE("a map without anything comes back as it was") {
-  check_round_trip(*SemanticMap::make("", {}, {}), "empty");
-}
+TEST_CASE("a map without anything comes back as it was") { check_round_trip(*SemanticMap::make("", {}, {}), "empty"); }
 
 TEST_CASE("a map with a layer of patterns comes back as it was") {
   const Finished made = opal_run({"map", "patterns", OPAL_SOURCE_DIR "/maps/malaga/malaga.map.yaml", "-o",
@@ -110,8 +109,9 @@ TEST_CASE("a text that PostgreSQL cannot store is refused by name") {
 
 TEST_CASE("names, messages and ids are data, whatever they look like") {
   const Map map = rich_map();
-  for (const std::string& name : {std::string("'; DROP SCHEMA opal CASCADE; --"), std::string("\"quoted\" \\ $1 %s"), std::string("a@3"),
-                                  std::string("h\xc3\xa4lle \xe4\xb8\xad"), std::string("{}"), std::string("NULL"), std::string(" ")}) {
+  for (const std::string& name :
+       {std::string("'; DROP SCHEMA opal CASCADE; --"), std::string("\"quoted\" \\ $1 %s"), std::string("a@3"),
+        std::string("h\xc3\xa4lle \xe4\xb8\xad"), std::string("{}"), std::string("NULL"), std::string(" ")}) {
     CAPTURE(name);
     const StoredVersion pushed = store()->push(*map, {name, name + "'\n\"second line\"", 0});
     CHECK(pushed.building == name);

@@ -22,8 +22,10 @@ std::vector<std::string> examples() {
   std::vector<std::string> blocks;
   bool inside = false;
   for (std::string line; std::getline(page, line);) {
-    if (line == "```sql") blocks.emplace_back();
-    else if (inside && line != "```") blocks.back() += line + "\n";
+    if (line == "```sql")
+      blocks.emplace_back();
+    else if (inside && line != "```")
+      blocks.back() += line + "\n";
     inside = line == "```sql" || (inside && line != "```");
   }
   return blocks;
@@ -93,8 +95,12 @@ TEST_CASE("SQL sees the whole graph") {
     return answer_to("SELECT " + sql + " JOIN opal.versions v USING (map) WHERE v.building = 'rich' AND v.is_newest");
   };
   const auto has = [&](const std::string& subject, const std::string& relation, const std::string& object) {
-    return !answer_to("SELECT 1 FROM opal.node_relations JOIN opal.versions v USING (map) WHERE v.building = 'rich' AND v.is_newest "
-                      "AND subject = '" + subject + "' AND relation = '" + relation + "' AND object = '" + object + "'").empty();
+    return !answer_to(
+                "SELECT 1 FROM opal.node_relations JOIN opal.versions v USING (map) WHERE v.building = 'rich' AND "
+                "v.is_newest "
+                "AND subject = '" +
+                subject + "' AND relation = '" + relation + "' AND object = '" + object + "'")
+                .empty();
   };
   CHECK(has("w1", "represented_by", "r1"));
   CHECK(has("r1", "perceivable_by", "PlanarLidar2D"));
@@ -105,7 +111,9 @@ TEST_CASE("SQL sees the whole graph") {
   CHECK(has("w1", "https://acme.example/types#next", "k''1"));
   CHECK(has("w1", "https://acme.example/types#steps", "w1"));
   const auto ids = column(of_newest("id FROM opal.nodes"), 0);
-  for (const char* id : {"w1", "k'1", "s1", "p1", "p2", "other:c", "pair", "hall", "unused-circle", "PlanarLidar2D"}) CHECK(ids.count(id) == 1);
+  for (const char* id : {"w1", "k'1", "s1", "p1", "p2", "other:c", "pair", "hall", "unused-circle", "PlanarLidar2D"})
+    CHECK(ids.count(id) == 1);
   CHECK(of_newest("id FROM opal.nodes").size() == ids.size());
-  CHECK(column(of_newest("shape FROM opal.features"), 0) == std::set<std::string>{"circle", "corner", "point", "segment"});
+  CHECK(column(of_newest("shape FROM opal.features"), 0) ==
+        std::set<std::string>{"circle", "corner", "point", "segment"});
 }

@@ -43,7 +43,8 @@ void wait_for(pid_t child, const std::string& what) {
 /// In the child: the server's user, its end when ours comes, its words into a file.
 [[noreturn]] void become(const std::vector<std::string>& arguments, const fs::path& log) {
   if (const passwd* user = server_user())
-    if (initgroups(user->pw_name, user->pw_gid) != 0 || setgid(user->pw_gid) != 0 || setuid(user->pw_uid) != 0) _exit(126);
+    if (initgroups(user->pw_name, user->pw_gid) != 0 || setgid(user->pw_gid) != 0 || setuid(user->pw_uid) != 0)
+      _exit(126);
   prctl(PR_SET_PDEATHSIG, SIGQUIT);
   const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
   dup2(out, STDOUT_FILENO);
@@ -84,7 +85,8 @@ TestServer::TestServer(const fs::path& programs) : programs_(programs), port_(fr
   setenv("PGUSER", kSuperuser, 1);
   setenv("PGPASSWORD", kPassword, 1);
   setenv("PGDATABASE", "postgres", 1);
-  for (const char* other : {"PGSERVICE", "PGHOSTADDR", "PGSERVICEFILE", "PGPASSFILE", "PGOPTIONS", "PGSSLMODE"}) unsetenv(other);
+  for (const char* other : {"PGSERVICE", "PGHOSTADDR", "PGSERVICEFILE", "PGPASSFILE", "PGOPTIONS", "PGSSLMODE"})
+    unsetenv(other);
   start();
 }
 
@@ -99,8 +101,9 @@ pid_t TestServer::run(const std::vector<std::string>& arguments) const {
 }
 
 void TestServer::start() {
-  postgres_ = run({(programs_ / "postgres").string(), "-D", (folder() / "data").string(), "-k", folder().string(), "-p",
-                   std::to_string(port_), "-c", "listen_addresses=127.0.0.1", "-c", "fsync=off", "-c", "max_connections=40"});
+  postgres_ =
+      run({(programs_ / "postgres").string(), "-D", (folder() / "data").string(), "-k", folder().string(), "-p",
+           std::to_string(port_), "-c", "listen_addresses=127.0.0.1", "-c", "fsync=off", "-c", "max_connections=40"});
   for (int k = 0; k < 600 && !is_ready(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   if (!is_ready()) throw std::runtime_error("the server does not start; see " + (folder() / "log").string());
 }

@@ -2,16 +2,16 @@
 
 #include "tests/kit/temporary_folder.hpp"
 
+#include <sys/types.h>
 #include <filesystem>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace opal::store_tests {
 
 /// A PostgreSQL server in a temporary folder, on a unix socket there and on a free port of 127.0.0.1, which knows its
-/// superuser by password only. It ends with this object, and with the process at the latest. Run by root, the server runs
-/// as the user `postgres`, since PostgreSQL refuses to run as root.
+/// superuser by password only. It ends with this object, and with the process at the latest. Run by root, the server
+/// runs as the user `postgres`, since PostgreSQL refuses to run as root.
 class TestServer {
  public:
   static constexpr const char* kSuperuser = "keeper";

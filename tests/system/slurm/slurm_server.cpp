@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kPrograms{"/usr/sbin/munged", "/usr/sbin/slurmctld", "/usr/sbin/slurmd", "/usr/bin/sbatch", "/usr/bin/squeue"};
+const std::vector<std::string> kPrograms{"/usr/sbin/munged", "/usr/sbin/slurmctld", "/usr/sbin/slurmd",
+                                         "/usr/bin/sbatch", "/usr/bin/squeue"};
 
 std::string host() {
   char name[256] = "";
@@ -34,10 +35,10 @@ std::string configuration(const std::string& folder) {
   const std::string node = host();
   return "ClusterName=opal\nSlurmctldHost=" + node + "(127.0.0.1)\nSlurmUser=root\nSlurmdUser=root\n" +
          "AuthType=auth/munge\nAuthInfo=socket=" + folder + "/munge.socket\n" +
-         "CommunicationParameters=NoInAddrAny,NoCtldInAddrAny\n" +
-         "StateSaveLocation=" + folder + "/state\nSlurmdSpoolDir=" + folder + "/spool\n" +
-         "SlurmctldPidFile=" + folder + "/slurmctld.pid\nSlurmdPidFile=" + folder + "/slurmd.pid\n" +
-         "SlurmctldPort=" + std::to_string(free_port()) + "\nSlurmdPort=" + std::to_string(free_port()) + "\n" +
+         "CommunicationParameters=NoInAddrAny,NoCtldInAddrAny\n" + "StateSaveLocation=" + folder +
+         "/state\nSlurmdSpoolDir=" + folder + "/spool\n" + "SlurmctldPidFile=" + folder +
+         "/slurmctld.pid\nSlurmdPidFile=" + folder + "/slurmd.pid\n" + "SlurmctldPort=" + std::to_string(free_port()) +
+         "\nSlurmdPort=" + std::to_string(free_port()) + "\n" +
          "ProctrackType=proctrack/linuxproc\nTaskPlugin=task/none\nJobAcctGatherType=jobacct_gather/none\n" +
          "SelectType=select/cons_tres\nSelectTypeParameters=CR_CPU\nSwitchType=switch/none\nMpiDefault=none\n" +
          "ReturnToService=2\nSchedulerParameters=sched_interval=1,sched_min_interval=100000,batch_sched_delay=0\n" +
@@ -67,10 +68,11 @@ SlurmServer::SlurmServer() {
   const std::string key = folder_.write("munge.key", random_key());
   chmod(key.c_str(), 0600);
   setenv("SLURM_CONF", folder_.write("slurm.conf", configuration(folder_.path())).c_str(), 1);
-  run({"/usr/sbin/munged", "--foreground", "--force", "--key-file=" + key, "--socket=" + folder_.path_of("munge.socket"),
-       "--pid-file=" + folder_.path_of("munged.pid"), "--log-file=" + folder_.path_of("munged.log"),
-       "--seed-file=" + folder_.path_of("munged.seed")});
-  for (int k = 0; k < 600 && !fs::exists(folder_.path_of("munge.socket")); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  run({"/usr/sbin/munged", "--foreground", "--force", "--key-file=" + key,
+       "--socket=" + folder_.path_of("munge.socket"), "--pid-file=" + folder_.path_of("munged.pid"),
+       "--log-file=" + folder_.path_of("munged.log"), "--seed-file=" + folder_.path_of("munged.seed")});
+  for (int k = 0; k < 600 && !fs::exists(folder_.path_of("munge.socket")); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   run({"/usr/sbin/slurmctld", "-D", "-i"});
   run({"/usr/sbin/slurmd", "-D"});
   wait_until_ready();
@@ -78,7 +80,8 @@ SlurmServer::SlurmServer() {
 
 void SlurmServer::run(const std::vector<std::string>& words) {
   programs_.push_back(std::make_unique<ab::ChildProcess>([&](const ab::ChildProcess::Say&) {
-    const int log = open(folder_.path_of(fs::path(words.front()).filename().string() + ".out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int log = open(folder_.path_of(fs::path(words.front()).filename().string() + ".out").c_str(),
+                         O_WRONLY | O_CREAT | O_TRUNC, 0600);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
     std::vector<char*> arguments;

@@ -9,8 +9,8 @@
 
 namespace opal::ab_tests {
 
-/// A Slurm of one node with its files in a temporary folder and its doors on 127.0.0.1 only: munged, slurmctld, slurmd. It
-/// ends with this object, and with the process at the latest.
+/// A Slurm of one node with its files in a temporary folder and its doors on 127.0.0.1 only: munged, slurmctld, slurmd.
+/// It ends with this object, and with the process at the latest.
 class SlurmServer {
  public:
   /// Why there can be none here; empty: there can.

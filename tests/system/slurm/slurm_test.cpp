@@ -3,8 +3,8 @@
 
 #include "slurm_server.hpp"
 
-#include "tests/kit/run_tests.hpp"
 #include "tests/benchmark/ab/small_experiment.hpp"
+#include "tests/kit/run_tests.hpp"
 #include "tests/system/server/program.hpp"
 
 #include <chrono>
@@ -38,7 +38,8 @@ TEST_CASE("a Slurm job array computes the same results, byte for byte, as one ma
   REQUIRE(opal_run({"ab", experiment, "-o", here}).exit_code == 0);
   const std::string expected = content_of(here + "/results.jsonl");
 
-  const Finished submitted = opal_run({"ab", "submit", experiment, "-o", cluster, "--tasks", "3", "--sbatch=--time=10"});
+  const Finished submitted =
+      opal_run({"ab", "submit", experiment, "-o", cluster, "--tasks", "3", "--sbatch=--time=10"});
   INFO(submitted.said);
   REQUIRE(submitted.exit_code == 0);
   CHECK_THAT(submitted.said, Catch::Contains("an array of 3 tasks"));
@@ -52,7 +53,8 @@ TEST_CASE("a Slurm job array computes the same results, byte for byte, as one ma
 
 TEST_CASE("what sbatch refuses is told in its words") {
   const TemporaryFolder folder;
-  const Finished refused = opal_run({"ab", "submit", written(folder, small_experiment()), "-o", folder.path_of("out"), "--sbatch=--partition=nowhere"});
+  const Finished refused = opal_run({"ab", "submit", written(folder, small_experiment()), "-o", folder.path_of("out"),
+                                     "--sbatch=--partition=nowhere"});
   CHECK(refused.exit_code == 3);
   CHECK_THAT(refused.said, Catch::Contains("invalid partition specified: nowhere"));
 }

@@ -2,12 +2,12 @@
 
 #include "event_stream_client.hpp"
 
+#include "viewer/encoding/page_encoder.hpp"
 #include "viewer/reading/event_text.hpp"
-#include "viewer/words/explanation.hpp"
 #include "viewer/reading/frame_builder.hpp"
 #include "viewer/serving/live_feed.hpp"
 #include "viewer/serving/live_server.hpp"
-#include "viewer/encoding/page_encoder.hpp"
+#include "viewer/words/explanation.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -48,8 +48,7 @@ std::vector<std::string> records_of_file(const synthetic::RunSize& size) {
 
 std::vector<std::string> all_of(const RecordLog& log) {
   std::vector<std::string> records;
-  for (std::size_t k = 0; k < log.size(); ++k)
-    records.push_back(*log.wait(k, {}, std::chrono::milliseconds(0)).record);
+  for (std::size_t k = 0; k < log.size(); ++k) records.push_back(*log.wait(k, {}, std::chrono::milliseconds(0)).record);
   return records;
 }
 
@@ -85,8 +84,7 @@ TEST_CASE("a number that is none, which the event file writes as null, does not 
     bool listening() const override { return true; }
     void write(const nlohmann::ordered_json& event) override {
       nlohmann::ordered_json spoilt = event;
-      if (spoilt["event"] == "estimate")
-        spoilt["hypotheses"][0]["scan_nat"] = -std::numeric_limits<double>::infinity();
+      if (spoilt["event"] == "estimate") spoilt["hypotheses"][0]["scan_nat"] = -std::numeric_limits<double>::infinity();
       to_.write(spoilt);
     }
 

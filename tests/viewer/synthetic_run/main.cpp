@@ -11,9 +11,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: synthetic_run FILE [UPDATES HYPOTHESES POINTS TIME_LINES]\n";
     return 2;
   }
-  const auto number = [&](int place, int otherwise) {
-    return argc > place ? std::atoi(argv[place]) : otherwise;
-  };
+  const auto number = [&](int place, int otherwise) { return argc > place ? std::atoi(argv[place]) : otherwise; };
   std::ofstream file(argv[1]);
   opal::JsonLinesSink sink(file);
   opal::synthetic::write_run({number(2, 10000), number(3, 200), number(4, 360), number(5, 1)}, sink);

@@ -41,9 +41,11 @@ TEST_CASE("nothing is said before the first frame") {
 }
 
 TEST_CASE("the answer says since when, where, and how sure") {
-  CHECK(said(SentenceKind::answer, {first_frame(), later(1.5), later(2.5), later(3.5)}) ==
-        Texts{"localized since 1.5 s: at (4.00, -2.00), heading 28.6 deg, with probability 0.980 (hypothesis 7, 1 alive); "
-              "\"none of these\" has 0.010"});
+  CHECK(
+      said(SentenceKind::answer, {first_frame(), later(1.5), later(2.5), later(3.5)}) ==
+      Texts{
+          "localized since 1.5 s: at (4.00, -2.00), heading 28.6 deg, with probability 0.980 (hypothesis 7, 1 alive); "
+          "\"none of these\" has 0.010"});
 }
 
 TEST_CASE("without a hypothesis the answer says so") {
@@ -91,20 +93,24 @@ TEST_CASE("findings are repeated word for word, the weightiest ones") {
 }
 
 TEST_CASE("alternatives at other places are compared with the best one by what the scorers recorded for both") {
-  RunFrame frame = with(frame_at(0, "ambiguous", 0.7, 0.05),
-                        {hypothesis(7, kHere, 0.7, 15.3, {{"opal:Beams", "hit", 0.88}, {"opal:Beams", "through", 0.02}}),
-                         hypothesis(8, kThere, 0.12, 12.1, {{"opal:Beams", "hit", 0.44}, {"opal:Beams", "through", 0.31}}),
-                         hypothesis(9, Pose2(4.1, -2, 0.5), 0.1, 12, {}), hypothesis(10, kThere, 0.001, 3, {})});
-  CHECK(said(SentenceKind::alternative, {frame}) ==
-        Texts{"hypothesis 8 at (12.10, 3.40), heading 0.0 deg has probability 0.120: beams on mapped surfaces 44 %, of the "
-              "best one 88 %; beams through mapped surfaces 31 %, of the best one 2 %; gathered 12.10 nat, the best one "
-              "15.30 nat"});
+  RunFrame frame =
+      with(frame_at(0, "ambiguous", 0.7, 0.05),
+           {hypothesis(7, kHere, 0.7, 15.3, {{"opal:Beams", "hit", 0.88}, {"opal:Beams", "through", 0.02}}),
+            hypothesis(8, kThere, 0.12, 12.1, {{"opal:Beams", "hit", 0.44}, {"opal:Beams", "through", 0.31}}),
+            hypothesis(9, Pose2(4.1, -2, 0.5), 0.1, 12, {}), hypothesis(10, kThere, 0.001, 3, {})});
+  CHECK(
+      said(SentenceKind::alternative, {frame}) ==
+      Texts{
+          "hypothesis 8 at (12.10, 3.40), heading 0.0 deg has probability 0.120: beams on mapped surfaces 44 %, of the "
+          "best one 88 %; beams through mapped surfaces 31 %, of the best one 2 %; gathered 12.10 nat, the best one "
+          "15.30 nat"});
 }
 
 TEST_CASE("terms of scorers that are not known are given by name and value, whichever is larger") {
-  RunFrame frame = with(frame_at(0, "ambiguous", 0.7, 0.05),
-                        {hypothesis(7, kHere, 0.7, 15, {{"acme:X", "fit", 1}, {"acme:X", "same", 2}, {"acme:X", "only", 2}}),
-                         hypothesis(8, kThere, 0.2, 12, {{"acme:X", "fit", 4}, {"acme:X", "same", 2}})});
+  RunFrame frame =
+      with(frame_at(0, "ambiguous", 0.7, 0.05),
+           {hypothesis(7, kHere, 0.7, 15, {{"acme:X", "fit", 1}, {"acme:X", "same", 2}, {"acme:X", "only", 2}}),
+            hypothesis(8, kThere, 0.2, 12, {{"acme:X", "fit", 4}, {"acme:X", "same", 2}})});
   CHECK(said(SentenceKind::alternative, {frame}).front() ==
         "hypothesis 8 at (12.10, 3.40), heading 0.0 deg has probability 0.200: acme:X fit 4.00, of the best one 1.00; "
         "gathered 12.00 nat, the best one 15.00 nat");
@@ -125,7 +131,8 @@ TEST_CASE("an alternative that fell is told with place, time, reason and finding
   now.ends.front().findings = {{"opal:Beams", "beam 221 passes 1.8 m through wall wall-1", kWallFace, {}},
                                {"opal:Beams", "second", -1, {}}};
   CHECK(said(SentenceKind::fell, {before, now, later(20)}) ==
-        Texts{"hypothesis 12 at (12.10, 3.40) fell at 14.2 s: worse than the best by more than 17 nat; beam 221 passes 1.8 m "
+        Texts{"hypothesis 12 at (12.10, 3.40) fell at 14.2 s: worse than the best by more than 17 nat; beam 221 passes "
+              "1.8 m "
               "through wall wall-1; and 1 more finding; it had 0.300 at 0.0 s"});
 }
 
@@ -148,24 +155,29 @@ TEST_CASE("former best ones are told first, the latest of them first") {
   frames.back().ends = {ended(5, "c"), ended(1, "a"), ended(2, "b")};
   const Texts fell = said(SentenceKind::fell, frames);
   REQUIRE(fell.size() == 2);
-  CHECK(fell[0] == "hypothesis 2 at (12.10, 3.40) fell at 9.0 s: b; it had 0.300 at 1.0 s and was the best until 1.0 s");
-  CHECK(fell[1] == "hypothesis 1 at (12.10, 3.40) fell at 9.0 s: a; it had 0.300 at 0.0 s and was the best until 0.0 s");
+  CHECK(fell[0] ==
+        "hypothesis 2 at (12.10, 3.40) fell at 9.0 s: b; it had 0.300 at 1.0 s and was the best until 1.0 s");
+  CHECK(fell[1] ==
+        "hypothesis 1 at (12.10, 3.40) fell at 9.0 s: a; it had 0.300 at 0.0 s and was the best until 0.0 s");
 }
 
 TEST_CASE("while it searches, it tells what it looked for and why nothing came of it") {
   RunFrame frame = with(frame_at(0, "searching", 0.05, 0.93), {hypothesis(7, kHere, 0.05, 1)});
   frame.scan.assign(12, Point(1, 1));
-  frame.changed = {{0, "opal:Wall", true, 4, Segment{{7, 0}, {1, 0}}}, {1, "opal:Wall", false, 1, Segment{{7, 0}, {1, 0}}}};
+  frame.changed = {{0, "opal:Wall", true, 4, Segment{{7, 0}, {1, 0}}},
+                   {1, "opal:Wall", false, 1, Segment{{7, 0}, {1, 0}}}};
   CHECK(said(SentenceKind::note, {frame}) ==
         Texts{"\"none of these\" is more probable than the best hypothesis", "no search is recorded so far",
               "the scan has 12 points (thinned), the local map 2 features, 1 of them stable"});
   frame.search.emplace();
   frame.search->patterns = {{"opal:LinePair", {0, 1}, 20}, {"opal:CornerPose", {1}, 4}, {"opal:LinePair", {1, 2}, 1}};
   frame.search->proposed = 80;
-  frame.search->rejected = {{"opal:LinePair", kHere, {}, -3, "worse"}, {"opal:LinePair", kThere, {}, 2.1, "veto by acme:X"}};
-  CHECK(said(SentenceKind::note, {frame, with(frame_at(2, "lost", 0.9, 0.1), frame.hypotheses)}).front() ==
-        "last search, at 0.0 s: looked up 3 patterns (opal:CornerPose: 1, with 4 candidates; opal:LinePair: 2, with 21 "
-        "candidates), 80 places proposed, 2 rejected, the best of these at (12.10, 3.40) with 2.10 nat: veto by acme:X");
+  frame.search->rejected = {{"opal:LinePair", kHere, {}, -3, "worse"},
+                            {"opal:LinePair", kThere, {}, 2.1, "veto by acme:X"}};
+  CHECK(
+      said(SentenceKind::note, {frame, with(frame_at(2, "lost", 0.9, 0.1), frame.hypotheses)}).front() ==
+      "last search, at 0.0 s: looked up 3 patterns (opal:CornerPose: 1, with 4 candidates; opal:LinePair: 2, with 21 "
+      "candidates), 80 places proposed, 2 rejected, the best of these at (12.10, 3.40) with 2.10 nat: veto by acme:X");
   CHECK(said(SentenceKind::note, {frame, later(2)}).empty());
 }
 

@@ -1,11 +1,11 @@
+#include "sentence_checks.hpp"
 #include "tests/system/replay/event_recorder.hpp"
 #include "tests/system/replay/recorded_site.hpp"
-#include "sentence_checks.hpp"
 
 #include "viewer/reading/frame_builder.hpp"
 
-#include "map_tools/map_damage.hpp"
 #include "localization/events/run_events.hpp"
+#include "map_tools/map_damage.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -86,8 +86,8 @@ TEST_CASE("every name, time and number that is said about a recorded run is in i
       ++said[sentence.kind];
     }
   }
-  for (SentenceKind kind : {SentenceKind::answer, SentenceKind::support, SentenceKind::against, SentenceKind::alternative,
-                            SentenceKind::fell, SentenceKind::note})
+  for (SentenceKind kind : {SentenceKind::answer, SentenceKind::support, SentenceKind::against,
+                            SentenceKind::alternative, SentenceKind::fell, SentenceKind::note})
     CHECK((!branching || site != "malaga" || said[kind] > 0));
 }
 

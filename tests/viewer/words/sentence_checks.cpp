@@ -61,8 +61,7 @@ void check_answer(const std::string& text, const StreamBooks& books) {
 
 /// Distances of the best hypothesis' associations, by object.
 std::map<std::string, std::vector<double>> distances(const StreamBooks& books) {
-  const Pose2 T_map_local =
-      pose_of(books.estimate["T_map_base"]) * pose_of(books.keyframe["T_local_base"]).inverse();
+  const Pose2 T_map_local = pose_of(books.estimate["T_map_base"]) * pose_of(books.keyframe["T_local_base"]).inverse();
   std::map<std::string, std::vector<double>> by_object;
   for (const auto& [local, mapped] : books.pairs.at(books.estimate["hypothesis"])) {
     if (mapped.empty() || books.local.count(local) == 0) continue;
@@ -137,8 +136,11 @@ void check_against(const std::string& text, const StreamBooks& books) {
 
 void check_alternative(const std::string& text, const StreamBooks& books) {
   if (text.find("more alternative") != std::string::npos) return;
-  const auto said = match(text, R"(^hypothesis (\d+) at \((\S+), (\S+)\), heading \S+ deg has probability (\S+): (.*)gathered (\S+) nat, the best one (\S+) nat$)");
-  const ordered_json *alternative = row_of(books, std::stoi(said[1])), *best = row_of(books, books.estimate["hypothesis"]);
+  const auto said = match(
+      text,
+      R"(^hypothesis (\d+) at \((\S+), (\S+)\), heading \S+ deg has probability (\S+): (.*)gathered (\S+) nat, the best one (\S+) nat$)");
+  const ordered_json *alternative = row_of(books, std::stoi(said[1])),
+                     *best = row_of(books, books.estimate["hypothesis"]);
   REQUIRE(alternative);
   check_pose(said, 2, pose_of((*alternative)["T_map_base"]));
   check_number(said[4], (*alternative)["probability"], 3);
@@ -157,7 +159,8 @@ void check_alternative(const std::string& text, const StreamBooks& books) {
 }
 
 void check_fell(const std::string& text, const StreamBooks& books) {
-  const auto said = match(text, R"(^hypothesis (\d+) at \((\S+), (\S+)\) fell at (\S+) s: (.*); it had (\S+) at (\S+) s)");
+  const auto said =
+      match(text, R"(^hypothesis (\d+) at \((\S+), (\S+)\) fell at (\S+) s: (.*); it had (\S+) at (\S+) s)");
   const int id = std::stoi(said[1]);
   const ordered_json& end = books.pruned.at(id);
   check_pose(said, 2, pose_of(end["T_map_base"]));
@@ -180,9 +183,11 @@ void check_search(const std::string& text, const StreamBooks& books) {
   CHECK(std::stoi(said[3]) == books.searched["proposed"]);
   const ordered_json& rejected = books.searched["rejected"];
   if (rejected.empty()) return;
-  const auto tail = match(text, R"(proposed, (\d+) rejected, the best of these at \((\S+), (\S+)\) with (\S+) nat: (.*)$)");
+  const auto tail =
+      match(text, R"(proposed, (\d+) rejected, the best of these at \((\S+), (\S+)\) with (\S+) nat: (.*)$)");
   CHECK(std::stoul(tail[1]) == rejected.size());
-  CHECK(std::any_of(rejected.begin(), rejected.end(), [&](const ordered_json& r) { return r["reason"] == tail[5].str(); }));
+  CHECK(std::any_of(rejected.begin(), rejected.end(),
+                    [&](const ordered_json& r) { return r["reason"] == tail[5].str(); }));
 }
 
 void check_note(const std::string& text, const StreamBooks& books) {
@@ -191,11 +196,13 @@ void check_note(const std::string& text, const StreamBooks& books) {
   if (text.starts_with(status + ": ")) CHECK(text == status + ": " + books.estimate["why"].get<std::string>());
   if (text.starts_with("last search") || text.starts_with("no search")) check_search(text, books);
   if (!text.starts_with("the scan")) return;
-  const auto said = match(text, R"(has (\d+) points? \(thinned\), the local map (\d+) features?, (\d+) of them stable$)");
+  const auto said =
+      match(text, R"(has (\d+) points? \(thinned\), the local map (\d+) features?, (\d+) of them stable$)");
   CHECK(2 * std::stoul(said[1]) == books.keyframe["scan"].size());
   CHECK(std::stoul(said[2]) == books.local.size());
-  CHECK(std::stol(said[3]) == std::count_if(books.local.begin(), books.local.end(),
-                                            [](const auto& entry) { return entry.second["stable"].template get<bool>(); }));
+  CHECK(std::stol(said[3]) == std::count_if(books.local.begin(), books.local.end(), [](const auto& entry) {
+          return entry.second["stable"].template get<bool>();
+        }));
 }
 
 }  // namespace

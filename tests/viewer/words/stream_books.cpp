@@ -3,7 +3,9 @@
 using namespace opal;
 using nlohmann::ordered_json;
 
-Pose2 pose_of(const ordered_json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+Pose2 pose_of(const ordered_json& json) {
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
 
 Geometry geometry_of(const ordered_json& json) {
   const auto numbers = [&](const char* name) { return json[name].get<std::vector<double>>(); };

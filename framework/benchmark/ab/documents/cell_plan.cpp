@@ -46,7 +46,8 @@ Shard read_shard(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
     return error == std::errc() && end == text.data() + to;
   };
-  const bool good = slash != std::string::npos && number(0, slash, shard.number) && number(slash + 1, text.size(), shard.of);
+  const bool good =
+      slash != std::string::npos && number(0, slash, shard.number) && number(slash + 1, text.size(), shard.of);
   if (!good || shard.number < 1 || shard.number > shard.of)
     throw ConfigError("--shard: \"" + text + "\", expected a part and their number, as 3/10");
   return shard;

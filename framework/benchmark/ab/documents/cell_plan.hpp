@@ -12,7 +12,7 @@ namespace opal::ab {
 struct Task {
   std::size_t scenario = 0;  ///< position in Experiment::scenarios
   std::uint64_t seed = 0;
-  std::size_t query = 0;     ///< position in the scenario's queries
+  std::size_t query = 0;  ///< position in the scenario's queries
 
   bool same_world(const Task& other) const { return scenario == other.scenario && seed == other.seed; }
 };
@@ -23,8 +23,8 @@ struct Cell {
   std::size_t arm = 0;  ///< position in Experiment::arms
 };
 
-/// All cells of an experiment, by number: scenario by scenario, seed by seed, query by query, arm by arm. Nothing is stored
-/// per cell.
+/// All cells of an experiment, by number: scenario by scenario, seed by seed, query by query, arm by arm. Nothing is
+/// stored per cell.
 class CellPlan {
  public:
   /// @param queries  names, per scenario. @throws ConfigError if there is none.

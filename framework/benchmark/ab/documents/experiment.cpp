@@ -2,9 +2,9 @@
 
 #include "benchmark/ab/documents/scenario_reader.hpp"
 
-#include "common/config_object.hpp"
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
+#include "common/config_object.hpp"
 
 #include <filesystem>
 
@@ -51,7 +51,8 @@ void expect_same_inputs(const Arm& arm, const Arm& baseline, const ConfigObject&
                       ", expected the same inputs in all arms");
   }
   if (!arm.deployment.overlays.empty())
-    throw ConfigError(where.where() + ": the deployment of arm " + arm.name + " has overlays, expected none: maps are the scenarios'");
+    throw ConfigError(where.where() + ": the deployment of arm " + arm.name +
+                      " has overlays, expected none: maps are the scenarios'");
 }
 
 std::vector<Arm> read_arms(ConfigObject& document, const std::string& file, const Shipped& shipped) {
@@ -87,8 +88,8 @@ void expect_same_but_scorers(const Experiment& experiment) {
   const Arm& baseline = experiment.arms[experiment.baseline];
   for (const Arm& arm : experiment.arms)
     if (others(arm.configuration) != others(baseline.configuration))
-      throw ConfigError(experiment.file + ": /mode: \"observe\", but arm " + arm.name + " differs from " + baseline.name +
-                        " by more than its scorers, expected mode \"decide\"");
+      throw ConfigError(experiment.file + ": /mode: \"observe\", but arm " + arm.name + " differs from " +
+                        baseline.name + " by more than its scorers, expected mode \"decide\"");
 }
 
 CellLimits read_limits(ConfigObject object) {

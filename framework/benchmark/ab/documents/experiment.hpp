@@ -18,8 +18,8 @@ namespace opal::ab {
 /// One way to localize that takes part.
 struct Arm {
   std::string name;
-  nlohmann::json configuration;  ///< the deployment's document, with the arm's overrides
-  Deployment deployment;         ///< the same, read
+  nlohmann::json configuration;             ///< the deployment's document, with the arm's overrides
+  Deployment deployment;                    ///< the same, read
   std::vector<std::string> plugin_folders;  ///< beside the program's own, for this arm only
 };
 
@@ -36,7 +36,7 @@ struct SimulatedDrives {
   std::optional<std::string> challenge;                 ///< of Hendrikx (2023), 3.5.2: its way, its clutter, its people
   double duration_s = 60;                               ///< of a challenge
   simulation::SimulationOptions world;
-  simulation::DriveOptions drives;                      ///< without a challenge
+  simulation::DriveOptions drives;  ///< without a challenge
 };
 
 /// Something to localize in. What a seed changes: noise, clutter, people and starts of simulated drives; damage.
@@ -59,18 +59,18 @@ struct Experiment {
   std::string name;
   nlohmann::json document;  ///< as written
   std::vector<Arm> arms;
-  std::size_t baseline = 0;           ///< of `arms`
-  bool observes = false;              ///< the baseline's scorers decide in every arm; an arm's own judge the same hypotheses
+  std::size_t baseline = 0;  ///< of `arms`
+  bool observes = false;     ///< the baseline's scorers decide in every arm; an arm's own judge the same hypotheses
   std::vector<Scenario> scenarios;
-  std::vector<std::string> metrics;   ///< to be judged, the one that decides first; empty: the usual ones
-  int looks = 1;                      ///< how often one may look before all cells are done
+  std::vector<std::string> metrics;  ///< to be judged, the one that decides first; empty: the usual ones
+  int looks = 1;                     ///< how often one may look before all cells are done
   CellLimits limits;
 };
 
 /// Reads an experiment strictly, and the deployments that it names.
 /// @param shipped  finds the file of a configuration that ships with the program, by name.
-/// @throws ConfigError "my.jsonld: /arms/1/name: \"a\", expected a name that no other arm has"; also if two arms are not
-/// given the same map, overlays, importers and sensor.
+/// @throws ConfigError "my.jsonld: /arms/1/name: \"a\", expected a name that no other arm has"; also if two arms are
+/// not given the same map, overlays, importers and sensor.
 Experiment read_experiment(const std::string& path, const std::function<std::string(const std::string&)>& shipped);
 
 }  // namespace opal::ab

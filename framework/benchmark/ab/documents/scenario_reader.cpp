@@ -136,7 +136,8 @@ std::vector<Scenario> read_scenarios(ConfigObject& document, const std::string& 
   std::vector<Scenario> scenarios;
   const auto add = [&](Scenario scenario, const ConfigObject& object) {
     for (const Scenario& other : scenarios)
-      if (other.name == scenario.name) object.refuse("name", "a name that no other scenario has, found \"" + scenario.name + "\" twice");
+      if (other.name == scenario.name)
+        object.refuse("name", "a name that no other scenario has, found \"" + scenario.name + "\" twice");
     scenarios.push_back(std::move(scenario));
   };
   if (const auto sites = document.list("sites"))

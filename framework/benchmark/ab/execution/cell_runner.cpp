@@ -55,7 +55,8 @@ class ArmProcess {
     }
     while (!tasks.empty()) {
       const Answer answer = next_answer(child, limits_.wall_s + kPatience_s, std::numeric_limits<double>::infinity());
-      CellResult result = answer.given ? parse_journal_line(answer.line, "a cell") : failed("its process " + answer.failure);
+      CellResult result =
+          answer.given ? parse_journal_line(answer.line, "a cell") : failed("its process " + answer.failure);
       finish(tasks.front(), std::move(result), finished);
       tasks.erase(tasks.begin());
       if (!answer.given) break;  // another process goes on with the rest

@@ -5,8 +5,8 @@
 
 namespace opal::ab {
 
-/// How cells are computed. A worker enters the world of a task; child processes of it set an arm up there, and children of
-/// these run one query each: whatever an arm does, the next cell begins with the same memory.
+/// How cells are computed. A worker enters the world of a task; child processes of it set an arm up there, and children
+/// of these run one query each: whatever an arm does, the next cell begins with the same memory.
 class CellRunner {
  public:
   virtual ~CellRunner() = default;
@@ -17,8 +17,8 @@ class CellRunner {
   virtual std::string input(const Task& task) const = 0;
   /// Sets an arm up in this world. May throw, crash or hang.
   virtual void set_up(std::size_t arm) = 0;
-  /// Localizes from scratch with that arm, and judges: values, costs, a failure if there was one, and as `input` a digest of
-  /// what else the arm was given on the way, if anything. May throw, crash or hang.
+  /// Localizes from scratch with that arm, and judges: values, costs, a failure if there was one, and as `input` a
+  /// digest of what else the arm was given on the way, if anything. May throw, crash or hang.
   virtual void run(const Task& task, CellResult& result) = 0;
 };
 

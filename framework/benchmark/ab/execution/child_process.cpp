@@ -36,8 +36,8 @@ void say(int file, char kind, std::string text) {
   write_all(file, kind + text + '\n');
 }
 
-/// How the parent reports its own crashes is not for its child. Ctrl-C and Slurm's scancel reach both at once: the parent ends,
-/// and its child with it, and is not taken for one that died by itself.
+/// How the parent reports its own crashes is not for its child. Ctrl-C and Slurm's scancel reach both at once: the
+/// parent ends, and its child with it, and is not taken for one that died by itself.
 void set_signals() {
   for (const int number : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) signal(number, SIG_DFL);
   for (const int number : {SIGHUP, SIGINT, SIGTERM}) signal(number, SIG_IGN);

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <sys/types.h>
 #include <functional>
 #include <string>
-#include <sys/types.h>
 
 namespace opal::ab {
 
-/// Work in a process of its own: what crashes, hangs or eats memory there does so there. It ends with this object, and with
-/// the process that made it at the latest.
+/// Work in a process of its own: what crashes, hangs or eats memory there does so there. It ends with this object, and
+/// with the process that made it at the latest.
 class ChildProcess {
  public:
   using Say = std::function<void(const std::string& line)>;  ///< tells the parent; without ends of lines
@@ -38,7 +38,8 @@ class ChildProcess {
   double peak_mb_ = 0;
 };
 
-/// The child's next line; if there is none, why: its failure, "hung: ..." or "out of memory: ...", after which it is gone.
+/// The child's next line; if there is none, why: its failure, "hung: ..." or "out of memory: ...", after which it is
+/// gone.
 struct Answer {
   bool given = false;
   std::string line, failure;

@@ -22,7 +22,8 @@ struct flock range(short kind, std::size_t first, std::size_t end) {
 
 }  // namespace
 
-Claim::Claim(const std::string& folder, std::size_t first, std::size_t end) : folder_(folder), first_(first), end_(end) {
+Claim::Claim(const std::string& folder, std::size_t first, std::size_t end)
+    : folder_(folder), first_(first), end_(end) {
   const std::string path = folder + "/claims";
   file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) throw Error(path + ": cannot be written");
@@ -31,7 +32,9 @@ Claim::Claim(const std::string& folder, std::size_t first, std::size_t end) : fo
   constexpr int kTries = 100;
   constexpr std::chrono::milliseconds kPause(20);
   for (int k = 0; !lock(F_WRLCK); ++k) {
-    if (k == kTries) throw Error(folder_ + ": " + holder() + " computes these cells already; wait for its end, or give another folder");
+    if (k == kTries)
+      throw Error(folder_ + ": " + holder() +
+                  " computes these cells already; wait for its end, or give another folder");
     std::this_thread::sleep_for(kPause);
   }
   lock(F_RDLCK);  // shared with the workers, which lock for themselves: a lock is a process's own

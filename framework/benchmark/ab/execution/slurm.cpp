@@ -22,8 +22,8 @@ std::string quoted(const std::string& word) {
 }
 
 std::string script_of(const SlurmRequest& request) {
-  return "#!/bin/sh\nexec " + quoted(request.program) + " ab work " + quoted(request.experiment) + " -o " + quoted(request.out) +
-         " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(request.tasks) + "\"\n";
+  return "#!/bin/sh\nexec " + quoted(request.program) + " ab work " + quoted(request.experiment) + " -o " +
+         quoted(request.out) + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(request.tasks) + "\"\n";
 }
 
 /// "12" or "12;cluster".
@@ -51,7 +51,8 @@ SlurmJob submit(const ResultFolder& folder, const SlurmRequest& request) {
 
 SlurmJob submitted_job(const ResultFolder& folder) {
   const std::string file = remembered_in(folder);
-  if (!std::filesystem::exists(file)) throw Error(file + ": does not exist, expected a folder from which opal ab submit has submitted");
+  if (!std::filesystem::exists(file))
+    throw Error(file + ": does not exist, expected a folder from which opal ab submit has submitted");
   const nlohmann::json json = read_json(file);
   return {json.at("job"), json.at("tasks")};
 }

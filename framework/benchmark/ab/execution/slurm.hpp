@@ -17,7 +17,7 @@ struct SlurmRequest {
   std::string name;                      ///< of the job
   std::string program, experiment, out;  ///< `opal`, and what `opal ab work` takes
   std::size_t tasks = 1;
-  std::vector<std::string> options;      ///< further ones for sbatch: "--partition=long"
+  std::vector<std::string> options;  ///< further ones for sbatch: "--partition=long"
 };
 
 /// Hands the job array to sbatch and remembers it in the folder. @throws Error with what sbatch complains.
@@ -26,8 +26,8 @@ SlurmJob submit(const ResultFolder& folder, const SlurmRequest& request);
 /// The newest job array of a folder. @throws Error if none was submitted from there.
 SlurmJob submitted_job(const ResultFolder& folder);
 
-/// How many tasks of the array are in each state that Slurm still knows of: {"PENDING", 3}. Empty: none is waiting or running
-/// any more. @throws Error if squeue is not there, or cannot reach its server.
+/// How many tasks of the array are in each state that Slurm still knows of: {"PENDING", 3}. Empty: none is waiting or
+/// running any more. @throws Error if squeue is not there, or cannot reach its server.
 std::map<std::string, std::size_t> task_states(const SlurmJob& job);
 
 }  // namespace opal::ab

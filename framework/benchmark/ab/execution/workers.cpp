@@ -52,9 +52,15 @@ void print_into(const std::string& path) {
 /// The shard's work, seen by one of its processes.
 class Worker {
  public:
-  Worker(CellRunner& runner, const CellPlan& plan, const CellLimits& limits, const std::vector<bool>& finished, std::size_t end,
-         Shared& shared, const std::string& journal)
-      : runner_(runner), plan_(plan), limits_(limits), finished_(finished), end_(end), shared_(shared), journal_(journal) {}
+  Worker(CellRunner& runner, const CellPlan& plan, const CellLimits& limits, const std::vector<bool>& finished,
+         std::size_t end, Shared& shared, const std::string& journal)
+      : runner_(runner),
+        plan_(plan),
+        limits_(limits),
+        finished_(finished),
+        end_(end),
+        shared_(shared),
+        journal_(journal) {}
 
   void work() {
     for (Block block = take(); block.first < block.end; block = take())
@@ -112,8 +118,8 @@ std::size_t count_finished(const std::vector<bool>& finished, std::size_t first,
 
 }  // namespace
 
-void compute(CellRunner& runner, const CellPlan& plan, const ResultFolder& folder, const CellLimits& limits, const Shard& shard,
-             std::size_t jobs, const std::function<void(const WorkProgress&)>& progress) {
+void compute(CellRunner& runner, const CellPlan& plan, const ResultFolder& folder, const CellLimits& limits,
+             const Shard& shard, std::size_t jobs, const std::function<void(const WorkProgress&)>& progress) {
   const std::size_t first = shard.first(plan.tasks()), end = shard.end(plan.tasks());
   Claim claim(folder.path(), first, end);
   const std::vector<bool> finished = finished_cells(folder, plan);

@@ -36,7 +36,8 @@ std::optional<std::string> checked_cell(const std::string& line) {
 }
 
 /// Calls with every whole line. @return how long they are together.
-std::uint64_t for_each_line(const std::string& path, const std::function<void(const std::string&, JournalPlace, int)>& take) {
+std::uint64_t for_each_line(const std::string& path,
+                            const std::function<void(const std::string&, JournalPlace, int)>& take) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error(path + ": cannot be read");
   std::uint64_t offset = 0;
@@ -52,18 +53,21 @@ std::uint64_t for_each_line(const std::string& path, const std::function<void(co
 }  // namespace
 
 std::string journal_line(const CellResult& result) {
-  const std::string cell = ordered_json{{"number", result.number},
-                                        {"input", result.input},
-                                        {"values", result.values},
-                                        {"costs", result.costs},
-                                        {"failure", result.failure}}
-                               .dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  const std::string cell = ordered_json{
+      {"number", result.number},
+      {"input", result.input},
+      {"values", result.values},
+      {"costs", result.costs},
+      {"failure",
+       result.failure}}.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   return kBegin + checksum(cell) + kMiddle + cell + kEnd;
 }
 
 CellResult parse_journal_line(const std::string& line, const std::string& place) {
   const auto cell = checked_cell(line);
-  if (!cell) throw Error(place + ": damaged, expected a finished cell with its checksum; delete the line to have it computed again");
+  if (!cell)
+    throw Error(place +
+                ": damaged, expected a finished cell with its checksum; delete the line to have it computed again");
   const auto json = nlohmann::json::parse(*cell);
   CellResult result;
   result.number = json.at("number");

@@ -10,14 +10,15 @@ namespace opal::ab {
 
 /// What became of one cell.
 struct CellResult {
-  std::size_t number = 0;                ///< of the cell, see CellPlan
-  std::string input;                     ///< digest of what the arm was given: map, log, laser, window, hypotheses to judge
+  std::size_t number = 0;  ///< of the cell, see CellPlan
+  std::string input;       ///< digest of what the arm was given: map, log, laser, window, hypotheses to judge
   std::map<std::string, double> values;  ///< by name of the metric; what was never reached is absent
   std::map<std::string, double> costs;   ///< measured, and so never twice the same: times, memory
   std::string failure;                   ///< empty: it ran; else what happened, "crashed: signal 11 (SIGSEGV)"
 };
 
-/// Finished cells of one worker, a line of JSON each, with a checksum; a line is on the disk before the next cell begins.
+/// Finished cells of one worker, a line of JSON each, with a checksum; a line is on the disk before the next cell
+/// begins.
 class Journal {
  public:
   /// Goes on after the last whole line of the file. @throws Error naming it.

@@ -25,7 +25,9 @@ bool same_input(const CellResult& a, const CellResult& b) {
 class WholeFile {
  public:
   explicit WholeFile(std::string path) : path_(std::move(path)), draft_(path_ + ".draft"), out_(draft_) {}
-  void write(const ordered_json& line) { out_ << line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << '\n'; }
+  void write(const ordered_json& line) {
+    out_ << line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  }
   void finish() {
     out_.close();
     if (!out_) throw Error(path_ + ": cannot be written");
@@ -48,12 +50,14 @@ MergedResults::MergedResults(const ResultFolder& folder, const CellPlan& plan)
 
 void MergedResults::add(std::uint32_t journal, const CellResult& result, const JournalPlace& place) {
   if (result.number >= places_.size())
-    throw Error(journals_[journal] + ": holds cell " + std::to_string(result.number) + ", which the experiment does not have");
+    throw Error(journals_[journal] + ": holds cell " + std::to_string(result.number) +
+                ", which the experiment does not have");
   Place& known = places_[result.number];
   if (known.length > 0) {
     if (same(read(known), result)) return;
-    throw Error(journals_[journal] + ": cell " + plan_.name(plan_.cell(result.number)) + " came out differently than in " +
-                journals_[known.journal] + ", expected the same result from the same cell");
+    throw Error(journals_[journal] + ": cell " + plan_.name(plan_.cell(result.number)) +
+                " came out differently than in " + journals_[known.journal] +
+                ", expected the same result from the same cell");
   }
   known = {place.offset, place.length, journal};
   ++finished_;
@@ -93,8 +97,8 @@ void MergedResults::expect_equal_inputs() const {
   for_each([&](const Cell& cell, const CellResult& result) {
     const bool same_task = before.number / plan_.arms() == result.number / plan_.arms();
     if (!before.input.empty() && same_task && !same_input(before, result))
-      throw Error(folder_.path() + ": " + plan_.name(plan_.cell(before.number)) + " was given input " + before.input + " and " +
-                  plan_.name(cell) + " " + result.input + ", expected the same map and log for all arms");
+      throw Error(folder_.path() + ": " + plan_.name(plan_.cell(before.number)) + " was given input " + before.input +
+                  " and " + plan_.name(cell) + " " + result.input + ", expected the same map and log for all arms");
     before = result;
   });
 }

@@ -8,12 +8,12 @@
 
 namespace opal::ab {
 
-/// The finished cells of a folder by number, however many processes and machines have computed them. Of each, only where it
-/// stands is kept in memory.
+/// The finished cells of a folder by number, however many processes and machines have computed them. Of each, only
+/// where it stands is kept in memory.
 class MergedResults {
  public:
-  /// @throws Error if a cell was computed twice and came out differently, or if two arms were given different inputs for the
-  /// same task; names them.
+  /// @throws Error if a cell was computed twice and came out differently, or if two arms were given different inputs
+  /// for the same task; names them.
   MergedResults(const ResultFolder& folder, const CellPlan& plan);
 
   std::size_t finished() const { return finished_; }
@@ -23,7 +23,8 @@ class MergedResults {
   /// The same without tasks that some arm has not finished.
   void for_each_complete_task(const std::function<void(const Cell&, const CellResult&)>& take) const;
 
-  /// Writes results.jsonl and times.jsonl: the former is the same to the byte for the same experiment, the latter never.
+  /// Writes results.jsonl and times.jsonl: the former is the same to the byte for the same experiment, the latter
+  /// never.
   /// @param arm_digests  of everything that the arms are made of, by arm.
   void write(const std::vector<std::string>& arm_digests) const;
 

@@ -55,8 +55,9 @@ ResultFolder::ResultFolder(const std::string& path, const nlohmann::ordered_json
   if (!fs::exists(name)) write_whole(name, manifest.dump(1) + "\n");
   const auto found = difference(read_json(name), json::parse(manifest.dump()), "");
   if (!found) return;
-  throw ConfigError(name + ": " + found->pointer + ": was " + excerpt(found->before) + " for the results in this folder and is " +
-                    excerpt(found->now) + " now; give another folder, or make it as it was");
+  throw ConfigError(name + ": " + found->pointer + ": was " + excerpt(found->before) +
+                    " for the results in this folder and is " + excerpt(found->now) +
+                    " now; give another folder, or make it as it was");
 }
 
 std::vector<std::string> ResultFolder::journals() const {
@@ -78,7 +79,8 @@ std::vector<bool> finished_cells(const ResultFolder& folder, const CellPlan& pla
   std::vector<bool> finished(plan.cells(), false);
   for (const std::string& journal : folder.journals())
     read_journal(journal, [&](const CellResult& result, JournalPlace) {
-      if (result.number >= finished.size()) throw Error(journal + ": holds cell " + std::to_string(result.number) + ", which the experiment does not have");
+      if (result.number >= finished.size())
+        throw Error(journal + ": holds cell " + std::to_string(result.number) + ", which the experiment does not have");
       finished[result.number] = true;
     });
   return finished;

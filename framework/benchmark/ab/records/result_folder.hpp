@@ -10,8 +10,8 @@
 
 namespace opal::ab {
 
-/// Where an experiment's results are: `manifest.json` says what is computed with what, `journals/` hold finished cells as
-/// workers wrote them, `results.jsonl` and `times.jsonl` all of them in the order of their numbers.
+/// Where an experiment's results are: `manifest.json` says what is computed with what, `journals/` hold finished cells
+/// as workers wrote them, `results.jsonl` and `times.jsonl` all of them in the order of their numbers.
 class ResultFolder {
  public:
   /// Makes the folder, or goes on in it.

@@ -78,13 +78,10 @@ std::string BuildingGroup::name() const {
 }
 
 std::vector<BuildingGroup> groups_of(std::span<const BuildingRuns> buildings) {
-  const auto kinds =
-      different<std::string>(buildings, [](const BuildingRuns& b) { return b.building.request.kind; });
-  const auto difficulties =
-      different<double>(buildings, [](const BuildingRuns& b) { return b.building.difficulty; });
+  const auto kinds = different<std::string>(buildings, [](const BuildingRuns& b) { return b.building.request.kind; });
+  const auto difficulties = different<double>(buildings, [](const BuildingRuns& b) { return b.building.difficulty; });
   std::vector<BuildingGroup> groups;
-  const auto add = [&](const std::string& contender, const std::string& kind,
-                       std::optional<double> difficulty) {
+  const auto add = [&](const std::string& contender, const std::string& kind, std::optional<double> difficulty) {
     BuildingGroup group{kind, difficulty, contender, 0, 0, {}, {}, {}, {}, {}, {}, 0};
     Gathering gathering;
     for (const BuildingRuns& building : buildings)

@@ -29,10 +29,8 @@ std::string view_box_of(const SemanticMap& map) {
     extent.add(face ? face->begin : anchor_of(feature.geometry));
     if (face) extent.add(face->end);
   }
-  const Point low = extent.low - Point::Constant(kBorder_m),
-              size = extent.high + Point::Constant(kBorder_m) - low;
-  return "viewBox=\"" + coordinates({low.x(), low.y() + size.y()}) + " " +
-         coordinates({size.x(), -size.y()}) + "\"";
+  const Point low = extent.low - Point::Constant(kBorder_m), size = extent.high + Point::Constant(kBorder_m) - low;
+  return "viewBox=\"" + coordinates({low.x(), low.y() + size.y()}) + " " + coordinates({size.x(), -size.y()}) + "\"";
 }
 
 std::string path_of(const Geometry& geometry) {
@@ -42,8 +40,8 @@ std::string path_of(const Geometry& geometry) {
   if (!column) return "";
   const std::string r = std::to_string(std::lround(100 * column->radius_m)),
                     across = std::to_string(2 * std::lround(100 * column->radius_m));
-  return "M" + coordinates(column->center - Point(column->radius_m, 0)) + "a" + r + " " + r + " 0 1 0 " +
-         across + " 0a" + r + " " + r + " 0 1 0 -" + across + " 0";
+  return "M" + coordinates(column->center - Point(column->radius_m, 0)) + "a" + r + " " + r + " 0 1 0 " + across +
+         " 0a" + r + " " + r + " 0 1 0 -" + across + " 0";
 }
 
 template <class Keep>
@@ -62,8 +60,7 @@ std::string way_of(const ChallengeRun& run) {
 
 std::string dot(const Point& at, double radius_m, const std::string& style) {
   return "<circle class=\"" + style + "\" cx=\"" + std::to_string(std::lround(100 * at.x())) + "\" cy=\"" +
-         std::to_string(std::lround(-100 * at.y())) + "\" r=\"" +
-         std::to_string(std::lround(100 * radius_m)) + "\"/>";
+         std::to_string(std::lround(-100 * at.y())) + "\" r=\"" + std::to_string(std::lround(100 * radius_m)) + "\"/>";
 }
 
 /// Thinned: every half metre.
@@ -73,8 +70,7 @@ std::string wrong_claims(const ChallengeRun& run) {
   std::optional<Point> last;
   for (const Moment& moment : run.moments) {
     const Point at = moment.estimate.position();
-    if (!moment.localized() || moment.error_m() <= kRight_m || (last && (at - *last).norm() < kEvery_m))
-      continue;
+    if (!moment.localized() || moment.error_m() <= kRight_m || (last && (at - *last).norm() < kEvery_m)) continue;
     dots += dot(at, kDot_m, "claim");
     last = at;
   }
@@ -82,8 +78,7 @@ std::string wrong_claims(const ChallengeRun& run) {
 }
 
 std::string picture(const BuildingRuns& building, const std::string& content) {
-  return "<svg " + view_box_of(*building.map) + "><use href=\"#" + building.building.id + "\"/>" + content +
-         "</svg>";
+  return "<svg " + view_box_of(*building.map) + "><use href=\"#" + building.building.id + "\"/>" + content + "</svg>";
 }
 
 }  // namespace
@@ -100,9 +95,8 @@ std::string ways_picture(const BuildingRuns& building, const std::string& conten
   std::vector<const ChallengeRun*> runs;
   for (const ChallengeRun& run : building.runs)
     if (run.contender == contender) runs.push_back(&run);
-  std::stable_sort(runs.begin(), runs.end(), [](const ChallengeRun* a, const ChallengeRun* b) {
-    return outcome_of(*a) < outcome_of(*b);
-  });
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const ChallengeRun* a, const ChallengeRun* b) { return outcome_of(*a) < outcome_of(*b); });
   std::string content;
   for (const ChallengeRun* run : runs) content += way_of(*run) + wrong_claims(*run);
   return picture(building, content);
@@ -111,8 +105,7 @@ std::string ways_picture(const BuildingRuns& building, const std::string& conten
 std::string run_picture(const BuildingRuns& building, const ChallengeRun& run) {
   constexpr double kDot_m = 0.4;
   if (run.moments.empty()) return picture(building, "");
-  std::string content =
-      way_of(run) + wrong_claims(run) + dot(run.moments.front().truth.position(), kDot_m, "start");
+  std::string content = way_of(run) + wrong_claims(run) + dot(run.moments.front().truth.position(), kDot_m, "start");
   if (const Moment& last = run.moments.back(); last.has_pose)
     content += dot(last.estimate.position(), kDot_m, "believed");
   return picture(building, content);

@@ -23,9 +23,8 @@ std::vector<simulation::Challenge> chosen(const simulation::SuiteBuilding& build
                                           const std::vector<std::string>& ids) {
   std::vector<simulation::Challenge> all = challenges_in(building);
   if (!ids.empty())
-    std::erase_if(all, [&](const auto& challenge) {
-      return std::find(ids.begin(), ids.end(), challenge.id) == ids.end();
-    });
+    std::erase_if(all,
+                  [&](const auto& challenge) { return std::find(ids.begin(), ids.end(), challenge.id) == ids.end(); });
   return all;
 }
 
@@ -41,14 +40,10 @@ void keep(const BuildingRuns& in, const simulation::Challenge& challenge, int se
 
 const char* name_of(Outcome outcome) {
   switch (outcome) {
-    case Outcome::localized:
-      return "localized";
-    case Outcome::unsure:
-      return "unsure";
-    case Outcome::unknown:
-      return "unknown";
-    case Outcome::wrong:
-      break;
+    case Outcome::localized: return "localized";
+    case Outcome::unsure: return "unsure";
+    case Outcome::unknown: return "unknown";
+    case Outcome::wrong: break;
   }
   return "wrong";
 }
@@ -64,8 +59,7 @@ double localized_after_s(const ChallengeRun& run) {
 }
 
 double wrong_after_s(const ChallengeRun& run) {
-  return first_time_s(run,
-                      [](const Moment& moment) { return moment.localized() && moment.error_m() > kRight_m; });
+  return first_time_s(run, [](const Moment& moment) { return moment.localized() && moment.error_m() > kRight_m; });
 }
 
 BuildingRuns run_building(const simulation::SuiteBuilding& building, const PluginRegistry& registry,

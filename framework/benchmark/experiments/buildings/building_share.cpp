@@ -41,12 +41,14 @@ BuildingMedian median_over(std::span<const std::vector<double>> buildings) {
   if (values.empty() || buildings.size() < 2) return found;
   const auto median_of = [&](const statistics::Weights& weights) {
     std::vector<double> sample;
-    for (std::size_t k = 0; k < values.size(); ++k) sample.insert(sample.end(), static_cast<std::size_t>(weights[k]), values[k]);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      sample.insert(sample.end(), static_cast<std::size_t>(weights[k]), values[k]);
     return median(std::move(sample));
   };
   statistics::BootstrapOptions options;
   options.samples = 1000;
-  const statistics::Interval within = statistics::percentile_interval(statistics::bootstrap(sizes, median_of, options), 0.05);
+  const statistics::Interval within =
+      statistics::percentile_interval(statistics::bootstrap(sizes, median_of, options), 0.05);
   found.within = {within.low, within.high};
   return found;
 }

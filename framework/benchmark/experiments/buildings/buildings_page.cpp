@@ -31,7 +31,7 @@ i.localized{background:#009e73}i.unsure{background:#0072b2}i.unknown{background:
 
 constexpr const char* kMeaning =
     "<p><i class=localized></i>localized: the best hypothesis is right (within 1 m) up to the end, and was "
-    "vouched for"
+    "called localized"
     "<i class=unsure></i>unsure: right up to the end, never called localized"
     "<i class=unknown></i>unknown: not right at the end, and nothing wrong was called localized"
     "<i class=wrong></i>wrong: a pose more than 1 m off was called localized at some time</p>\n";
@@ -52,8 +52,7 @@ Shares outcomes_in(const BuildingsExperiment& experiment, const BuildingGroup& g
 std::string bar_of(const Shares& counts) {
   std::string bar = "<div class=bar>";
   for (Outcome outcome : kOutcomes) {
-    const std::string count = std::to_string(counts[static_cast<std::size_t>(outcome)]),
-                      name = name_of(outcome);
+    const std::string count = std::to_string(counts[static_cast<std::size_t>(outcome)]), name = name_of(outcome);
     if (count != "0")
       bar += "<i class=" + name + " style=\"flex:" + count + "\" title=\"" + name + ": " + count + "\"></i>";
   }
@@ -83,26 +82,23 @@ std::string groups_of(const BuildingsExperiment& experiment) {
               "<th>honestly unknown %<th>m to localized<th>s to localized<th>CPU ms</tr>\n";
     contender = &group.contender;
     html += "<tr><td>" + group.name() + "</td><td>" + bar_of(outcomes_in(experiment, group)) + "</td><td>" +
-            std::to_string(group.buildings) + "</td><td>" + std::to_string(group.runs) + "</td>" +
-            cell(group.success) + cell(group.localized) + cell(group.wrong) + cell(group.unknown) +
-            cell(group.localized_after_m) + cell(group.localized_after_s) + "<td>" + number(group.cpu_ms, 2) +
-            "</td></tr>\n";
+            std::to_string(group.buildings) + "</td><td>" + std::to_string(group.runs) + "</td>" + cell(group.success) +
+            cell(group.localized) + cell(group.wrong) + cell(group.unknown) + cell(group.localized_after_m) +
+            cell(group.localized_after_s) + "<td>" + number(group.cpu_ms, 2) + "</td></tr>\n";
   }
   return html + (contender ? "</table>\n" : "");
 }
 
 std::string sentence_about(const ChallengeRun& run) {
   const Moment& last = run.moments.back();
-  std::string text = run.challenge + " (seed " + std::to_string(run.seed) + ", " + run.contender +
-                     "): " + name_of(outcome_of(run));
+  std::string text =
+      run.challenge + " (seed " + std::to_string(run.seed) + ", " + run.contender + "): " + name_of(outcome_of(run));
   if (run.false_rows > 0)
     text += "; called localized wrongly: " + std::to_string(run.false_rows) + " of " +
-            std::to_string(run.moments.size()) + " scans, first after " + number(wrong_after_s(run), 1) +
-            " s";
+            std::to_string(run.moments.size()) + " scans, first after " + number(wrong_after_s(run), 1) + " s";
   if (run.localized_after_m >= 0) text += "; localized after " + number(run.localized_after_m, 1) + " m";
   return text + "; at the end " + (last.has_pose ? number(last.error_m(), 1) + " m off" : "no pose") + ", " +
-         std::to_string(last.hypotheses) + " hypotheses; the truth has probability " +
-         number(run.truth_probability, 2);
+         std::to_string(last.hypotheses) + " hypotheses; the truth has probability " + number(run.truth_probability, 2);
 }
 
 struct Failure {
@@ -115,9 +111,8 @@ std::vector<Failure> failures_of(const BuildingsExperiment& experiment) {
   for (const BuildingRuns& building : experiment.buildings)
     for (const ChallengeRun& run : building.runs)
       if (outcome_of(run) != Outcome::localized) failures.push_back({&building, &run});
-  std::stable_sort(failures.begin(), failures.end(), [](const Failure& a, const Failure& b) {
-    return outcome_of(*a.run) > outcome_of(*b.run);
-  });
+  std::stable_sort(failures.begin(), failures.end(),
+                   [](const Failure& a, const Failure& b) { return outcome_of(*a.run) > outcome_of(*b.run); });
   return failures;
 }
 
@@ -130,18 +125,17 @@ std::string failures_html(const BuildingsExperiment& experiment) {
   const std::vector<Failure> failures = failures_of(experiment);
   std::string html =
       "<h2>Runs that were not localized, or were so wrongly: " + std::to_string(failures.size()) + "</h2>\n" +
-      (failures.size() > kMost ? "<p>The first " + std::to_string(kMost) + " of them.</p>\n"
-                               : std::string()) +
+      (failures.size() > kMost ? "<p>The first " + std::to_string(kMost) + " of them.</p>\n" : std::string()) +
       "<p>The way in truth from the green dot on; orange-red dots: wrong poses that were called localized; black "
       "ring: what is "
       "believed at the end. <code>--record</code> keeps the recording for <code>opal bench</code>, "
       "<code>localize</code> and "
       "<code>view</code>.</p>\n<div class=many style=\"--w:24rem\">";
   for (std::size_t k = 0; k < std::min(kMost, failures.size()); ++k)
-    html += figure(run_picture(*failures[k].building, *failures[k].run),
-                   failures[k].building->building.id + " " + html_text(sentence_about(*failures[k].run)) +
-                       "<br><code>" +
-                       html_text(command_for(experiment, *failures[k].building, *failures[k].run)) + "</code>");
+    html +=
+        figure(run_picture(*failures[k].building, *failures[k].run),
+               failures[k].building->building.id + " " + html_text(sentence_about(*failures[k].run)) + "<br><code>" +
+                   html_text(command_for(experiment, *failures[k].building, *failures[k].run)) + "</code>");
   return html + "</div>\n";
 }
 
@@ -149,10 +143,10 @@ std::string buildings_html(const BuildingsExperiment& experiment) {
   std::string html = "<h2>The buildings</h2>\n<div class=many style=\"--w:15rem\">";
   const std::string contender = experiment.groups.empty() ? "" : experiment.groups.front().contender;
   for (const BuildingRuns& building : experiment.buildings)
-    html += figure(ways_picture(building, contender),
-                   building.building.id + ": " + number(building.building.request.size_m2, 0) +
-                       " m², symmetry " + number(building.building.request.symmetry, 2) + ", clutter " +
-                       number(building.building.clutter, 2));
+    html +=
+        figure(ways_picture(building, contender),
+               building.building.id + ": " + number(building.building.request.size_m2, 0) + " m², symmetry " +
+                   number(building.building.request.symmetry, 2) + ", clutter " + number(building.building.clutter, 2));
   return html + "</div>\n";
 }
 
@@ -161,9 +155,8 @@ std::string buildings_html(const BuildingsExperiment& experiment) {
 std::string buildings_page(const BuildingsExperiment& experiment) {
   std::string symbols;
   for (const BuildingRuns& building : experiment.buildings) symbols += outline_symbol(building);
-  return std::string(
-             "<!doctype html><html lang=en><meta charset=utf-8><title>Many buildings</title><style>") +
-         kStyle + "</style>\n<svg style=\"position:absolute;width:0;height:0\"><defs>" + symbols +
+  return std::string("<!doctype html><html lang=en><meta charset=utf-8><title>Many buildings</title><style>") + kStyle +
+         "</style>\n<svg style=\"position:absolute;width:0;height:0\"><defs>" + symbols +
          "</defs></svg>\n<h1>Many buildings</h1>\n<p><code>" + html_text(experiment.command) +
          "</code>; intervals are 95 %, over buildings</p>\n" + kMeaning + groups_of(experiment) +
          failures_html(experiment) + buildings_html(experiment) + "</html>\n";

@@ -20,17 +20,16 @@ std::string in_percent(const BuildingShare& share) {
 }
 
 std::string with_interval(const BuildingMedian& found) {
-  return number(found.median, 1) + " (" + number(found.within.low, 1) + " to " +
-         number(found.within.high, 1) + ")";
+  return number(found.median, 1) + " (" + number(found.within.low, 1) + " to " + number(found.within.high, 1) + ")";
 }
 
 std::string row_of(const BuildingGroup& group) {
   char text[240];
-  std::snprintf(text, sizeof text, "%-27s%5zu%6zu  %-23s %-23s %-23s %-23s %-20s %-20s %6.2f\n",
-                group.name().c_str(), group.buildings, group.runs, in_percent(group.success).c_str(),
-                in_percent(group.localized).c_str(), in_percent(group.wrong).c_str(),
-                in_percent(group.unknown).c_str(), with_interval(group.localized_after_m).c_str(),
-                with_interval(group.localized_after_s).c_str(), group.cpu_ms);
+  std::snprintf(text, sizeof text, "%-27s%5zu%6zu  %-23s %-23s %-23s %-23s %-20s %-20s %6.2f\n", group.name().c_str(),
+                group.buildings, group.runs, in_percent(group.success).c_str(), in_percent(group.localized).c_str(),
+                in_percent(group.wrong).c_str(), in_percent(group.unknown).c_str(),
+                with_interval(group.localized_after_m).c_str(), with_interval(group.localized_after_s).c_str(),
+                group.cpu_ms);
   return text;
 }
 
@@ -127,8 +126,7 @@ nlohmann::ordered_json to_json(const BuildingsExperiment& experiment) {
   return json;
 }
 
-std::string command_for(const BuildingsExperiment& experiment, const BuildingRuns& building,
-                        const ChallengeRun& run) {
+std::string command_for(const BuildingsExperiment& experiment, const BuildingRuns& building, const ChallengeRun& run) {
   return experiment.run_command + " --building " + building.building.id + " --challenge " + run.challenge;
 }
 

@@ -22,7 +22,6 @@ std::string buildings_table(const BuildingsExperiment& experiment);
 nlohmann::ordered_json to_json(const BuildingsExperiment& experiment);
 
 /// The command that runs one challenge in one building alone.
-std::string command_for(const BuildingsExperiment& experiment, const BuildingRuns& building,
-                        const ChallengeRun& run);
+std::string command_for(const BuildingsExperiment& experiment, const BuildingRuns& building, const ChallengeRun& run);
 
 }  // namespace opal::experiments

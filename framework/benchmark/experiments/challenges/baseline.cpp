@@ -21,8 +21,7 @@ void run_to_its_end(std::vector<std::string> command) {
   for (std::string& word : command) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t child = 0;
-  if (const int wrong = posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
-      wrong != 0)
+  if (const int wrong = posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ); wrong != 0)
     throw Error(command[0] + ": cannot be started: " + std::strerror(wrong));
   int status = 0;
   if (waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
@@ -50,8 +49,8 @@ Row row_of(const std::string& line, const std::string& where) {
     }
   if (numbers.size() != 7)
     throw LogError(where + ": " + std::to_string(numbers.size()) + " columns, expected " + kHeader);
-  return {numbers[0], Pose2(numbers[1], numbers[2], numbers[3]), numbers[4] != 0,
-          static_cast<int>(numbers[5]), numbers[6]};
+  return {numbers[0], Pose2(numbers[1], numbers[2], numbers[3]), numbers[4] != 0, static_cast<int>(numbers[5]),
+          numbers[6]};
 }
 
 std::vector<Row> rows_of(const std::string& path) {
@@ -77,8 +76,7 @@ std::vector<Moment> read_baseline(const std::string& path, const simulation::Rec
     Moment moment;
     moment.time_s = recorded.scan.stamp_s - recording.scans.front().scan.stamp_s;
     moment.truth = recorded.T_map_base;
-    if (!moments.empty())
-      moment.driven_m = moments.back().driven_m + distance_m(moments.back().truth, moment.truth);
+    if (!moments.empty()) moment.driven_m = moments.back().driven_m + distance_m(moments.back().truth, moment.truth);
     while (next < rows.size() && rows[next].stamp_s < recorded.scan.stamp_s - kSame_s) ++next;
     if (next < rows.size() && rows[next].stamp_s < recorded.scan.stamp_s + kSame_s) {
       moment.estimate = rows[next].T_map_laser * T_laser_base;
@@ -92,20 +90,12 @@ std::vector<Moment> read_baseline(const std::string& path, const simulation::Rec
   return moments;
 }
 
-ChallengeRun run_baseline(const Baseline& baseline, const simulation::ChallengeDrive& driven,
-                       const std::string& prefix, const std::string& grid_yaml, std::uint64_t seed) {
+ChallengeRun run_baseline(const Baseline& baseline, const simulation::ChallengeDrive& driven, const std::string& prefix,
+                          const std::string& grid_yaml, std::uint64_t seed) {
   const std::string answer = prefix + '.' + baseline.name + ".csv";
-  std::vector<std::string> command{baseline.program,
-                                   "--map",
-                                   grid_yaml,
-                                   "--log",
-                                   prefix + ".log.gz",
-                                   "--laser",
-                                   prefix + ".info.json",
-                                   "--seed",
-                                   std::to_string(seed),
-                                   "--out",
-                                   answer};
+  std::vector<std::string> command{
+      baseline.program,     "--map", grid_yaml, "--log", prefix + ".log.gz", "--laser", prefix + ".info.json", "--seed",
+      std::to_string(seed), "--out", answer};
   if (driven.region) {
     std::ostringstream region;
     region << driven.region->center.x() << ',' << driven.region->center.y() << ',' << driven.region->radius_m;

@@ -18,8 +18,8 @@ struct Baseline {
 /// @param grid_yaml  the map as map_server has it.
 /// @throws Error naming the program and what went wrong: it cannot be started, fails, or leaves a table that
 /// is none.
-ChallengeRun run_baseline(const Baseline& baseline, const simulation::ChallengeDrive& driven,
-                       const std::string& prefix, const std::string& grid_yaml, std::uint64_t seed);
+ChallengeRun run_baseline(const Baseline& baseline, const simulation::ChallengeDrive& driven, const std::string& prefix,
+                          const std::string& grid_yaml, std::uint64_t seed);
 
 /// Reads `timestamp,x,y,theta,localized,hypotheses,cpu_ms` [s, m, rad]: T_map_laser by scan.
 /// @throws LogError naming file and line.

@@ -1,5 +1,5 @@
-#include "benchmark/experiments/kit/by_name.hpp"
 #include "benchmark/experiments/challenges/challenge_report.hpp"
+#include "benchmark/experiments/kit/by_name.hpp"
 #include "benchmark/experiments/kit/page.hpp"
 #include "benchmark/experiments/kit/time_plot.hpp"
 #include "benchmark/experiments/kit/ways_picture.hpp"
@@ -13,8 +13,7 @@ using Run = ChallengeRun;
 std::vector<Point> thinned_truth(const Run& run) {
   std::vector<Point> way;
   for (const Moment& moment : run.moments)
-    if (way.empty() || (way.back() - moment.truth.position()).norm() > 0.1)
-      way.push_back(moment.truth.position());
+    if (way.empty() || (way.back() - moment.truth.position()).norm() > 0.1) way.push_back(moment.truth.position());
   return way;
 }
 
@@ -68,12 +67,13 @@ std::string challenge_page(const SemanticMap& map, std::span<const Run> runs) {
   const std::uint64_t first = runs.empty() ? 0 : runs.front().seed;
   for (const std::string& contender : names(runs, &Run::contender)) {
     const auto shown = those(runs, [&](const Run& r) { return r.contender == contender && r.seed == first; });
-    body += "<h2>" + html_text(contender) + ", seed " + std::to_string(first) + "</h2>\n" +
-            figure(ways_of(map, shown),
-                   "The ways as they were driven; a ring is a start, a red circle a region that is known, a cross where " + contender +
-                       " first said that it is localized.",
-                   "whole") +
-            status_legend();
+    body +=
+        "<h2>" + html_text(contender) + ", seed " + std::to_string(first) + "</h2>\n" +
+        figure(ways_of(map, shown),
+               "The ways as they were driven; a ring is a start, a red circle a region that is known, a cross where " +
+                   contender + " first said that it is localized.",
+               "whole") +
+        status_legend();
     for (const Run* run : shown)
       body += figure(one_way(map, *run) + time_plot(run->moments),
                      caption_of(*run) + "; red: estimate where it was called localized");

@@ -38,10 +38,9 @@ struct Share {
 };
 
 const std::vector<Share>& shares() {
-  static const std::vector<Share> all{
-      {"successful", [](const Run& r) { return r.success; }},
-      {"self-reported", [](const Run& r) { return r.localized_after_m >= 0; }},
-      {"falsely so", [](const Run& r) { return r.false_rows > 0; }}};
+  static const std::vector<Share> all{{"successful", [](const Run& r) { return r.success; }},
+                                      {"self-reported", [](const Run& r) { return r.localized_after_m >= 0; }},
+                                      {"falsely so", [](const Run& r) { return r.false_rows > 0; }}};
   return all;
 }
 
@@ -52,18 +51,16 @@ std::vector<double> known(const Runs& runs, const Measure& measure) {
 }
 
 Runs of(std::span<const Run> runs, const std::string& contender, const std::string& challenge = "") {
-  return those(runs, [&](const Run& r) {
-    return r.contender == contender && (challenge.empty() || r.challenge == challenge);
-  });
+  return those(
+      runs, [&](const Run& r) { return r.contender == contender && (challenge.empty() || r.challenge == challenge); });
 }
 
 std::string about_all(const Runs& all) {
   long rows = 0, wrong = 0;
   for (const Run* run : all) rows += run->localized_rows, wrong += run->false_rows;
   return "successful " + share_text(count(all, shares()[0].holds), all.size()) +
-         "; said localized and was wrong at some time in " +
-         share_text(count(all, shares()[2].holds), all.size()) + ", " + std::to_string(wrong) + " of " +
-         std::to_string(rows) + " scans";
+         "; said localized and was wrong at some time in " + share_text(count(all, shares()[2].holds), all.size()) +
+         ", " + std::to_string(wrong) + " of " + std::to_string(rows) + " scans";
 }
 
 Table::Block block_of(std::span<const Run> runs, const std::string& contender,
@@ -83,8 +80,7 @@ Table::Block block_of(std::span<const Run> runs, const std::string& contender,
 
 nlohmann::ordered_json summary_of(const Runs& runs) {
   nlohmann::ordered_json summary = {{"runs", runs.size()}};
-  for (const Share& share : shares())
-    summary[share.name] = share_json(count(runs, share.holds), runs.size());
+  for (const Share& share : shares()) summary[share.name] = share_json(count(runs, share.holds), runs.size());
   for (const Measure& measure : measures()) {
     const std::vector<double> numbers = known(runs, measure);
     summary[measure.name] = {{"runs", numbers.size()}};
@@ -119,10 +115,10 @@ void write_runs(std::ostream& out, std::span<const Run> runs) {
          "hypotheses_after,updates,"
          "localized_rows,false_rows,cpu_ms\n";
   for (const Run& r : runs)
-    out << r.contender << ',' << r.challenge << ',' << r.seed << ',' << r.success << ','
-        << number(r.right_after_m, 2) << ',' << number(r.localized_after_m, 2) << ',' << number(r.error_m, 3)
-        << ',' << r.hypotheses_before << ',' << r.hypotheses_after << ',' << r.updates << ','
-        << r.localized_rows << ',' << r.false_rows << ',' << number(r.cpu_ms, 3) << '\n';
+    out << r.contender << ',' << r.challenge << ',' << r.seed << ',' << r.success << ',' << number(r.right_after_m, 2)
+        << ',' << number(r.localized_after_m, 2) << ',' << number(r.error_m, 3) << ',' << r.hypotheses_before << ','
+        << r.hypotheses_after << ',' << r.updates << ',' << r.localized_rows << ',' << r.false_rows << ','
+        << number(r.cpu_ms, 3) << '\n';
 }
 
 }  // namespace opal::experiments

@@ -1,5 +1,5 @@
-#include "benchmark/experiments/kit/by_name.hpp"
 #include "benchmark/experiments/goals/goal_report.hpp"
+#include "benchmark/experiments/kit/by_name.hpp"
 #include "benchmark/experiments/kit/page.hpp"
 #include "benchmark/experiments/kit/published.hpp"
 #include "benchmark/experiments/kit/time_plot.hpp"
@@ -51,9 +51,8 @@ std::string one_way(const SemanticMap& map, const Run& run) {
 }
 
 std::string caption_of(const Run& run) {
-  return run.task + ", seed " + std::to_string(run.seed) + ": " +
-         drive_ending(run.reached, run.said_so) +
-         " after " + minutes(run.time_s) + ", " + number(run.driven_m, 1) + " m; " +
+  return run.task + ", seed " + std::to_string(run.seed) + ": " + drive_ending(run.reached, run.said_so) + " after " +
+         minutes(run.time_s) + ", " + number(run.driven_m, 1) + " m; " +
          (run.localized_after_m == kNever ? "never localized"
                                           : "localized after " + number(run.localized_after_m, 1) + " m") +
          (run.collisions > 0 ? "; touched something in " + std::to_string(run.collisions) + " steps" : "");
@@ -88,11 +87,9 @@ std::string goal_page(const SemanticMap& map, std::span<const Run> runs) {
                      "whole");
     }
     body += status_legend();
-    for (const Run* run : shown)
-      body += figure(one_way(map, *run) + time_plot(run->moments), caption_of(*run));
+    for (const Run* run : shown) body += figure(one_way(map, *run) + time_plot(run->moments), caption_of(*run));
     if (!failed.empty()) body += "<h3>Of the other seeds: not reached, or touched something</h3>\n";
-    for (const Run* run : failed)
-      body += figure(one_way(map, *run) + time_plot(run->moments), caption_of(*run));
+    for (const Run* run : failed) body += figure(one_way(map, *run) + time_plot(run->moments), caption_of(*run));
   }
   return page_of("Closed loop: the runs of table 4.1", body);
 }

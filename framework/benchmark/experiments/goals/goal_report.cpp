@@ -44,8 +44,7 @@ bool touched(const Run& run) { return run.collisions > 0; }
 bool misled(const Run& run) { return run.false_scans > 0; }
 
 Runs of(std::span<const Run> runs, const std::string& contender, const std::string& task = "") {
-  return those(runs,
-               [&](const Run& r) { return r.contender == contender && (task.empty() || r.task == task); });
+  return those(runs, [&](const Run& r) { return r.contender == contender && (task.empty() || r.task == task); });
 }
 
 double mean(const std::vector<double>& all) {
@@ -88,18 +87,15 @@ std::string about_all(std::span<const Run> runs, const std::string& contender) {
     faster += median(values(of(runs, contender, task), reached_after_s)) < published_total_s(task);
   }
   int steps = 0, scans = 0, wrong = 0;
-  for (const Run* run : all)
-    steps += run->collisions, scans += run->localized_scans, wrong += run->false_scans;
+  for (const Run* run : all) steps += run->collisions, scans += run->localized_scans, wrong += run->false_scans;
   return "reached " + share_text(count(all, reached), all.size()) + "; touched something in " +
          share_text(count(all, touched), all.size()) + ", " + std::to_string(steps) +
-         " steps; said localized and was wrong at some time in " +
-         share_text(count(all, misled), all.size()) + ", " + std::to_string(wrong) + " of " +
-         std::to_string(scans) + " scans; median time below the published one in " + std::to_string(faster) +
-         " of " + std::to_string(compared);
+         " steps; said localized and was wrong at some time in " + share_text(count(all, misled), all.size()) + ", " +
+         std::to_string(wrong) + " of " + std::to_string(scans) + " scans; median time below the published one in " +
+         std::to_string(faster) + " of " + std::to_string(compared);
 }
 
-Table::Block block_of(std::span<const Run> runs, const std::string& contender,
-                      const std::vector<std::string>& tasks) {
+Table::Block block_of(std::span<const Run> runs, const std::string& contender, const std::vector<std::string>& tasks) {
   Table::Block block{contender, {}, about_all(runs, contender)};
   const auto row = [&](const char* name, const std::function<std::string(const Runs&)>& cell) {
     block.rows.push_back({name, {}});
@@ -125,8 +121,7 @@ Table::Block block_of(std::span<const Run> runs, const std::string& contender,
       [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.recoveries; })), 2); });
   row("localized after",
       [&](const Runs& r) { return minutes(middle([](const Run& x) { return x.localized_after_s; })(r)); });
-  row("driven m",
-      [&](const Runs& r) { return number(middle([](const Run& x) { return x.driven_m; })(r), 1); });
+  row("driven m", [&](const Runs& r) { return number(middle([](const Run& x) { return x.driven_m; })(r), 1); });
   row("touched something", [](const Runs& r) { return share_of(count(r, touched), r.size()); });
   row("falsely localized", [](const Runs& r) { return share_of(count(r, misled), r.size()); });
   return block;
@@ -172,11 +167,11 @@ void write_runs(std::ostream& out, std::span<const Run> runs) {
          "places_at_end,recoveries\n";
   for (const Run& r : runs)
     out << r.contender << ',' << r.task << ',' << r.seed << ',' << r.reached << ',' << r.said_so << ','
-        << number(r.time_s, 1) << ',' << number(r.driven_m, 2) << ',' << number(r.off_goal_m, 2) << ','
-        << r.collisions << ',' << r.scans << ',' << r.localized_scans << ',' << r.false_scans << ','
-        << number(r.localized_after_m, 2) << ',' << number(r.localized_after_s, 1) << ',' << r.pattern << ','
-        << number(r.right_after_s, 1) << ',' << r.circles << ',' << r.candidates << ',' << r.wrong_starts
-        << ',' << r.places_after_inspection << ',' << r.places_at_end << ',' << r.recoveries << '\n';
+        << number(r.time_s, 1) << ',' << number(r.driven_m, 2) << ',' << number(r.off_goal_m, 2) << ',' << r.collisions
+        << ',' << r.scans << ',' << r.localized_scans << ',' << r.false_scans << ',' << number(r.localized_after_m, 2)
+        << ',' << number(r.localized_after_s, 1) << ',' << r.pattern << ',' << number(r.right_after_s, 1) << ','
+        << r.circles << ',' << r.candidates << ',' << r.wrong_starts << ',' << r.places_after_inspection << ','
+        << r.places_at_end << ',' << r.recoveries << '\n';
 }
 
 }  // namespace opal::experiments

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "benchmark/experiments/kit/contender.hpp"
 #include "benchmark/experiments/goals/goal_task.hpp"
+#include "benchmark/experiments/kit/contender.hpp"
 #include "benchmark/experiments/kit/moment.hpp"
 #include "benchmark/experiments/kit/order_statistics.hpp"
 
@@ -23,12 +23,11 @@ struct GoalRun {
   int collisions = 0;  ///< steps that would have touched something
   int scans = 0, localized_scans = 0, false_scans = 0;
   double localized_after_m = kNever, localized_after_s = kNever;  ///< and right
-  std::string pattern;  ///< B, L or C: what the first correct start came from; "" if it was not of columns
-  double right_after_s = kNever;    ///< until some hypothesis was right: the first correct pattern
-  int circles = 0, candidates = 0;  ///< in the local map then: stable ones, and all
-  int wrong_starts = 0;             ///< hypotheses came up, and none was right before all had gone
-  int places_after_inspection =
-      -1;  ///< places that were left when it first set out for the goal; -1: never did
+  std::string pattern;               ///< B, L or C: what the first correct start came from; "" if it was not of columns
+  double right_after_s = kNever;     ///< until some hypothesis was right: the first correct pattern
+  int circles = 0, candidates = 0;   ///< in the local map then: stable ones, and all
+  int wrong_starts = 0;              ///< hypotheses came up, and none was right before all had gone
+  int places_after_inspection = -1;  ///< places that were left when it first set out for the goal; -1: never did
   int places_at_end = 0;
   int recoveries = 0;  ///< all hypotheses had gone, or the robot backed off
   Pose2 start;         ///< T_map_base, truly

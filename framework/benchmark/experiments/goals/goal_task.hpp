@@ -10,12 +10,11 @@ namespace opal::experiments {
 
 /// One run with control over the robot: from a place that it is not told to a goal.
 struct GoalTask {
-  std::string id;  ///< "A3": set of patterns and route
-  std::vector<std::string>
-      patterns;                ///< the only ones that start hypotheses, where a configuration names any
-  int pattern_size = 2;        ///< features of each
-  Pose2 start;                 ///< T_map_base; the robot begins at the nearest place where nothing stands
-  Point goal = Point::Zero();  ///< frame `map`; likewise
+  std::string id;                     ///< "A3": set of patterns and route
+  std::vector<std::string> patterns;  ///< the only ones that start hypotheses, where a configuration names any
+  int pattern_size = 2;               ///< features of each
+  Pose2 start;                        ///< T_map_base; the robot begins at the nearest place where nothing stands
+  Point goal = Point::Zero();         ///< frame `map`; likewise
 };
 
 /// The 12 runs of Hendrikx (2023), table 4.1, in maps/gemini.jsonld: six starts, one goal; A with binary

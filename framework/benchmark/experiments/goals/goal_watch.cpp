@@ -6,9 +6,9 @@
 namespace opal::experiments {
 namespace {
 
+using behaviours::Blackboard;
 using behaviours::Node;
 using behaviours::NodeStatus;
-using behaviours::Blackboard;
 
 /// Tells that its node is ticked.
 class Told : public Node {
@@ -56,8 +56,9 @@ bool is_right(const Pose2& said, const Pose2& truth) {
 
 bool some_is_right(const PoseEstimate& estimate, const Pose2& truth) {
   if (is_right(estimate.T_map_base, truth)) return true;
-  return std::any_of(estimate.alternatives.begin(), estimate.alternatives.end(),
-                     [&](const PoseEstimate::Alternative& alternative) { return is_right(alternative.T_map_base, truth); });
+  return std::any_of(
+      estimate.alternatives.begin(), estimate.alternatives.end(),
+      [&](const PoseEstimate::Alternative& alternative) { return is_right(alternative.T_map_base, truth); });
 }
 
 /// The first columns of what a hypothesis rests on, at most so many.

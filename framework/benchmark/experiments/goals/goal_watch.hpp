@@ -10,8 +10,7 @@ namespace opal::experiments {
 class GoalWatch {
  public:
   /// All must outlive this.
-  GoalWatch(const simulation::Simulation& simulation, const Localizer& localizer, int pattern_size,
-            GoalRun& run)
+  GoalWatch(const simulation::Simulation& simulation, const Localizer& localizer, int pattern_size, GoalRun& run)
       : simulation_(simulation), localizer_(localizer), pattern_size_(pattern_size), run_(run) {}
 
   /// A tree of the document that tells this what it does.

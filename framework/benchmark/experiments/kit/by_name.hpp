@@ -27,8 +27,7 @@ std::vector<const Run*> those(std::span<const Run> runs, const Holds& holds) {
 
 template <class Run, class Holds>
 int count(const std::vector<const Run*>& runs, const Holds& holds) {
-  return static_cast<int>(
-      std::count_if(runs.begin(), runs.end(), [&](const Run* run) { return holds(*run); }));
+  return static_cast<int>(std::count_if(runs.begin(), runs.end(), [&](const Run* run) { return holds(*run); }));
 }
 
 template <class Run, class Value>
@@ -38,8 +37,6 @@ std::vector<double> values(const std::vector<const Run*>& runs, const Value& val
   return all;
 }
 
-inline std::string share_of(int part, std::size_t whole) {
-  return std::to_string(part) + "/" + std::to_string(whole);
-}
+inline std::string share_of(int part, std::size_t whole) { return std::to_string(part) + "/" + std::to_string(whole); }
 
 }  // namespace opal::experiments

@@ -8,9 +8,7 @@
 
 namespace opal::experiments {
 
-double median(std::vector<double> values) {
-  return values.empty() ? kNever : statistics::median(std::move(values));
-}
+double median(std::vector<double> values) { return values.empty() ? kNever : statistics::median(std::move(values)); }
 
 Interval median_interval(std::vector<double> values) {
   if (values.empty()) return {kNever, kNever};

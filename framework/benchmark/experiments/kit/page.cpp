@@ -27,14 +27,14 @@ std::string page_of(const std::string& title, const std::string& body) {
 }
 
 std::string figure(const std::string& svg, const std::string& caption, const std::string& kind) {
-  return "<figure" + (kind.empty() ? "" : " class=" + kind) + "><figcaption>" + html_text(caption) +
-         "</figcaption>\n" + svg + "</figure>\n";
+  return "<figure" + (kind.empty() ? "" : " class=" + kind) + "><figcaption>" + html_text(caption) + "</figcaption>\n" +
+         svg + "</figure>\n";
 }
 
 std::string status_legend() {
   return "<p>Bar below each plot:<i class=box style='background:#d5d5d5'></i>no hypothesis<i class=box "
          "style='background:#e8c04a'></i>hypotheses, not "
-         "vouched for<i class=box style='background:#2e9e5b'></i>localized, and right<i class=box "
+         "called localized<i class=box style='background:#2e9e5b'></i>localized, and right<i class=box "
          "style='background:#d01c1c'></i>localized, and more than "
          "1 m off</p>\n";
 }

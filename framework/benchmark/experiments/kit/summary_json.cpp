@@ -19,7 +19,8 @@ nlohmann::ordered_json share_json(int part, std::size_t whole) {
 
 nlohmann::ordered_json median_json(const std::vector<double>& values) {
   const Interval within = median_interval(values);
-  return {{"median", number_or_null(median(values))}, {"within", {number_or_null(within.low), number_or_null(within.high)}}};
+  return {{"median", number_or_null(median(values))},
+          {"within", {number_or_null(within.low), number_or_null(within.high)}}};
 }
 
 }  // namespace opal::experiments

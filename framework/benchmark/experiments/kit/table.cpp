@@ -60,8 +60,7 @@ std::string html_of(const Table& table) {
   std::string html = "<table>\n";
   const auto cells = [&](const char* tag, const std::string& first, const std::vector<std::string>& all) {
     html += "<tr><th scope=row>" + html_text(first) + "</th>";
-    for (const std::string& cell : all)
-      html += std::string("<") + tag + ">" + html_text(cell) + "</" + tag + ">";
+    for (const std::string& cell : all) html += std::string("<") + tag + ">" + html_text(cell) + "</" + tag + ">";
     html += "</tr>\n";
   };
   for (const Table::Block& block : table.blocks) {

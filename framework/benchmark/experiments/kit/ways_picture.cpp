@@ -23,8 +23,8 @@ std::string line_of(const std::vector<Point>& points, const std::string& style) 
 }
 
 std::string disc(const Point& p, double radius_m, const std::string& style) {
-  return "<circle cx='" + number(p.x(), 2) + "' cy='" + number(-p.y(), 2) + "' r='" + number(radius_m, 2) +
-         "' " + style + "/>\n";
+  return "<circle cx='" + number(p.x(), 2) + "' cy='" + number(-p.y(), 2) + "' r='" + number(radius_m, 2) + "' " +
+         style + "/>\n";
 }
 
 struct Extent {
@@ -37,9 +37,8 @@ std::string building(const SemanticMap& map, Extent& extent) {
   for (const MapFeature& feature : map.features()) {
     if (const auto* segment = std::get_if<Segment>(&feature.geometry)) {
       extent.add(segment->begin), extent.add(segment->end);
-      svg += line_of({segment->begin, segment->end}, feature.sensor.empty()
-                                                         ? "stroke='#b9c6cf' stroke-width='.06'"
-                                                         : "stroke='#222' stroke-width='.1'");
+      svg += line_of({segment->begin, segment->end}, feature.sensor.empty() ? "stroke='#b9c6cf' stroke-width='.06'"
+                                                                            : "stroke='#222' stroke-width='.1'");
     } else if (const auto* circle = std::get_if<Circle>(&feature.geometry)) {
       extent.add(circle->center);
       svg += disc(circle->center, circle->radius_m, "fill='#222'");
@@ -51,8 +50,7 @@ std::string building(const SemanticMap& map, Extent& extent) {
 std::string drawn(const WaysPicture::Way& way, const std::string& colour) {
   std::string svg = line_of(way.estimate, "stroke='#d01c1c' stroke-width='.07' opacity='.8'");
   for (const WaysPicture::Way::Star& star : way.stars) {
-    for (const Point& to : star.to)
-      svg += line_of({star.from, to}, "stroke='" + colour + "' stroke-width='.05'");
+    for (const Point& to : star.to) svg += line_of({star.from, to}, "stroke='" + colour + "' stroke-width='.05'");
     svg += disc(star.from, 0.22, "fill='" + colour + "'");
   }
   for (const WaysPicture::Stretch& stretch : way.stretches)
@@ -69,8 +67,8 @@ std::string drawn(const WaysPicture::Way& way, const std::string& colour) {
     svg += "<path d='M" + at(mark + Point(-0.3, -0.3)) + " L" + at(mark + Point(0.3, 0.3)) + " M" +
            at(mark + Point(-0.3, 0.3)) + " L" + at(mark + Point(0.3, -0.3)) +
            "' stroke='#fff' stroke-width='.3'/><path d='M" + at(mark + Point(-0.3, -0.3)) + " L" +
-           at(mark + Point(0.3, 0.3)) + " M" + at(mark + Point(-0.3, 0.3)) + " L" +
-           at(mark + Point(0.3, -0.3)) + "' stroke='" + colour + "' stroke-width='.14'/>\n";
+           at(mark + Point(0.3, 0.3)) + " M" + at(mark + Point(-0.3, 0.3)) + " L" + at(mark + Point(0.3, -0.3)) +
+           "' stroke='" + colour + "' stroke-width='.14'/>\n";
   return svg;
 }
 
@@ -86,8 +84,8 @@ std::string svg_of(const SemanticMap& map, const WaysPicture& picture) {
     content += drawn(picture.ways[k], kColours[k % kColours.size()]);
   const Point low = extent.min - Point(1, 1), size = extent.max - extent.min + Point(2, 2);
   return "<svg xmlns='http://www.w3.org/2000/svg' role='img' viewBox='" + number(low.x(), 1) + ' ' +
-         number(-low.y() - size.y(), 1) + ' ' + number(size.x(), 1) + ' ' + number(size.y(), 1) + "'>\n" +
-         content + "</svg>\n";
+         number(-low.y() - size.y(), 1) + ' ' + number(size.x(), 1) + ' ' + number(size.y(), 1) + "'>\n" + content +
+         "</svg>\n";
 }
 
 }  // namespace opal::experiments

@@ -26,7 +26,7 @@ struct WaysPicture {
   };
   std::vector<Way> ways;  ///< a colour each
   std::vector<Point> goals;
-  std::vector<Circle> regions;               ///< known at first, drawn red
+  std::vector<Circle> regions;  ///< known at first, drawn red
 };
 
 /// SVG to be put into a page; says its colours in a list beside the picture.

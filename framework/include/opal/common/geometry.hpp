@@ -45,12 +45,8 @@ class Pose2 {
   /// Turns a direction, without moving it.
   Point rotate(const Point& v) const { return {cos_ * v.x() - sin_ * v.y(), sin_ * v.x() + cos_ * v.y()}; }
   Point operator*(const Point& p) const { return position_ + rotate(p); }
-  Pose2 operator*(const Pose2& other) const {
-    return {*this * other.position_, heading_rad_ + other.heading_rad_};
-  }
-  Pose2 inverse() const {
-    return {Point(-(cos_ * x() + sin_ * y()), sin_ * x() - cos_ * y()), -heading_rad_};
-  }
+  Pose2 operator*(const Pose2& other) const { return {*this * other.position_, heading_rad_ + other.heading_rad_}; }
+  Pose2 inverse() const { return {Point(-(cos_ * x() + sin_ * y()), sin_ * x() - cos_ * y()), -heading_rad_}; }
 
  private:
   Point position_ = Point::Zero();

@@ -25,8 +25,7 @@ class OPAL_EXPORT JsonError : public Error {
 /// @param name  what the text is called in messages: a file, a URL.
 /// @throws JsonError "NAME: POINTER: what was found, what was expected" (line and column instead of the
 /// pointer for syntax errors).
-OPAL_EXPORT nlohmann::json parse_json(const std::string& text, const std::string& name,
-                                      const JsonLimits& limits = {});
+OPAL_EXPORT nlohmann::json parse_json(const std::string& text, const std::string& name, const JsonLimits& limits = {});
 /// Reads and parses a file. @throws JsonError naming it.
 OPAL_EXPORT nlohmann::json read_json(const std::string& path, const JsonLimits& limits = {});
 

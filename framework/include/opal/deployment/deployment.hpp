@@ -1,9 +1,9 @@
 #pragma once
 
 #include <opal/localization/localizer.hpp>
+#include <opal/map/semantic_map.hpp>
 #include <opal/plugin/plugin_registry.hpp>
 #include <opal/sensing/scan.hpp>
-#include <opal/map/semantic_map.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +23,8 @@ struct PartConfig {
 
 struct ScorerConfig {
   PartConfig part;
-  bool decides = true;  ///< "role": "decides" or "observes"
-  double weight = 1;    ///< of its scores in the decision
+  bool decides = true;    ///< "role": "decides" or "observes"
+  double weight = 1;      ///< of its scores in the decision
   std::string name = {};  ///< by which its scores are known; empty: its type
 };
 
@@ -33,7 +33,8 @@ struct ScorerConfig {
 struct Deployment {
   std::string file;
   std::string map;  ///< path of the map, resolved against the document's folder; empty: the caller says
-  std::vector<std::string> overlays;  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
+  std::vector<std::string>
+      overlays;  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
   LaserModel laser;
   KeyframeOptions keyframes;
   LocalMapOptions local_map;
@@ -62,8 +63,8 @@ OPAL_EXPORT Deployment with_laser(Deployment deployment, const LaserModel& laser
 OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
                                             const std::string& importer);
 
-/// What `build_parts` checks before it makes anything: types that no plugin offers, types of another kind, and options that
-/// the plugin does not accept. @throws ConfigError naming file and JSON pointer.
+/// What `build_parts` checks before it makes anything: types that no plugin offers, types of another kind, and options
+/// that the plugin does not accept. @throws ConfigError naming file and JSON pointer.
 OPAL_EXPORT void check_parts(const Deployment& deployment, const PluginRegistry& registry);
 
 /// Makes the parts of a localizer. Detectors and pattern templates are those that the map calls for, narrowed

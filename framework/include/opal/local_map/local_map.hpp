@@ -12,8 +12,8 @@ namespace opal {
 
 /// One detection of a local feature: the measurement set of a feature is a list of these (thesis 3.4.1).
 struct Measurement {
-  int keyframe = 0;   ///< LocalMap::Keyframe::id
-  Feature feature;    ///< as detected, in the base_link frame at that keyframe
+  int keyframe = 0;  ///< LocalMap::Keyframe::id
+  Feature feature;   ///< as detected, in the base_link frame at that keyframe
 };
 
 /// A feature of the local map, with its measurement set. Frame: `local`.
@@ -21,8 +21,8 @@ struct LocalFeature {
   int id = 0;  ///< unique over a run; never reused
   Feature feature;
   std::vector<Measurement> measurements;
-  int distinct_poses = 0;   ///< measurements from poses that differ by the configured distance or angle
-  bool stable = false;      ///< distinct_poses has reached the configured number at some time
+  int distinct_poses = 0;  ///< measurements from poses that differ by the configured distance or angle
+  bool stable = false;     ///< distinct_poses has reached the configured number at some time
   int last_keyframe = 0;
 };
 
@@ -37,21 +37,21 @@ struct Keyframe {
 };
 
 struct LocalMapOptions {
-  double horizon_m = 6.0;             ///< keyframes older than this much driving are forgotten
-  double horizon_m_per_rad = 0.5;     ///< driving that a turn on the spot is worth: turning ages a map, too
+  double horizon_m = 6.0;               ///< keyframes older than this much driving are forgotten
+  double horizon_m_per_rad = 0.5;       ///< driving that a turn on the spot is worth: turning ages a map, too
   double association_distance_m = 0.3;  ///< points, corners, circles: apart; segments: gap between the two
   double association_offset_m = 0.15;   ///< segments: distance of an end from the other's infinite line
   double association_angle_rad = 0.2;
-  double association_radius_m = 0.1;  ///< circles: difference of radii
-  int stable_after = 3;               ///< detections from different poses that make a feature stable
-  double pose_change_m = 0.05;        ///< poses that differ by this much, or
-  double pose_change_rad = 0.05;      ///< by this much, are different
-  int optimize_every = 3;             ///< keyframes between two runs of the factor graph; 0: never
-  double robust_scale = 1.0;          ///< Cauchy loss, in standard deviations
-  double odometry_sigma_m = 0.06;     ///< one-sigma translation error, however short the motion
+  double association_radius_m = 0.1;        ///< circles: difference of radii
+  int stable_after = 3;                     ///< detections from different poses that make a feature stable
+  double pose_change_m = 0.05;              ///< poses that differ by this much, or
+  double pose_change_rad = 0.05;            ///< by this much, are different
+  int optimize_every = 3;                   ///< keyframes between two runs of the factor graph; 0: never
+  double robust_scale = 1.0;                ///< Cauchy loss, in standard deviations
+  double odometry_sigma_m = 0.06;           ///< one-sigma translation error, however short the motion
   double odometry_heading_sigma_rad = 0.1;  ///< one-sigma heading error, however short the motion: recorded scans
                                             ///< and odometry differ in time by up to 0.2 s, 10 degrees in a turn
-  double odometry_sigma_per_m = 0.15;  ///< one-sigma translation error per metre driven [m]
+  double odometry_sigma_per_m = 0.15;       ///< one-sigma translation error per metre driven [m]
   double odometry_heading_sigma_per_rad = 0.2;
   double odometry_heading_sigma_per_m = 0.04;
 };
@@ -72,8 +72,7 @@ class OPAL_EXPORT LocalMap {
   /// @param scan      in the sensor frame.
   /// @param features  detected in it, in the sensor frame.
   /// @param T_odom_base  odometry at the scan's stamp.
-  void add(const Scan& scan, const std::vector<Feature>& features, const Pose2& T_odom_base,
-           const Pose2& T_base_laser);
+  void add(const Scan& scan, const std::vector<Feature>& features, const Pose2& T_odom_base, const Pose2& T_base_laser);
 
   /// Forgets everything; ids go on.
   void clear();
@@ -82,15 +81,15 @@ class OPAL_EXPORT LocalMap {
 
   /// By increasing id. Where two features turn out to be pieces of one, the older id keeps both.
   const std::vector<LocalFeature>& features() const;
-  const std::deque<Keyframe>& keyframes() const;       ///< oldest first
-  const Pose2& T_local_base() const;                   ///< newest pose
+  const std::deque<Keyframe>& keyframes() const;  ///< oldest first
+  const Pose2& T_local_base() const;              ///< newest pose
   /// Where the newest pose would be at odometry reading `T_odom_base` (between keyframes).
   Pose2 T_local_base_at(const Pose2& T_odom_base) const;
   /// For each feature of the last scan, by its position in `features` given to add: the id of its local feature;
   /// -1 if the feature was not usable (not finite, or a segment without length).
   const std::vector<int>& last_associations() const;
-  /// The evidence cells, squares of 1 m, that points lie on as the robot stands now. What lies on one evidence cell is one thing, whatever the
-  /// map calls it, however long the robot looks at it, and however it moves.
+  /// The evidence cells, squares of 1 m, that points lie on as the robot stands now. What lies on one evidence cell is
+  /// one thing, whatever the map calls it, however long the robot looks at it, and however it moves.
   /// @param points  base_link frame [m].
   std::vector<int> evidence_cells(const std::vector<Point>& points) const;
   /// Quality of the last scan match; converged = false if there was none.

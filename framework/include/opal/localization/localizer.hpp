@@ -1,18 +1,18 @@
 #pragma once
 
 #include <opal/common/named.hpp>
+#include <opal/local_map/local_map.hpp>
 #include <opal/localization/decision/pose_estimate.hpp>
 #include <opal/localization/events/event_stream.hpp>
 #include <opal/localization/events/stage_times.hpp>
 #include <opal/localization/localizer_options.hpp>
 #include <opal/localization/scoring/active_scorer.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
-#include <opal/local_map/local_map.hpp>
-#include <opal/map/view/map_view.hpp>
-#include <opal/sensing/feature_detector.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
-#include <opal/patterns/pattern_template.hpp>
 #include <opal/localization/scoring/score.hpp>
+#include <opal/map/view/map_view.hpp>
+#include <opal/patterns/pattern_template.hpp>
+#include <opal/sensing/feature_detector.hpp>
 
 #include <map>
 #include <memory>
@@ -33,7 +33,7 @@ struct LocalizerParts {
   LaserModel laser;
   KeyframeOptions keyframes;
   LocalMapOptions local_map;
-  std::shared_ptr<const ScanMatcher> matcher;                ///< may be null: odometry alone
+  std::shared_ptr<const ScanMatcher> matcher;  ///< may be null: odometry alone
   std::vector<Named<FeatureDetector>> detectors;
   std::vector<Named<PatternTemplate>> patterns;
   std::vector<ActiveScorer> scorers;
@@ -59,9 +59,9 @@ class OPAL_EXPORT Localizer {
   /// Forgets hypotheses and local map: the next scan is the first one.
   void reset();
 
-  /// Reduces the local map to what the best hypothesis began with, its pattern, before the robot looks round there (Hendrikx
-  /// 2023, 4.3.5, 4.4.2). What hypotheses say of other features they forget with the next keyframe, and say anew of those seen
-  /// from then on. Nothing changes while there is no hypothesis.
+  /// Reduces the local map to what the best hypothesis began with, its pattern, before the robot looks round there
+  /// (Hendrikx 2023, 4.3.5, 4.4.2). What hypotheses say of other features they forget with the next keyframe, and say
+  /// anew of those seen from then on. Nothing changes while there is no hypothesis.
   void keep_pattern();
 
   const LocalMap& local_map() const;

@@ -4,17 +4,17 @@
 
 #include <optional>
 
-// Options of the localizer's stages, in pipeline order. Defaults are the best known; configs/thesis3.jsonld sets those of
-// Hendrikx (2023), table 3.1. Ranges, units and meanings for people are in deployment/localizer_options.cpp; `opal plugins`
-// prints them.
+// Options of the localizer's stages, in pipeline order. Defaults are the best known; configs/thesis3.jsonld sets those
+// of Hendrikx (2023), table 3.1. Ranges, units and meanings for people are in deployment/localizer_options.cpp; `opal
+// plugins` prints them.
 
 namespace opal {
 
 /// How much a scan counts as evidence: scans taken close together are hardly independent.
 struct TemperingOptions {
-  double distance_m = 1.2;      ///< driving that makes a scan a whole, independent piece of evidence, or
-  double angle_rad = 1.5;       ///< turning that does
-  double least_weight = 0.05;   ///< of a scan that was taken where the one before was
+  double distance_m = 1.2;     ///< driving that makes a scan a whole, independent piece of evidence, or
+  double angle_rad = 1.5;      ///< turning that does
+  double least_weight = 0.05;  ///< of a scan that was taken where the one before was
 };
 
 /// When the map is searched for new hypotheses.
@@ -36,17 +36,17 @@ struct RegionPrior {
 
 /// Global search: which patterns are looked up, and how many candidates pass each coarse-to-fine filter.
 struct SearchOptions {
-  int patterns = 10;                     ///< looked up per scan, fewest expected candidates first
-  int lookup_limit = 2000;               ///< candidates per scan and template,
-  int places = 2000;                     ///< and of all templates together: patterns that are expected least often first,
-                                         ///< at least three of them; 0: any number
-  int close_looks = 200;                 ///< of these, judged by all points of a thinned scan
-  int candidates = 30;                   ///< kept by likelihood-field score, one per place
-  int hypotheses = 12;                   ///< kept by the scorers
-  int under_constrained_patterns = 3;    ///< looked up per scan, of those with a free parameter
+  int patterns = 10;                   ///< looked up per scan, fewest expected candidates first
+  int lookup_limit = 2000;             ///< candidates per scan and template,
+  int places = 2000;                   ///< and of all templates together: patterns that are expected least often first,
+                                       ///< at least three of them; 0: any number
+  int close_looks = 200;               ///< of these, judged by all points of a thinned scan
+  int candidates = 30;                 ///< kept by likelihood-field score, one per place
+  int hypotheses = 12;                 ///< kept by the scorers
+  int under_constrained_patterns = 3;  ///< looked up per scan, of those with a free parameter
   double under_constrained_below_nat = 1;  ///< they are looked up if no candidate scores this
   double under_constrained_until_nat = 3;  ///< and only while no hypothesis has gathered this much
-  bool from_stable = false;              ///< only stable local features may be looked up (Hendrikx 2023)
+  bool from_stable = false;                ///< only stable local features may be looked up (Hendrikx 2023)
   std::optional<RegionPrior> region;
 };
 
@@ -66,8 +66,8 @@ struct GrowthOptions {
   int registration_horizon = 5;           ///< N_d
   double gate_m = 0.4;                    ///< distance of a local feature from its mapped counterpart
   double gate_rad = 0.2;
-  double outlier_m = 0.5;                 ///< delta: an association that is this far off rejects the hypothesis
-  double outlier_rad = 0.5;               ///< alpha_c
+  double outlier_m = 0.5;    ///< delta: an association that is this far off rejects the hypothesis
+  double outlier_rad = 0.5;  ///< alpha_c
 };
 
 /// Tracking of hypotheses from scan to scan.
@@ -81,21 +81,21 @@ struct TrackingOptions {
 
 /// The set of hypotheses that are alive.
 struct HypothesesOptions {
-  double spawn_nat = -3.0;   ///< log prior of a new hypothesis against clutter
-  double prune_nat = 7;      ///< worse than the best by this: ended
+  double spawn_nat = -3.0;  ///< log prior of a new hypothesis against clutter
+  double prune_nat = 7;     ///< worse than the best by this: ended
   int max_hypotheses = 120;
 };
 
 /// Status: when the best hypothesis is called localized, when lost.
 struct StatusOptions {
-  double none_scan_nat = 0.12;          ///< what a scan at a place that is not on the map would say for a wrong pose:
-                                        ///< hypotheses must gather more than this to be believed
+  double none_scan_nat = 0.12;  ///< what a scan at a place that is not on the map would say for a wrong pose:
+                                ///< hypotheses must gather more than this to be believed
   double localized_probability = 0.99;
-  double localized_weight = 2;          ///< sum of the scans' tempering weights over which that must hold,
-  double localized_weight_per_m = 1;    ///< and so much more of it per metre of straight walls around the robot that are
-  double localized_unmapped_m = 6;      ///< not on the map, beyond this much: it lacks walls, or the robot is elsewhere.
-  double localized_most_weight = 20;    ///< Whatever walls are missing, this is enough, or localized_weight if that is more
-  double lost_scan_nat = -0.2;          ///< mean of the newest scans below this: lost
+  double localized_weight = 2;        ///< sum of the scans' tempering weights over which that must hold,
+  double localized_weight_per_m = 1;  ///< and so much more of it per metre of straight walls around the robot that are
+  double localized_unmapped_m = 6;    ///< not on the map, beyond this much: it lacks walls, or the robot is elsewhere.
+  double localized_most_weight = 20;  ///< Whatever walls are missing, this is enough, or localized_weight if it is more
+  double lost_scan_nat = -0.2;        ///< mean of the newest scans below this: lost
 };
 
 /// Kidnap detection.

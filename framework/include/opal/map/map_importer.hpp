@@ -55,13 +55,14 @@ struct Storey {
   std::string id;
   std::string name;
   double elevation_m = 0;
-  double height_m = 0;                     ///< where an import of this storey cuts
-  std::map<std::string, int> gives = {};   ///< how many things of each class the cut meets
+  double height_m = 0;                    ///< where an import of this storey cuts
+  std::map<std::string, int> gives = {};  ///< how many things of each class the cut meets
 };
 
 /// Makes a semantic map of one kind of source (a grid, a building model). What it does is chosen by options that its
 /// plugin.jsonld describes. Options that several importers have go by the same names: `storey` (a name) or `z_m`
-/// (height of the cut) choose the level; `classes` (an object) says what becomes of the source's classes or layers: {"IfcFurniture": "opal:Furniture", "IfcStair": "leave_out"}.
+/// (height of the cut) choose the level; `classes` (an object) says what becomes of the source's classes or layers:
+/// {"IfcFurniture": "opal:Furniture", "IfcStair": "leave_out"}.
 class OPAL_EXPORT MapImporter {
  public:
   virtual ~MapImporter();

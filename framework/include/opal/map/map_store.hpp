@@ -78,8 +78,8 @@ struct NearFeature {
 /// the whole map from it and asks the MapView while it drives. Calls may come from several threads and processes at
 /// once. Making one connects to nothing; the credentials come from where the store's own tools find them.
 ///
-/// Every call throws StoreUnreachable if the store cannot be reached, and StoreError naming what was asked for, what was
-/// found and what was expected.
+/// Every call throws StoreUnreachable if the store cannot be reached, and StoreError naming what was asked for, what
+/// was found and what was expected.
 class OPAL_EXPORT MapStore {
  public:
   virtual ~MapStore();

@@ -40,10 +40,10 @@ struct MapObject {
 
 /// One geometric primitive through which an object can be perceived, in the `map` frame.
 struct MapFeature {
-  std::string id;           ///< of the geometry; unique in the map for one sensor
-  int object = -1;          ///< position in SemanticMap::objects()
-  std::string type;         ///< what a detector must produce to see it: "opal:Wall", "opal:Corner", "opal:Column"
-  std::string sensor;       ///< id of the sensor that can perceive it; empty: none does
+  std::string id;      ///< of the geometry; unique in the map for one sensor
+  int object = -1;     ///< position in SemanticMap::objects()
+  std::string type;    ///< what a detector must produce to see it: "opal:Wall", "opal:Corner", "opal:Column"
+  std::string sensor;  ///< id of the sensor that can perceive it; empty: none does
   Geometry geometry;
   double position_sigma_m = 0;  ///< how far the building may be from the map here; 0: the map does not say
   double existence = 1;         ///< probability that it is really there
@@ -58,8 +58,8 @@ struct MapFeature {
 /// A relation between features that the map itself names (thesis 4.4.1).
 struct MapPattern {
   std::string id;
-  std::string pattern_template;        ///< the template's type name
-  std::vector<int> features;           ///< positions in SemanticMap::features(), in the template's slot order
+  std::string pattern_template;  ///< the template's type name
+  std::vector<int> features;     ///< positions in SemanticMap::features(), in the template's slot order
   std::vector<std::string> subpatterns = {};
   std::vector<double> dimensions = {};  ///< the template's invariants; the last ones, or all, may be left out
   std::string place = {};  ///< where it stands, for messages: "hall.jsonld: /@graph/12"; `make` and `read` fill it in
@@ -67,9 +67,9 @@ struct MapPattern {
 
 /// Where a map that this one was joined of lies in it: scaled in its own frame first, then moved.
 struct MapPlacement {
-  std::string id;              ///< what came from that map is named "ID/..."
+  std::string id;  ///< what came from that map is named "ID/..."
   Pose2 T_map_source;
-  Point scale{1, 1};           ///< along the source's x and y axis; below zero: mirrored
+  Point scale{1, 1};  ///< along the source's x and y axis; below zero: mirrored
 
   Point to_map(const Point& p_source) const { return T_map_source * Point(scale.cwiseProduct(p_source)); }
   bool is_rigid() const { return scale.x() == 1 && scale.y() == 1; }
@@ -77,11 +77,11 @@ struct MapPlacement {
 
 /// Where a map lies on the Earth, if its source says so in earnest (IfcMapConversion).
 struct Georeference {
-  std::string crs;             ///< name of the projected coordinate system: "EPSG:28992"
-  double eastings_m = 0;       ///< of the map's origin
+  std::string crs;        ///< name of the projected coordinate system: "EPSG:28992"
+  double eastings_m = 0;  ///< of the map's origin
   double northings_m = 0;
   double height_m = 0;
-  double heading_rad = 0;      ///< of the map's x axis, counter-clockwise from east
+  double heading_rad = 0;  ///< of the map's x axis, counter-clockwise from east
 };
 
 /// What a map says about how it was made.

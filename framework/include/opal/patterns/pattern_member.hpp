@@ -29,8 +29,8 @@ OPAL_EXPORT void append_member(const Geometry& member, const Point& axis, const 
 OPAL_EXPORT void append_turnable_member(const Geometry& member, const Point& axis, const MemberTolerance& tolerance,
                                         std::vector<Invariant>& invariants);
 
-/// The same for two members of one kind that may be exchanged: of each number the larger one first, so that noise in the
-/// choice of who is first changes no number.
+/// The same for two members of one kind that may be exchanged: of each number the larger one first, so that noise in
+/// the choice of who is first changes no number.
 OPAL_EXPORT void append_exchangeable(const Geometry& a, const Point& axis_a, const Geometry& b, const Point& axis_b,
                                      const MemberTolerance& tolerance, std::vector<Invariant>& invariants);
 

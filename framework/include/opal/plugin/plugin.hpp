@@ -37,9 +37,8 @@ struct PluginDescriptor {
 }  // namespace opal
 
 /// At the end of a plugin's plugin.cpp: its name, its version, and the function that registers its types.
-#define OPAL_PLUGIN(NAME, VERSION, REGISTER)                                                             \
-  namespace {                                                                                            \
-  const ::opal::PluginDescriptor opal_descriptor_{::opal::kAbiTag, EIGEN_MAX_ALIGN_BYTES, NAME, VERSION, \
-                                                  REGISTER};                                             \
-  }                                                                                                      \
+#define OPAL_PLUGIN(NAME, VERSION, REGISTER)                                                                        \
+  namespace {                                                                                                       \
+  const ::opal::PluginDescriptor opal_descriptor_{::opal::kAbiTag, EIGEN_MAX_ALIGN_BYTES, NAME, VERSION, REGISTER}; \
+  }                                                                                                                 \
   BOOST_DLL_ALIAS_SECTIONED(opal_descriptor_, opal_plugin_v1, opal_v1)

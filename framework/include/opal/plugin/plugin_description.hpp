@@ -26,11 +26,11 @@ OPAL_EXPORT const char* name_of(PluginKind kind);
 /// One option of a type.
 struct OptionInfo {
   std::string name;
-  std::string type;  ///< "number", "integer", "boolean", "string", "object" (of texts)
-  std::string unit;  ///< "m", "rad", "s"; empty: dimensionless
+  std::string type;              ///< "number", "integer", "boolean", "string", "object" (of texts)
+  std::string unit;              ///< "m", "rad", "s"; empty: dimensionless
   nlohmann::json default_value;  ///< null: it may stay without a value
-  nlohmann::json minimum;  ///< null: none
-  nlohmann::json maximum;  ///< null: none
+  nlohmann::json minimum;        ///< null: none
+  nlohmann::json maximum;        ///< null: none
   std::string description;
 };
 
@@ -56,8 +56,7 @@ struct PluginDescription {
 /// @throws PluginError "FILE: POINTER: what was found, expected what".
 OPAL_EXPORT PluginDescription read_plugin_description(const std::string& path);
 /// @param file  how messages name the document.
-OPAL_EXPORT PluginDescription parse_plugin_description(const nlohmann::json& document,
-                                                       const std::string& file);
+OPAL_EXPORT PluginDescription parse_plugin_description(const nlohmann::json& document, const std::string& file);
 
 /// "an integer from 2 to 1000", "a number >= 0 [m]": what the option accepts, in words.
 OPAL_EXPORT std::string accepted_values(const OptionInfo& option);
@@ -66,8 +65,7 @@ OPAL_EXPORT std::string accepted_values(const OptionInfo& option);
 /// where the description says "number".
 /// @param type_name  how messages name the type.
 /// @throws PluginError "TYPE: option NAME: what was found, expected what".
-OPAL_EXPORT nlohmann::json complete_options(const std::string& type_name,
-                                            const std::vector<OptionInfo>& described,
+OPAL_EXPORT nlohmann::json complete_options(const std::string& type_name, const std::vector<OptionInfo>& described,
                                             const nlohmann::json& given);
 
 /// Options as a person writes them on a command line, each "NAME=VALUE", or "NAME.KEY=TEXT" for an entry of an object.

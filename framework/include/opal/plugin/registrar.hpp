@@ -1,12 +1,12 @@
 #pragma once
 
-#include <opal/sensing/feature_detector.hpp>
+#include <opal/local_map/scan_matcher.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
-#include <opal/sensing/log_source.hpp>
 #include <opal/map/map_importer.hpp>
 #include <opal/map/map_store.hpp>
 #include <opal/patterns/pattern_template.hpp>
-#include <opal/local_map/scan_matcher.hpp>
+#include <opal/sensing/feature_detector.hpp>
+#include <opal/sensing/log_source.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -23,15 +23,14 @@ OPAL_EXPORT double variance_across(const ScanPoint& hit, const Point& normal, co
 struct LineExtractionOptions {
   ChainOptions chain{};
   ReadingNoise noise{};
-  double tolerance_m = 0.05;  ///< a point farther than tolerance_m + tolerance_per_m * range from its line
+  double tolerance_m = 0.05;       ///< a point farther than tolerance_m + tolerance_per_m * range from its line
   double tolerance_per_m = 0.003;  ///< does not belong to it
   int min_points = 5;
-  double min_length_m = 0.3;  ///< of the part that is covered by points
-  double max_hidden_gap_m =
-      3.0;  ///< pieces of one face are joined behind something nearer up to this far apart,
-  double max_open_gap_m = 0.3;  ///< and across a hole that beams pass through up to this wide
-  double max_offset_m = 0.08;   ///< joined pieces differ at most by this across the face,
-  double max_angle_rad = 0.05;  ///< and by this (plus their uncertainty) in heading
+  double min_length_m = 0.3;      ///< of the part that is covered by points
+  double max_hidden_gap_m = 3.0;  ///< pieces of one face are joined behind something nearer up to this far apart,
+  double max_open_gap_m = 0.3;    ///< and across a hole that beams pass through up to this wide
+  double max_offset_m = 0.08;     ///< joined pieces differ at most by this across the face,
+  double max_angle_rad = 0.05;    ///< and by this (plus their uncertainty) in heading
 };
 
 /// A straight line fitted to points by weighted total least squares.
@@ -48,8 +47,8 @@ OPAL_EXPORT LineFit fit_line(const ScanChains& chains, std::span<const Run> runs
 
 /// A straight face found in a scan, sensor frame.
 struct Line {
-  Segment segment;        ///< begin = clockwise end, so that the sensor is on the left
-  std::vector<Run> runs;  ///< its hits, in order
+  Segment segment;                                       ///< begin = clockwise end, so that the sensor is on the left
+  std::vector<Run> runs;                                 ///< its hits, in order
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< (offset at the midpoint [m], heading [rad])
   std::array<bool, 2> true_end{false, false};
   double support_m = 0;  ///< length covered by points

@@ -21,15 +21,15 @@ struct Sample {
 struct ReplayOptions {
   double from_s = -std::numeric_limits<double>::infinity();  ///< records outside [from_s, to_s] are not looked at
   double to_s = std::numeric_limits<double>::infinity();
-  double gap_s = 2.0;              ///< records farther apart than this are counted as a gap
-  double odometry_wait_s = 1.0;    ///< a scan takes odometry that is at most this much older or newer, if it is
-                                   ///< not between two odometry records of the log
-  double clock_reset_s = 1.0;      ///< a stamp that steps back by more than this starts a new timeline
-  double max_speed_mps = 3.0;      ///< odometry that moves farther than this speed makes plausible,
-  double max_turn_radps = 6.0;     ///< or turns more,
-  double jump_m = 1.0;             ///< by more than this, has jumped. Lost records and coarse stamps look like jumps:
-  double jump_rad = 1.5;           ///< in the csail and belgioioso logs true motion exceeds the speeds by 0.4 m, 0.6 rad
-  bool bridge_jumps = true;        ///< a jump is taken for a new odometry frame in which the robot stands still
+  double gap_s = 2.0;            ///< records farther apart than this are counted as a gap
+  double odometry_wait_s = 1.0;  ///< a scan takes odometry that is at most this much older or newer, if it is
+                                 ///< not between two odometry records of the log
+  double clock_reset_s = 1.0;    ///< a stamp that steps back by more than this starts a new timeline
+  double max_speed_mps = 3.0;    ///< odometry that moves farther than this speed makes plausible,
+  double max_turn_radps = 6.0;   ///< or turns more,
+  double jump_m = 1.0;           ///< by more than this, has jumped. Lost records and coarse stamps look like jumps:
+  double jump_rad = 1.5;         ///< in the csail and belgioioso logs true motion exceeds the speeds by 0.4 m, 0.6 rad
+  bool bridge_jumps = true;      ///< a jump is taken for a new odometry frame in which the robot stands still
 };
 
 /// Turns the records of a log into samples, by increasing stamp within a timeline. Nothing in a log makes it fail:

@@ -15,8 +15,8 @@ struct LaserModel {
   double angle_increment_rad = std::numbers::pi / 360;
   int beams = 361;
   double range_min_m = 0.05;
-  double range_max_m = 30.0;   ///< returns farther than this are not used
-  double no_return_m = 80.0;   ///< a range at or above this means that nothing was hit
+  double range_max_m = 30.0;  ///< returns farther than this are not used
+  double no_return_m = 80.0;  ///< a range at or above this means that nothing was hit
   double range_sigma_m = 0.02;
   Pose2 T_base_laser;
   /// Beam geometry and mount are those that the log states (ROS bags do); what is above holds where it states none.
@@ -26,16 +26,16 @@ struct LaserModel {
 /// One range reading as recorded; invalid and missing ranges still in it.
 struct RawScan {
   double stamp_s = 0;
-  std::vector<float> ranges_m;             ///< by beam index; NaN, 0, negative and infinite all occur
-  std::string frame;                       ///< the laser's name in the log, as in MountRecord::child; may be empty
-  std::optional<Pose2> T_odom_base;        ///< odometry recorded with the scan, if the log has it
-  std::optional<double> angle_min_rad;     ///< beam geometry stated by the log itself, if it does
+  std::vector<float> ranges_m;                ///< by beam index; NaN, 0, negative and infinite all occur
+  std::string frame;                          ///< the laser's name in the log, as in MountRecord::child; may be empty
+  std::optional<Pose2> T_odom_base;           ///< odometry recorded with the scan, if the log has it
+  std::optional<double> angle_min_rad;        ///< beam geometry stated by the log itself, if it does
   std::optional<double> angle_increment_rad;  ///< negative: the beams turn clockwise
 };
 
 /// One beam that hit something.
 struct ScanPoint {
-  Point position;        ///< [m] in the sensor frame
+  Point position;  ///< [m] in the sensor frame
   double range_m = 0;
   double bearing_rad = 0;
   int beam = 0;
@@ -45,11 +45,11 @@ struct ScanPoint {
 /// points of a laser that sees all around start and end behind it, whatever beam it starts with.
 struct Scan {
   double stamp_s = 0;
-  double angle_increment_rad = 0;              ///< positive
+  double angle_increment_rad = 0;  ///< positive
   double range_max_m = 0;
-  std::vector<ScanPoint> points;               ///< valid returns up to range_max_m
-  std::vector<double> free_bearings_rad;       ///< beams that hit nothing up to range_max_m, increasing
-  int invalid = 0;                             ///< NaN, zero, negative or too near: neither hit nor free
+  std::vector<ScanPoint> points;          ///< valid returns up to range_max_m
+  std::vector<double> free_bearings_rad;  ///< beams that hit nothing up to range_max_m, increasing
+  int invalid = 0;                        ///< NaN, zero, negative or too near: neither hit nor free
 };
 
 /// Cleans one reading. A return farther than range_max_m leaves the beam free up to there, as no return does.

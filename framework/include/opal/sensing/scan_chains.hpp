@@ -8,8 +8,7 @@ namespace opal {
 
 /// When two neighbouring returns of a scan no longer belong to one surface.
 struct ChainOptions {
-  double gap_m =
-      0.25;  ///< a distance above gap_m + gap_per_spacing * (nearer range * beam increment) is a break;
+  double gap_m = 0.25;  ///< a distance above gap_m + gap_per_spacing * (nearer range * beam increment) is a break;
   double gap_per_spacing = 8;  ///< the second term lets surfaces seen at a grazing angle through
   int max_missing_beams = 3;   ///< more beams than this without a hit in between are a break
 };

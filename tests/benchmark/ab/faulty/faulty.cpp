@@ -20,11 +20,11 @@ void misbehave(const std::string& how) {
 
 class FaultyScorer final : public opal::HypothesisScorer {
  public:
-  explicit FaultyScorer(const nlohmann::json& options)
-      : how_(options.at("how")), after_(options.at("after")) {
+  explicit FaultyScorer(const nlohmann::json& options) : how_(options.at("how")), after_(options.at("after")) {
     if (after_ == 0) misbehave(how_);
   }
-  opal::Score score(const opal::Hypothesis&, const opal::Observation&, const opal::MapView&, const opal::ScorerMemory*) const override {
+  opal::Score score(const opal::Hypothesis&, const opal::Observation&, const opal::MapView&,
+                    const opal::ScorerMemory*) const override {
     if (++asked_ == after_) misbehave(how_);
     return {};
   }
@@ -36,9 +36,10 @@ class FaultyScorer final : public opal::HypothesisScorer {
 };
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"faulty:Scorer", {}, {}}, [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
-    return std::make_unique<FaultyScorer>(options);
-  });
+  registrar.add({"faulty:Scorer", {}, {}},
+                [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
+                  return std::make_unique<FaultyScorer>(options);
+                });
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Answers requests of compare_with_scipy.py: one JSON array per line, the name of a function and its arguments; one JSON value per line back.
+// Answers requests of compare_with_scipy.py: one JSON array per line, the name of a function and its arguments; one
+// JSON value per line back.
 #include "benchmark/statistics/alpha_spending.hpp"
 #include "benchmark/statistics/cluster_bootstrap.hpp"
 #include "benchmark/statistics/cluster_test.hpp"
@@ -29,16 +30,25 @@ std::vector<ClusterSum> clusters(const json& sums, const json& pairs) {
 }
 
 const std::map<std::string, std::function<json(const json&)>> kFunctions{
-    {"mcnemar", [](const json& in) { const McNemar p = mcnemar(counts(in)); return json{p.exact, p.mid, p.chi_square}; }},
+    {"mcnemar",
+     [](const json& in) {
+       const McNemar p = mcnemar(counts(in));
+       return json{p.exact, p.mid, p.chi_square};
+     }},
     {"odds_ratio", [](const json& in) { return ends(matched_odds_ratio_interval(counts(in), in[5])); }},
     {"difference", [](const json& in) { return ends(difference_interval(counts(in), in[5])); }},
-    {"wilcoxon", [](const json& in) { const Wilcoxon w = wilcoxon(in[1].get<Numbers>()); return json{w.p, w.normal}; }},
+    {"wilcoxon",
+     [](const json& in) {
+       const Wilcoxon w = wilcoxon(in[1].get<Numbers>());
+       return json{w.p, w.normal};
+     }},
     {"holm", [](const json& in) { return json(holm(in[1].get<Numbers>())); }},
     {"t_test", [](const json& in) { return json(cluster_t_test(clusters(in[1], in[2]))); }},
     {"t_interval", [](const json& in) { return ends(cluster_t_interval(clusters(in[1], in[2]), in[3])); }},
     {"sign_flip", [](const json& in) { return json(sign_flip_test(in[1].get<Numbers>())); }},
     {"percentile", [](const json& in) { return ends(percentile_interval(in[1].get<Numbers>(), in[2])); }},
-    {"bca", [](const json& in) { return ends(bca_interval(in[1].get<Numbers>(), in[2], in[3].get<Numbers>(), in[4])); }},
+    {"bca",
+     [](const json& in) { return ends(bca_interval(in[1].get<Numbers>(), in[2], in[3].get<Numbers>(), in[4])); }},
     {"power", [](const json& in) { return json(t_test_power(in[1], in[2], in[3])); }},
     {"units", [](const json& in) { return json(units_for_power(in[1], in[2], in[3])); }},
     {"looks", [](const json& in) { return json(look_levels(in[1], in[2].get<Numbers>())); }}};

@@ -1,7 +1,7 @@
 // Prints what the JSON-LD processor makes of a document, for comparison with another processor:
 //   json_ld_tool BASE DOCUMENT [FRAME]
-#include "jsonld/json_ld.hpp"
 #include <opal/common/strict_json.hpp>
+#include "jsonld/json_ld.hpp"
 
 #include <exception>
 #include <iostream>

@@ -6,7 +6,8 @@ namespace {
 
 class ThrowingScorer final : public opal::HypothesisScorer {
  public:
-  opal::Score score(const opal::Hypothesis&, const opal::Observation&, const opal::MapView&, const opal::ScorerMemory*) const override {
+  opal::Score score(const opal::Hypothesis&, const opal::Observation&, const opal::MapView&,
+                    const opal::ScorerMemory*) const override {
     throw std::runtime_error("this scorer fails on every hypothesis");
   }
 };

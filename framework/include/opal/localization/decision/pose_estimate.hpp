@@ -13,12 +13,12 @@ OPAL_EXPORT const char* name_of(Status status);
 struct PoseEstimate {
   double stamp_s = 0;
   Status status = Status::searching;
-  Pose2 T_map_base;         ///< of the best hypothesis; meaningless while searching without hypotheses
+  Pose2 T_map_base;  ///< of the best hypothesis; meaningless while searching without hypotheses
   bool has_pose = false;
-  double probability = 0;   ///< that the best hypothesis is right, "none of these" included
-  double none = 1;          ///< that neither the best nor any other hypothesis is right
+  double probability = 0;  ///< that the best hypothesis is right, "none of these" included
+  double none = 1;         ///< that neither the best nor any other hypothesis is right
   int hypotheses = 0;
-  int best = -1;            ///< Hypothesis::id
+  int best = -1;  ///< Hypothesis::id
   struct Alternative {
     int hypothesis = -1;
     Pose2 T_map_base;

@@ -11,7 +11,7 @@ namespace opal {
 struct ActiveScorer {
   std::string name;
   std::shared_ptr<const HypothesisScorer> part;
-  bool decides = true;   ///< false: observes, its scores are recorded and change nothing
+  bool decides = true;  ///< false: observes, its scores are recorded and change nothing
   double weight = 1;
 };
 

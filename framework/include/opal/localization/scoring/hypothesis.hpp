@@ -16,11 +16,11 @@ struct Association {
 
 /// One answer to "where am I": a set of associations, and the registration that they imply.
 struct Hypothesis {
-  int id = 0;                               ///< unique over a run; never reused
-  Pose2 T_map_local;                        ///< registration of the local map
-  std::vector<Association> associations;    ///< along the branch of the association tree, root first
-  double log_likelihood = 0;                ///< evidence gathered so far [nat], against "all of this is clutter"
-  ScorerMemories memories;                  ///< what scorers remember of it
+  int id = 0;                             ///< unique over a run; never reused
+  Pose2 T_map_local;                      ///< registration of the local map
+  std::vector<Association> associations;  ///< along the branch of the association tree, root first
+  double log_likelihood = 0;              ///< evidence gathered so far [nat], against "all of this is clutter"
+  ScorerMemories memories;                ///< what scorers remember of it
 };
 
 }  // namespace opal

@@ -12,15 +12,15 @@ namespace opal {
 /// Judges one hypothesis. Pure: same arguments, same score. Called from the localizer's thread only, for some
 /// hundred hypotheses per scan, so it should take microseconds and allocate nothing per beam.
 ///
-/// A scorer may remember what a hypothesis has met, since seeing the same thing again is hardly new evidence. The framework
-/// keeps the memory: a hypothesis carries it, a branch begins with a copy, and a hypothesis that ends drops it. Only the
-/// scorer that made a memory reads and changes it.
+/// A scorer may remember what a hypothesis has met, since seeing the same thing again is hardly new evidence. The
+/// framework keeps the memory: a hypothesis carries it, a branch begins with a copy, and a hypothesis that ends drops
+/// it. Only the scorer that made a memory reads and changes it.
 class OPAL_EXPORT HypothesisScorer {
  public:
   virtual ~HypothesisScorer();
 
-  /// What is remembered of a hypothesis that has met nothing yet. Asked once for each map; every hypothesis begins with a
-  /// copy. Null, the default: this scorer remembers nothing, and the three functions with a memory are not used.
+  /// What is remembered of a hypothesis that has met nothing yet. Asked once for each map; every hypothesis begins with
+  /// a copy. Null, the default: this scorer remembers nothing, and the three functions with a memory are not used.
   virtual std::unique_ptr<ScorerMemory> new_memory(const MapView& map) const;
 
   /// The robot under this hypothesis stands at hypothesis.T_map_local * observation.local_map.T_local_base().
@@ -40,8 +40,8 @@ class OPAL_EXPORT HypothesisScorer {
   /// @param weight  as for `remember`, in (0, 1].
   virtual void fade(ScorerMemory& memory, double weight) const;
 
-  /// Whether a score depends on Hypothesis::associations. A candidate is ranked with those by which it was found, and begins
-  /// with what the scan alone says of it: a scorer that says no is asked once for both.
+  /// Whether a score depends on Hypothesis::associations. A candidate is ranked with those by which it was found, and
+  /// begins with what the scan alone says of it: a scorer that says no is asked once for both.
   virtual bool judges_associations() const;
 
   /// What the score of the same arguments rests on, most weighty first; a few findings at most, all of them facts about

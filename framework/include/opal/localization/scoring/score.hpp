@@ -17,7 +17,7 @@ struct Score {
     std::string name;
     double value = 0;
   };
-  std::vector<Term> breakdown;  ///< what it is made of, for people and for A/B records
+  std::vector<Term> breakdown;                    ///< what it is made of, for people and for A/B records
   std::shared_ptr<const ScorerMemory> seen = {};  ///< what this scan adds to the scorer's memory; null: nothing
 };
 
@@ -41,7 +41,8 @@ struct Observation {
   std::vector<Feature> features;
   /// For each of `points`, the number of its beam.
   std::vector<int> beams = {};
-  /// For each of `points`, its evidence cell of the local map (LocalMap::evidence_cells): the same for whoever is judged. Empty: as they are now.
+  /// For each of `points`, its evidence cell of the local map (LocalMap::evidence_cells): the same for whoever is
+  /// judged. Empty: as they are now.
   std::vector<int> evidence_cells = {};
 };
 

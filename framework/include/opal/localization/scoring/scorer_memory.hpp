@@ -18,8 +18,8 @@ class OPAL_EXPORT ScorerMemory {
   virtual std::unique_ptr<ScorerMemory> copy() const = 0;
 };
 
-/// What each scorer remembers of one hypothesis, by the scorer's position. A hypothesis carries it: hypotheses that branch
-/// share their memories until one of them is about to change (copy on write).
+/// What each scorer remembers of one hypothesis, by the scorer's position. A hypothesis carries it: hypotheses that
+/// branch share their memories until one of them is about to change (copy on write).
 class OPAL_EXPORT ScorerMemories {
  public:
   using Shared = std::shared_ptr<ScorerMemory>;

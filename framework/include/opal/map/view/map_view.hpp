@@ -16,8 +16,8 @@ struct Surface {
   Point direction = Point::Zero();  ///< a face's unit direction, visible side on the left; zero for a circle
   double size_m = 0;                ///< a face's length; a circle's radius
   int object = -1;                  ///< position in SemanticMap::objects()
-  /// Faces that lie on one straight line, look to the same side and are at most 30 m apart share a number, however a map
-  /// cuts them up; a circle has its own.
+  /// Faces that lie on one straight line, look to the same side and are at most 30 m apart share a number, however a
+  /// map cuts them up; a circle has its own.
   int line = -1;
 
   bool is_circle() const { return direction.x() == 0 && direction.y() == 0; }
@@ -63,18 +63,19 @@ class OPAL_EXPORT MapView {
   /// exp(-d^2 / (2 * 0.2^2)) of the distance d to the nearest surface, by grid lookup: for coarse, fast judgements.
   float likelihood_field(const Point& p) const;
   /// Sum of the likelihood-field score of `position + point`, over all points.
-  /// @param slack_m  0 to 0.5: every surface counts as nearer by that, so that this is the most that any position within
+  /// @param slack_m  0 to 0.5: every surface counts as nearer by that, so that this is the most that any position
+  /// within
   ///                 slack_m can have.
   float likelihood_field_sum(std::span<const Point> points, const Point& position, double slack_m = 0) const;
-  /// The same by the least distance in cells of 0.4 m: about the most that positions 0.2 m around can have. Far cheaper in
-  /// a large map, where every lookup waits for memory.
+  /// The same by the least distance in cells of 0.4 m: about the most that positions 0.2 m around can have. Far cheaper
+  /// in a large map, where every lookup waits for memory.
   float coarse_likelihood_field_sum(std::span<const Point> points, const Point& position) const;
 
   /// First surface that a ray from `origin` crosses on its way to `target`.
   struct Crossing {
-    int feature = -1;         ///< -1: the way is free
-    double range_m = 0;       ///< from origin
-    bool from_behind = false; ///< crossed from the side on which it is not visible
+    int feature = -1;          ///< -1: the way is free
+    double range_m = 0;        ///< from origin
+    bool from_behind = false;  ///< crossed from the side on which it is not visible
   };
   /// @param min_penetration_m  surfaces that the target overshoots by less, measured perpendicular to them, do not
   ///                           count.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/sensing/feature_detector.hpp>
 #include <opal/plugin/registrar.hpp>
+#include <opal/sensing/feature_detector.hpp>
 
 #include <string>
 #include <vector>
@@ -24,8 +24,7 @@ struct DetectorTrial {
 /// produces, with covariances; nothing thrown for a poor scan; the same scan gives the same features, also
 /// from two threads; a rotated scan gives the rotated features.
 /// @return violations, one sentence each; empty for a good citizen.
-OPAL_EXPORT std::vector<std::string> detector_violations(const FeatureDetector& detector,
-                                                         const TypeInfo& type,
+OPAL_EXPORT std::vector<std::string> detector_violations(const FeatureDetector& detector, const TypeInfo& type,
                                                          const DetectorTrial& trial = {});
 
 }  // namespace opal::testing

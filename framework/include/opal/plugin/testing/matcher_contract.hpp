@@ -1,7 +1,7 @@
 #pragma once
 
-#include <opal/plugin/registrar.hpp>
 #include <opal/local_map/scan_matcher.hpp>
+#include <opal/plugin/registrar.hpp>
 
 #include <string>
 #include <vector>

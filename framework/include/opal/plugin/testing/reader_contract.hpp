@@ -1,8 +1,8 @@
 #pragma once
 
-#include <opal/sensing/log_source.hpp>
 #include <opal/map/map_importer.hpp>
 #include <opal/plugin/registrar.hpp>
+#include <opal/sensing/log_source.hpp>
 
 #include <string>
 #include <vector>
@@ -14,7 +14,6 @@ namespace opal::testing {
 /// interface names.
 /// @return violations, one sentence each; empty for a good citizen.
 OPAL_EXPORT std::vector<std::string> log_source_violations(const LogSource& source, const TypeInfo& type);
-OPAL_EXPORT std::vector<std::string> map_importer_violations(const MapImporter& importer,
-                                                             const TypeInfo& type);
+OPAL_EXPORT std::vector<std::string> map_importer_violations(const MapImporter& importer, const TypeInfo& type);
 
 }  // namespace opal::testing

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
-#include <opal/plugin/registrar.hpp>
 #include <opal/map/semantic_map.hpp>
+#include <opal/plugin/registrar.hpp>
 
 #include <memory>
 #include <string>

@@ -18,9 +18,9 @@ class ParticleFilter::Mrpt : public mrpt::slam::CMonteCarloLocalization2D {
  public:
   explicit Mrpt(const LikelihoodField& field) : field_(field) {}
 
-  double PF_SLAM_computeObservationLikelihoodForParticle(
-      const mrpt::bayes::CParticleFilter::TParticleFilterOptions&, const size_t,
-      const mrpt::obs::CSensoryFrame&, const mrpt::poses::CPose3D& x) const override {
+  double PF_SLAM_computeObservationLikelihoodForParticle(const mrpt::bayes::CParticleFilter::TParticleFilterOptions&,
+                                                         const size_t, const mrpt::obs::CSensoryFrame&,
+                                                         const mrpt::poses::CPose3D& x) const override {
     return field_.log_weight(x.x(), x.y(), x.yaw());
   }
 
@@ -30,8 +30,7 @@ class ParticleFilter::Mrpt : public mrpt::slam::CMonteCarloLocalization2D {
 
 namespace {
 
-std::vector<opal::Point> free_cells(const mrpt::maps::COccupancyGridMap2D& grid,
-                                    const std::optional<Region>& region) {
+std::vector<opal::Point> free_cells(const mrpt::maps::COccupancyGridMap2D& grid, const std::optional<Region>& region) {
   std::vector<opal::Point> cells;
   for (int row = 0; row < static_cast<int>(grid.getSizeY()); ++row)
     for (int column = 0; column < static_cast<int>(grid.getSizeX()); ++column) {
@@ -63,8 +62,7 @@ Cluster taken_with_neighbours(std::map<Bin, Cluster>& bins, const Bin& first, in
     cluster.add(found->second);
     bins.erase(found);
     for (int k = 0; k < 27; ++k)
-      open.push_back(
-          {bin[0] + k % 3 - 1, bin[1] + k / 3 % 3 - 1, (bin[2] + k / 9 - 1 + headings) % headings});
+      open.push_back({bin[0] + k % 3 - 1, bin[1] + k / 3 % 3 - 1, (bin[2] + k / 9 - 1 + headings) % headings});
   }
   return cluster;
 }
@@ -72,8 +70,7 @@ Cluster taken_with_neighbours(std::map<Bin, Cluster>& bins, const Bin& first, in
 }  // namespace
 
 ParticleFilter::ParticleFilter(const mrpt::maps::COccupancyGridMap2D::Ptr& grid, const LikelihoodField& field,
-                               const FilterOptions& options, const std::optional<Region>& region,
-                               std::uint32_t seed)
+                               const FilterOptions& options, const std::optional<Region>& region, std::uint32_t seed)
     : options_(options), filter_(std::make_unique<Mrpt>(field)) {
   const std::vector<opal::Point> cells = free_cells(*grid, region);
   if (cells.empty()) throw opal::MapError("no free cell to spread particles over");
@@ -82,13 +79,11 @@ ParticleFilter::ParticleFilter(const mrpt::maps::COccupancyGridMap2D::Ptr& grid,
   filter_->clearParticles();
   filter_->m_particles.resize(static_cast<std::size_t>(options.most_particles));
   for (auto& particle : filter_->m_particles) {
-    const opal::Point& cell =
-        cells[std::min(cells.size() - 1, static_cast<std::size_t>(random.drawUniform(0.0, 1.0) *
-                                                                  static_cast<double>(cells.size())))];
+    const opal::Point& cell = cells[std::min(
+        cells.size() - 1, static_cast<std::size_t>(random.drawUniform(0.0, 1.0) * static_cast<double>(cells.size())))];
     const double half_m = grid->getResolution() / 2;
-    particle.d =
-        mrpt::math::TPose2D(cell.x() + random.drawUniform(-half_m, half_m),
-                            cell.y() + random.drawUniform(-half_m, half_m), random.drawUniform(-M_PI, M_PI));
+    particle.d = mrpt::math::TPose2D(cell.x() + random.drawUniform(-half_m, half_m),
+                                     cell.y() + random.drawUniform(-half_m, half_m), random.drawUniform(-M_PI, M_PI));
     particle.log_w = 0;
   }
   filter_->options.metricMap = grid;  // MRPT asks for one, though the likelihood field stands in for it
@@ -134,8 +129,7 @@ opal::Pose2 ParticleFilter::best() const {
     const double w = std::exp(particle.log_w - most), heading = particle.d.phi;
     const int turn = static_cast<int>(std::floor((opal::wrap_angle(heading) + M_PI) / options_.bin_rad));
     bins[{static_cast<int>(std::floor(particle.d.x / options_.bin_m)),
-          static_cast<int>(std::floor(particle.d.y / options_.bin_m)),
-          (turn % headings + headings) % headings}]
+          static_cast<int>(std::floor(particle.d.y / options_.bin_m)), (turn % headings + headings) % headings}]
         .add({w, w * particle.d.x, w * particle.d.y, w * std::cos(heading), w * std::sin(heading)});
   }
   Cluster best;

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-LikelihoodField::LikelihoodField(const mrpt::maps::COccupancyGridMap2D& grid,
-                                 const LikelihoodFieldOptions& options)
+LikelihoodField::LikelihoodField(const mrpt::maps::COccupancyGridMap2D& grid, const LikelihoodFieldOptions& options)
     : options_(options),
       x_min_(grid.getXMin()),
       y_min_(grid.getYMin()),
       resolution_m_(grid.getResolution()),
       columns_(static_cast<int>(grid.getSizeX())),
       rows_(static_cast<int>(grid.getSizeY())) {
-  std::vector<float> nearest_m(static_cast<std::size_t>(columns_) * rows_,
-                               static_cast<float>(options.farthest_m));
+  std::vector<float> nearest_m(static_cast<std::size_t>(columns_) * rows_, static_cast<float>(options.farthest_m));
   const int reach = static_cast<int>(options.farthest_m / resolution_m_);
   for (int row = 0; row < rows_; ++row)
     for (int column = 0; column < columns_; ++column) {

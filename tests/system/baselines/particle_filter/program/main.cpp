@@ -59,8 +59,8 @@ void run(const Options& options) {
       localized = filter.localized();
     }
     const opal::Pose2 now = T_map_laser * (T_odom_laser->inverse() * scan.T_odom_laser);
-    out << scan.stamp_s << ',' << now.x() << ',' << now.y() << ',' << now.heading_rad() << ',' << localized
-        << ',' << filter.particles() << ',' << (updates ? cpu_ms() - before_ms : 0) << '\n';
+    out << scan.stamp_s << ',' << now.x() << ',' << now.y() << ',' << now.heading_rad() << ',' << localized << ','
+        << filter.particles() << ',' << (updates ? cpu_ms() - before_ms : 0) << '\n';
   }
   if (!out.flush()) throw opal::Error(options.out + ": cannot be written");
 }
@@ -73,11 +73,8 @@ int main(int argc, char** argv) {
   app.add_option("--map", options.map, "grid map (yaml of ROS map_server)")->required();
   app.add_option("--log", options.log, "CARMEN log (.log, .log.gz)")->required();
   app.add_option("--laser", options.laser, "the laser (.info.json)")->required();
-  app.add_option("--out", options.out, "table to write: timestamp,x,y,theta,localized,hypotheses,cpu_ms")
-      ->required();
-  app.add_option("--region", options.region, "X,Y,R: the robot starts in this circle [m]")
-      ->delimiter(',')
-      ->expected(3);
+  app.add_option("--out", options.out, "table to write: timestamp,x,y,theta,localized,hypotheses,cpu_ms")->required();
+  app.add_option("--region", options.region, "X,Y,R: the robot starts in this circle [m]")->delimiter(',')->expected(3);
   app.add_option("--seed", options.seed, "of the particles")->capture_default_str();
   app.add_option("--particles", options.filter.most_particles, "at most, and at first")
       ->capture_default_str()

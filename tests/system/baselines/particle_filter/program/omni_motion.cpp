@@ -20,6 +20,5 @@ mrpt::poses::CPosePDFGaussian omni_motion(const opal::Pose2& step, const OmniMot
   covariance(1, 1) = s * s * along + c * c * across + kLeast;
   covariance(0, 1) = covariance(1, 0) = c * s * (along - across);
   covariance(2, 2) = turn + kLeast;
-  return mrpt::poses::CPosePDFGaussian(mrpt::poses::CPose2D(step.x(), step.y(), step.heading_rad()),
-                                       covariance);
+  return mrpt::poses::CPosePDFGaussian(mrpt::poses::CPose2D(step.x(), step.y(), step.heading_rad()), covariance);
 }
