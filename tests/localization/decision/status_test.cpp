@@ -283,5 +283,7 @@ TEST_CASE("an estimator that is reset has forgotten what was") {
   CHECK_FALSE(answer.estimator.localized());
   CHECK_FALSE(answer.estimator.believed());
   CHECK(answer.estimator.probability() == 0);
-  CHECK(answer.to({hypothesis(1, kHere, 20)}).status != Status::localized);
+  const PoseEstimate anew = answer.to({hypothesis(1, kHere, 3)});
+  CHECK(anew.status != Status::localized);
+  CHECK(anew.none == Answer().to({hypothesis(1, kHere, 3)}).none);
 }

@@ -213,6 +213,9 @@ TEST_CASE("where the robot was kidnapped to is not hopeless because of what was 
   CHECK_FALSE(verdict.hopeless);
   CHECK(verdict.kidnapped_after == 8);
   CHECK(verdict.nat == 3);
+  past.past.suspect(RetrospectiveVerification::Takeover{8, -100});  // a high price is a price all the same
+  CHECK_FALSE(past.truth().hopeless);
+  CHECK(past.truth().nat == -100);
 }
 
 TEST_CASE("a kidnapping excuses nothing that was seen since then") {
