@@ -153,6 +153,24 @@ TEST_CASE("who knows roughly where the robot is finds it there only") {
     CHECK((each.candidate.T_map_base.position() - there.position()).norm() < 3 + 0.4);  // alignment may leave it a little
 }
 
+TEST_CASE("filters that pass a few of many places pass the true one") {
+  const std::size_t whole = GENERATE(0u, 5u, 8u);  // the only room that has all that is seen
+  CAPTURE(whole);
+  Features features;
+  for (std::size_t k = 0; k < 9; ++k) {
+    Features next = moved(Pose2(15.03 * static_cast<double>(k), 0, 0), room());
+    if (k != whole) next.erase(next.begin() + (k % 2 ? 1 : 5));  // a wall
+    features.insert(features.end(), next.begin(), next.end());
+  }
+  const Pose2 truth = Pose2(15.03 * static_cast<double>(whole), 0, 0) * kTruth;
+  SearchOptions options;
+  options.close_looks = 10;
+  options.candidates = 1;
+  const auto found = Searching(features, truth, options).find().candidates;
+  REQUIRE(found.size() == 1);
+  CHECK(is_at(found.front(), truth));
+}
+
 TEST_CASE("nothing is found in a region without anything") {
   CHECK(Searching(room(), kTruth, in_region({500, 500}, 3)).find().candidates.empty());
 }
