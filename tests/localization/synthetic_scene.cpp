@@ -3,6 +3,7 @@
 #include "localization/alignment/registration.hpp"
 #include "localization/scoring/observation.hpp"
 
+#include <array>
 #include <numbers>
 
 namespace opal::synthetic {
@@ -125,7 +126,8 @@ double count_of(const Hypothesis& hypothesis, std::size_t scorer) {
 namespace {
 
 struct FitScorer : HypothesisScorer {
-  Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map, const ScorerMemory*) const override {
+  Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
+              const ScorerMemory*) const override {
     const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
     return {6 * (likelihood_field_score(map, observation.points, T_map_base) - 0.5), {}, {}};
   }

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
+
 using namespace opal;
 using namespace opal::synthetic;
 

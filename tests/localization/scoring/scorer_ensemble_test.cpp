@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include <limits>
+#include <map>
+#include <stdexcept>
 
 using namespace opal;
 using namespace opal::synthetic;
@@ -111,6 +113,21 @@ TEST_CASE("each scorer sees its own memory") {
   CHECK(count_of(hypothesis, 0) == 1);
   CHECK(count_of(hypothesis, 2) == 0.5);
   CHECK(judges.ensemble.decide(hypothesis, moment.seen) == 1 + 10 * 0.5);
+}
+
+// new_memory threw, so there is none, and the scorer is asked all the same.
+TEST_CASE("a scorer that made no memory is never asked without one", "[!shouldfail]") {
+  struct Forgetful : CountingScorer {
+    std::unique_ptr<ScorerMemory> new_memory(const MapView&) const override { throw std::runtime_error("out of memory"); }
+    Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory* memory) const override {
+      CHECK(memory != nullptr);
+      return {};
+    }
+  };
+  const Moment moment;
+  const Judges judges(moment.map, {{"forgetful", std::make_shared<Forgetful>(), true, 1}});
+  CHECK(judges.failures.counts().at("forgetful") == 1);
+  judges.ensemble.decide(moment.hypothesis, moment.seen);
 }
 
 TEST_CASE("a hypothesis without memories is one that has met nothing yet, again and again") {

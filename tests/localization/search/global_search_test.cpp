@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <random>
 
 using namespace opal;
@@ -106,7 +107,8 @@ TEST_CASE("a candidate says what its pattern is on the map") {
   CHECK(searching.search.pattern_name(best.pattern) == "corner");
   REQUIRE(best.pairs.size() == 1);
   const auto& local = searching.robot.local_map().features();
-  const auto seen = std::find_if(local.begin(), local.end(), [&](const LocalFeature& f) { return f.id == best.pairs[0].local_feature; });
+  const auto seen = std::find_if(local.begin(), local.end(),
+                                 [&](const LocalFeature& each) { return each.id == best.pairs[0].local_feature; });
   REQUIRE(seen != local.end());
   const Geometry placed = transformed(searching.robot.truth().T_map_local, seen->feature.geometry);
   CHECK(distance_m(searching.map->feature(best.pairs[0].map_feature).geometry, anchor_of(placed)) < 0.05);
@@ -255,7 +257,9 @@ TEST_CASE("patterns with a free parameter are not looked up where a pose was fou
   const Searching searching(room(), kTruth, {}, {corners(), walls()});
   LocalMap local_map({}, nullptr);
   const Observation seen = with_wall(searching, local_map);
-  for (const auto& pattern : searching.find(seen, true).looked_up) CHECK(searching.search.pattern_name(pattern.pattern) == "corner");
+  const auto looked_up = searching.find(seen, true).looked_up;
+  CHECK_FALSE(looked_up.empty());
+  for (const auto& pattern : looked_up) CHECK(searching.search.pattern_name(pattern.pattern) == "corner");
 }
 
 // Candidates by patterns that fix the pose and by those that do not are put together unseen.

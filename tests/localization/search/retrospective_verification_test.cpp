@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
+
 using namespace opal;
 using namespace opal::synthetic;
 
@@ -19,8 +21,8 @@ VerificationOptions options(int scans = 40) {
 
 /// A robot that drives through the room from its left to its right, and remembers.
 struct Past {
-  explicit Past(std::vector<ActiveScorer> scorers = {{"fit", fit_scorer(), true, 1}}, const VerificationOptions& given = options(),
-                double memory = kMemory)
+  explicit Past(std::vector<ActiveScorer> scorers = {{"fit", fit_scorer(), true, 1}},
+                const VerificationOptions& given = options(), double memory = kMemory)
       : judges(map, std::move(scorers)), past(map, judges.ensemble, given, memory) {}
   void see(double tempering_weight = 1, double best_nat = 2.9) {
     robot.drive_to(robot.T_map_base() * Pose2(0.4, 0.05, 0.02));

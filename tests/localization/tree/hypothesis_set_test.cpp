@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 
@@ -63,6 +65,10 @@ struct Line {
       return Score{nat_at(x_m), veto_at(x_m), {}};
     });
   }
+  /// Without points, hypotheses stay where dead reckoning has them.
+  Observation nothing_seen() const {
+    return {.local_map = local_map, .points = {}, .free_bearings_rad = {}, .features = {}};
+  }
   /// @param features  frame of the base.
   void see(const Features& features, const Pose2& T_odom_base) { local_map.add(Scan{}, features, T_odom_base, Pose2()); }
   void spawn(const std::vector<double>& places_m, double tempering_weight = 1) {
@@ -71,10 +77,10 @@ struct Line {
       candidates.emplace_back();
       candidates.back().candidate.T_map_base = Pose2(x_m, 0, 0);
     }
-    set.spawn(std::move(candidates), Observation{.local_map = local_map, .points = {}, .free_bearings_rad = {}, .features = {}}, tempering_weight, past);
+    set.spawn(std::move(candidates), nothing_seen(), tempering_weight, past);
   }
   void track(double tempering_weight = 1) {
-    set.track(Observation{.local_map = local_map, .points = {}, .free_bearings_rad = {}, .features = {}}, tempering_weight, {}, {0, 0});
+    set.track(nothing_seen(), tempering_weight, {}, {0, 0});
   }
   void grow() {
     std::vector<const LocalFeature*> all;
@@ -511,7 +517,8 @@ namespace {
 
 /// What is seen for the first time counts most.
 struct NoveltyScorer : CountingScorer {
-  Score score(const Hypothesis& hypothesis, const Observation& seen, const MapView& map, const ScorerMemory* memory) const override {
+  Score score(const Hypothesis& hypothesis, const Observation& seen, const MapView& map,
+              const ScorerMemory* memory) const override {
     Score score = CountingScorer::score(hypothesis, seen, map, memory);
     score.log_likelihood = 3 / (1 + score.log_likelihood);
     return score;
