@@ -1,0 +1,189 @@
+#include "localization/decision/kidnap_detector.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+using namespace opal;
+
+namespace {
+
+constexpr double kGood_nat = 2, kBad_nat = -1;
+constexpr double kMemory = 0.99;
+
+/// A robot with one hypothesis, scan after scan.
+struct Watch {
+  void see(double scan_nat, double match_share = 1, bool established = true) {
+    gathered_nat = kMemory * gathered_nat + scan_nat;
+    detector.add({++keyframe, 1, match_share, scan_nat, gathered_nat, established});
+  }
+  void see_good(int scans) {
+    for (int k = 0; k < scans; ++k) see(kGood_nat);
+  }
+  void see_bad(int scans) {
+    for (int k = 0; k < scans; ++k) see(kBad_nat);
+  }
+  /// The scan continues nothing and fits nowhere, nor do those after it.
+  void be_kidnapped(int scans_after) {
+    see(kBad_nat, 0);
+    see_bad(scans_after);
+  }
+  KidnapDetector detector{KidnappingOptions{}, kMemory};
+  int keyframe = 0;
+  double gathered_nat = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a hypothesis that was never believed is no place to be kidnapped from") {
+  Watch watch;
+  for (int k = 0; k < 20; ++k) watch.see(kBad_nat, 0, false);
+  CHECK_FALSE(watch.detector.suspected());
+  CHECK(watch.detector.probability() < 0.01);
+}
+
+TEST_CASE("good scans raise no suspicion, even one that continues nothing") {
+  Watch watch;
+  watch.see_good(10);
+  watch.see(kGood_nat, 0);
+  watch.see_good(1);
+  CHECK_FALSE(watch.detector.suspected());
+  CHECK(watch.detector.probability() < 0.01);
+}
+
+TEST_CASE("one bad scan that continues those before it is no reason to search") {
+  Watch watch;
+  watch.see_good(10);
+  watch.see_bad(1);
+  CHECK_FALSE(watch.detector.suspected());
+  CHECK(watch.detector.probability() < 0.01);
+}
+
+TEST_CASE("who drives into a part that the map has wrong is not kidnapped, however long it lasts") {
+  Watch watch;
+  watch.see_good(10);
+  watch.see_bad(50);
+  CHECK_FALSE(watch.detector.suspected());
+  CHECK(watch.detector.probability() < 0.5);
+}
+
+TEST_CASE("bad scans after one that continues nothing are a kidnapping after the last good scan") {
+  Watch watch;
+  watch.see_good(10);
+  const int last_good = watch.keyframe;
+  const double gathered_nat = watch.gathered_nat;
+  watch.be_kidnapped(3);
+  const auto takeover = watch.detector.suspected();
+  REQUIRE(takeover);
+  CHECK(takeover->keyframe == last_good);
+  CHECK(takeover->nat < gathered_nat + KidnappingOptions{}.prior_nat);  // the price, and one place of many
+  watch.see_bad(4);
+  CHECK(watch.detector.probability() > 0.9);
+}
+
+TEST_CASE("what a takeover inherits fades while suspicion lasts, as tracking lets it fade") {
+  Watch watch;
+  watch.see_good(30);
+  watch.be_kidnapped(3);
+  const auto early = watch.detector.suspected();
+  watch.see_bad(10);
+  const auto late = watch.detector.suspected();
+  REQUIRE((early && late));
+  CHECK(late->keyframe == early->keyframe);
+  CHECK(late->nat < early->nat);
+}
+
+TEST_CASE("good scans take suspicion back, whatever has gathered") {
+  Watch watch;
+  watch.see_good(10);
+  watch.be_kidnapped(100);
+  REQUIRE(watch.detector.suspected());
+  watch.see_good(10);
+  CHECK_FALSE(watch.detector.suspected());
+  CHECK(watch.detector.probability() < 0.01);
+}
+
+TEST_CASE("suspicion once raised goes on though the hypothesis is no longer believed") {
+  Watch watch;
+  watch.see_good(10);
+  watch.see(kBad_nat, 0);
+  for (int k = 0; k < 5; ++k) watch.see(kBad_nat, 1, false);
+  CHECK(watch.detector.suspected());
+}
+
+TEST_CASE("a place that looks alike by chance is suspect after a scan that continues nothing, and else it is not") {
+  constexpr double kAlike_nat = 0.4;  // more than nothing, much less than usual
+  Watch kidnapped, driving;
+  for (Watch* watch : {&kidnapped, &driving}) watch->see_good(60);
+  kidnapped.see(kAlike_nat, 0);
+  driving.see(kAlike_nat);
+  for (int k = 0; k < 20; ++k)
+    for (Watch* watch : {&kidnapped, &driving}) watch->see(kAlike_nat);
+  CHECK(kidnapped.detector.suspected());
+  CHECK_FALSE(driving.detector.suspected());
+  CHECK(driving.detector.probability() < 0.01);
+}
+
+TEST_CASE("the probability of a kidnapping grows with every bad scan and shrinks with every good one") {
+  Watch watch;
+  watch.see_good(10);
+  watch.see(kBad_nat, 0);
+  double before = watch.detector.probability();
+  for (int k = 0; k < 10; ++k) {
+    watch.see_bad(1);
+    CHECK(watch.detector.probability() >= before);
+    before = watch.detector.probability();
+  }
+  for (int k = 0; k < 10; ++k) {
+    watch.see_good(1);
+    CHECK(watch.detector.probability() <= before);
+    before = watch.detector.probability();
+  }
+}
+
+TEST_CASE("worse scans make a kidnapping no less probable") {
+  double before = 0;
+  for (const double nat : {2.0, 1.0, 0.0, -0.5, -1.0, -2.0, -20.0}) {
+    Watch watch;
+    watch.see_good(10);
+    watch.see(nat, 0);
+    watch.see(nat);
+    CHECK(watch.detector.probability() >= before);
+    before = watch.detector.probability();
+  }
+}
+
+TEST_CASE("the probability of a kidnapping is one, whatever was seen") {
+  const unsigned seed = GENERATE(1u, 2u, 3u);
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> nat(-30, 30), share(0, 1);
+  Watch watch;
+  for (int k = 0; k < 300; ++k) {
+    watch.see(nat(random), share(random), random() % 2 == 0);
+    CHECK(watch.detector.probability() >= 0);
+    CHECK(watch.detector.probability() <= 1);
+    if (watch.detector.suspected()) CHECK(watch.detector.suspected()->keyframe < watch.keyframe);
+  }
+}
+
+TEST_CASE("a scan alarms where it says much less than usual") {
+  Watch watch;
+  watch.see_good(60);
+  CHECK_FALSE(watch.detector.alarming(kGood_nat));
+  CHECK_FALSE(watch.detector.alarming(0.8));  // nearly half of it
+  CHECK(watch.detector.alarming(0));
+  CHECK(watch.detector.alarming(kBad_nat));
+}
+
+TEST_CASE("a detector that is reset suspects nothing and knows of no usual scan") {
+  Watch watch;
+  watch.see_good(60);
+  watch.be_kidnapped(10);
+  watch.detector.reset();
+  CHECK_FALSE(watch.detector.suspected());
+  CHECK(watch.detector.probability() == KidnapDetector(KidnappingOptions{}, kMemory).probability());
+  CHECK_FALSE(watch.detector.alarming(0));
+  watch.see_bad(1);
+  CHECK_FALSE(watch.detector.suspected());
+}
