@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 #include <opal/plugin/plugin_description.hpp>
 
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include "tests/kit/temporary_folder.hpp"
 
+#include <opal/common/error.hpp>
 #include "drawing/reliability_diagram.hpp"
 #include "evaluation/calibration.hpp"
-#include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -31,8 +31,8 @@ TEST_CASE("who says what comes true has no calibration error, and the Brier scor
   const Calibration c = calibration_of(honest_statements(200'000), Weighting::per_statement);
   CHECK(c.expected_error < 0.005);
   CHECK(c.reliability < 1e-4);
-  CHECK(c.brier == Approx(1.0 / 6).margin(0.002));     // mean of p (1 - p) for p in [0, 1]
-  CHECK(c.log_loss == Approx(0.5).margin(0.005));      // mean of -p log p - (1 - p) log(1 - p)
+  CHECK(c.brier == Approx(1.0 / 6).margin(0.002));  // mean of p (1 - p) for p in [0, 1]
+  CHECK(c.log_loss == Approx(0.5).margin(0.005));   // mean of -p log p - (1 - p) log(1 - p)
   CHECK(c.brier_within.low < c.brier);
   CHECK(c.brier_within.high > c.brier);
 }

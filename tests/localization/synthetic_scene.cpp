@@ -50,7 +50,7 @@ std::shared_ptr<const MapView> view_of(const Features& features) {
     objects.push_back({id, features[k].type});
     mapped.push_back({id + "-shape", static_cast<int>(k), features[k].type, "lidar", features[k].geometry});
   }
-  return std::make_shared<MapView>(SemanticMap::make("made up", std::move(objects), std::move(mapped)), "lidar");
+  return std::make_shared<MapView>(SemanticMap::make("synthetic", std::move(objects), std::move(mapped)), "lidar");
 }
 
 Scan scan_from(const MapView& map, const Pose2& T_map_base) {
@@ -59,7 +59,8 @@ Scan scan_from(const MapView& map, const Pose2& T_map_base) {
   Scan scan{0, step_rad, kRange_m, {}, {}};
   for (int beam = 0; beam < kBeams; ++beam) {
     const double bearing = -std::numbers::pi + beam * step_rad;
-    const auto met = map.first_crossing(T_map_laser.position(), T_map_laser * Point(kRange_m * unit_vector(bearing)), 0);
+    const auto met =
+        map.first_crossing(T_map_laser.position(), T_map_laser * Point(kRange_m * unit_vector(bearing)), 0);
     if (met.feature >= 0)
       scan.points.push_back({met.range_m * unit_vector(bearing), met.range_m, bearing, beam});
     else

@@ -20,7 +20,8 @@ namespace opal::synthetic {
 
 using Features = std::vector<Feature>;
 
-/// A room of 10 m by 7 m about (5, 3.5): walls, corners, and a column off its middle, so that no turn of it looks the same.
+/// A room of 10 m by 7 m about (5, 3.5): walls, corners, and a column off its middle, so that no turn of it looks the
+/// same.
 Features room();
 Features moved(const Pose2& motion, const Features& features);
 /// A map of these, in this order; a feature's number is its position. Perceived by "lidar".
@@ -63,7 +64,8 @@ class Robot {
 struct ToldScorer : HypothesisScorer {
   using Say = std::function<Score(const Hypothesis&, const Observation&)>;
   explicit ToldScorer(Say what) : say(std::move(what)) {}
-  Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView&, const ScorerMemory*) const override {
+  Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView&,
+              const ScorerMemory*) const override {
     return say(hypothesis, observation);
   }
   Say say;

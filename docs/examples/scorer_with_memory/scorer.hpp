@@ -6,15 +6,15 @@
 
 #include <map>
 
-/// By mapped object: the returns that ended on it, 1 for all returns of one scan. Only objects that were seen are in it,
-/// so that a copy is cheap.
+/// By mapped object: the returns that ended on it, 1 for all returns of one scan. Only objects that were seen are in
+/// it, so that a copy is cheap.
 struct SeenObjects final : opal::ScorerMemory {
   std::unique_ptr<opal::ScorerMemory> copy() const override { return std::make_unique<SeenObjects>(*this); }
   std::map<int, double> scans;
 };
 
-/// A likelihood field of objects that pays for what is new. A wrong place often has one wall that fits, and sees it again in
-/// every scan. The right place meets one fitting object after the other.
+/// A likelihood field of objects that pays for what is new. A wrong place often has one wall that fits, and sees it
+/// again in every scan. The right place meets one fitting object after the other.
 class NewObjectsScorer final : public opal::HypothesisScorer {
  public:
   explicit NewObjectsScorer(const nlohmann::json& options);
@@ -27,7 +27,8 @@ class NewObjectsScorer final : public opal::HypothesisScorer {
 
  private:
   /// The objects that one scan shows if the hypothesis is right.
-  SeenObjects seen_now(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map) const;
+  SeenObjects seen_now(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
+                       const opal::MapView& map) const;
   /// Evidence of a whole scan of returns on this object.
   double worth_nat(int object, const SeenObjects& before) const;
 

@@ -2,7 +2,7 @@
 
 #include "localization/search/retrospective_verification.hpp"
 
-#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 
 #include <optional>
 

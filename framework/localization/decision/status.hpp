@@ -3,7 +3,7 @@
 #include "localization/tree/hypothesis_set.hpp"
 
 #include <opal/localization/decision/pose_estimate.hpp>
-#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 
 #include <algorithm>
 

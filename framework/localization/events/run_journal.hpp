@@ -3,8 +3,8 @@
 #include "localization/decision/status.hpp"
 #include "localization/tree/hypothesis_set.hpp"
 
+#include <opal/common/stage_times.hpp>
 #include <opal/localization/events/event_stream.hpp>
-#include <opal/localization/events/stage_times.hpp>
 
 #include <unordered_map>
 

@@ -4,7 +4,7 @@
 #include "map/view/support_lines.hpp"
 
 #include <opal/common/named.hpp>
-#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/map/view/map_view.hpp>
 #include <opal/patterns/pattern_template.hpp>

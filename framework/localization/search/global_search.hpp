@@ -3,7 +3,7 @@
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/candidate_generation.hpp"
 
-#include <opal/localization/events/stage_times.hpp>
+#include <opal/common/stage_times.hpp>
 #include <opal/sensing/scan.hpp>
 
 #include <memory>

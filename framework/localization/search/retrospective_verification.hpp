@@ -2,7 +2,7 @@
 
 #include "localization/scoring/scorer_ensemble.hpp"
 
-#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 
 #include <algorithm>
 #include <deque>

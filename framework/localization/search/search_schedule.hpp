@@ -1,7 +1,7 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
-#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 
 #include <optional>
 

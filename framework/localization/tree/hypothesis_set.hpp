@@ -8,7 +8,7 @@
 #include "localization/alignment/pose_filter.hpp"
 #include "localization/tree/association_tree.hpp"
 
-#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 
 #include <vector>
 

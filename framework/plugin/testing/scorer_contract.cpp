@@ -61,8 +61,8 @@ class Visit {
       Feature feature;
       feature.type = view.feature(number).type;
       feature.geometry = transformed(T_map_base.inverse(), view.feature(number).geometry);
-      const bool two = kind_of(feature.geometry) == GeometryKind::point ||
-                       kind_of(feature.geometry) == GeometryKind::segment;
+      const bool two =
+          kind_of(feature.geometry) == GeometryKind::point || kind_of(feature.geometry) == GeometryKind::segment;
       feature.covariance = Eigen::Vector3d(1e-4, 1e-4, two ? 0.0 : 1e-4).asDiagonal();
       if (const auto* face = std::get_if<Segment>(&feature.geometry)) feature.support_m = face->length_m();
       features_.push_back(feature);
@@ -124,8 +124,7 @@ class Judging {
         check(name, hypothesis, visit.observation(), view);
         check_poor(name, hypothesis, visit.observation(), view);
       }
-      for (const Pose2& motion : {Pose2(3.25, -7.5, 0), Pose2(-11.3, 4.7, 0.83)})
-        check_moved(visit, view, motion);
+      for (const Pose2& motion : {Pose2(3.25, -7.5, 0), Pose2(-11.3, 4.7, 0.83)}) check_moved(visit, view, motion);
     }
     return violations_.take();
   }
@@ -145,8 +144,7 @@ class Judging {
     return score;
   }
 
-  void check(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
-             const MapView& view) {
+  void check(const std::string& name, const Hypothesis& hypothesis, const Observation& seen, const MapView& view) {
     const auto score = ask(name, hypothesis, seen, view);
     if (!score) return;
     if (!std::isfinite(score->log_likelihood))
@@ -154,8 +152,8 @@ class Judging {
     for (const Score::Term& term : score->breakdown) {
       if (term.name.empty()) violations_.add("name", "gives " + name + " a score with a term without a name");
       if (!std::isfinite(term.value))
-        violations_.add("term", "gives " + name + " a score whose term " + term.name + " is " +
-                                    std::to_string(term.value));
+        violations_.add("term",
+                        "gives " + name + " a score whose term " + term.name + " is " + std::to_string(term.value));
     }
     const auto again = ask(name, hypothesis, seen, view);
     if (!(again && same_score(*again, *score)) && std::isfinite(score->log_likelihood))
@@ -170,7 +168,9 @@ class Judging {
     hypothesis.associations.clear();
     const auto alone = ask(name, hypothesis, seen, view);
     if (alone && !same_score(*alone, score))
-      violations_.add("associations", "gives " + name + " another score than without its associations, which it says it does not judge");
+      violations_.add(
+          "associations",
+          "gives " + name + " another score than without its associations, which it says it does not judge");
   }
 
   void check_findings(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
@@ -181,17 +181,16 @@ class Judging {
       if (finding.words.empty()) violations_.add("finding", "explains " + name + " with a finding without words");
       if (finding.map_feature >= static_cast<int>(view.map().features().size()))
         violations_.add("finding", "explains " + name + " with a mapped feature that does not exist");
-      const bool finite = std::all_of(finding.line.begin(), finding.line.end(), [](const Point& p) { return p.allFinite(); });
+      const bool finite =
+          std::all_of(finding.line.begin(), finding.line.end(), [](const Point& p) { return p.allFinite(); });
       if (!finite || (finding.line.size() != 0 && finding.line.size() != 2))
         violations_.add("finding", "explains " + name + " with a line that is not two finite points");
     }
   }
 
-  void check_poor(const std::string& name, const Hypothesis& hypothesis, const Observation& seen,
-                  const MapView& view) {
+  void check_poor(const std::string& name, const Hypothesis& hypothesis, const Observation& seen, const MapView& view) {
     const LocalMap nothing(LocalMapOptions{}, nullptr);
-    check(name + " of an empty observation", hypothesis, Observation{nothing, {}, {}, 12, Point::Zero(), {}},
-          view);
+    check(name + " of an empty observation", hypothesis, Observation{nothing, {}, {}, 12, Point::Zero(), {}}, view);
     Observation dark = seen;
     dark.points.clear();
     dark.features.clear();
@@ -249,8 +248,7 @@ std::shared_ptr<const SemanticMap> example_map() {
                                     {7.2, 8},
                                     {0, 8}}))
     add("Wall", face);
-  for (const Point& center : {Point(2, 2), Point(5, 6.5), Point(11, 4.5)})
-    add("Column", Circle{center, 0.25});
+  for (const Point& center : {Point(2, 2), Point(5, 6.5), Point(11, 4.5)}) add("Column", Circle{center, 0.25});
   add("Corner", OrientedPoint{{0, 0}, 0.25 * std::numbers::pi, 0.5 * std::numbers::pi});
   return SemanticMap::make("example", std::move(objects), std::move(features));
 }

@@ -42,7 +42,8 @@ class MemoryTrial {
   /// What the framework does with a scan that counts.
   void live_on(ScorerMemory& memory, double weight) {
     const auto now = score(&memory);
-    violations_.expect_no_throw("fading the memory of " + ask_.name, [&] { ask_.scorer.fade(memory, std::min(1.0, weight)); });
+    violations_.expect_no_throw("fading the memory of " + ask_.name,
+                                [&] { ask_.scorer.fade(memory, std::min(1.0, weight)); });
     if (!now || !now->seen) return;
     violations_.expect_no_throw("remembering a scan of " + ask_.name,
                                 [&] { ask_.scorer.remember(memory, *now->seen, weight); });
@@ -87,7 +88,8 @@ class MemoryTrial {
       for (int scan = 0; scan < kScans; ++scan) live_on(memory, weight);
     const auto now = score(&memory);
     if (now && !std::isfinite(now->log_likelihood))
-      violations_.add("memory stays finite", "gives " + ask_.name + " a score of " + std::to_string(now->log_likelihood) +
+      violations_.add("memory stays finite", "gives " + ask_.name + " a score of " +
+                                                 std::to_string(now->log_likelihood) +
                                                  " after it has remembered some scans");
   }
 

@@ -17,8 +17,9 @@ struct MemoryQuestion {
   const MapView& view;
 };
 
-/// The laws of memory (hypothesis_scorer.hpp, scorer_memory.hpp). Hypotheses branch by copies: a copy must be equal, and what
-/// one branch remembers must not reach the other. Trial poses are scored and dropped: a score must not change the memory.
+/// The laws of memory (hypothesis_scorer.hpp, scorer_memory.hpp). Hypotheses branch by copies: a copy must be equal,
+/// and what one branch remembers must not reach the other. Trial poses are scored and dropped: a score must not change
+/// the memory.
 void check_memory(const MemoryQuestion& question, Violations& violations);
 
 /// Whether two scores say the same.

@@ -118,7 +118,9 @@ TEST_CASE("each scorer sees its own memory") {
 // new_memory threw, so there is none, and the scorer is asked all the same.
 TEST_CASE("a scorer that made no memory is never asked without one", "[!shouldfail]") {
   struct Forgetful : CountingScorer {
-    std::unique_ptr<ScorerMemory> new_memory(const MapView&) const override { throw std::runtime_error("out of memory"); }
+    std::unique_ptr<ScorerMemory> new_memory(const MapView&) const override {
+      throw std::runtime_error("out of memory");
+    }
     Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory* memory) const override {
       CHECK(memory != nullptr);
       return {};
@@ -195,7 +197,9 @@ TEST_CASE("associations matter to the ensemble if they matter to any scorer") {
 TEST_CASE("a scorer that cannot explain itself leaves the others' findings") {
   struct Speaking : HypothesisScorer {
     explicit Speaking(bool fails) : fails_(fails) {}
-    Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory*) const override { return {}; }
+    Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory*) const override {
+      return {};
+    }
     std::vector<Finding> explain(const Hypothesis&, const Observation&, const MapView&) const override {
       if (fails_) throw std::runtime_error("no words");
       return {{"it fits", -1, {}}};
@@ -203,7 +207,8 @@ TEST_CASE("a scorer that cannot explain itself leaves the others' findings") {
     bool fails_;
   };
   const Moment moment;
-  const Judges judges(moment.map, {{"dumb", std::make_shared<Speaking>(true)}, {"clear", std::make_shared<Speaking>(false)}});
+  const Judges judges(moment.map,
+                      {{"dumb", std::make_shared<Speaking>(true)}, {"clear", std::make_shared<Speaking>(false)}});
   const auto findings = judges.ensemble.explain(moment.hypothesis, moment.seen);
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].scorer == "clear");

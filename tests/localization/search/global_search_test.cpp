@@ -19,8 +19,8 @@ Named<PatternTemplate> walls() { return {"wall", std::make_shared<WallTemplate>(
 
 /// A search in a map, and a robot there.
 struct Searching {
-  explicit Searching(const Features& features = room(), const Pose2& T_map_base = kTruth, const SearchOptions& options = {},
-                     std::vector<Named<PatternTemplate>> templates = {corners()})
+  explicit Searching(const Features& features = room(), const Pose2& T_map_base = kTruth,
+                     const SearchOptions& options = {}, std::vector<Named<PatternTemplate>> templates = {corners()})
       : map(view_of(features)),
         judges(map, {{"fit", fit_scorer(), true, 1}}),
         robot(map, T_map_base),
@@ -44,10 +44,12 @@ bool is_at(const VerifiedCandidate& found, const Pose2& pose, double within_m = 
 }
 
 /// Whether each of `some` is among `all`.
-bool all_among(const std::vector<VerifiedCandidate>& some, const Pose2& motion, const std::vector<VerifiedCandidate>& all) {
+bool all_among(const std::vector<VerifiedCandidate>& some, const Pose2& motion,
+               const std::vector<VerifiedCandidate>& all) {
   return std::all_of(some.begin(), some.end(), [&](const VerifiedCandidate& each) {
     const Pose2 pose = motion * each.candidate.T_map_base;
-    return std::any_of(all.begin(), all.end(), [&](const VerifiedCandidate& other) { return is_at(other, pose, 0.1, 0.05); });
+    return std::any_of(all.begin(), all.end(),
+                       [&](const VerifiedCandidate& other) { return is_at(other, pose, 0.1, 0.05); });
   });
 }
 
@@ -152,7 +154,8 @@ TEST_CASE("who knows roughly where the robot is finds it there only") {
   REQUIRE_FALSE(found.empty());
   CHECK(is_at(found.front(), there));
   for (const VerifiedCandidate& each : found)
-    CHECK((each.candidate.T_map_base.position() - there.position()).norm() < 3 + 0.4);  // alignment may leave it a little
+    CHECK((each.candidate.T_map_base.position() - there.position()).norm() <
+          3 + 0.4);  // alignment may leave it a little
 }
 
 TEST_CASE("filters that pass a few of many places pass the true one") {
@@ -202,7 +205,8 @@ TEST_CASE("where there are fewer places than may be found, all of them are found
 TEST_CASE("no two candidates of one kind of pattern are at one place") {
   const auto found = Searching().find(false).candidates;
   for (std::size_t a = 0; a < found.size(); ++a)
-    for (std::size_t b = a + 1; b < found.size(); ++b) CHECK_FALSE(is_at(found[a], found[b].candidate.T_map_base, 0.2, 0.06));
+    for (std::size_t b = a + 1; b < found.size(); ++b)
+      CHECK_FALSE(is_at(found[a], found[b].candidate.T_map_base, 0.2, 0.06));
 }
 
 TEST_CASE("where nothing is seen, nothing is found") {
@@ -228,9 +232,7 @@ TEST_CASE("a pattern that the map does not know is not looked up") {
   CHECK(unknown.find(known.robot.observation(), true).looked_up.empty());
 }
 
-TEST_CASE("without templates nothing is found") {
-  CHECK(Searching(room(), kTruth, {}, {}).find().candidates.empty());
-}
+TEST_CASE("without templates nothing is found") { CHECK(Searching(room(), kTruth, {}, {}).find().candidates.empty()); }
 
 TEST_CASE("only stable features are looked up where that is asked for") {
   SearchOptions options;
@@ -270,7 +272,8 @@ TEST_CASE("no two candidates of different kinds of patterns are at one place", "
   LocalMap local_map({}, nullptr);
   const auto found = searching.find(with_wall(searching, local_map), true).candidates;
   for (std::size_t a = 0; a < found.size(); ++a)
-    for (std::size_t b = a + 1; b < found.size(); ++b) CHECK_FALSE(is_at(found[a], found[b].candidate.T_map_base, 0.2, 0.06));
+    for (std::size_t b = a + 1; b < found.size(); ++b)
+      CHECK_FALSE(is_at(found[a], found[b].candidate.T_map_base, 0.2, 0.06));
 }
 
 // What lies outside raises the bar for what lies inside.

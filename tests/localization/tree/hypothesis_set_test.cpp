@@ -70,7 +70,9 @@ struct Line {
     return {.local_map = local_map, .points = {}, .free_bearings_rad = {}, .features = {}};
   }
   /// @param features  frame of the base.
-  void see(const Features& features, const Pose2& T_odom_base) { local_map.add(Scan{}, features, T_odom_base, Pose2()); }
+  void see(const Features& features, const Pose2& T_odom_base) {
+    local_map.add(Scan{}, features, T_odom_base, Pose2());
+  }
   void spawn(const std::vector<double>& places_m, double tempering_weight = 1) {
     std::vector<VerifiedCandidate> candidates;
     for (const double x_m : places_m) {
@@ -79,9 +81,7 @@ struct Line {
     }
     set.spawn(std::move(candidates), nothing_seen(), tempering_weight, past);
   }
-  void track(double tempering_weight = 1) {
-    set.track(nothing_seen(), tempering_weight, {}, {0, 0});
-  }
+  void track(double tempering_weight = 1) { set.track(nothing_seen(), tempering_weight, {}, {0, 0}); }
   void grow() {
     std::vector<const LocalFeature*> all;
     for (const LocalFeature& feature : local_map.features()) all.push_back(&feature);
@@ -456,7 +456,9 @@ struct InRoom {
   void track(double tempering_weight = 1, const Eigen::Vector2d& window = {0, 0}) {
     set.track(robot.observation(), tempering_weight, robot.observation().points, window);
   }
-  Pose2 pose_of(std::size_t rank) const { return set.alive()[rank].hypothesis.T_map_local * robot.local_map().T_local_base(); }
+  Pose2 pose_of(std::size_t rank) const {
+    return set.alive()[rank].hypothesis.T_map_local * robot.local_map().T_local_base();
+  }
 
   std::shared_ptr<const MapView> map;
   Judges judges;
@@ -516,7 +518,7 @@ TEST_CASE("a candidate that the scans before speak against is rejected") {
 namespace {
 
 /// What is seen for the first time counts most.
-struct NoveltyScorer : CountingScorer {
+struct FirstSightScorer : CountingScorer {
   Score score(const Hypothesis& hypothesis, const Observation& seen, const MapView& map,
               const ScorerMemory* memory) const override {
     Score score = CountingScorer::score(hypothesis, seen, map, memory);
@@ -545,7 +547,8 @@ struct Latecomer {
   }
   double nat_of(int id) const {
     const auto& alive = scene.set.alive();
-    const auto found = std::find_if(alive.begin(), alive.end(), [&](const Live& live) { return live.hypothesis.id == id; });
+    const auto found =
+        std::find_if(alive.begin(), alive.end(), [&](const Live& live) { return live.hypothesis.id == id; });
     REQUIRE(found != alive.end());
     return found->hypothesis.log_likelihood;
   }
@@ -562,6 +565,6 @@ TEST_CASE("who comes late has no more than who was right all along, and does not
 }
 
 TEST_CASE("who comes late has no advantage of seeing in few large pieces what was tracked in many small ones") {
-  const Latecomer by_novelty(std::make_shared<NoveltyScorer>());
-  CHECK(by_novelty.nat_of(1) <= by_novelty.nat_of(0) + 0.05);
+  const Latecomer by_first_sight(std::make_shared<FirstSightScorer>());
+  CHECK(by_first_sight.nat_of(1) <= by_first_sight.nat_of(0) + 0.05);
 }

@@ -292,7 +292,9 @@ struct CountingScorer final : HypothesisScorer {
     double nothing = 0;
     return {judge(memory ? scans_of(*memory) : nothing), "", {}, std::make_shared<Count>()};
   }
-  void remember(ScorerMemory& memory, const ScorerMemory&, double weight) const override { add(scans_of(memory), weight); }
+  void remember(ScorerMemory& memory, const ScorerMemory&, double weight) const override {
+    add(scans_of(memory), weight);
+  }
   void fade(ScorerMemory& memory, double weight) const override { forget(scans_of(memory), weight); }
 };
 
@@ -335,14 +337,15 @@ TEST_CASE("a scorer whose memory does not copy itself well is told so") {
 TEST_CASE("a scorer that uses its memory badly is told how") {
   CHECK_THAT(memory_offences([](CountingScorer& s) { s.judge = [](double& scans) { return ++scans; }; }),
              Contains("another score when the same memory is used again"));
-  CHECK_THAT(memory_offences([](CountingScorer& s) { s.add = [](double&, double) { throw std::runtime_error("full"); }; }),
-             Contains("throws on remembering a scan of the true hypothesis: full"));
-  CHECK_THAT(memory_offences(
-                 [](CountingScorer& s) { s.forget = [](double&, double) { throw std::runtime_error("never"); }; }),
-             Contains("throws on fading the memory of the true hypothesis: never"));
-  CHECK_THAT(memory_offences(
-                 [](CountingScorer& s) { s.forget = [](double& scans, double weight) { scans /= 1 - weight; }; }),
-             Contains("after it has remembered some scans"));
+  CHECK_THAT(
+      memory_offences([](CountingScorer& s) { s.add = [](double&, double) { throw std::runtime_error("full"); }; }),
+      Contains("throws on remembering a scan of the true hypothesis: full"));
+  CHECK_THAT(
+      memory_offences([](CountingScorer& s) { s.forget = [](double&, double) { throw std::runtime_error("never"); }; }),
+      Contains("throws on fading the memory of the true hypothesis: never"));
+  CHECK_THAT(
+      memory_offences([](CountingScorer& s) { s.forget = [](double& scans, double weight) { scans /= 1 - weight; }; }),
+      Contains("after it has remembered some scans"));
 }
 
 TEST_CASE("a scorer that cannot make up its mind about having a memory is told so") {

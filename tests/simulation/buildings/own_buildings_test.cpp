@@ -40,7 +40,7 @@ Point extent_of(const SemanticMap& map) {
 
 PatternLayer binary_layer(const std::shared_ptr<const SemanticMap>& map, double size_m) {
   PluginRegistry registry;
-  registry.load(OPAL_PLUGIN_DIR "/binary.so");
+  registry.load(OPAL_PLUGIN_DIR "/column_pair.so");
   const std::vector<Named<PatternTemplate>> templates{
       {"opal:ColumnPair", registry.make<PatternTemplate>("opal:ColumnPair")}};
   return find_pattern_layer(MapView(map, "PlanarLidar2D"), templates, {size_m});

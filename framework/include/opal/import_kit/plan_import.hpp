@@ -27,7 +27,7 @@ struct PlanImportOptions {
 
 /// Puts what became of the plan's elements into the report: outline, status and reason of the things with the same ids.
 void report_outcomes(const std::vector<PlanElement>& plan, const PlanAssembly& assembly,
-                                 std::vector<ImportedElement>& things);
+                     std::vector<ImportedElement>& things);
 
 /// In order of id, numbers inside ids counting as numbers, as importers hand them over.
 void sort_by_id(std::vector<ImportedElement>& elements);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <opal/common/named.hpp>
+#include <opal/common/stage_times.hpp>
 #include <opal/local_map/local_map.hpp>
 #include <opal/localization/decision/pose_estimate.hpp>
 #include <opal/localization/events/event_stream.hpp>
-#include <opal/localization/events/stage_times.hpp>
-#include <opal/localization/localizer_options.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 #include <opal/localization/scoring/active_scorer.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>

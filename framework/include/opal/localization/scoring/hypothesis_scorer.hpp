@@ -32,7 +32,8 @@ class OPAL_EXPORT HypothesisScorer {
   Score score_new(const Hypothesis& hypothesis, const Observation& observation, const MapView& map) const;
 
   /// Adds to a memory what one scan has shown (Score::seen).
-  /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1]. In retrospective verification
+  /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1]. In retrospective
+  /// verification
   ///                a scan stands for those just before it as well, and weighs less than 2.
   virtual void remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const;
 
