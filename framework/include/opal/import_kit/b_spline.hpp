@@ -11,9 +11,9 @@ namespace opal {
 /// A B-spline curve as drawings and building models have it, rational if it has weights (Piegl and Tiller 1997, ch. 3 and 4).
 /// It begins at knot `degree` and ends at knot `control_points.size()`; which of the outer knots are repeated is its own matter.
 struct BSpline {
-  int degree = 3;
+  int degree = 3;             ///< at least 1; 3: a cubic curve
   std::vector<double> knots;  ///< not falling; degree + 1 more than control points
-  std::vector<Eigen::Vector3d> control_points;
+  std::vector<Eigen::Vector3d> control_points;  ///< in the unit of the source
   std::vector<double> weights;  ///< positive; none: all the same
 };
 
