@@ -33,9 +33,15 @@ def parent_of(page):
     return os.path.join(folder, "README.md")
 
 
+def all_pages():
+    folders = [*os.walk("docs"), *os.walk("framework")]
+    paths = (os.path.join(folder, name) for folder, _, names in folders for name in names)
+    return ["CONTRIBUTING.md", *sorted(path for path in paths if PAGES.fullmatch(path))]
+
+
 def title_of(page):
     with open(os.path.join(ROOT, page), encoding="utf-8") as file:
-        return re.search(r"^# +(.*?) *$", file.read(), re.M).group(1)
+        return re.search(r"^# +(.*?) *$", file.read(), re.M).group(1).replace("`", "")
 
 
 def slug_of(heading):
@@ -85,8 +91,7 @@ class Page:
             sys.exit(f"{self.page}: {target} is not there")
         if not PAGES.fullmatch(page):
             return text  # a file of the tree, which the site does not hold
-        if text in (page, path):
-            text = title_of(page)
+        text = title_of(page) if text in (page, path) else self.shown(text).replace("`", "")
         if anchor:
             return f"[{text}](@ref {page_id(page)}--{anchor})"
         if parent_of(page) == self.page and page != self.page and page not in self.children:
@@ -96,9 +101,10 @@ class Page:
 
     def heading(self, match):
         marks, text = match.groups()
+        text = self.shown(text).replace("`", "")  # Doxygen shows titles as they are
         if marks == "#":
             return f"# {text} {{#{'mainpage' if self.page == 'README.md' else page_id(self.page)}}}"
-        slug = slug_of(self.shown(text))
+        slug = slug_of(text)
         count = self.slugs[slug] = self.slugs.get(slug, -1) + 1
         return f"{marks} {text} {{#{page_id(self.page)}--{slug}{f'-{count}' if count else ''}}}"
 
@@ -113,9 +119,18 @@ class Page:
         text = FENCE.sub(self.fence, text)
         text = CODE.sub(self.code, text)
         text = text.replace("@", "@@")
+        text = re.sub(r"\*\*(?=\S)((?:[^*\n]|\n(?!\n))+)\*\*", r"<b>\1</b>", text)  # also where it begins with code
         text = re.sub(r"^(#+) +(.*?) *$", self.heading, text, flags=re.M)
-        return self.shown(LINK.sub(self.link, text))
+        return self.shown(LINK.sub(self.link, text)) + self.more_pages()
+
+    def more_pages(self):
+        """The pages below this one that its text does not mention."""
+        more = [page for page in all_pages() if parent_of(page) == self.page and page not in {self.page} | self.children]
+        lines = [f'- @subpage {page_id(page)} "{title_of(page)}"\n' for page in more]
+        return f"\n## More pages {{#{page_id(self.page)}--more-pages}}\n\n{''.join(lines)}" if lines else ""
 
 
 if __name__ == "__main__":
-    sys.stdout.write(Page(sys.argv[1]).text())
+    page = Page(sys.argv[1])
+    os.chdir(ROOT)
+    sys.stdout.write(page.text())

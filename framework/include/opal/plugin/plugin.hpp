@@ -1,3 +1,5 @@
+/// @file
+/// What a plugin's plugin.cpp includes: the macro OPAL_PLUGIN, and what it leaves in the library.
 #pragma once
 
 #include <opal/plugin/registrar.hpp>
