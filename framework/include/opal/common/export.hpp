@@ -1,3 +1,5 @@
+/// @file
+/// The macro OPAL_EXPORT.
 #pragma once
 
 /// Marks what crosses the boundary of libopal.so; everything else is hidden.

@@ -10,8 +10,8 @@ namespace opal {
 /// A detected geometric primitive. The type is an open name that any plugin may invent ("opal:Wall",
 /// "acme:DoorPost"); it says which map features this may be. The frame is that of whoever holds the feature.
 struct Feature {
-  std::string type;
-  Geometry geometry;
+  std::string type;   ///< prefixed IRI: "opal:Wall"
+  Geometry geometry;  ///< the best estimate of shape and place [m, rad]
 
   /// Covariance of the estimate, by geometry, in this order and these units:
   ///   Point (x, y) [m]; OrientedPoint (x, y, heading) [m, m, rad]; Circle (x, y, radius) [m];

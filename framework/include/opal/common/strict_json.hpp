@@ -9,9 +9,10 @@
 
 namespace opal {
 
+/// How large a text may be before it is refused.
 struct JsonLimits {
-  std::size_t bytes = 64u << 20;
-  int depth = 128;  ///< arrays and objects inside each other
+  std::size_t bytes = 64u << 20;  ///< length of the text
+  int depth = 128;                ///< arrays and objects inside each other
 };
 
 /// Text that is no acceptable JSON: not UTF-8, duplicate keys, NaN or infinite numbers, too large, too deep.
@@ -22,7 +23,9 @@ class OPAL_EXPORT JsonError : public Error {
 };
 
 /// Parses JSON (RFC 8259) strictly.
+/// @param text  the whole document, in UTF-8.
 /// @param name  what the text is called in messages: a file, a URL.
+/// @param limits  beyond these, the text is refused.
 /// @throws JsonError "NAME: POINTER: what was found, what was expected" (line and column instead of the
 /// pointer for syntax errors).
 OPAL_EXPORT nlohmann::json parse_json(const std::string& text, const std::string& name, const JsonLimits& limits = {});

@@ -21,8 +21,9 @@ struct PartConfig {
   std::string where;                                  ///< file and JSON pointer, for messages
 };
 
+/// One scorer that a deployment asks for, and what its opinion is worth.
 struct ScorerConfig {
-  PartConfig part;
+  PartConfig part;        ///< the scorer's type and options
   bool decides = true;    ///< "role": "decides" or "observes"
   double weight = 1;      ///< of its scores in the decision
   std::string name = {};  ///< by which its scores are known; empty: its type
@@ -31,19 +32,20 @@ struct ScorerConfig {
 /// How Opal runs in one building with one robot: a document of configs/. Every field has a default except the
 /// scorers; docs/deploy_a_building.md explains the document.
 struct Deployment {
-  std::string file;
-  std::string map;  ///< path of the map, resolved against the document's folder; empty: the caller says
+  std::string file;  ///< path of the document, for messages
+  std::string map;   ///< path of the map, resolved against the document's folder; empty: the caller says
   std::vector<std::string>
-      overlays;  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
-  LaserModel laser;
-  KeyframeOptions keyframes;
-  LocalMapOptions local_map;
+      overlays;               ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
+  LaserModel laser;           ///< the sensor
+  KeyframeOptions keyframes;  ///< how densely scans are taken
+  LocalMapOptions local_map;  ///< how features of several scans are put together
   std::optional<PartConfig> matcher;  ///< none: odometry as it is
   /// Absent: all that the map calls for (see plan_pipeline). Present: of these, the ones the map calls for.
   std::optional<std::vector<PartConfig>> detectors;
+  /// The same for pattern templates.
   std::optional<std::vector<PartConfig>> patterns;
-  std::vector<ScorerConfig> scorers;
-  LocalizerOptions stages = {};
+  std::vector<ScorerConfig> scorers;  ///< at least one; in the order of the document
+  LocalizerOptions stages = {};       ///< options of everything behind the local map
   std::vector<PartConfig> importers;  ///< options for those that make the map, if it is made of a source
 };
 
@@ -52,6 +54,8 @@ struct Deployment {
 /// @throws ConfigError "configs/hall.jsonld: /sensor/beams: 0, expected an integer from 1 to 100000";
 /// JsonError for text that is no JSON.
 OPAL_EXPORT Deployment read_deployment(const std::string& path);
+/// The same for a document in memory.
+/// @param text  a whole JSON-LD document.
 /// @param file  what messages call the document, and what a relative map path starts from.
 OPAL_EXPORT Deployment parse_deployment(const std::string& text, const std::string& file);
 

@@ -11,10 +11,10 @@ namespace opal {
 /// and 4). It begins at knot `degree` and ends at knot `control_points.size()`; which of the outer knots are repeated
 /// is its own matter.
 struct BSpline {
-  int degree = 3;
-  std::vector<double> knots;  ///< not falling; degree + 1 more than control points
-  std::vector<Eigen::Vector3d> control_points;
-  std::vector<double> weights;  ///< positive; none: all the same
+  int degree = 3;                               ///< at least 1; 3: a cubic curve
+  std::vector<double> knots;                    ///< not falling; degree + 1 more than control points
+  std::vector<Eigen::Vector3d> control_points;  ///< in the unit of the source
+  std::vector<double> weights;                  ///< positive; none: all the same
 };
 
 /// @return what is wrong with it, in words; empty if nothing is.

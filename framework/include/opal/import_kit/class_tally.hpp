@@ -13,13 +13,19 @@ class ClassTally {
   /// @param noun  what classes are called: "layer".
   explicit ClassTally(std::string noun) : noun_(std::move(noun)) {}
 
+  /// Counts one thing that came into the map: its class, the type of its object, and what the source calls
+  /// its shape.
   void count_used(const std::string& source_class, const std::string& object_type, const std::string& entity_type);
-  /// @param why  begins the sentence: "no class for its layer".
+  /// @param source_class  the layer or class of the thing.
+  /// @param why           begins the sentence: "no class for its layer".
+  /// @param entity_type   what the source calls its shape: "LINE".
+  /// @param id            of the thing; a sentence shows the first five.
   void count_left_out(const std::string& source_class, const std::string& why, const std::string& entity_type,
                       const std::string& id);
 
   /// What is used first; then what is left out, and why.
   std::vector<std::string> sentences() const;
+  /// All classes that were counted, each once, in alphabetical order.
   std::vector<std::string> classes() const;
   /// "'A-WALL' (120 LINE), ..." of everything, for a message that nothing can be used.
   std::string overview() const;

@@ -18,9 +18,9 @@ enum class PlanSides {
 
 /// Straight strokes from point to point.
 struct PlanLine {
-  std::vector<Point> points;
-  bool closed = false;  ///< the last point is joined to the first, which is not repeated
-  PlanSides sides = PlanSides::to_find;
+  std::vector<Point> points;             ///< [m], in order; frame `map`
+  bool closed = false;                   ///< the last point is joined to the first, which is not repeated
+  PlanSides sides = PlanSides::to_find;  ///< from where it is seen
   int solid = 0;  ///< outlines of one element with the same number are one thing; inside each other: holes
 };
 
@@ -29,10 +29,11 @@ struct PlanElement {
   std::string id;                        ///< of the object: unique
   std::string type;                      ///< "opal:Wall"
   std::string sensor = "PlanarLidar2D";  ///< that perceives it; empty: it is kept as drawn and hides nothing
-  std::vector<PlanLine> lines = {};
-  std::vector<Circle> circles = {};
+  std::vector<PlanLine> lines = {};      ///< straight strokes of the element
+  std::vector<Circle> circles = {};      ///< round columns of the element
 };
 
+/// Lengths that decide how strokes become faces.
 struct PlanOptions {
   double join_m = 0.01;               ///< points nearer than this are one
   double max_wall_thickness_m = 0.6;  ///< lines side by side that are nearer than this have wall between them
@@ -42,11 +43,16 @@ struct PlanOptions {
 
 /// What became of one element.
 struct PlanOutcome {
-  /// mapped: it has features; empty: it has nothing that is long enough for one.
-  enum class Status { mapped, merged, hidden, empty };
-  std::string id;
-  Status status = Status::mapped;
-  std::string with;  ///< merged: id of the object whose faces run where its lines do
+  /// What may become of an element.
+  enum class Status {
+    mapped,  ///< it has features
+    merged,  ///< its lines run where another element's do, which has the features
+    hidden,  ///< it lies inside of walls
+    empty    ///< it has nothing that is long enough for a feature
+  };
+  std::string id;                  ///< of the element
+  Status status = Status::mapped;  ///< what became of it
+  std::string with;                ///< merged: id of the object whose faces run where its lines do
 };
 
 /// How the sides were found, in metres of line, and what was put together.
@@ -57,17 +63,18 @@ struct PlanTally {
   double hidden_m = 0;     ///< inside of walls and where things touch: not mapped
   double repeated_m = 0;   ///< drawn more than once, mapped once
   int short_faces = 0;     ///< left out: shorter than min_face_m
-  double short_m = 0;
-  int corners = 0;
+  double short_m = 0;      ///< length of these together
+  int corners = 0;         ///< added where faces meet at an angle
 
   /// The same in sentences, in reading order; what does not occur is left out.
   std::vector<std::string> sentences(const PlanOptions& options) const;
 };
 
+/// A map made of a plan, and how it came about.
 struct PlanAssembly {
-  std::shared_ptr<const SemanticMap> map;
-  std::vector<PlanOutcome> outcomes;  ///< one per element, in the order given
-  PlanTally tally;
+  std::shared_ptr<const SemanticMap> map;  ///< the elements that have features, and those kept as drawn
+  std::vector<PlanOutcome> outcomes;       ///< one per element, in the order given
+  PlanTally tally;                         ///< in metres of line
 };
 
 /// Makes a map of the elements of a plan: finds the visible side of every line, cuts lines where they meet, removes
@@ -79,8 +86,10 @@ struct PlanAssembly {
 /// side for at least their distance. A line with something massive on one side is a face; on both: hidden; on none: two
 /// faces.
 ///
-/// @param source  stands for the file in error messages.
-/// @param name    of the map.
+/// @param source    stands for the file in error messages.
+/// @param name      of the map.
+/// @param elements  all that the plan holds; ids must differ.
+/// @param options   lengths that decide how strokes become faces.
 /// @throws MapError naming the source and the element, for coordinates that are no numbers or beyond 1e6 m, and for
 /// more than
 ///   400,000 strokes or 4,000,000 crossings.
@@ -92,7 +101,10 @@ PlanAssembly assemble_plan(const std::string& source, const std::string& name, c
 std::optional<Circle> circle_drawn_by(const std::vector<Point>& closed_line, double tolerance_m);
 
 /// Points along an arc, both ends included, such that no chord is farther than `tolerance_m` from the arc.
-/// @param sweep_rad  counter-clockwise if positive; at most a full turn.
+/// @param circle       the arc is a part of its rim.
+/// @param from_rad     direction from the centre to where the arc begins.
+/// @param sweep_rad    counter-clockwise if positive; at most a full turn.
+/// @param tolerance_m  largest distance between chord and arc.
 std::vector<Point> arc_points(const Circle& circle, double from_rad, double sweep_rad, double tolerance_m);
 
 }  // namespace opal

@@ -13,16 +13,17 @@ namespace opal {
 /// Options that all importers of plans have, as their plugin.jsonld describes them: `classes`, `perceivable`, `sensor`,
 /// `max_wall_thickness_m`, `min_face_m`.
 struct PlanImportOptions {
+  /// @param options   of the importer, complete and checked.
   /// @param defaults  for ClassRules.
   PlanImportOptions(const nlohmann::json& options, const std::map<std::string, std::string>& defaults);
 
   /// What perceives objects of a type; empty: nothing does.
   std::string sensor_for(const std::string& type) const;
 
-  ClassRules rules;
+  ClassRules rules;                   ///< from layers or classes to object types
   std::set<std::string> perceivable;  ///< types of objects that the sensor sees where the plan is cut
-  std::string sensor;
-  PlanOptions plan;
+  std::string sensor;                 ///< id of the sensor that perceives these types
+  PlanOptions plan;                   ///< wall thickness and least face, as the options say
 };
 
 /// Puts what became of the plan's elements into the report: outline, status and reason of the things with the same ids.

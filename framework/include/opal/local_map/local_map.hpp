@@ -18,42 +18,44 @@ struct Measurement {
 
 /// A feature of the local map, with its measurement set. Frame: `local`.
 struct LocalFeature {
-  int id = 0;  ///< unique over a run; never reused
-  Feature feature;
-  std::vector<Measurement> measurements;
-  int distinct_poses = 0;  ///< measurements from poses that differ by the configured distance or angle
-  bool stable = false;     ///< distinct_poses has reached the configured number at some time
-  int last_keyframe = 0;
+  int id = 0;                             ///< unique over a run; never reused
+  Feature feature;                        ///< best estimate of all measurements; frame `local`
+  std::vector<Measurement> measurements;  ///< oldest first; never empty
+  int distinct_poses = 0;                 ///< measurements from poses that differ by the configured distance or angle
+  bool stable = false;                    ///< distinct_poses has reached the configured number at some time
+  int last_keyframe = 0;                  ///< Keyframe::id of the newest measurement
 };
 
 /// A pose of the robot that the horizon still holds, with the raw points seen from it.
 struct Keyframe {
-  int id = 0;  ///< increasing; numbers of keyframes that brought nothing new are missing
-  double stamp_s = 0;
-  Pose2 T_local_base;
-  Pose2 T_odom_base;
+  int id = 0;                 ///< increasing; numbers of keyframes that brought nothing new are missing
+  double stamp_s = 0;         ///< of the scan
+  Pose2 T_local_base;         ///< the robot's pose, as scan matching and the factor graph improved it
+  Pose2 T_odom_base;          ///< what odometry said
   double driven_m = 0;        ///< odometer at this pose; turning counts by LocalMapOptions::horizon_m_per_rad
   std::vector<Point> points;  ///< in base_link [m], by increasing bearing
 };
 
+/// When things are forgotten, associated, called stable and optimized; how good odometry is.
 struct LocalMapOptions {
   double horizon_m = 6.0;               ///< keyframes older than this much driving are forgotten
   double horizon_m_per_rad = 0.5;       ///< driving that a turn on the spot is worth: turning ages a map, too
   double association_distance_m = 0.3;  ///< points, corners, circles: apart; segments: gap between the two
   double association_offset_m = 0.15;   ///< segments: distance of an end from the other's infinite line
+  /// Segments and corners: difference of headings; corners: of openings, too.
   double association_angle_rad = 0.2;
-  double association_radius_m = 0.1;        ///< circles: difference of radii
-  int stable_after = 3;                     ///< detections from different poses that make a feature stable
-  double pose_change_m = 0.05;              ///< poses that differ by this much, or
-  double pose_change_rad = 0.05;            ///< by this much, are different
-  int optimize_every = 3;                   ///< keyframes between two runs of the factor graph; 0: never
-  double robust_scale = 1.0;                ///< Cauchy loss, in standard deviations
-  double odometry_sigma_m = 0.06;           ///< one-sigma translation error, however short the motion
-  double odometry_heading_sigma_rad = 0.1;  ///< one-sigma heading error, however short the motion: recorded scans
-                                            ///< and odometry differ in time by up to 0.2 s, 10 degrees in a turn
-  double odometry_sigma_per_m = 0.15;       ///< one-sigma translation error per metre driven [m]
-  double odometry_heading_sigma_per_rad = 0.2;
-  double odometry_heading_sigma_per_m = 0.04;
+  double association_radius_m = 0.1;            ///< circles: difference of radii
+  int stable_after = 3;                         ///< detections from different poses that make a feature stable
+  double pose_change_m = 0.05;                  ///< poses that differ by this much, or
+  double pose_change_rad = 0.05;                ///< by this much, are different
+  int optimize_every = 3;                       ///< keyframes between two runs of the factor graph; 0: never
+  double robust_scale = 1.0;                    ///< Cauchy loss, in standard deviations
+  double odometry_sigma_m = 0.06;               ///< one-sigma translation error, however short the motion
+  double odometry_heading_sigma_rad = 0.1;      ///< one-sigma heading error, however short the motion: recorded scans
+                                                ///< and odometry differ in time by up to 0.2 s, 10 degrees in a turn
+  double odometry_sigma_per_m = 0.15;           ///< one-sigma translation error per metre driven [m]
+  double odometry_heading_sigma_per_rad = 0.2;  ///< one-sigma heading error per radian turned [rad]
+  double odometry_heading_sigma_per_m = 0.04;   ///< one-sigma heading error per metre driven [rad]
 };
 
 /// A small, locally consistent map of the features seen lately (thesis 3.3.1, Algorithm 1, Appendix A). Its frame,
@@ -61,9 +63,12 @@ struct LocalMapOptions {
 /// graph; it is consistent over the horizon, not over a building.
 class OPAL_EXPORT LocalMap {
  public:
+  /// An empty map. The matcher may be null: the robot then moves as odometry says.
   LocalMap(LocalMapOptions options, std::shared_ptr<const ScanMatcher> matcher);
   ~LocalMap();
+  /// Takes the contents of another map, which must not be used any more.
   LocalMap(LocalMap&&) noexcept;
+  /// Takes the contents of another map, which must not be used any more.
   LocalMap& operator=(LocalMap&&) noexcept;
 
   /// Adds one keyframe (Algorithm 1). A keyframe that does not differ from the one before it (pose_change_m,
@@ -72,6 +77,7 @@ class OPAL_EXPORT LocalMap {
   /// @param scan      in the sensor frame.
   /// @param features  detected in it, in the sensor frame.
   /// @param T_odom_base  odometry at the scan's stamp.
+  /// @param T_base_laser  where the sensor sits on the robot.
   void add(const Scan& scan, const std::vector<Feature>& features, const Pose2& T_odom_base, const Pose2& T_base_laser);
 
   /// Forgets everything; ids go on.

@@ -8,10 +8,11 @@ namespace opal {
 
 /// How well two point sets could be laid over each other.
 struct ScanMatch {
+  /// Where the scan's frame lies in the reference frame.
   Pose2 T_reference_scan;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, heading) in the reference frame [m, m, rad]
   double inlier_share = 0;                               ///< of the scan's points, in [0, 1]
-  bool converged = false;
+  bool converged = false;                                ///< false: the pose says nothing, odometry is taken
 };
 
 /// Lays a scan over points seen before, to improve on odometry (thesis A.1.2). Stateless and thread-safe.

@@ -22,28 +22,31 @@
 
 namespace opal {
 
+/// When a scan becomes a keyframe: by the odometry since the last one.
 struct KeyframeOptions {
-  double distance_m = 0.1;
-  double angle_rad = 0.2;
+  double distance_m = 0.1;  ///< driven more than this, or
+  double angle_rad = 0.2;   ///< turned more than this
 };
 
 /// Everything a localizer is made of. `Deployment` (deployment.hpp) builds it from files.
 struct LocalizerParts {
-  std::shared_ptr<const MapView> map;
-  LaserModel laser;
-  KeyframeOptions keyframes;
+  std::shared_ptr<const MapView> map;  ///< what the sensor perceives of the building
+  LaserModel laser;                    ///< the sensor that the scans come from
+  KeyframeOptions keyframes;           ///< how densely scans are taken
+  /// How features of several scans are put together.
   LocalMapOptions local_map;
-  std::shared_ptr<const ScanMatcher> matcher;  ///< may be null: odometry alone
-  std::vector<Named<FeatureDetector>> detectors;
-  std::vector<Named<PatternTemplate>> patterns;
-  std::vector<ActiveScorer> scorers;
-  LocalizerOptions stages = {};
+  std::shared_ptr<const ScanMatcher> matcher;     ///< may be null: odometry alone
+  std::vector<Named<FeatureDetector>> detectors;  ///< all are asked about every keyframe
+  std::vector<Named<PatternTemplate>> patterns;   ///< all are looked for, on the map and in the local map
+  std::vector<ActiveScorer> scorers;              ///< one of them decides at least
+  LocalizerOptions stages = {};                   ///< options of everything behind the local map
 };
 
 /// The pipeline: scan -> features -> local map -> patterns -> association tree -> scores -> pose. One object per
 /// robot and run; `update` is called in time order from one thread.
 class OPAL_EXPORT Localizer {
  public:
+  /// A robot that has seen nothing yet. `events` may be null; else it must outlive the localizer.
   explicit Localizer(LocalizerParts parts, EventSink* events = nullptr);
   ~Localizer();
 
@@ -64,12 +67,13 @@ class OPAL_EXPORT Localizer {
   /// anew of those seen from then on. Nothing changes while there is no hypothesis.
   void keep_pattern();
 
-  const LocalMap& local_map() const;
-  const MapView& map() const;
+  const LocalMap& local_map() const;  ///< as the newest keyframe left it
+  const MapView& map() const;         ///< the one it was made with
   /// Alive, best first.
   const std::vector<Hypothesis>& hypotheses() const;
   /// Latest opinions on a hypothesis, by scorer name; empty if there is no such hypothesis.
   std::map<std::string, Score> scores_of(int hypothesis) const;
+  /// CPU time of the newest keyframe, by stage.
   const StageTimes& last_times() const;
   /// Calls into plugins that threw and were skipped, by type name.
   const std::map<std::string, int>& plugin_failures() const;

@@ -26,18 +26,18 @@ OPAL_EXPORT const char* name_of(ImportStatus status);
 
 /// One thing of the source that an importer looked at, whether or not it came into the map. Frame `map`, metres.
 struct ImportedElement {
-  std::string id;            ///< as the source has it: IFC GlobalId, DXF handle
-  std::string source_class;  ///< as the source has it: "IfcColumn", the layer of a drawing
-  std::string name = {};     ///< for people; may be empty
-  ImportStatus status = ImportStatus::imported;
-  std::string reason = {};            ///< a sentence; empty if there is nothing to explain
+  std::string id;                                ///< as the source has it: IFC GlobalId, DXF handle
+  std::string source_class;                      ///< as the source has it: "IfcColumn", the layer of a drawing
+  std::string name = {};                         ///< for people; may be empty
+  ImportStatus status = ImportStatus::imported;  ///< what became of it
+  std::string reason = {};                       ///< a sentence; empty if there is nothing to explain
   std::vector<Segment> outline = {};  ///< its own cut, before it is joined with others; no side is the visible one
   std::vector<Circle> circles = {};   ///< where the cut is round exactly; `outline` does not repeat it
 };
 
 /// What an importer made of a source, and what it left out.
 struct MapImport {
-  std::shared_ptr<const SemanticMap> map;
+  std::shared_ptr<const SemanticMap> map;  ///< never null
   /// Sentences for the person who runs the import, in reading order ("1204 wall faces, 1830 m", "left out: ...").
   std::vector<std::string> report;
   /// Every thing that the importer looked at, in order of id; empty if the source has no things (a grid).
@@ -52,9 +52,9 @@ OPAL_EXPORT nlohmann::ordered_json import_report(const MapImport& imported);
 
 /// A level of a building, as its source names it.
 struct Storey {
-  std::string id;
-  std::string name;
-  double elevation_m = 0;
+  std::string id;                         ///< as the source has it
+  std::string name;                       ///< for people; option `storey` takes it
+  double elevation_m = 0;                 ///< of its floor, in the building's coordinates
   double height_m = 0;                    ///< where an import of this storey cuts
   std::map<std::string, int> gives = {};  ///< how many things of each class the cut meets
 };

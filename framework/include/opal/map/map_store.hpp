@@ -33,45 +33,49 @@ class OPAL_EXPORT StoreConflict : public StoreError {
 
 /// One version of a building's map, as the store lists it. A version never changes once it is there.
 struct StoredVersion {
-  std::string building;
+  std::string building;   ///< name of the building in this store
   int version = 0;        ///< 1, 2, ... per building; a number is never given twice
   std::string pushed_at;  ///< UTC, by the store's clock: "2026-11-21T14:02:11Z"
   std::string pushed_by;  ///< the role that pushed it
   std::string message;    ///< what the pusher said about it; may be empty
-  std::string map_name;
-  int objects = 0, features = 0, patterns = 0;
+  std::string map_name;   ///< SemanticMap::name()
+  int objects = 0,        ///< number in the map
+      features = 0,       ///< number in the map, all sensors
+      patterns = 0;       ///< number that the map itself names
 };
 
 /// A version with its map, as the text of a JSON-LD document that SemanticMap::parse reads. It is the graph that was
 /// pushed; its layout is the store's.
 struct StoredMap {
-  StoredVersion version;
-  std::string document;
+  StoredVersion version;  ///< which one it is
+  std::string document;   ///< JSON-LD, UTF-8
 };
 
+/// What a pusher says beside the map.
 struct MapPush {
-  std::string building;
-  std::string message = {};
+  std::string building;      ///< name of the building; a new name makes a new building
+  std::string message = {};  ///< for people; may be empty
   /// The newest version that the pusher knows of, 0 for none: another one is a StoreConflict.
   std::optional<int> expected_version = {};
 };
 
 /// "Which features can `sensor` perceive within radius_m of `center`?" Frame: `map`.
 struct NearQuery {
-  std::string building;
-  int version = 0;  ///< 0: the newest
-  std::string sensor;
-  Point center = Point::Zero();
-  double radius_m = 0;
+  std::string building;          ///< name of the building in this store
+  int version = 0;               ///< 0: the newest
+  std::string sensor;            ///< id of the sensor: "PlanarLidar2D"
+  Point center = Point::Zero();  ///< [m], frame `map`
+  double radius_m = 0;           ///< features with some point this near are found
 };
 
+/// One answer to a NearQuery.
 struct NearFeature {
-  int number = -1;  ///< position in SemanticMap::features() of the stored map
-  std::string id;
-  std::string object;  ///< id of the object that it belongs to
-  std::string object_type;
-  Geometry geometry;      ///< as mapped, frame `map`
-  double distance_m = 0;  ///< shortest, to the geometry; a circle is its rim (opal::distance_m)
+  int number = -1;          ///< position in SemanticMap::features() of the stored map
+  std::string id;           ///< MapFeature::id
+  std::string object;       ///< id of the object that it belongs to
+  std::string object_type;  ///< MapObject::type: "opal:Wall"
+  Geometry geometry;        ///< as mapped, frame `map`
+  double distance_m = 0;    ///< shortest, to the geometry; a circle is its rim (opal::distance_m)
 };
 
 /// Keeps the maps of many buildings, in versions, for many robots (thesis C.2). Slow beside a MapView: a robot preloads
@@ -88,7 +92,10 @@ class OPAL_EXPORT MapStore {
   /// Adds a version, whole or not at all. Of pushes at the same time each becomes a version of its own.
   /// @throws StoreConflict if `expected_version` is not the newest.
   virtual StoredVersion push(const SemanticMap& map, const MapPush& request) const = 0;
-  /// @param version  0: the newest. @throws StoreError if there is no such building or version.
+  /// Fetches one version with its map.
+  /// @param building  name of the building.
+  /// @param version   0: the newest.
+  /// @throws StoreError if there is no such building or version.
   virtual StoredMap pull(const std::string& building, int version) const = 0;
   /// In order of building and version. @param building  empty: all buildings. An unknown one has no versions.
   virtual std::vector<StoredVersion> list(const std::string& building) const = 0;

@@ -26,6 +26,7 @@ struct ObjectNotes {
   std::optional<Segment> axis = {};          ///< a wall's reference line; no side is the visible one
   std::vector<std::string> merged_ids = {};  ///< of things that the source has at the same place once more
 
+  /// True if all that is said is the same.
   OPAL_EXPORT bool operator==(const ObjectNotes& other) const;
 };
 
@@ -35,16 +36,16 @@ struct MapObject {
   std::string type;  ///< open: "opal:Wall", "opal:Column", "acme:Kiosk"; "Wall" is taken as "opal:Wall"
   /// Positions in SemanticMap::features(), all sensors; may be empty. `make` fills it in.
   std::vector<int> features = {};
-  ObjectNotes notes = {};
+  ObjectNotes notes = {};  ///< what the source says beside; may be empty
 };
 
 /// One geometric primitive through which an object can be perceived, in the `map` frame.
 struct MapFeature {
-  std::string id;      ///< of the geometry; unique in the map for one sensor
-  int object = -1;     ///< position in SemanticMap::objects()
-  std::string type;    ///< what a detector must produce to see it: "opal:Wall", "opal:Corner", "opal:Column"
-  std::string sensor;  ///< id of the sensor that can perceive it; empty: none does
-  Geometry geometry;
+  std::string id;               ///< of the geometry; unique in the map for one sensor
+  int object = -1;              ///< position in SemanticMap::objects()
+  std::string type;             ///< what a detector must produce to see it: "opal:Wall", "opal:Corner", "opal:Column"
+  std::string sensor;           ///< id of the sensor that can perceive it; empty: none does
+  Geometry geometry;            ///< shape and place [m, rad]; frame `map`
   double position_sigma_m = 0;  ///< how far the building may be from the map here; 0: the map does not say
   double existence = 1;         ///< probability that it is really there
   /// Topology: ids of the points that make the geometry (a segment's begin and end, a corner's point, a circle's
@@ -57,30 +58,32 @@ struct MapFeature {
 
 /// A relation between features that the map itself names (thesis 4.4.1).
 struct MapPattern {
-  std::string id;
-  std::string pattern_template;  ///< the template's type name
-  std::vector<int> features;     ///< positions in SemanticMap::features(), in the template's slot order
-  std::vector<std::string> subpatterns = {};
-  std::vector<double> dimensions = {};  ///< the template's invariants; the last ones, or all, may be left out
+  std::string id;                             ///< IRI or local name; unique in the map
+  std::string pattern_template;               ///< the template's type name
+  std::vector<int> features;                  ///< positions in SemanticMap::features(), in the template's slot order
+  std::vector<std::string> subpatterns = {};  ///< ids of the patterns that it is made of
+  std::vector<double> dimensions = {};        ///< the template's invariants; the last ones, or all, may be left out
   std::string place = {};  ///< where it stands, for messages: "hall.jsonld: /@graph/12"; `make` and `read` fill it in
 };
 
 /// Where a map that this one was joined of lies in it: scaled in its own frame first, then moved.
 struct MapPlacement {
-  std::string id;  ///< what came from that map is named "ID/..."
-  Pose2 T_map_source;
-  Point scale{1, 1};  ///< along the source's x and y axis; below zero: mirrored
+  std::string id;      ///< what came from that map is named "ID/..."
+  Pose2 T_map_source;  ///< where the source's frame lies in this map, after scaling
+  Point scale{1, 1};   ///< along the source's x and y axis; below zero: mirrored
 
+  /// A point of the source [m] in this map.
   Point to_map(const Point& p_source) const { return T_map_source * Point(scale.cwiseProduct(p_source)); }
+  /// True if the source was neither stretched nor mirrored.
   bool is_rigid() const { return scale.x() == 1 && scale.y() == 1; }
 };
 
 /// Where a map lies on the Earth, if its source says so in earnest (IfcMapConversion).
 struct Georeference {
-  std::string crs;        ///< name of the projected coordinate system: "EPSG:28992"
-  double eastings_m = 0;  ///< of the map's origin
-  double northings_m = 0;
-  double height_m = 0;
+  std::string crs;         ///< name of the projected coordinate system: "EPSG:28992"
+  double eastings_m = 0;   ///< of the map's origin
+  double northings_m = 0;  ///< of the map's origin
+  double height_m = 0;     ///< of the map's origin, above the datum of the coordinate system
   double heading_rad = 0;  ///< of the map's x axis, counter-clockwise from east
 };
 
@@ -89,12 +92,12 @@ struct MapOrigin {
   /// How much thicker than they are walls stand in the source (both sides together); faces have been moved back by half
   /// of it, so nothing has to be done about it, but they are uncertain by about a quarter of it.
   double smear_m = 0;
-  std::vector<MapPlacement> placements = {};  ///< in order of id
-  std::optional<double> cut_height_m = {};    ///< where a building model was cut, in its coordinates
-  std::string storey = {};                    ///< name of the level that this belongs to
-  double widest_door_m = 0;                   ///< straight things up to this length may be open doors; 0: not said
-  std::optional<double> north_rad = {};       ///< heading of true north
-  std::optional<Georeference> georeference = {};
+  std::vector<MapPlacement> placements = {};      ///< in order of id
+  std::optional<double> cut_height_m = {};        ///< where a building model was cut, in its coordinates
+  std::string storey = {};                        ///< name of the level that this belongs to
+  double widest_door_m = 0;                       ///< straight things up to this length may be open doors; 0: not said
+  std::optional<double> north_rad = {};           ///< heading of true north
+  std::optional<Georeference> georeference = {};  ///< none: the source does not say
 };
 
 /// The static building, as a typed immutable view of a JSON-LD graph. Frame: `map`; units: metres, radians.
@@ -107,6 +110,8 @@ class OPAL_EXPORT SemanticMap {
   /// Reads and checks a whole document; all of it or an error, never less map than the document holds.
   /// @throws MapError naming the file, the JSON pointer, what was found and what was expected.
   static std::shared_ptr<const SemanticMap> read(const std::string& path);
+  /// The same for a document in memory.
+  /// @param text  a whole JSON-LD document.
   /// @param name  stands for the file in error messages, and names the map if the document does not.
   static std::shared_ptr<const SemanticMap> parse(const std::string& text, const std::string& name);
   /// Takes a map that was built in memory (an importer, a test); same checks. Objects and features come in any
@@ -124,11 +129,11 @@ class OPAL_EXPORT SemanticMap {
                                                    const std::map<std::string, std::string>& more_prefixes = {},
                                                    const nlohmann::json& more_unused = nlohmann::json::array()) const;
 
-  const std::string& name() const { return name_; }
-  const std::vector<MapObject>& objects() const { return objects_; }
-  const std::vector<MapFeature>& features() const { return features_; }
-  const std::vector<MapPattern>& patterns() const { return patterns_; }
-  const MapOrigin& origin() const { return origin_; }
+  const std::string& name() const { return name_; }                      ///< as the document or its maker says
+  const std::vector<MapObject>& objects() const { return objects_; }     ///< by id
+  const std::vector<MapFeature>& features() const { return features_; }  ///< by id and sensor
+  const std::vector<MapPattern>& patterns() const { return patterns_; }  ///< by id; empty without a layer
+  const MapOrigin& origin() const { return origin_; }                    ///< how the map was made
 
   /// Prefixes in the names of other makers ("acme:Kiosk") and the IRIs that they stand for, as the document's context
   /// defines them. Names in memory have their prefix, so that they are those that plugins register.

@@ -21,7 +21,10 @@ OPAL_EXPORT MemberTolerance read_member_tolerance(const nlohmann::json& options)
 /// For templates over features that have a place (points, corners, circles): what a member says of itself, as numbers
 /// that a rigid motion of the pattern leaves unchanged. A circle has its radius; a corner its opening and the cosine
 /// and sine of its heading relative to an axis of the pattern (two numbers, for an angle has no order); a point none.
-/// @param axis  unit vector in the features' frame that moves with the pattern.
+/// @param member      one feature of the pattern, in any frame.
+/// @param axis        unit vector in the features' frame that moves with the pattern.
+/// @param tolerance   goes into the tolerances of the invariants.
+/// @param invariants  gets the numbers at its end.
 OPAL_EXPORT void append_member(const Geometry& member, const Point& axis, const MemberTolerance& tolerance,
                                std::vector<Invariant>& invariants);
 
@@ -39,6 +42,7 @@ struct MemberRank {
   double difference = 0;  ///< > 0: a goes first; corner and circle numbers mixed into one
   double tolerance = 0;   ///< below this, noise decides: the pattern is symmetric as far as one can see
 };
+/// Which of two members of one kind goes first; each is judged relative to its own axis of the pattern.
 OPAL_EXPORT MemberRank rank_members(const Geometry& a, const Point& axis_a, const Geometry& b, const Point& axis_b,
                                     const MemberTolerance& tolerance);
 

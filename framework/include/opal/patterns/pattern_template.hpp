@@ -26,6 +26,7 @@ class OPAL_EXPORT PatternTemplate {
  public:
   virtual ~PatternTemplate();
 
+  /// How many features of which shapes a pattern has, and how near they are. It is the same at every call.
   virtual PatternShape shape() const = 0;
 
   /// @param features  one feature per slot, all different, in one frame, any frame. Every selection that fits the

@@ -1,3 +1,5 @@
+/// @file
+/// What a plugin's plugin.cpp includes: the macro OPAL_PLUGIN, and what it leaves in the library.
 #pragma once
 
 #include <opal/plugin/registrar.hpp>
@@ -27,10 +29,11 @@ inline constexpr const char* kAbiTag =
 
 /// The one symbol of a plugin: plain data and one function.
 struct PluginDescriptor {
-  const char* abi_tag;
-  std::uint32_t eigen_max_align;
-  const char* name;
-  const char* version;
+  const char* abi_tag;            ///< kAbiTag of the headers that the plugin was built with
+  std::uint32_t eigen_max_align;  ///< EIGEN_MAX_ALIGN_BYTES of that build
+  const char* name;               ///< as plugin.jsonld says
+  const char* version;            ///< as plugin.jsonld says
+  /// Adds all types that plugin.jsonld describes, and no others.
   void (*register_types)(Registrar&);
 };
 

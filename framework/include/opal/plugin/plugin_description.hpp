@@ -10,14 +10,15 @@
 
 namespace opal {
 
+/// The interface that a type implements.
 enum class PluginKind {
-  feature_detector,
-  pattern_template,
-  hypothesis_scorer,
-  log_source,
-  map_importer,
-  scan_matcher,
-  map_store
+  feature_detector,   ///< opal::FeatureDetector
+  pattern_template,   ///< opal::PatternTemplate
+  hypothesis_scorer,  ///< opal::HypothesisScorer
+  log_source,         ///< opal::LogSource
+  map_importer,       ///< opal::MapImporter
+  scan_matcher,       ///< opal::ScanMatcher
+  map_store           ///< opal::MapStore
 };
 
 /// The kind as plugin.jsonld writes it: "FeatureDetector".
@@ -25,21 +26,21 @@ OPAL_EXPORT const char* name_of(PluginKind kind);
 
 /// One option of a type.
 struct OptionInfo {
-  std::string name;
+  std::string name;              ///< as configurations give it: "min_points"
   std::string type;              ///< "number", "integer", "boolean", "string", "object" (of texts)
   std::string unit;              ///< "m", "rad", "s"; empty: dimensionless
   nlohmann::json default_value;  ///< null: it may stay without a value
   nlohmann::json minimum;        ///< null: none
   nlohmann::json maximum;        ///< null: none
-  std::string description;
+  std::string description;       ///< a sentence for people
 };
 
 /// One type as plugin.jsonld promises it.
 struct DescribedType {
-  TypeInfo info;
-  PluginKind kind = PluginKind::feature_detector;
-  std::string description;
-  std::vector<OptionInfo> options;
+  TypeInfo info;                                   ///< name, and the feature types that it works on
+  PluginKind kind = PluginKind::feature_detector;  ///< its interface
+  std::string description;                         ///< a sentence for people
+  std::vector<OptionInfo> options;                 ///< in the order of the document
   /// A pattern template that runs only where the map's patterns or the deployment name it.
   bool on_request = false;
 };
@@ -47,15 +48,17 @@ struct DescribedType {
 /// The description that stands beside every plugin: known, and checked, before any code of the plugin runs.
 /// docs/write_a_plugin.md gives the format.
 struct PluginDescription {
-  std::string name;
-  std::string version;
-  std::vector<DescribedType> types;
+  std::string name;                  ///< of the plugin
+  std::string version;               ///< of the plugin; free text
+  std::vector<DescribedType> types;  ///< in the order of the document
 };
 
 /// Strict: unknown keys, missing keys, names given twice and defaults out of range are errors.
 /// @throws PluginError "FILE: POINTER: what was found, expected what".
 OPAL_EXPORT PluginDescription read_plugin_description(const std::string& path);
-/// @param file  how messages name the document.
+/// The same for a document that has been read before.
+/// @param document  the whole plugin.jsonld.
+/// @param file      how messages name the document.
 OPAL_EXPORT PluginDescription parse_plugin_description(const nlohmann::json& document, const std::string& file);
 
 /// "an integer from 2 to 1000", "a number >= 0 [m]": what the option accepts, in words.
@@ -64,6 +67,8 @@ OPAL_EXPORT std::string accepted_values(const OptionInfo& option);
 /// Checks options against their description and fills in the defaults. Numbers come out as floating point
 /// where the description says "number".
 /// @param type_name  how messages name the type.
+/// @param described  all options that the type has.
+/// @param given      an object: names and values.
 /// @throws PluginError "TYPE: option NAME: what was found, expected what".
 OPAL_EXPORT nlohmann::json complete_options(const std::string& type_name, const std::vector<OptionInfo>& described,
                                             const nlohmann::json& given);

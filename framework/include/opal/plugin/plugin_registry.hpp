@@ -10,13 +10,13 @@ namespace opal {
 
 /// What the application knows of one registered type.
 struct RegisteredType {
-  TypeInfo info;
-  PluginKind kind = PluginKind::feature_detector;
-  std::string plugin;  ///< plugin name
-  std::string version;
-  std::string file;  ///< canonical path of the shared library
-  std::string description;
-  std::vector<OptionInfo> options;
+  TypeInfo info;                                   ///< name, and the feature types that it works on
+  PluginKind kind = PluginKind::feature_detector;  ///< its interface
+  std::string plugin;                              ///< plugin name
+  std::string version;                             ///< of the plugin
+  std::string file;                                ///< canonical path of the shared library
+  std::string description;                         ///< a sentence for people
+  std::vector<OptionInfo> options;                 ///< in the order of the description
   bool on_request = false;  ///< a pattern template that runs only where the map's patterns or the deployment name it
 };
 
@@ -25,9 +25,12 @@ struct RegisteredType {
 /// start-up; afterwards the const functions may be called from several.
 class OPAL_EXPORT PluginRegistry {
  public:
+  /// A registry that knows no types.
   PluginRegistry();
   ~PluginRegistry();
+  /// Takes the contents of another registry, which must not be used any more.
   PluginRegistry(PluginRegistry&&) noexcept;
+  /// Takes the contents of another registry, which must not be used any more.
   PluginRegistry& operator=(PluginRegistry&&) noexcept;
 
   /// Loads one library with the description that stands beside it (lines.jsonld beside lines.so).
@@ -48,6 +51,7 @@ class OPAL_EXPORT PluginRegistry {
   std::vector<RegisteredType> types() const;
   /// @throws PluginError if there is none of that name; the message lists what there is.
   const RegisteredType& type(const std::string& name) const;
+  /// True if a type of that name was loaded or announced.
   bool has(const std::string& name) const;
 
   /// Makes an object, which may outlive the registry. Options are checked against the description (unknown

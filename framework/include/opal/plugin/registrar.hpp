@@ -33,12 +33,19 @@ using Factory = std::function<std::unique_ptr<T>(const nlohmann::json& options)>
 class OPAL_EXPORT Registrar {
  public:
   virtual ~Registrar();
+  /// Registers a type that finds features in scans.
   virtual void add(TypeInfo type, Factory<FeatureDetector> make) = 0;
+  /// Registers a type that relates features to each other.
   virtual void add(TypeInfo type, Factory<PatternTemplate> make) = 0;
+  /// Registers a type that judges hypotheses.
   virtual void add(TypeInfo type, Factory<HypothesisScorer> make) = 0;
+  /// Registers a type that reads recorded logs.
   virtual void add(TypeInfo type, Factory<LogSource> make) = 0;
+  /// Registers a type that makes maps of other sources.
   virtual void add(TypeInfo type, Factory<MapImporter> make) = 0;
+  /// Registers a type that lays scans over each other.
   virtual void add(TypeInfo type, Factory<ScanMatcher> make) = 0;
+  /// Registers a type that keeps maps in versions.
   virtual void add(TypeInfo type, Factory<MapStore> make) = 0;
 };
 

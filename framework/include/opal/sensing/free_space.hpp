@@ -6,6 +6,7 @@
 
 namespace opal {
 
+/// How far and how finely the outline follows the beams.
 struct FreeSpaceOptions {
   double reach_m = 10;        ///< beams that met nothing are followed so far, and longer returns cut there
   double gap_rad = 0.05;      ///< where neighbouring beams are farther apart, nothing is known between them

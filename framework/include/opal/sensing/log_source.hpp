@@ -11,16 +11,18 @@
 
 namespace opal {
 
+/// One pose of the wheel odometry.
 struct OdometryRecord {
-  double stamp_s = 0;
-  Pose2 T_odom_base;
+  double stamp_s = 0;  ///< by the clock of the log
+  Pose2 T_odom_base;   ///< the pose since the start of odometry, which drifts
 };
 /// A static transform that the log itself states, e.g. from tf_static.
 struct MountRecord {
-  std::string parent;
-  std::string child;
-  Pose2 T_parent_child;
+  std::string parent;    ///< name of the frame in which the pose is given
+  std::string child;     ///< name of the frame that is placed, a laser perhaps
+  Pose2 T_parent_child;  ///< where the child's frame lies in the parent's
 };
+/// What a log may hold; everything else in it is passed over.
 using LogRecord = std::variant<OdometryRecord, RawScan, MountRecord>;
 
 /// Walks one recorded log in file order.

@@ -18,8 +18,10 @@ struct Sample {
   Pose2 T_odom_base;  ///< free of the jumps of the recorded odometry if ReplayOptions::bridge_jumps
 };
 
+/// Which part of a log is played, and what counts as odd in it.
 struct ReplayOptions {
   double from_s = -std::numeric_limits<double>::infinity();  ///< records outside [from_s, to_s] are not looked at
+  /// The end of the window, by the clock of the log.
   double to_s = std::numeric_limits<double>::infinity();
   double gap_s = 2.0;            ///< records farther apart than this are counted as a gap
   double odometry_wait_s = 1.0;  ///< a scan takes odometry that is at most this much older or newer, if it is
@@ -36,11 +38,14 @@ struct ReplayOptions {
 /// what was odd is counted, and the next good record goes on.
 class OPAL_EXPORT Replay {
  public:
+  /// Plays a log from where its reader stands.
   Replay(std::unique_ptr<LogReader> reader, const LaserModel& laser, const ReplayOptions& options = {});
   /// Plays records that were read before, e.g. many windows of one log. They must outlive the replay.
   Replay(std::span<const LogRecord> records, const LaserModel& laser, const ReplayOptions& options = {});
   ~Replay();
+  /// Takes over another replay, which must not be used any more.
   Replay(Replay&&) noexcept;
+  /// Takes over another replay, which must not be used any more.
   Replay& operator=(Replay&&) noexcept;
 
   /// @return the next sample, or nullopt at the end. A scan waits until the odometry has passed it.

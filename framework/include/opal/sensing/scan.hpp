@@ -10,22 +10,22 @@ namespace opal {
 
 /// What a planar LiDAR can see and where it sits. Comes from the deployment's sensor description.
 struct LaserModel {
-  std::string id = "PlanarLidar2D";  ///< the sensor that map features are `perceivable_by`
-  double angle_min_rad = -std::numbers::pi / 2;
-  double angle_increment_rad = std::numbers::pi / 360;
-  int beams = 361;
-  double range_min_m = 0.05;
-  double range_max_m = 30.0;  ///< returns farther than this are not used
-  double no_return_m = 80.0;  ///< a range at or above this means that nothing was hit
-  double range_sigma_m = 0.02;
-  Pose2 T_base_laser;
+  std::string id = "PlanarLidar2D";                     ///< the sensor that map features are `perceivable_by`
+  double angle_min_rad = -std::numbers::pi / 2;         ///< bearing of beam 0, in the sensor frame
+  double angle_increment_rad = std::numbers::pi / 360;  ///< from one beam to the next; negative: clockwise
+  int beams = 361;                                      ///< number of beams in a sweep
+  double range_min_m = 0.05;                            ///< nearer returns are invalid
+  double range_max_m = 30.0;                            ///< returns farther than this are not used
+  double no_return_m = 80.0;                            ///< a range at or above this means that nothing was hit
+  double range_sigma_m = 0.02;                          ///< one-sigma noise of a range
+  Pose2 T_base_laser;                                   ///< where the sensor sits on the robot
   /// Beam geometry and mount are those that the log states (ROS bags do); what is above holds where it states none.
   bool geometry_from_log = false;
 };
 
 /// One range reading as recorded; invalid and missing ranges still in it.
 struct RawScan {
-  double stamp_s = 0;
+  double stamp_s = 0;                         ///< by the clock of the log
   std::vector<float> ranges_m;                ///< by beam index; NaN, 0, negative and infinite all occur
   std::string frame;                          ///< the laser's name in the log, as in MountRecord::child; may be empty
   std::optional<Pose2> T_odom_base;           ///< odometry recorded with the scan, if the log has it
@@ -35,18 +35,18 @@ struct RawScan {
 
 /// One beam that hit something.
 struct ScanPoint {
-  Point position;  ///< [m] in the sensor frame
-  double range_m = 0;
-  double bearing_rad = 0;
-  int beam = 0;
+  Point position;          ///< [m] in the sensor frame
+  double range_m = 0;      ///< distance from the sensor
+  double bearing_rad = 0;  ///< in the sensor frame, in [-pi, pi)
+  int beam = 0;            ///< index in the sweep as recorded
 };
 
 /// One sweep, cleaned: points by increasing bearing in the sensor frame (`laser`). Bearings are in [-pi, pi), so the
 /// points of a laser that sees all around start and end behind it, whatever beam it starts with.
 struct Scan {
-  double stamp_s = 0;
-  double angle_increment_rad = 0;  ///< positive
-  double range_max_m = 0;
+  double stamp_s = 0;                     ///< by the clock of the log
+  double angle_increment_rad = 0;         ///< positive
+  double range_max_m = 0;                 ///< of the laser model: hits are no farther
   std::vector<ScanPoint> points;          ///< valid returns up to range_max_m
   std::vector<double> free_bearings_rad;  ///< beams that hit nothing up to range_max_m, increasing
   int invalid = 0;                        ///< NaN, zero, negative or too near: neither hit nor free

@@ -21,8 +21,9 @@ struct Sightline {
 
 /// Positions first..last of consecutive hits, both inclusive.
 struct Run {
-  int first = 0;
-  int last = 0;
+  int first = 0;  ///< into ScanChains::hits
+  int last = 0;   ///< into ScanChains::hits
+  /// Number of hits.
   int size() const { return last - first + 1; }
 };
 
@@ -39,11 +40,12 @@ struct ScanChains {
   std::vector<int> sightline_of;      ///< by hit: its sightline
   bool full_circle = false;           ///< the last sightline is followed by the first one
   bool closed = false;                ///< ... and one chain goes all around
-  double angle_increment_rad = 0;
-  double range_max_m = 0;
-  int max_missing_beams = 0;
+  double angle_increment_rad = 0;     ///< between beams; positive
+  double range_max_m = 0;             ///< of the scan
+  int max_missing_beams = 0;          ///< of the options
 };
 
+/// Cuts a scan into surfaces.
 OPAL_EXPORT ScanChains chained(const Scan& scan, const ChainOptions& options);
 
 /// The sightline `steps` after a hit, counter-clockwise (or before it, if negative); null beyond the edge of

@@ -17,6 +17,7 @@ class OPAL_EXPORT EventSink {
   virtual ~EventSink();
   /// False if nobody listens: callers then skip building events.
   virtual bool listening() const = 0;
+  /// Takes one event. Events come in order of time, from the thread of the localizer.
   virtual void write(const nlohmann::ordered_json& event) = 0;
 };
 
@@ -24,14 +25,17 @@ class OPAL_EXPORT EventSink {
 class OPAL_EXPORT NullEventSink final : public EventSink {
  public:
   bool listening() const override { return false; }
+  /// Drops the event.
   void write(const nlohmann::ordered_json&) override {}
 };
 
 /// JSON Lines, one event per line, numbers with at most 6 significant decimals after the point.
 class OPAL_EXPORT JsonLinesSink final : public EventSink {
  public:
+  /// Writes to a stream, which must outlive the sink.
   explicit JsonLinesSink(std::ostream& out) : out_(out) {}
   bool listening() const override { return true; }
+  /// Writes one line.
   void write(const nlohmann::ordered_json& event) override;
 
  private:

@@ -30,8 +30,8 @@ struct SearchScheduleOptions {
 
 /// Where the search may look, if the robot's whereabouts are known roughly. Frame: `map`.
 struct RegionPrior {
-  Point center = Point::Zero();
-  double radius_m = 0;
+  Point center = Point::Zero();  ///< [m]
+  double radius_m = 0;           ///< the robot is no farther from the centre
 };
 
 /// Global search: which patterns are looked up, and how many candidates pass each coarse-to-fine filter.
@@ -47,7 +47,7 @@ struct SearchOptions {
   double under_constrained_below_nat = 1;  ///< they are looked up if no candidate scores this
   double under_constrained_until_nat = 3;  ///< and only while no hypothesis has gathered this much
   bool from_stable = false;                ///< only stable local features may be looked up (Hendrikx 2023)
-  std::optional<RegionPrior> region;
+  std::optional<RegionPrior> region;       ///< none: the whole map
 };
 
 /// Retrospective verification of candidates by scans seen before.
@@ -65,9 +65,9 @@ struct GrowthOptions {
   bool register_by_associations = false;  ///< pose from associations (eq. 3.11) instead of scan and surfaces
   int registration_horizon = 5;           ///< N_d
   double gate_m = 0.4;                    ///< distance of a local feature from its mapped counterpart
-  double gate_rad = 0.2;
-  double outlier_m = 0.5;    ///< delta: an association that is this far off rejects the hypothesis
-  double outlier_rad = 0.5;  ///< alpha_c
+  double gate_rad = 0.2;                  ///< angle between the two
+  double outlier_m = 0.5;                 ///< delta: an association that is this far off rejects the hypothesis
+  double outlier_rad = 0.5;               ///< alpha_c
 };
 
 /// Tracking of hypotheses from scan to scan.
@@ -81,21 +81,22 @@ struct TrackingOptions {
 
 /// The set of hypotheses that are alive.
 struct HypothesesOptions {
-  double spawn_nat = -3.0;  ///< log prior of a new hypothesis against clutter
-  double prune_nat = 7;     ///< worse than the best by this: ended
-  int max_hypotheses = 120;
+  double spawn_nat = -3.0;   ///< log prior of a new hypothesis against clutter
+  double prune_nat = 7;      ///< worse than the best by this: ended
+  int max_hypotheses = 120;  ///< the best ones are kept
 };
 
 /// Status: when the best hypothesis is called localized, when lost.
 struct StatusOptions {
-  double none_scan_nat = 0.12;  ///< what a scan at a place that is not on the map would say for a wrong pose:
-                                ///< hypotheses must gather more than this to be believed
-  double localized_probability = 0.99;
-  double localized_weight = 2;        ///< sum of the scans' tempering weights over which that must hold,
+  double none_scan_nat = 0.12;          ///< what a scan at a place that is not on the map would say for a wrong pose:
+                                        ///< hypotheses must gather more than this to be believed
+  double localized_probability = 0.99;  ///< the best hypothesis must have more than this
+  double localized_weight = 2;          ///< sum of the scans' tempering weights over which that must hold,
   double localized_weight_per_m = 1;  ///< and so much more of it per metre of straight walls around the robot that are
   double localized_unmapped_m = 6;    ///< not on the map, beyond this much: it lacks walls, or the robot is elsewhere.
-  double localized_most_weight = 20;  ///< Whatever walls are missing, this is enough, or localized_weight if it is more
-  double lost_scan_nat = -0.2;        ///< mean of the newest scans below this: lost
+  double localized_most_weight =
+      20;                       ///< Whatever walls are missing, this is enough, or localized_weight if that is more
+  double lost_scan_nat = -0.2;  ///< mean of the newest scans below this: lost
 };
 
 /// Kidnap detection.
@@ -107,15 +108,15 @@ struct KidnappingOptions {
 
 /// The options of all stages.
 struct LocalizerOptions {
-  TemperingOptions tempering;
-  SearchScheduleOptions schedule;
-  SearchOptions search;
-  VerificationOptions verification;
-  GrowthOptions growth;
-  TrackingOptions tracking;
-  HypothesesOptions hypotheses;
-  StatusOptions status;
-  KidnappingOptions kidnapping;
+  TemperingOptions tempering;        ///< how much each scan counts
+  SearchScheduleOptions schedule;    ///< when the map is searched
+  SearchOptions search;              ///< how the map is searched
+  VerificationOptions verification;  ///< by earlier scans
+  GrowthOptions growth;              ///< of the association tree
+  TrackingOptions tracking;          ///< from scan to scan
+  HypothesesOptions hypotheses;      ///< which begin and which end
+  StatusOptions status;              ///< when the robot is localized or lost
+  KidnappingOptions kidnapping;      ///< when the robot was carried off
 };
 
 }  // namespace opal

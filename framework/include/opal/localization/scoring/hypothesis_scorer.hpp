@@ -24,7 +24,10 @@ class OPAL_EXPORT HypothesisScorer {
   virtual std::unique_ptr<ScorerMemory> new_memory(const MapView& map) const;
 
   /// The robot under this hypothesis stands at hypothesis.T_map_local * observation.local_map.T_local_base().
-  /// @param memory  of this hypothesis, made by this scorer; null if and only if new_memory gives null.
+  /// @param hypothesis   what is judged: its registration and its associations.
+  /// @param observation  what the robot sees now.
+  /// @param map          the map that the hypothesis refers to.
+  /// @param memory       of this hypothesis, made by this scorer; null if and only if new_memory gives null.
   virtual Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
                       const ScorerMemory* memory) const = 0;
 
@@ -32,12 +35,15 @@ class OPAL_EXPORT HypothesisScorer {
   Score score_new(const Hypothesis& hypothesis, const Observation& observation, const MapView& map) const;
 
   /// Adds to a memory what one scan has shown (Score::seen).
+  /// @param memory  what this scorer made; it is changed.
+  /// @param seen    Score::seen of that scan.
   /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1]. In retrospective
   /// verification
   ///                a scan stands for those just before it as well, and weighs less than 2.
   virtual void remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const;
 
   /// Lets a memory fade as one more scan is tracked; called before `remember`, not in retrospective verification.
+  /// @param memory  what this scorer made; it is changed.
   /// @param weight  as for `remember`, in (0, 1].
   virtual void fade(ScorerMemory& memory, double weight) const;
 

@@ -22,9 +22,11 @@ class OPAL_EXPORT ScorerMemory {
 /// branch share their memories until one of them is about to change (copy on write).
 class OPAL_EXPORT ScorerMemories {
  public:
+  /// A memory that several hypotheses may hold.
   using Shared = std::shared_ptr<ScorerMemory>;
 
   ScorerMemories() = default;
+  /// One memory per scorer, in the scorers' order; null for one that remembers nothing.
   explicit ScorerMemories(std::vector<Shared> memories) : memories_(std::move(memories)) {}
 
   /// Nothing has been remembered yet.

@@ -20,8 +20,11 @@ struct Surface {
   /// map cuts them up; a circle has its own.
   int line = -1;
 
+  /// True for a round column, false for a face.
   bool is_circle() const { return direction.x() == 0 && direction.y() == 0; }
+  /// Unit vector towards the visible side of a face; zero for a circle.
   Point normal() const { return left_of(direction); }
+  /// Shortest distance from `p` to the face or the rim.
   double distance_m(const Point& p) const {
     const Point from = p - origin;
     if (is_circle()) return std::abs(from.norm() - size_m);
@@ -39,8 +42,8 @@ class OPAL_EXPORT MapView {
   MapView(const MapView&) = delete;
   MapView& operator=(const MapView&) = delete;
 
-  const SemanticMap& map() const;
-  const MapFeature& feature(int number) const;
+  const SemanticMap& map() const;               ///< the whole map, other sensors' features included
+  const MapFeature& feature(int number) const;  ///< by number, perceivable or not
   /// All perceivable features.
   std::span<const int> features() const;
   /// The surface of a feature that is a segment or a circle.
@@ -50,20 +53,26 @@ class OPAL_EXPORT MapView {
 
   /// The surface (segment or circle) nearest to `p` that faces a viewer who looks along `view_direction`, among those
   /// within reach_m(). A lookup in a grid of 0.1 m cells, so a surface up to one cell farther may be named.
+  /// @param p               where the surface is looked for [m].
   /// @param view_direction  any length; from the viewer to p.
   /// @return feature number, or -1.
   int nearest_facing(const Point& p, const Point& view_direction) const;
   /// Distance [m] from p to the nearest surface whatever its side, by grid lookup (within one cell's diagonal), capped
   /// at clearance_cap_m().
   double clearance_m(const Point& p) const;
+  /// How far `nearest_facing` looks from a point.
   static constexpr double reach_m() { return 0.8; }
+  /// The largest answer of `clearance_m`.
   static constexpr double clearance_cap_m() { return 2.5; }
+  /// Width of a cell in the grids that lookups use.
   static constexpr double cell_m() { return 0.1; }
 
   /// exp(-d^2 / (2 * 0.2^2)) of the distance d to the nearest surface, by grid lookup: for coarse, fast judgements.
   float likelihood_field(const Point& p) const;
   /// Sum of the likelihood-field score of `position + point`, over all points.
-  /// @param slack_m  0 to 0.5: every surface counts as nearer by that, so that this is the most that any position
+  /// @param points    relative to `position` [m], along the axes of the map.
+  /// @param position  in the map [m].
+  /// @param slack_m   0 to 0.5: every surface counts as nearer by that, so that this is the most that any position
   /// within
   ///                 slack_m can have.
   float likelihood_field_sum(std::span<const Point> points, const Point& position, double slack_m = 0) const;
@@ -77,6 +86,9 @@ class OPAL_EXPORT MapView {
     double range_m = 0;        ///< from origin
     bool from_behind = false;  ///< crossed from the side on which it is not visible
   };
+  /// The first surface between two points, both in the map [m].
+  /// @param origin             where the ray begins.
+  /// @param target             where it ends.
   /// @param min_penetration_m  surfaces that the target overshoots by less, measured perpendicular to them, do not
   ///                           count.
   Crossing first_crossing(const Point& origin, const Point& target, double min_penetration_m) const;

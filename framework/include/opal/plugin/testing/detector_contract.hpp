@@ -14,10 +14,10 @@ OPAL_EXPORT std::vector<Scan> example_scans();
 
 /// What a detector is tried on, besides empty, tiny, huge, degenerate and not-a-number scans.
 struct DetectorTrial {
-  std::vector<Scan> scans = example_scans();
-  double position_tolerance_m = 1e-3;  ///< between features of a rotated scan and rotated features
-  double angle_tolerance_rad = 1e-3;
-  bool must_find_something = false;  ///< for authors whose scans hold what they look for
+  std::vector<Scan> scans = example_scans();  ///< what the detector sees in turn
+  double position_tolerance_m = 1e-3;         ///< between features of a rotated scan and rotated features
+  double angle_tolerance_rad = 1e-3;          ///< the same for headings
+  bool must_find_something = false;           ///< for authors whose scans hold what they look for
 };
 
 /// What every detector promises (feature_detector.hpp): finite features of the types that it says it

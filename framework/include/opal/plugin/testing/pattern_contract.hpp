@@ -13,8 +13,8 @@ struct PatternTrial {
   /// Selections that must form instances, in any order of their features; empty: random selections are tried,
   /// and some of them must form one.
   std::vector<std::vector<Feature>> selections;
-  int random_selections = 3000;
-  double tolerance = 1e-6;  ///< of invariants and frames [m, rad], relative to their size
+  int random_selections = 3000;  ///< tried if `selections` is empty
+  double tolerance = 1e-6;       ///< of invariants and frames [m, rad], relative to their size
 };
 
 /// What every template promises (pattern_template.hpp): invariants that no rigid motion changes, with the

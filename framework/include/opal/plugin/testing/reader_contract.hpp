@@ -14,6 +14,7 @@ namespace opal::testing {
 /// interface names.
 /// @return violations, one sentence each; empty for a good citizen.
 OPAL_EXPORT std::vector<std::string> log_source_violations(const LogSource& source, const TypeInfo& type);
+/// The same for an importer of maps. @return violations, one sentence each; empty for a good citizen.
 OPAL_EXPORT std::vector<std::string> map_importer_violations(const MapImporter& importer, const TypeInfo& type);
 
 }  // namespace opal::testing

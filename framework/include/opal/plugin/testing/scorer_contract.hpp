@@ -16,8 +16,8 @@ OPAL_EXPORT std::shared_ptr<const SemanticMap> example_map();
 /// What a scorer is tried on.
 struct ScorerTrial {
   std::shared_ptr<const SemanticMap> map;  ///< null: example_map()
-  std::string sensor = "PlanarLidar2D";
-  std::vector<Pose2> T_map_base;  ///< where the robot stands in turn; empty: places in example_map()
+  std::string sensor = "PlanarLidar2D";    ///< that perceives the map
+  std::vector<Pose2> T_map_base;           ///< where the robot stands in turn; empty: places in example_map()
   /// How much a score may change when map and registration are moved together: maps are looked up in grids,
   /// which do not turn with them [nat].
   double rigid_tolerance_nat = 0.5;
