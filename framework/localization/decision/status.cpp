@@ -63,6 +63,8 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
     else if (probability > kAlternativeProbability)
       estimate.alternatives.push_back({live.hypothesis.id, pose, probability});
   }
+  std::stable_sort(estimate.alternatives.begin(), estimate.alternatives.end(),
+                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
 }
 
 double StatusEstimator::weight_asked(double unmapped_walls_m) const {
@@ -150,9 +152,9 @@ PoseEstimate StatusEstimator::at(double stamp_s, const Pose2& T_local_base) cons
   PoseEstimate estimate = last_;
   estimate.stamp_s = stamp_s;
   if (!last_.has_pose) return estimate;
-  const Pose2 move = T_map_local_ * T_local_base * last_.T_map_base.inverse();
   estimate.T_map_base = T_map_local_ * T_local_base;
-  for (auto& alternative : estimate.alternatives) alternative.T_map_base = move * alternative.T_map_base;
+  const Pose2 T_last_now = last_.T_map_base.inverse() * estimate.T_map_base;  // as driven, whichever way one looks
+  for (auto& alternative : estimate.alternatives) alternative.T_map_base = alternative.T_map_base * T_last_now;
   return estimate;
 }
 

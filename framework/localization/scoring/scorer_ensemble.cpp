@@ -10,11 +10,12 @@ ScorerEnsemble::ScorerEnsemble(std::vector<ActiveScorer> scorers, std::shared_pt
     : scorers_(std::move(scorers)), map_(std::move(map)), failures_(failures) {
   std::vector<ScorerMemories::Shared> memories(scorers_.size());
   for (std::size_t k = 0; k < scorers_.size(); ++k)
-    failures_.guard(scorers_[k].name, [&] { memories[k] = scorers_[k].part->new_memory(*map_); });
+    usable_.push_back(failures_.guard(scorers_[k].name, [&] { memories[k] = scorers_[k].part->new_memory(*map_); }));
   new_memories_ = ScorerMemories(std::move(memories));
 }
 
 Score ScorerEnsemble::ask(std::size_t number, const Hypothesis& hypothesis, const Observation& observation) const {
+  if (!usable_[number]) return {};
   const ActiveScorer& scorer = scorers_[number];
   const ScorerMemories& memories = hypothesis.memories.empty() ? new_memories_ : hypothesis.memories;
   Score score;

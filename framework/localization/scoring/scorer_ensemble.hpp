@@ -51,6 +51,7 @@ class OPAL_EXPORT ScorerEnsemble {
   std::vector<ActiveScorer> scorers_;
   std::shared_ptr<const MapView> map_;
   PluginFailures& failures_;
+  std::vector<bool> usable_;     ///< by scorer: it made the memory that it wants, or wants none
   ScorerMemories new_memories_;  ///< of a hypothesis that has met nothing yet
 };
 
