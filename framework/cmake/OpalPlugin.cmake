@@ -2,7 +2,7 @@
 #
 # One shared library, NAME.so, with its description NAME.jsonld (made from plugin.jsonld beside the CMakeLists.txt) in
 # ${CMAKE_BINARY_DIR}/plugins; both are installed into lib/opal/plugins. The target is called NAME_plugin.
-# The plugin is put through the contract tests: in Opal's own tree by tests/contract, elsewhere by a test
+# The plugin is put through the contract tests: in Opal's own tree by tests/plugin/contract, elsewhere by a test
 # NAME_keeps_its_contract, if the project calls enable_testing() first.
 function(opal_add_plugin name)
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})

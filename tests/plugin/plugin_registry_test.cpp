@@ -1,4 +1,4 @@
-// What needs no plugin. tests/bad_plugins has the plugins that fail, tests/contract those that must not.
+// What needs no plugin. tests/plugin/bad_plugins has the plugins that fail, tests/plugin/contract those that must not.
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/plugin/plugin_folders.hpp>

@@ -10,7 +10,7 @@ using namespace opal;
 namespace {
 
 std::string golden_path(const std::string& site) {
-  return std::string(OPAL_SOURCE_DIR) + "/tests/replay/" + site + "/golden.json";
+  return std::string(OPAL_SOURCE_DIR) + "/tests/system/replay/" + site + "/golden.json";
 }
 
 nlohmann::ordered_json measure(const std::string& site_name) {
