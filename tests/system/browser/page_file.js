@@ -7,7 +7,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-export const kPageFolder = join(dirname(fileURLToPath(import.meta.url)), '../../framework/viewer/page');
+export const kPageFolder = join(dirname(fileURLToPath(import.meta.url)), '../../../framework/viewer/page');
 export const kFolder = mkdtempSync(join(tmpdir(), 'opal-viewer-'));
 let script = null;
 

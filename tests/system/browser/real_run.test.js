@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { launch, open } from './browser.js';
 import { kFolder } from './page_file.js';
 
-const kRoot = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const kRoot = join(dirname(fileURLToPath(import.meta.url)), '../../..');
 const kProgram = process.env.OPAL_PROGRAM ?? '';
 const skip = existsSync(kProgram) ? false : 'OPAL_PROGRAM does not name the built program';
 const kPlace_m = 0.003,

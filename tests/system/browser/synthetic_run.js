@@ -1,6 +1,6 @@
 /// A synthetic run as records of framework/viewer/page/README.md: a robot on a round through a hall, hypotheses at places that
 /// look alike, most of which fall. Returns `{lines, truth}`; truth[f] is what the page has to show of frame f.
-import { compose, inverse, wrapAngle } from '../../framework/viewer/page/pose.js';
+import { compose, inverse, wrapAngle } from '../../../framework/viewer/page/pose.js';
 
 export const kUnits = { unit_m: 0.01, unit_rad: 0.002, unit_nat: 0.02, scan_unit_m: 0.01 };
 const kWidth_m = 40,
