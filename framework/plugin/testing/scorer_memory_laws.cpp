@@ -71,7 +71,8 @@ class MemoryTrial {
   void check_copy(const ScorerMemory& memory) {
     Memory copy;
     violations_.expect_no_throw("copying the memory of " + ask_.name, [&] { copy = memory.copy(); });
-    if (!copy || typeid(*copy) != typeid(memory))
+    const ScorerMemory* copied = copy.get();
+    if (!copied || typeid(*copied) != typeid(memory))
       return violations_.add("memory copies itself",
                              "has a memory whose copy is " + std::string(copy ? "of another type" : "null"));
     const auto before = score(&memory);
