@@ -1,6 +1,8 @@
 #include <opal/common/error.hpp>
 #include <opal/map/view/map_view.hpp>
 
+#include "walls.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -9,35 +11,6 @@
 using namespace opal;
 
 namespace {
-
-std::shared_ptr<const SemanticMap> map_of(const std::vector<Geometry>& geometries) {
-  std::vector<MapObject> objects;
-  std::vector<MapFeature> features;
-  for (const Geometry& geometry : geometries) {
-    const int number = static_cast<int>(features.size());
-    const bool column = kind_of(geometry) == GeometryKind::circle;
-    objects.push_back({"object-" + std::to_string(number), column ? "opal:Column" : "opal:Wall", {number}});
-    MapFeature feature;
-    feature.id = "feature-" + std::to_string(number);
-    feature.object = number;
-    feature.type = column ? "opal:Column" : "opal:Wall";
-    feature.sensor = "PlanarLidar2D";
-    feature.geometry = geometry;
-    features.push_back(feature);
-  }
-  return SemanticMap::make("test", objects, features);
-}
-
-std::vector<Geometry> random_walls(int count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(0, 60), size(0.2, 9), heading(-3.14, 3.14);
-  std::vector<Geometry> walls;
-  for (int k = 0; k < count; ++k) {
-    const Point begin(place(random), place(random));
-    walls.push_back(Segment{begin, begin + size(random) * unit_vector(heading(random))});
-  }
-  return walls;
-}
 
 /// A wall seen from both sides, 0.1 m thick, along the x axis.
 const Segment kUpper{{0, 0.1}, {4, 0.1}}, kLower{{4, 0}, {0, 0}};

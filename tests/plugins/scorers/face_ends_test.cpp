@@ -1,4 +1,5 @@
 #include "plugins/score_beams/face_ends.hpp"
+#include "tests/map/view/walls.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,35 +9,6 @@
 using namespace opal;
 
 namespace {
-
-std::shared_ptr<const SemanticMap> map_of(const std::vector<Geometry>& geometries) {
-  std::vector<MapObject> objects;
-  std::vector<MapFeature> features;
-  for (const Geometry& geometry : geometries) {
-    const int number = static_cast<int>(features.size());
-    const bool column = kind_of(geometry) == GeometryKind::circle;
-    objects.push_back({"object-" + std::to_string(number), column ? "opal:Column" : "opal:Wall", {number}});
-    MapFeature feature;
-    feature.id = "feature-" + std::to_string(number);
-    feature.object = number;
-    feature.type = column ? "opal:Column" : "opal:Wall";
-    feature.sensor = "PlanarLidar2D";
-    feature.geometry = geometry;
-    features.push_back(feature);
-  }
-  return SemanticMap::make("test", objects, features);
-}
-
-std::vector<Geometry> random_walls(int count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(0, 60), size(0.2, 9), heading(-3.14, 3.14);
-  std::vector<Geometry> walls;
-  for (int k = 0; k < count; ++k) {
-    const Point begin(place(random), place(random));
-    walls.push_back(Segment{begin, begin + size(random) * unit_vector(heading(random))});
-  }
-  return walls;
-}
 
 FaceEnds ends_of(std::shared_ptr<const SemanticMap> map) {
   return FaceEnds::of(MapView(std::move(map), "PlanarLidar2D"));
