@@ -258,8 +258,7 @@ CandidateGenerator::Proposal CandidateGenerator::propose(std::span<const SearchF
   for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.candidates)) {
     const Place& place = places[k];
     const Lookup& lookup = lookups[place.lookup];
-    proposal.candidates.push_back(
-        {poses[k], place.likelihood_field, lookup.table, pair_up(lookup, place.mapped, poses[k], best)});
+    proposal.candidates.push_back({poses[k], lookup.table, pair_up(lookup, place.mapped, poses[k], best)});
   }
   return proposal;
 }

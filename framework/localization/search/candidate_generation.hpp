@@ -24,8 +24,7 @@ struct SearchFeature {
 /// A pose at which an observed pattern would be a mapped one.
 struct Candidate {
   Pose2 T_map_base;
-  double likelihood_field = 0;  ///< mean score of the coarse scan, in [0, 1]
-  int pattern = -1;             ///< which of the generator's templates
+  int pattern = -1;  ///< which of the generator's templates
   std::vector<Association> pairs = {};
 };
 
