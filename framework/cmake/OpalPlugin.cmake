@@ -25,6 +25,7 @@ function(opal_add_plugin name)
     CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   if(TARGET opal_headers)  # in Opal's own tree
     target_precompile_headers(${name}_plugin REUSE_FROM opal_headers)
+    opal_one_unit_per_folder(${name}_plugin)
   endif()
   # An undefined symbol shows when the plugin is linked, not when a robot loads it. clang does not link its sanitizer
   # runtime into shared libraries, so symbols stay open there.

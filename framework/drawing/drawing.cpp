@@ -17,11 +17,6 @@ constexpr double kLeastExtent_m = 2, kBorder_m = 0.8;
 /// A picture of a larger world would show nothing: such points are mistakes.
 constexpr double kLargestCoordinate_m = 1e5;
 
-struct ReleaseSurface {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, ReleaseSurface>;
-
 /// The smallest rectangle around what it is shown.
 class Extent {
  public:

@@ -11,11 +11,6 @@ namespace {
 
 constexpr double kPngScale = 1.5;
 
-struct ReleaseSurface {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, ReleaseSurface>;
-
 void expect_success(cairo_status_t status, const std::string& path) {
   if (status != CAIRO_STATUS_SUCCESS)
     throw Error(path + ": picture cannot be written: " + cairo_status_to_string(status));

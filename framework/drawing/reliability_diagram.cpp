@@ -11,7 +11,7 @@
 namespace opal {
 namespace {
 
-constexpr double kPanel_px = 380, kBars_px = 90, kGap_px = 34, kText_px = 13;
+constexpr double kPanel_px = 380, kBars_px = 90, kGap_px = 34, kDiagramText_px = 13;
 constexpr double kLeft_px = 64, kTop_px = 84, kBetween_px = 92, kRight_px = 40, kBelow_px = 96;
 const Point kPage_px(kLeft_px + 2 * kPanel_px + kBetween_px + kRight_px,
                      kTop_px + kPanel_px + kGap_px + kBars_px + kBelow_px);
@@ -48,10 +48,10 @@ class Panel {
       canvas_.page_line(at(said, 1), at(said, from_.y()), ink::kGrid, 1);
       canvas_.page_line(at(from_.x(), came_true), at(1, came_true), ink::kGrid, 1);
       const std::string x = sentence("%.2f", said), y = sentence("%.2f", came_true);
-      canvas_.text(at(said, from_.y()) + Point(-canvas_.text_width_px(x, kText_px) / 2, 20), x, kText_px,
+      canvas_.text(at(said, from_.y()) + Point(-canvas_.text_width_px(x, kDiagramText_px) / 2, 20), x, kDiagramText_px,
                    ink::kFaintText);
-      canvas_.text(at(from_.x(), came_true) + Point(-canvas_.text_width_px(y, kText_px) - 8, 4), y, kText_px,
-                   ink::kFaintText);
+      canvas_.text(at(from_.x(), came_true) + Point(-canvas_.text_width_px(y, kDiagramText_px) - 8, 4), y,
+                   kDiagramText_px, ink::kFaintText);
     }
   }
 
@@ -95,17 +95,18 @@ void draw(const Calibration& calibration, const std::string& title, cairo_surfac
       sentence("%zu statements in %zu queries; Brier score %.4f, log loss %.3f nat, expected calibration error %.4f",
                calibration.statements, calibration.clusters, calibration.brier, calibration.log_loss,
                calibration.expected_error);
-  canvas.text({kLeft_px, 60}, scores, kText_px, ink::kFaintText);
+  canvas.text({kLeft_px, 60}, scores, kDiagramText_px, ink::kFaintText);
   Panel(canvas, {kLeft_px, kTop_px}, 0, 0).draw(calibration.bins);
   Panel(canvas, {kLeft_px + kPanel_px + kBetween_px, kTop_px}, kClose, lowest_from(calibration.bins, kClose))
       .draw(calibration.bins);
   const double below_px = kPage_px.y() - kBelow_px;
   canvas.text({kLeft_px, below_px + 28},
               "Right: what was said (probability). Up: what came true (share), with 95 % by the number of queries.",
-              kText_px, ink::kText);
+              kDiagramText_px, ink::kText);
   canvas.text({kLeft_px, below_px + 48}, "Dashed: perfectly calibrated. The second panel shows the same from 0.9 on.",
-              kText_px, ink::kText);
-  canvas.text({kLeft_px, below_px + 68}, "Bars: statements per bin, on a logarithmic scale.", kText_px, ink::kText);
+              kDiagramText_px, ink::kText);
+  canvas.text({kLeft_px, below_px + 68}, "Bars: statements per bin, on a logarithmic scale.", kDiagramText_px,
+              ink::kText);
 }
 
 }  // namespace

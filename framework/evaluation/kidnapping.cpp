@@ -10,14 +10,14 @@ namespace opal {
 namespace {
 
 /// A row beside the truth.
-struct JudgedRow {
+struct RowBesideTruth {
   Status status = Status::searching;
   double error_m = 0;
-  double driven_m = 0;  ///< since the first judged row
+  double driven_m = 0;  ///< since the first beside_truth row
 };
 
-std::vector<JudgedRow> judged(std::span<const ResultRow> rows, const GroundTruth& truth) {
-  std::vector<JudgedRow> judged;
+std::vector<RowBesideTruth> beside_truth(std::span<const ResultRow> rows, const GroundTruth& truth) {
+  std::vector<RowBesideTruth> beside_truth;
   std::optional<Pose2> before;
   double driven_m = 0;
   for (const ResultRow& row : rows) {
@@ -25,14 +25,14 @@ std::vector<JudgedRow> judged(std::span<const ResultRow> rows, const GroundTruth
     if (!pose) continue;
     driven_m += before ? distance_m(*before, *pose) : 0;
     before = pose;
-    judged.push_back({row.status, distance_m(*pose, row.T_map_laser), driven_m});
+    beside_truth.push_back({row.status, distance_m(*pose, row.T_map_laser), driven_m});
   }
-  return judged;
+  return beside_truth;
 }
 
 /// Driven until the first row that is as wanted; negative: there is none.
 template <class Wanted>
-double driven_until(const std::vector<JudgedRow>& rows, Wanted&& wanted) {
+double driven_until(const std::vector<RowBesideTruth>& rows, Wanted&& wanted) {
   const auto found = std::find_if(rows.begin(), rows.end(), wanted);
   return found == rows.end() ? -1 : found->driven_m;
 }
@@ -48,10 +48,11 @@ double median(std::vector<double> values) {
 KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t cut, const GroundTruth& truth,
                                    const RecoveryOptions& options) {
   cut = std::min(cut, rows.size());
-  const auto right = [&](const JudgedRow& row) { return row.error_m < options.right_within_m; };
-  const auto falsely = [&](const JudgedRow& row) { return row.status == Status::localized && !right(row); };
+  const auto right = [&](const RowBesideTruth& row) { return row.error_m < options.right_within_m; };
+  const auto falsely = [&](const RowBesideTruth& row) { return row.status == Status::localized && !right(row); };
   KidnappingVerdict verdict;
-  const std::vector<JudgedRow> before = judged(rows.subspan(0, cut), truth), after = judged(rows.subspan(cut), truth);
+  const std::vector<RowBesideTruth> before = beside_truth(rows.subspan(0, cut), truth),
+                                    after = beside_truth(rows.subspan(cut), truth);
   verdict.localized_before = !before.empty() && before.back().status == Status::localized && right(before.back());
   if (after.empty()) return verdict;
   verdict.rows = static_cast<int>(after.size());
@@ -64,10 +65,10 @@ KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t 
   if (verdict.driven_m - right_from_m >= options.least_kept_m) verdict.right_after_m = right_from_m;
   verdict.recovered = verdict.right_after_m >= 0 && verdict.right_after_m <= options.recover_within_m;
 
-  verdict.noticed_after_m = driven_until(after, [&](const JudgedRow& row) { return !falsely(row); });
-  verdict.lost_after_m = driven_until(after, [](const JudgedRow& row) { return row.status == Status::lost; });
+  verdict.noticed_after_m = driven_until(after, [&](const RowBesideTruth& row) { return !falsely(row); });
+  verdict.lost_after_m = driven_until(after, [](const RowBesideTruth& row) { return row.status == Status::lost; });
   verdict.localized_after_m =
-      driven_until(after, [&](const JudgedRow& row) { return row.status == Status::localized && right(row); });
+      driven_until(after, [&](const RowBesideTruth& row) { return row.status == Status::localized && right(row); });
   verdict.false_rows = static_cast<int>(std::count_if(after.begin(), after.end(), falsely));
   verdict.false_rows_at_once = static_cast<int>(std::find_if_not(after.begin(), after.end(), falsely) - after.begin());
   for (std::size_t k = 1; k < after.size(); ++k)

@@ -8,12 +8,12 @@
 namespace opal::vocabulary {
 namespace {
 
-using Names = std::unordered_map<std::string, std::string>;
+using Words = std::unordered_map<std::string, std::string>;
 
 struct Terms {
   Prefixes prefixes;  // "opal" -> "urn:opal:v1#"
-  Names iri_of_term;  // "Wall" -> "urn:opal:v1#Wall"
-  Names term_of_iri;
+  Words iri_of_term;  // "Wall" -> "urn:opal:v1#Wall"
+  Words term_of_iri;
 };
 
 bool ends_like_a_namespace(const std::string& iri) { return iri.ends_with('#') || iri.ends_with('/'); }

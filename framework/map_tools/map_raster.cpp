@@ -21,7 +21,7 @@ bool has_surface(const Geometry& geometry) {
 }
 
 /// Corners of what has a surface.
-std::array<Point, 2> bounds_of(const SemanticMap& map) {
+std::array<Point, 2> extent_of(const SemanticMap& map) {
   std::optional<std::array<Point, 2>> box;
   const auto add = [&](const Point& p) {
     box = box ? std::array<Point, 2>{(*box)[0].cwiseMin(p), (*box)[1].cwiseMax(p)} : std::array<Point, 2>{p, p};
@@ -42,7 +42,7 @@ std::array<Point, 2> bounds_of(const SemanticMap& map) {
 class Rasterization {
  public:
   Rasterization(const SemanticMap& map, const RasterOptions& options) : map_(map) {
-    const auto [min, max] = bounds_of(map);
+    const auto [min, max] = extent_of(map);
     const Point size = (max - min + Point::Constant(2 * options.border_m)) / options.resolution_m;
     if (!(size.x() * size.y() < kMostCells))
       throw MapError(map.name() + ": a grid of " + std::to_string(size.x()) + " x " + std::to_string(size.y()) +

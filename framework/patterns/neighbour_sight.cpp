@@ -28,7 +28,7 @@ bool is_open_towards(const Geometry& geometry, const Point& from, const Point& t
 }
 
 /// The line passes through the face, clearly: its ends are on different sides, and it meets it between its ends.
-bool crosses(const Segment& line, const Segment& face) {
+bool passes_through(const Segment& line, const Segment& face) {
   const Point normal = face.normal(), along = face.direction();
   const double begin = normal.dot(line.begin - face.begin), end = normal.dot(line.end - face.begin);
   if (std::min(begin, end) > -kGrazing_m || std::max(begin, end) < kGrazing_m) return false;
@@ -38,7 +38,7 @@ bool crosses(const Segment& line, const Segment& face) {
 }
 
 bool blocks(const Geometry& geometry, const Segment& line) {
-  if (const auto* face = std::get_if<Segment>(&geometry)) return crosses(line, *face);
+  if (const auto* face = std::get_if<Segment>(&geometry)) return passes_through(line, *face);
   if (const auto* column = std::get_if<Circle>(&geometry))
     return (nearest_point(line, column->center) - column->center).norm() < column->radius_m;
   return false;

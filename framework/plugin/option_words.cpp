@@ -1,5 +1,7 @@
 #include <opal/plugin/plugin_description.hpp>
 
+#include "plugin/refusal.hpp"
+
 #include <opal/common/strict_json.hpp>
 
 #include <algorithm>
@@ -8,10 +10,6 @@ namespace opal {
 namespace {
 
 using nlohmann::json;
-
-[[noreturn]] void refuse(const std::string& type_name, const std::string& option, const std::string& complaint) {
-  throw PluginError(type_name + ": option " + option + ": " + complaint);
-}
 
 /// NAME as far as a described option goes: names of classes and layers may hold dots and signs of their own.
 const OptionInfo* find_option(const std::vector<OptionInfo>& described, const std::string& name) {
@@ -25,7 +23,7 @@ json value_of(const std::string& type_name, const OptionInfo& option, const std:
   try {
     return parse_json(text, option.name);
   } catch (const JsonError&) {
-    refuse(type_name, option.name, "\"" + text + "\", expected " + accepted_values(option));
+    refuse_option(type_name, option.name, "\"" + text + "\", expected " + accepted_values(option));
   }
 }
 
@@ -44,7 +42,7 @@ json parse_options(const std::string& type_name, const std::vector<OptionInfo>& 
     if (option == nullptr)
       options[name] = value;  // complete_options lists what there is
     else if (is_entry && option->type != "object")
-      refuse(type_name, name, "has no entries, expected " + name + "=VALUE");
+      refuse_option(type_name, name, "has no entries, expected " + name + "=VALUE");
     else if (is_entry)
       options[name][word.substr(dot + 1, sign - dot - 1)] = value;
     else

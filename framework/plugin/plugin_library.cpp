@@ -1,6 +1,7 @@
 #include "plugin/plugin_library.hpp"
 
 #include "plugin/elf_check.hpp"
+#include "plugin/refusal.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -20,12 +21,10 @@ constexpr const char* kSymbol = "opal_plugin_v1";
 constexpr const char* kSection = "opal_v1";
 constexpr const char* kApi = "1";
 
-[[noreturn]] void refuse(const std::string& file, const std::string& cause) { throw PluginError(file + ": " + cause); }
-
 std::vector<std::string> sections_of(const std::string& file) {
   std::vector<std::string> sections;
   const auto failure = failure_of([&] { sections = boost::dll::library_info(file).sections(); });
-  if (failure) refuse(file, "its sections cannot be read (" + *failure + ")");
+  if (failure) refuse_file(file, "its sections cannot be read (" + *failure + ")");
   return sections;
 }
 
@@ -50,36 +49,37 @@ std::string loader_error(const std::string& file) {
 void require_same_abi(const std::string& file, const PluginDescriptor& descriptor) {
   const std::string tag = descriptor.abi_tag == nullptr ? "none" : descriptor.abi_tag;
   if (tag == kAbiTag && descriptor.eigen_max_align == EIGEN_MAX_ALIGN_BYTES) return;
-  refuse(file, "was built for \"" + tag + " eigen_align=" + std::to_string(descriptor.eigen_max_align) +
-                   "\", this is \"" + kAbiTag + " eigen_align=" + std::to_string(EIGEN_MAX_ALIGN_BYTES) +
-                   "\"; build it with the compiler and flags of the framework");
+  refuse_file(file, "was built for \"" + tag + " eigen_align=" + std::to_string(descriptor.eigen_max_align) +
+                        "\", this is \"" + kAbiTag + " eigen_align=" + std::to_string(EIGEN_MAX_ALIGN_BYTES) +
+                        "\"; build it with the compiler and flags of the framework");
 }
 
 void require_complete(const std::string& file, const PluginDescriptor& descriptor) {
   if (descriptor.name == nullptr || descriptor.version == nullptr || descriptor.register_types == nullptr)
-    refuse(file, "its descriptor lacks a name, a version or a function that registers types");
+    refuse_file(file, "its descriptor lacks a name, a version or a function that registers types");
 }
 
 }  // namespace
 
 void require_plugin_file(const std::string& file) {
   const std::string defect = elf_defect(file);
-  if (!defect.empty()) refuse(file, defect);
+  if (!defect.empty()) refuse_file(file, defect);
   const std::vector<std::string> sections = sections_of(file);
   if (std::find(sections.begin(), sections.end(), kSection) != sections.end()) return;
   for (const std::string& section : sections) {
     const std::string api = api_of(section);
-    if (!api.empty()) refuse(file, "was built for plugin API " + api + ", this is " + kApi);
+    if (!api.empty()) refuse_file(file, "was built for plugin API " + api + ", this is " + kApi);
   }
-  refuse(file, std::string("is no Opal plugin: it has no section ") + kSection);
+  refuse_file(file, std::string("is no Opal plugin: it has no section ") + kSection);
 }
 
 std::shared_ptr<const PluginDescriptor> open_plugin(const std::string& file) {
   const auto library = std::make_shared<boost::dll::shared_library>();
   std::error_code error;
   library->load(file, error, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
-  if (error) refuse(file, "cannot be opened: " + loader_error(file));
-  if (!library->has(kSymbol)) refuse(file, std::string("has a section ") + kSection + ", but no symbol " + kSymbol);
+  if (error) refuse_file(file, "cannot be opened: " + loader_error(file));
+  if (!library->has(kSymbol))
+    refuse_file(file, std::string("has a section ") + kSection + ", but no symbol " + kSymbol);
   const PluginDescriptor& descriptor = library->get_alias<const PluginDescriptor>(kSymbol);
   require_same_abi(file, descriptor);
   require_complete(file, descriptor);

@@ -1,5 +1,7 @@
 #include "plugin/plugin_options.hpp"
 
+#include "plugin/refusal.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,16 +32,13 @@ std::string names_of(const std::vector<OptionInfo>& described) {
   return names;
 }
 
-[[noreturn]] void refuse(const std::string& type_name, const std::string& option, const std::string& complaint) {
-  throw PluginError(type_name + ": option " + option + ": " + complaint);
-}
-
 void require_known(const std::string& type_name, const std::vector<OptionInfo>& described, const json& given) {
   for (const auto& [name, ignored] : given.items()) {
     const auto has_this_name = [&key = name](const OptionInfo& option) { return option.name == key; };
     if (std::none_of(described.begin(), described.end(), has_this_name))
-      refuse(type_name, name,
-             described.empty() ? "unknown, there are no options" : "unknown, expected one of: " + names_of(described));
+      refuse_option(
+          type_name, name,
+          described.empty() ? "unknown, there are no options" : "unknown, expected one of: " + names_of(described));
   }
 }
 
@@ -72,7 +71,7 @@ json complete_options(const std::string& type_name, const std::vector<OptionInfo
     const bool is_given = given.is_object() && given.contains(option.name);
     const json& value = is_given ? given.at(option.name) : option.default_value;
     if (!is_acceptable(option, value))
-      refuse(type_name, option.name, value.dump() + ", expected " + accepted_values(option));
+      refuse_option(type_name, option.name, value.dump() + ", expected " + accepted_values(option));
     complete[option.name] = option.type == "number" && !value.is_null() ? json(value.get<double>()) : value;
   }
   return complete;

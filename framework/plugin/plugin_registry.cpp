@@ -1,6 +1,7 @@
 #include <opal/plugin/plugin_registry.hpp>
 
 #include "plugin/plugin_library.hpp"
+#include "plugin/refusal.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -49,13 +50,11 @@ class Collector final : public Registrar {
   }
 };
 
-[[noreturn]] void refuse(const std::string& file, const std::string& cause) { throw PluginError(file + ": " + cause); }
-
 std::string canonical_file(const std::string& path) {
   std::error_code error;
   const fs::path canonical = fs::canonical(path, error);
-  if (error) refuse(path, "there is no such file");
-  if (!fs::is_regular_file(canonical)) refuse(path, "is no file");
+  if (error) refuse_file(path, "there is no such file");
+  if (!fs::is_regular_file(canonical)) refuse_file(path, "is no file");
   return canonical.string();
 }
 
@@ -69,8 +68,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 void require_same_plugin(const std::string& file, const PluginDescription& promised, const PluginDescriptor& actual) {
   if (promised.name == actual.name && promised.version == actual.version) return;
-  refuse(file, std::string("calls itself ") + actual.name + " " + actual.version + ", but " + description_path(file) +
-                   " describes " + promised.name + " " + promised.version);
+  refuse_file(file, std::string("calls itself ") + actual.name + " " + actual.version + ", but " +
+                        description_path(file) + " describes " + promised.name + " " + promised.version);
 }
 
 bool same_set(std::vector<std::string> a, std::vector<std::string> b) {
@@ -82,7 +81,7 @@ bool same_set(std::vector<std::string> a, std::vector<std::string> b) {
 void require_as_described(const std::string& file, const DescribedType& promised, const Registration& actual) {
   const std::string name = promised.info.name;
   const auto differ = [&](const std::string& what, const std::string& is, const std::string& described) {
-    refuse(file, name + " " + what + " " + is + ", but its description says " + described);
+    refuse_file(file, name + " " + what + " " + is + ", but its description says " + described);
   };
   if (kind_of(actual.factory) != promised.kind)
     differ("is registered as", name_of(kind_of(actual.factory)), name_of(promised.kind));
@@ -91,7 +90,7 @@ void require_as_described(const std::string& file, const DescribedType& promised
   if (!same_set(actual.info.produces, promised.info.produces))
     differ("produces", listed(actual.info.produces), listed(promised.info.produces));
   if (std::visit([](const auto& make) { return !make; }, actual.factory))
-    refuse(file, name + " is registered without a factory");
+    refuse_file(file, name + " is registered without a factory");
 }
 
 /// The registrations by name, when they are exactly those described.
@@ -100,17 +99,18 @@ std::map<std::string, Registration> by_name(const std::string& file, const Plugi
   std::map<std::string, Registration> named;
   for (Registration& registration : registrations) {
     const std::string name = registration.info.name;
-    if (!named.emplace(name, std::move(registration)).second) refuse(file, "registers " + name + " twice");
+    if (!named.emplace(name, std::move(registration)).second) refuse_file(file, "registers " + name + " twice");
   }
   for (const DescribedType& type : promised.types) {
     const auto found = named.find(type.info.name);
-    if (found == named.end()) refuse(file, "does not register " + type.info.name + ", which its description promises");
+    if (found == named.end())
+      refuse_file(file, "does not register " + type.info.name + ", which its description promises");
     require_as_described(file, type, found->second);
   }
   for (const auto& [name, ignored] : named) {
     const auto is_this = [&key = name](const DescribedType& type) { return type.info.name == key; };
     if (std::none_of(promised.types.begin(), promised.types.end(), is_this))
-      refuse(file, "registers " + name + ", which its description does not name");
+      refuse_file(file, "registers " + name + ", which its description does not name");
   }
   return named;
 }
@@ -119,14 +119,14 @@ std::map<std::string, Registration> collect(const std::string& file, const Plugi
                                             const PluginDescriptor& plugin) {
   Collector collector;
   if (const auto failure = failure_of([&] { plugin.register_types(collector); }))
-    refuse(file, "failed to register its types: " + *failure);
+    refuse_file(file, "failed to register its types: " + *failure);
   return by_name(file, promised, std::move(collector.registrations));
 }
 
 /// Takes every *.so of a folder, by name. @return why some were not taken.
 template <class Take>
 std::vector<std::string> refusals_of(const std::string& folder, const Take& take) {
-  if (!fs::is_directory(folder)) refuse(folder, "there is no such folder of plugins");
+  if (!fs::is_directory(folder)) refuse_file(folder, "there is no such folder of plugins");
   std::vector<std::string> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".so") files.push_back(entry.path().string());
@@ -190,12 +190,13 @@ struct PluginRegistry::State {
 
   void require_new(const Library& library) const {
     for (const auto& [name, entry] : entries)
-      if (entry.library->file() == library.file()) refuse(library.file(), "is loaded already");
+      if (entry.library->file() == library.file()) refuse_file(library.file(), "is loaded already");
     for (const DescribedType& type : library.description().types) {
       const auto found = entries.find(type.info.name);
       if (found != entries.end())
-        refuse(library.file(), "offers " + type.info.name + ", which " + found->second.type.file + " (" +
-                                   found->second.type.plugin + " " + found->second.type.version + ") offers already");
+        refuse_file(library.file(), "offers " + type.info.name + ", which " + found->second.type.file + " (" +
+                                        found->second.type.plugin + " " + found->second.type.version +
+                                        ") offers already");
     }
   }
 

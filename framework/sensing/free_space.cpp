@@ -11,7 +11,7 @@ namespace {
 
 namespace bg = boost::geometry;
 using BoostPoint = bg::model::d2::point_xy<double>;
-using Line = bg::model::linestring<BoostPoint>;
+using BoostLine = bg::model::linestring<BoostPoint>;
 
 struct Beam {
   double bearing_rad;
@@ -28,8 +28,8 @@ std::vector<Beam> beams_of(const Scan& scan, double reach_m) {
 }
 
 /// The ends of beams between two gaps, simplified, in the laser's frame.
-void append_run(const Line& run, double tolerance_m, std::vector<Point>& outline) {
-  Line simple;
+void append_run(const BoostLine& run, double tolerance_m, std::vector<Point>& outline) {
+  BoostLine simple;
   bg::simplify(run, simple, tolerance_m);
   for (const BoostPoint& p : simple) outline.emplace_back(p.x(), p.y());
 }
@@ -43,7 +43,7 @@ std::vector<Point> free_space_outline(const Scan& scan, const Pose2& T_base_lase
   const bool all_round = beams.front().bearing_rad + two_pi - beams.back().bearing_rad <= options.gap_rad;
   std::vector<Point> outline;
   if (!all_round) outline.push_back(Point::Zero());
-  Line run;
+  BoostLine run;
   for (std::size_t k = 0; k < beams.size(); ++k) {
     if (k > 0 && beams[k].bearing_rad - beams[k - 1].bearing_rad > options.gap_rad) {
       append_run(run, options.tolerance_m, outline);

@@ -9,7 +9,7 @@
 namespace opal {
 namespace {
 
-constexpr double kOn_m = 0.15;  ///< points so near lie on a surface
+constexpr double kOnSurface_m = 0.15;  ///< points so near lie on a surface
 constexpr std::size_t kFewestPoints = 5, kFewestPointsOfMoved = 8;
 constexpr double kShortestFace_m = 0.25;    ///< covered; shorter pieces have no direction of their own
 constexpr double kShortestMoved_m = 0.6;    ///< of a face that is taken for one elsewhere
@@ -68,12 +68,12 @@ MapMeasurement to_measurement(int number, const FittedFace& face, double mapped_
 
 /// A few points of a face: they tell how far it is, not its direction.
 MapMeasurement glimpse(const ExpectedFeature& feature, const std::vector<Point>& points, const Pose2& T_map_base) {
-  constexpr double kPointSigma_m = 0.08, kNoIdea_rad = 10;
+  constexpr double kLevelSigma_m = 0.08, kNoIdea_rad = 10;
   Point mean = Point::Zero();
   for (const Point& p : points) mean += p / static_cast<double>(points.size());
   const Point half = 0.005 * T_map_base.inverse().rotate(feature.surface.direction);
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  covariance(0, 0) = kPointSigma_m * kPointSigma_m / static_cast<double>(points.size()) + kFaceSigma_m * kFaceSigma_m;
+  covariance(0, 0) = kLevelSigma_m * kLevelSigma_m / static_cast<double>(points.size()) + kFaceSigma_m * kFaceSigma_m;
   covariance(1, 1) = kNoIdea_rad * kNoIdea_rad;
   return {feature.number, Segment{mean - half, mean + half}, covariance};
 }
@@ -118,7 +118,7 @@ class Sorting {
         eye_(T_map_base * laser),
         own_(expected.all().size()) {
     for (const Point& point : points) {
-      const int k = expected.nearest(eye_, T_ * point, kOn_m);
+      const int k = expected.nearest(eye_, T_ * point, kOnSurface_m);
       if (k >= 0)
         own_[k].push_back(point);
       else

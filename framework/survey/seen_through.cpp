@@ -5,11 +5,11 @@
 namespace opal {
 namespace {
 
-constexpr double kOn_m = 0.15;       ///< across the surface; beams that end so near have met it
-constexpr double kThrough_m = 0.3;   ///< beams that go on so far have not
-constexpr double kEdge_m = 0.1;      ///< of a face, where a small error of the pose decides
-constexpr double kLeastSlope = 0.2;  ///< between beam and face: grazing beams do not tell
-constexpr int kBeamsForAll = 5;      ///< so many beams are a whole keyframe's worth
+constexpr double kMetAcross_m = 0.15;  ///< across the surface; beams that end so near have met it
+constexpr double kThrough_m = 0.3;     ///< beams that go on so far have not
+constexpr double kEdge_m = 0.1;        ///< of a face, where a small error of the pose decides
+constexpr double kLeastSlope = 0.2;    ///< between beam and face: grazing beams do not tell
+constexpr int kBeamsForAll = 5;        ///< so many beams are a whole keyframe's worth
 
 enum class Passage { nothing, met, through };
 
@@ -19,7 +19,7 @@ Passage passage(const Surface& surface, const Point& eye, const Point& p) {
     if (way.dot(to_center) <= 0 || std::abs(cross(way, to_center)) > 0.7 * surface.size_m) return Passage::nothing;
     const double beyond = way.dot(p - surface.origin);
     if (beyond > surface.size_m + kThrough_m) return Passage::through;
-    return std::abs(offset_from(surface, p).offset_m) < kOn_m ? Passage::met : Passage::nothing;
+    return std::abs(offset_from(surface, p).offset_m) < kMetAcross_m ? Passage::met : Passage::nothing;
   }
   const Point way = p - eye;
   const double slope = -surface.normal().dot(way);
@@ -30,7 +30,7 @@ Passage passage(const Surface& surface, const Point& eye, const Point& p) {
   const double along = offset_from(surface, eye + to_face * way).along_m;
   if (along < kEdge_m || along > surface.size_m - kEdge_m) return Passage::nothing;
   if (at.offset_m < -kThrough_m) return Passage::through;
-  return std::abs(at.offset_m) < kOn_m ? Passage::met : Passage::nothing;
+  return std::abs(at.offset_m) < kMetAcross_m ? Passage::met : Passage::nothing;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace opal {
 namespace {
 
-constexpr int kIterations = 6;  // starts near the solution
+constexpr int kStepIterations = 6;  // starts near the solution
 constexpr int kBatchIterations = 30;
 constexpr double kBatchDoubt = 9;             // motions of neighbouring poses share errors
 constexpr int kEpoch = 10;                    // poses of a batch over which an offset is one number
@@ -58,7 +58,7 @@ class Problem {
       for (auto& [key, offset] : offsets_) solver.linear_solver_ordering->AddElementToGroup(offset->data(), 0);
       for (auto& pose : poses_) solver.linear_solver_ordering->AddElementToGroup(pose->data(), 1);
     }
-    solver.max_num_iterations = batch ? kBatchIterations : kIterations;
+    solver.max_num_iterations = batch ? kBatchIterations : kStepIterations;
     solver.function_tolerance = batch ? 1e-6 : 1e-4;
     solver.num_threads = 1;
     solver.logging_type = ceres::SILENT;

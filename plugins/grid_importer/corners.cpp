@@ -17,7 +17,7 @@ constexpr double kMinArm_m = 0.25;
 // Cells at the ends of an extension, in cells, that are the surface's own or its smear.
 constexpr double kSmear = 1.5;
 
-struct Candidate {
+struct CornerCandidate {
   Corner corner;
   long extension = 0;  // of both faces together, in 1e-4 cells: rounding must not decide between equal ones
 };
@@ -74,27 +74,27 @@ class CornerSearch {
         max_extension_(grid.to_cells(kMaxExtension_m)),
         min_arm_(grid.to_cells(kMinArm_m)) {}
 
-  std::vector<Candidate> run() const {
+  std::vector<CornerCandidate> run() const {
     const Begins begins(faces_, max_extension_);
-    std::vector<Candidate> found;
+    std::vector<CornerCandidate> found;
     for (std::size_t before = 0; before < faces_.size(); ++before)
       begins.visit_near(faces_[before].end, [&](int after) {
         if (const auto corner = candidate(static_cast<int>(before), after)) found.push_back(*corner);
       });
     std::stable_sort(found.begin(), found.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.extension < b.extension; });
+                     [](const CornerCandidate& a, const CornerCandidate& b) { return a.extension < b.extension; });
     return found;
   }
 
  private:
-  std::optional<Candidate> candidate(int before, int after) const {
+  std::optional<CornerCandidate> candidate(int before, int after) const {
     const Face& a = faces_[static_cast<std::size_t>(before)];
     const Face& b = faces_[static_cast<std::size_t>(after)];
     if (std::min(a.length(), b.length()) < min_arm_ || (a.end - b.begin).norm() > max_extension_) return std::nullopt;
     const std::optional<CellPoint> point = intersection(a.line(), b.line());
     if (!point || !may_end_at(a, a.end, *point) || !may_end_at(b, b.begin, *point)) return std::nullopt;
     const double extension = (*point - a.end).norm() + (*point - b.begin).norm();
-    return Candidate{{*point, before, after}, std::lround(1e4 * extension)};
+    return CornerCandidate{{*point, before, after}, std::lround(1e4 * extension)};
   }
 
   /// An end may be drawn out a little, or cut back to the corner, but not by half of its face.
@@ -118,7 +118,7 @@ std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& 
   std::vector<Corner> corners;
   std::vector<bool> end_used(faces.size());
   std::vector<bool> begin_used(faces.size());
-  for (const Candidate& candidate : CornerSearch(faces, grid).run()) {
+  for (const CornerCandidate& candidate : CornerSearch(faces, grid).run()) {
     const auto before = static_cast<std::size_t>(candidate.corner.before);
     const auto after = static_cast<std::size_t>(candidate.corner.after);
     if (end_used[before] || begin_used[after]) continue;

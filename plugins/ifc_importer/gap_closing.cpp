@@ -11,7 +11,7 @@
 namespace opal::ifc_importer {
 namespace {
 
-constexpr double kGap_m = 0.0101;
+constexpr double kClosed_m = 0.0101;
 constexpr double kOwnCorners_m = 0.001;
 
 struct Edge {
@@ -24,7 +24,7 @@ struct Corner {
 
 class GapClosing {
  public:
-  explicit GapClosing(const std::vector<PlanSolid>& solids) : solids_(solids), nodes_(kGap_m) {}
+  explicit GapClosing(const std::vector<PlanSolid>& solids) : solids_(solids), nodes_(kClosed_m) {}
 
   std::vector<PlanSolid> run() {
     for (std::size_t k = 0; k < solids_.size(); ++k)
@@ -57,12 +57,12 @@ class GapClosing {
   static bool is_thinner_than_gap(const Loop& loop) {
     double around_m = 0;
     for (const Segment& s : segments_of({loop})) around_m += s.length_m();
-    return 2 * std::abs(area_m2(loop)) < kGap_m * around_m;
+    return 2 * std::abs(area_m2(loop)) < kClosed_m * around_m;
   }
 
   int node_for(const Point& p, int solid) {
     int best = -1;
-    double best_m = 2 * kGap_m;
+    double best_m = 2 * kClosed_m;
     nodes_.visit_near(p, [&](int node) {
       const double distance_m = (nodes_.points()[static_cast<std::size_t>(node)] - p).norm();
       const auto& users = users_[static_cast<std::size_t>(node)];
@@ -105,19 +105,19 @@ class GapClosing {
   template <class Visit>
   void visit_nodes_near(const Edge& edge, Visit visit) {
     const Segment s = segment(edge);
-    if (edge.from == edge.to || s.length_m() < 3 * kGap_m) return;
+    if (edge.from == edge.to || s.length_m() < 3 * kClosed_m) return;
     if (by_x_.empty()) {
       for (std::size_t k = 0; k < settled_.size(); ++k) by_x_.push_back({settled_[k].x(), static_cast<int>(k)});
       std::sort(by_x_.begin(), by_x_.end());
     }
     const auto [low, high] = std::minmax(s.begin.x(), s.end.x());
-    for (auto it = std::lower_bound(by_x_.begin(), by_x_.end(), std::pair(low - kGap_m, -1));
-         it != by_x_.end() && it->first <= high + kGap_m; ++it) {
+    for (auto it = std::lower_bound(by_x_.begin(), by_x_.end(), std::pair(low - kClosed_m, -1));
+         it != by_x_.end() && it->first <= high + kClosed_m; ++it) {
       const auto& users = users_[static_cast<std::size_t>(it->second)];
       const Point& p = settled_[static_cast<std::size_t>(it->second)];
-      if (users.count(edge.solid) || users.count(kNobody) || distance_m(s, p) > kGap_m) continue;
+      if (users.count(edge.solid) || users.count(kNobody) || distance_m(s, p) > kClosed_m) continue;
       const double along = s.direction().dot(p - s.begin);
-      if (along > kGap_m && along < s.length_m() - kGap_m) visit(it->second, edge);
+      if (along > kClosed_m && along < s.length_m() - kClosed_m) visit(it->second, edge);
     }
   }
 
@@ -131,7 +131,7 @@ class GapClosing {
       if (std::abs(sine) < 0.5) continue;
       const Point meeting =
           first.begin + first.direction() * (cross(other.begin - first.begin, other.direction()) / sine);
-      if ((meeting - p).norm() <= 2 * kGap_m) onto = meeting;
+      if ((meeting - p).norm() <= 2 * kClosed_m) onto = meeting;
     }
     p = onto;
   }

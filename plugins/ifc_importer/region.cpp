@@ -10,7 +10,7 @@ namespace opal::ifc_importer {
 namespace {
 
 // Far below what a drawing means, far above rounding.
-constexpr double kSame_m = 1e-4;
+constexpr double kSamePoint_m = 1e-4;
 constexpr double kBesides_m = 4e-5;
 constexpr std::size_t kCircleCorners = 16;
 constexpr double kRoundness = 2e-3;  // of the radius
@@ -48,7 +48,7 @@ std::vector<Segment> candidate_lines(const Region& region) {
 }
 
 bool is_between(const Point& a, const Point& p, const Point& b) {
-  return std::abs(cross((b - a).normalized(), p - a)) < kSame_m && (p - a).dot(b - p) > 0;
+  return std::abs(cross((b - a).normalized(), p - a)) < kSamePoint_m && (p - a).dot(b - p) > 0;
 }
 
 /// Corners that lie on the way between their neighbours say nothing.
@@ -98,7 +98,7 @@ Region combined(Region::Kind kind, std::vector<Region> operands) {
 }
 
 std::vector<Loop> border_of(const Region& region) {
-  const LineMesh mesh(candidate_lines(region), kSame_m);
+  const LineMesh mesh(candidate_lines(region), kSamePoint_m);
   std::vector<LineMesh::Edge> border;
   for (const LineMesh::Edge& edge : mesh.edges()) {
     const Segment s = mesh.segment(edge);

@@ -8,13 +8,6 @@
 namespace opal::ifc_importer {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 std::string joined(const std::vector<std::string_view>& parts) {
   std::string text;
   for (std::size_t k = 0; k < parts.size(); ++k) text.append(k == 0 ? "" : ",").append(parts[k]);

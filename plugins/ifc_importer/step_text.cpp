@@ -23,12 +23,6 @@ constexpr const char* kEnd = "END-ISO-10303-21;";
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 /// Goes through the statements of a STEP text; texts and comments may hold semicolons.
 class Statements {
  public:
@@ -163,6 +157,12 @@ void expect_known(const std::string& schema, const std::string& name) {
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
 
 StepText StepText::read(const std::string& path) {
   std::error_code error;

@@ -6,6 +6,9 @@
 
 namespace opal::ifc_importer {
 
+/// Without the white space at both ends.
+std::string_view trimmed(std::string_view text);
+
 /// One instance of the data section. Views point into StepText::text.
 struct StepInstance {
   int number = 0;               ///< of "#12="

@@ -41,7 +41,9 @@ std::vector<PlanElement> moved(const Pose2& T, std::vector<PlanElement> elements
   return elements;
 }
 
-PlanAssembly assembled(const std::vector<PlanElement>& elements) { return assemble_plan("plan", "plan", elements); }
+PlanAssembly assembled_plan(const std::vector<PlanElement>& elements) {
+  return assemble_plan("plan", "plan", elements);
+}
 
 double face_length_m(const SemanticMap& map) {
   double length_m = 0;
@@ -56,7 +58,7 @@ TEST_CASE("a plan that is moved gives the same map, moved") {
   const unsigned seed = GENERATE(range(1u, 31u));
   CAPTURE(seed);
   const Pose2 T(-37, 12.5, 0.1 * seed);
-  const PlanAssembly here = assembled(random_plan(seed)), there = assembled(moved(T, random_plan(seed)));
+  const PlanAssembly here = assembled_plan(random_plan(seed)), there = assembled_plan(moved(T, random_plan(seed)));
   REQUIRE(here.map->features().size() == there.map->features().size());
   for (std::size_t k = 0; k < here.map->features().size(); ++k) {
     const Geometry expected = transformed(T, here.map->features()[k].geometry);
@@ -69,7 +71,7 @@ TEST_CASE("a plan that is moved gives the same map, moved") {
 TEST_CASE("every face of massive walls has free space before it and wall behind it") {
   const unsigned seed = GENERATE(range(1u, 31u));
   CAPTURE(seed);
-  const PlanAssembly plan = assembled(random_plan(seed));
+  const PlanAssembly plan = assembled_plan(random_plan(seed));
   for (const MapFeature& feature : plan.map->features()) {
     const auto* face = std::get_if<Segment>(&feature.geometry);
     if (face == nullptr || face->length_m() < 0.1) continue;
@@ -83,7 +85,7 @@ TEST_CASE("every face of massive walls has free space before it and wall behind 
 
 TEST_CASE("corners are where two faces share a point, and everything that shares a place shares it") {
   const unsigned seed = GENERATE(range(1u, 31u));
-  const PlanAssembly plan = assembled(random_plan(seed));
+  const PlanAssembly plan = assembled_plan(random_plan(seed));
   std::vector<std::pair<std::string, Point>> ends;
   for (const MapFeature& feature : plan.map->features())
     if (const auto* face = std::get_if<Segment>(&feature.geometry)) {

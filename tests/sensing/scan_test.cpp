@@ -9,7 +9,7 @@ namespace {
 
 using namespace opal;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNanf = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 LaserModel five_beams() {
@@ -51,7 +51,7 @@ TEST_CASE("a hit lies on its beam, in the sensor frame") {
 }
 
 TEST_CASE("NaN, zero, negative and too near readings are neither hit nor free") {
-  const Scan scan = make_scan(reading({kNan, 0, -1, 0.05f, -kInf}), five_beams());
+  const Scan scan = make_scan(reading({kNanf, 0, -1, 0.05f, -kInf}), five_beams());
   CHECK(scan.points.empty());
   CHECK(scan.free_bearings_rad.empty());
   CHECK(scan.invalid == 5);

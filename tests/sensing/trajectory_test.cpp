@@ -24,9 +24,10 @@ TEST_CASE("a TUM line carries the heading as a quaternion") {
 }
 
 TEST_CASE("what is not finite is not written, what is huge is") {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
   std::ostringstream out;
-  write_tum(out, std::vector<StampedPose>{{kNan, Pose2()}, {1, Pose2(kNan, 0, 0)}, {1, Pose2(0, 0, kNan)}});
+  write_tum(out,
+            std::vector<StampedPose>{{kNoNumber, Pose2()}, {1, Pose2(kNoNumber, 0, 0)}, {1, Pose2(0, 0, kNoNumber)}});
   CHECK(out.str().empty());
   write_tum(out, std::vector<StampedPose>{{1, Pose2(std::numeric_limits<double>::max(), 0, 0)}});
   CHECK(out.str().size() > 300);

@@ -29,7 +29,7 @@ std::vector<double> distribution(std::span<const double> ranks) {
   return probability;
 }
 
-double exact_p(std::span<const double> ranks, double statistic) {
+double exact_rank_p(std::span<const double> ranks, double statistic) {
   const std::vector<double> probability = distribution(ranks);
   const double total = static_cast<double>(probability.size() - 1) / 2;  // of all ranks
   double p = 0;
@@ -60,7 +60,7 @@ Wilcoxon wilcoxon(std::span<const double> differences) {
   Wilcoxon result;
   result.statistic = std::accumulate(ranks.begin(), ranks.end(), 0.0);
   result.normal = normal_p(ranks, result.statistic);
-  result.p = ranks.size() <= kExactUpTo ? exact_p(ranks, result.statistic) : result.normal;
+  result.p = ranks.size() <= kExactUpTo ? exact_rank_p(ranks, result.statistic) : result.normal;
   return result;
 }
 

@@ -10,7 +10,7 @@ namespace opal::statistics {
 namespace {
 
 /// By size, so that neither names nor a common sign changes how it is rounded.
-double sum_of(std::vector<double> values) {
+double sorted_sum(std::vector<double> values) {
   std::sort(values.begin(), values.end(),
             [](double x, double y) { return std::abs(x) < std::abs(y) || (std::abs(x) == std::abs(y) && x < y); });
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -46,8 +46,8 @@ std::vector<ClusterSum> cluster_sums(Pairs pairs, std::span<const double> scores
   std::vector<ClusterSum> sums;
   for (std::size_t first = 0, end = 0; first < pairs.size(); first = end) {
     while (end < pairs.size() && pairs[end].cluster == pairs[first].cluster) ++end;
-    sums.push_back({sum_of({scores.begin() + static_cast<std::ptrdiff_t>(first),
-                            scores.begin() + static_cast<std::ptrdiff_t>(end)}),
+    sums.push_back({sorted_sum({scores.begin() + static_cast<std::ptrdiff_t>(first),
+                                scores.begin() + static_cast<std::ptrdiff_t>(end)}),
                     static_cast<double>(end - first)});
   }
   return sorted(std::move(sums));

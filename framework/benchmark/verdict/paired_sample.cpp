@@ -60,13 +60,12 @@ double checked_proportion(double value, const ResultRow& row, const Metric& metr
 
 /// None if nothing can be said of this row.
 std::optional<double> value_of(const ResultRow& row, const Metric& metric) {
-  using Kind = Metric::Kind;
-  if (!row.failure.empty()) return metric.kind == Kind::cost ? std::nullopt : std::optional(worst(metric));
+  if (!row.failure.empty()) return metric.kind == Metric::Kind::cost ? std::nullopt : std::optional(worst(metric));
   const auto found = row.values.find(metric.name);
   const bool known = found != row.values.end() && !std::isnan(found->second);
-  if (metric.kind == Kind::distance_until) return known ? found->second : kNever;
+  if (metric.kind == Metric::Kind::distance_until) return known ? found->second : kNever;
   if (!known) return std::nullopt;
-  if (metric.kind == Kind::proportion) return checked_proportion(found->second, row, metric);
+  if (metric.kind == Metric::Kind::proportion) return checked_proportion(found->second, row, metric);
   return found->second > 0 && std::isfinite(found->second) ? std::optional(found->second) : std::nullopt;
 }
 

@@ -21,11 +21,6 @@ std::string text_at(double x, double y, const std::string& text, const std::stri
   return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\"" + more + ">" + html_text(text) + "</text>";
 }
 
-std::string line(double x1, double y1, double x2, double y2, const std::string& kind) {
-  return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) + "\" class=\"" +
-         kind + "\"/>";
-}
-
 double neutral(Kind kind) { return kind == Kind::cost ? 1 : 0; }
 
 /// Finite ends and sizes of all rows; at least a little beside no difference.

@@ -56,6 +56,11 @@ std::vector<double> PlotScale::ticks() const {
 
 std::string px(double value) { return fixed_text(value, 1); }
 
+std::string line(double x1, double y1, double x2, double y2, const std::string& kind) {
+  return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) + "\" class=\"" +
+         kind + "\"/>";
+}
+
 std::string tick_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", std::abs(value) < 1e-12 ? 0.0 : value);

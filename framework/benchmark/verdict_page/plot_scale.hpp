@@ -25,6 +25,9 @@ class PlotScale {
 /// "12.3": a coordinate in SVG.
 std::string px(double value);
 
+/// A line of SVG, drawn as the class `kind` of the page says.
+std::string line(double x1, double y1, double x2, double y2, const std::string& kind);
+
 /// As few digits as tell ticks apart.
 std::string tick_text(double value);
 

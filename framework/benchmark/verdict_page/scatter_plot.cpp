@@ -10,7 +10,8 @@
 namespace opal::statistics {
 namespace {
 
-constexpr double kLeft_px = 64, kRight_px = 460, kTop_px = 14, kBottom_px = 410, kLane_px = 44, kRadius_px = 4;
+constexpr double kLeft_px = 64, kRight_px = 460, kFrameTop_px = 14, kFrameBottom_px = 410, kLane_px = 44,
+                 kRadius_px = 4;
 constexpr std::size_t kMostDots = 4000;  // a browser draws that at once
 
 /// Finite values go to the scales, the others to a lane beyond.
@@ -19,7 +20,7 @@ struct Axes {
   bool never;
 
   double x(double value) const { return std::isfinite(value) ? across.place_px(value) : kRight_px - kLane_px / 2; }
-  double y(double value) const { return std::isfinite(value) ? upwards.place_px(value) : kTop_px + kLane_px / 2; }
+  double y(double value) const { return std::isfinite(value) ? upwards.place_px(value) : kFrameTop_px + kLane_px / 2; }
 };
 
 Axes axes_of(const PairedSample& sample, const Metric& metric) {
@@ -38,12 +39,7 @@ Axes axes_of(const PairedSample& sample, const Metric& metric) {
   const double from = cost ? *low / 1.1 : std::min(0.0, *low), to = cost ? *high * 1.1 : *high * 1.04;
   const double lane = never ? kLane_px : 0, margin = cost ? 0 : 26;  // zeros lie not on the frame
   return {PlotScale(from, to, kLeft_px + margin, kRight_px - lane, cost),
-          PlotScale(from, to, kBottom_px - margin, kTop_px + lane, cost), never};
-}
-
-std::string line(double x1, double y1, double x2, double y2, const std::string& kind) {
-  return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) + "\" class=\"" +
-         kind + "\"/>";
+          PlotScale(from, to, kFrameBottom_px - margin, kFrameTop_px + lane, cost), never};
 }
 
 std::string label(double x, double y, const std::string& text, const std::string& kind) {
@@ -51,19 +47,19 @@ std::string label(double x, double y, const std::string& text, const std::string
 }
 
 std::string frame(const Axes& axes) {
-  std::string svg = "<rect class=\"frame\" x=\"" + px(kLeft_px) + "\" y=\"" + px(kTop_px) + "\" width=\"" +
-                    px(kRight_px - kLeft_px) + "\" height=\"" + px(kBottom_px - kTop_px) + "\"/>";
+  std::string svg = "<rect class=\"frame\" x=\"" + px(kLeft_px) + "\" y=\"" + px(kFrameTop_px) + "\" width=\"" +
+                    px(kRight_px - kLeft_px) + "\" height=\"" + px(kFrameBottom_px - kFrameTop_px) + "\"/>";
   for (const double tick : axes.across.ticks()) {
-    svg += line(axes.x(tick), kTop_px, axes.x(tick), kBottom_px, "grid") +
+    svg += line(axes.x(tick), kFrameTop_px, axes.x(tick), kFrameBottom_px, "grid") +
            line(kLeft_px, axes.y(tick), kRight_px, axes.y(tick), "grid");
-    svg += label(axes.x(tick), kBottom_px + 16, tick_text(tick), "middle quiet") +
+    svg += label(axes.x(tick), kFrameBottom_px + 16, tick_text(tick), "middle quiet") +
            label(kLeft_px - 6, axes.y(tick) + 4, tick_text(tick), "end quiet");
   }
   if (!axes.never) return svg;
-  const double x = kRight_px - kLane_px, y = kTop_px + kLane_px;
-  svg += line(x, kTop_px, x, kBottom_px, "never") + line(kLeft_px, y, kRight_px, y, "never");
-  return svg + label(kRight_px - kLane_px / 2, kBottom_px + 16, "never", "middle quiet") +
-         label(kLeft_px - 6, kTop_px + kLane_px / 2 + 4, "never", "end quiet");
+  const double x = kRight_px - kLane_px, y = kFrameTop_px + kLane_px;
+  svg += line(x, kFrameTop_px, x, kFrameBottom_px, "never") + line(kLeft_px, y, kRight_px, y, "never");
+  return svg + label(kRight_px - kLane_px / 2, kFrameBottom_px + 16, "never", "middle quiet") +
+         label(kLeft_px - 6, kFrameTop_px + kLane_px / 2 + 4, "never", "end quiet");
 }
 
 /// Equal dots lie beside each other, in a spiral (Vogel 1979).
@@ -98,8 +94,8 @@ std::string dot(const PairedValue& pair, const Metric& metric, std::pair<double,
 std::string axis_names(const Metric& metric, const std::string& arm, const std::string& baseline) {
   const std::string unit = metric.unit.empty() ? "" : " [" + metric.unit + "]",
                     name = ", " + name_in_words(metric) + unit;
-  const double middle = (kTop_px + kBottom_px) / 2;
-  return label((kLeft_px + kRight_px) / 2, kBottom_px + 36, baseline + name, "middle") +
+  const double middle = (kFrameTop_px + kFrameBottom_px) / 2;
+  return label((kLeft_px + kRight_px) / 2, kFrameBottom_px + 36, baseline + name, "middle") +
          "<g transform=\"rotate(-90 16 " + px(middle) + ")\">" + label(16, middle, arm + name, "middle") + "</g>";
 }
 

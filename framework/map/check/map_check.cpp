@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::array<const char*, 4> kGeometryNames{"points", "corners", "segments", "circles"};
 
-std::string quoted(const std::string& name) { return std::string("'").append(name).append("'"); }
+std::string in_quotes(const std::string& name) { return std::string("'").append(name).append("'"); }
 
-std::string metres(double length_m) {
+std::string rounded_metres(double length_m) {
   char text[40];
   std::snprintf(text, sizeof text, "%.2f m", length_m);
   return text;
@@ -77,19 +77,19 @@ void warn_about_geometry(const SemanticMap& map, MapCheck& check) {
   const std::vector<MapFeature>& features = map.features();
   std::vector<std::string> names;
   for (const auto& [first, second] : duplicate_features(map))
-    names.push_back(quoted(features[first].id) + " and " + quoted(features[second].id));
+    names.push_back(in_quotes(features[first].id) + " and " + in_quotes(features[second].id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "feature") +
                              " with the geometry of another one: " + examples(names));
   names.clear();
   for (const PointPair& pair : unshared_points(map))
-    names.push_back(quoted(pair.point) + " and " + quoted(pair.near_point));
+    names.push_back(in_quotes(pair.point) + " and " + in_quotes(pair.near_point));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "point") +
                              " within 1 cm of another point, without being one: " + examples(names));
   names.clear();
   if (features.size() > 1)
-    for (const int number : isolated_features(map)) names.push_back(quoted(features[number].id));
+    for (const int number : isolated_features(map)) names.push_back(in_quotes(features[number].id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "feature") + " with no other within 15 m: " + examples(names));
 }
@@ -98,12 +98,12 @@ void warn_about_reach(const SemanticMap& map, MapCheck& check) {
   if (map.features().empty()) check.warnings.push_back("no feature at all: nothing to localize by");
   std::vector<std::string> names;
   for (const MapObject& object : map.objects())
-    if (object.features.empty()) names.push_back(quoted(object.id));
+    if (object.features.empty()) names.push_back(in_quotes(object.id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "object") + " that nothing represents: " + examples(names));
   names.clear();
   for (const MapFeature& feature : map.features())
-    if (feature.sensor.empty()) names.push_back(quoted(feature.id));
+    if (feature.sensor.empty()) names.push_back(in_quotes(feature.id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "feature") + " that no sensor perceives: " + examples(names));
 }
@@ -111,7 +111,7 @@ void warn_about_reach(const SemanticMap& map, MapCheck& check) {
 void warn_about_unused(const SemanticMap& map, MapCheck& check) {
   std::map<std::string, std::vector<std::string>> nodes_by_word;
   for (const nlohmann::json& node : map.unused()) {
-    const std::string id = quoted(vocabulary::compact_name(node.at("@id")));
+    const std::string id = in_quotes(vocabulary::compact_name(node.at("@id")));
     for (const auto& [key, value] : node.items()) {
       if (key == "@type")
         for (const nlohmann::json& type : value)
@@ -144,11 +144,12 @@ std::vector<std::string> MapCheck::sentences() const {
   for (std::size_t kind = 0; kind < kGeometryNames.size(); ++kind)
     if (features_by_geometry[kind] > 0) geometries[kGeometryNames[kind]] = features_by_geometry[kind];
   if (!geometries.empty()) {
-    lines.push_back(count_sentence("geometric shape", geometries, "") + "; " + metres(wall_length_m) + " of segments");
+    lines.push_back(count_sentence("geometric shape", geometries, "") + "; " + rounded_metres(wall_length_m) +
+                    " of segments");
     lines.push_back(count_sentence("perceivable feature", features_by_sensor, "by no sensor"));
     lines.push_back(count_of(shared_points, "point") + " shared by several features");
-    lines.push_back(std::string("from x ") + metres(bounds[0].x()) + ", y " + metres(bounds[0].y()) + " to x " +
-                    metres(bounds[1].x()) + ", y " + metres(bounds[1].y()));
+    lines.push_back(std::string("from x ") + rounded_metres(bounds[0].x()) + ", y " + rounded_metres(bounds[0].y()) +
+                    " to x " + rounded_metres(bounds[1].x()) + ", y " + rounded_metres(bounds[1].y()));
   }
   if (!patterns_by_template.empty()) lines.push_back(count_sentence("pattern", patterns_by_template, ""));
   for (const std::string& warning : warnings) lines.push_back(std::string("warning: ") + warning);

@@ -11,9 +11,9 @@ namespace {
 
 namespace bg = boost::geometry;
 using BoostPoint = bg::model::point<double, 2, bg::cs::cartesian>;
-using Box = bg::model::box<BoostPoint>;
-using Entry = std::pair<Box, std::size_t>;
-using RTree = bg::index::rtree<Entry, bg::index::quadratic<16>>;
+using FaceBox = bg::model::box<BoostPoint>;
+using NumberedBox = std::pair<FaceBox, std::size_t>;
+using FaceTree = bg::index::rtree<NumberedBox, bg::index::quadratic<16>>;
 
 struct Line {
   Segment extent;
@@ -59,7 +59,7 @@ void absorb(Line& line, const Line& face) {
   line.numbers.insert(line.numbers.end(), face.numbers.begin(), face.numbers.end());
 }
 
-Box box_around(const Segment& segment, double margin_m) {
+FaceBox box_around(const Segment& segment, double margin_m) {
   const Point low = segment.begin.cwiseMin(segment.end), high = segment.begin.cwiseMax(segment.end);
   return {{low.x() - margin_m, low.y() - margin_m}, {high.x() + margin_m, high.y() + margin_m}};
 }
@@ -73,7 +73,7 @@ Segment prolonged(const Segment& line, double by_m) {
 /// while.
 class Continuations {
  public:
-  Continuations(const RTree& tree, const SupportLineOptions& options) : tree_(tree), options_(options) {}
+  Continuations(const FaceTree& tree, const SupportLineOptions& options) : tree_(tree), options_(options) {}
 
   /// Numbers of all lines that may go on in `line`, ascending.
   const std::vector<std::size_t>& of(const Segment& line) {
@@ -98,14 +98,14 @@ class Continuations {
     const Point step = (line.end - line.begin) / steps;
     for (int k = 0; k < steps; ++k) {
       const Segment piece{line.begin + k * step, line.begin + (k + 1) * step};
-      const Box box = box_around(piece, options_.offset_m + kAside_m + 0.01);
+      const FaceBox box = box_around(piece, options_.offset_m + kAside_m + 0.01);
       for (auto it = tree_.qbegin(bg::index::intersects(box)); it != tree_.qend(); ++it) numbers_.push_back(it->second);
     }
     std::sort(numbers_.begin(), numbers_.end());
     numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
   }
 
-  const RTree& tree_;
+  const FaceTree& tree_;
   const SupportLineOptions& options_;
   std::optional<Segment> looked_along_;
   std::vector<std::size_t> numbers_;
@@ -123,9 +123,9 @@ std::size_t next_collinear(const Segment& line, const std::vector<std::size_t>& 
 /// One pass: longer lines absorb shorter ones. True if any was absorbed.
 bool absorb_once(std::vector<Line>& lines, const SupportLineOptions& options) {
   std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.support_m > b.support_m; });
-  std::vector<Entry> entries;
+  std::vector<NumberedBox> entries;
   for (std::size_t k = 0; k < lines.size(); ++k) entries.emplace_back(box_around(lines[k].extent, 0), k);
-  const RTree tree(entries);
+  const FaceTree tree(entries);
   std::vector<bool> gone(lines.size(), false);
   bool any = false;
   for (std::size_t a = 0; a < lines.size(); ++a) {

@@ -6,7 +6,7 @@
 namespace opal::simulation {
 namespace {
 
-constexpr int kRecess = 15, kShutDoor = 100;
+constexpr int kCorridorRecess = 15, kCorridorDoor = 100;
 constexpr int kCornerClear = 60;  // of a block, without niches
 constexpr int kDeepest = 80;      // niche
 constexpr int kShallowest = 150;  // dead end
@@ -58,7 +58,7 @@ class Corridors {
   Cut drawn_cut() {
     Cut cut;
     cut.kind = static_cast<Cut::Kind>(vary_.between(0, 10) / 5);
-    cut.width = cut.kind == Cut::Kind::door ? kShutDoor : vary_.between(110, 220);
+    cut.width = cut.kind == Cut::Kind::door ? kCorridorDoor : vary_.between(110, 220);
     cut.offset = vary_.between(20, kStep - 20 - cut.width);
     cut.depth = vary_.between(25, kDeepest);
     return cut;
@@ -113,9 +113,9 @@ class Corridors {
     const int from = begin + cut.offset, to = from + cut.width;
     if (cut.kind == Cut::Kind::niche) building_.plan.open(behind(from, to, 0, cut.depth));
     if (cut.kind != Cut::Kind::door) return;
-    if (is_facade) return building_.plan.facade_glass(behind(from, to, 0, kRecess));
-    building_.plan.open(behind(from, to, 0, kRecess));
-    building_.plan.thing(behind(from, to, kRecess, kRecess + 5), "opal:Door");
+    if (is_facade) return building_.plan.facade_glass(behind(from, to, 0, kCorridorRecess));
+    building_.plan.open(behind(from, to, 0, kCorridorRecess));
+    building_.plan.thing(behind(from, to, kCorridorRecess, kCorridorRecess + 5), "opal:Door");
   }
 
   /// Closes a corridor along y between two crossings, in part or all of it; those along x stay open, so nothing is cut

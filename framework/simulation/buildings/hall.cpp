@@ -29,7 +29,7 @@ struct Side {
   }
 };
 
-constexpr int kPartition = 10, kDoor = 100, kRecess = 15, kShutDoor = 180;
+constexpr int kDoor = 100, kHallRecess = 15, kHallDoor = 180;
 
 class Hall {
  public:
@@ -90,9 +90,9 @@ class Hall {
     if (bay.feature == Feature::niche) plan.open(side.box(from, to, 0, bay.depth));
     if (bay.feature == Feature::glass) plan.facade_glass(side.box(from, to, 0, 10));
     if (bay.feature == Feature::shut_door) {
-      const int end = std::min(to, from + kShutDoor);
-      plan.open(side.box(from, end, 0, kRecess));
-      plan.thing(side.box(from, end, kRecess, kRecess + 5), "opal:Door");
+      const int end = std::min(to, from + kHallDoor);
+      plan.open(side.box(from, end, 0, kHallRecess));
+      plan.thing(side.box(from, end, kHallRecess, kHallRecess + 5), "opal:Door");
     }
     if (bay.feature == Feature::side_room) add_side_room(side, from, std::max(to, from + 180), bay.depth);
   }

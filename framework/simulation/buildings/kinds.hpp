@@ -5,6 +5,9 @@
 
 namespace opal::simulation {
 
+/// Thickness of walls between rooms [cm].
+inline constexpr int kPartition = 10;
+
 struct PlannedBuilding {
   FloorPlan plan;
   int module = 0;  ///< see Building::module_m [cm]

@@ -6,7 +6,6 @@
 namespace opal::simulation {
 namespace {
 
-constexpr int kPartition = 10;
 constexpr int kLongestWing = 5000;  // between cross corridors
 constexpr int kNarrowestRoom = 250;
 

@@ -6,7 +6,7 @@
 namespace opal::simulation {
 namespace {
 
-constexpr int kPartition = 10, kRecess = 20;
+constexpr int kDockRecess = 20;
 constexpr int kBackAisle = 400;
 constexpr int kSidesOfRacks = 300;  // aisles along the west and east wall
 constexpr int kLongestRack = 3000;  // without a cross aisle
@@ -78,8 +78,8 @@ class Warehouse {
     const int middle = (left + right) / 10 * 5;
     const int from = std::max(50, middle + shift - door / 10 * 5), to = std::min(width - 50, from + door);
     if (has_gate && !is_at_office(from, to)) {
-      building_.plan.open({from, -kRecess, to, 0});
-      building_.plan.thing({from, -kRecess - 5, to, -kRecess}, "opal:Door");
+      building_.plan.open({from, -kDockRecess, to, 0});
+      building_.plan.thing({from, -kDockRecess - 5, to, -kDockRecess}, "opal:Door");
     }
     const int y = dock_zone_ * 11 / 20 / 5 * 5;
     if (has_pillar) building_.plan.wall({middle - 20, y - 20, middle + 20, y + 20});

@@ -10,7 +10,7 @@
 namespace opal {
 namespace {
 
-constexpr std::size_t kNamedObjects = 4, kNamedLocals = 8, kNamedFindings = 2;
+constexpr std::size_t kNamedObjects = 4, kNamedLocals = 8, kFindingsOfBest = 2;
 
 /// A mapped object that the best hypothesis sees, with its nearest association.
 struct SeenObject {
@@ -133,7 +133,7 @@ void add_findings(const ExplainedMoment& moment, std::vector<Sentence>& sentence
   if (!best) return;
   if (best->scan_nat < 0)
     sentences.push_back({SentenceKind::against, "the newest scan scores " + nat_text(best->scan_nat)});
-  const std::string text = findings_text(moment.state.frame().findings, kNamedFindings);
+  const std::string text = findings_text(moment.state.frame().findings, kFindingsOfBest);
   if (!text.empty()) sentences.push_back({SentenceKind::against, text});
 }
 

@@ -13,7 +13,7 @@ using namespace opal::statistics;
 namespace {
 
 constexpr int kExperiments = 300;
-constexpr double kLevel = 0.05;
+constexpr double kPowerLevel = 0.05;
 constexpr double kMargin = 0.07;  // three sigmas of a share of 0.8 in 300 experiments
 
 /// Share of experiments in which a difference in one metric is told, in favour of b.
@@ -45,7 +45,7 @@ TEST_CASE("a planted difference of costs is found with the stated power") {
   SimulatedExperiment experiment{std::vector<std::size_t>(8, 14)};
   experiment.cost_ratio = 0.92;
   const auto [mean, sigma] = site_sum(experiment, simulated_comparison().metrics[2]);
-  const double power = t_test_power(mean / sigma, 8, kLevel);
+  const double power = t_test_power(mean / sigma, 8, kPowerLevel);
   CAPTURE(mean, sigma);
   CHECK(power > 0.6);
   CHECK(found(experiment, 2) == Approx(power).margin(kMargin));
@@ -55,7 +55,7 @@ TEST_CASE("a planted difference of success is found with power 0.8 by as many si
   SimulatedExperiment experiment{{14}};
   experiment.planted = 0.3;
   const auto [mean, sigma] = site_sum(experiment, simulated_comparison().metrics[0]);
-  const double needed = units_for_power(mean / sigma, kLevel, 0.8);
+  const double needed = units_for_power(mean / sigma, kPowerLevel, 0.8);
   CAPTURE(mean, sigma, needed);
   REQUIRE(needed > 10);
   REQUIRE(needed < 100);
@@ -70,15 +70,15 @@ TEST_CASE("more queries are asked for where less can be told") {
     SimulatedExperiment experiment{{14}};
     experiment.planted = planted;
     const auto [mean, sigma] = site_sum(experiment, success);
-    const double needed = units_for_power(mean / sigma, kLevel, 0.8);
+    const double needed = units_for_power(mean / sigma, kPowerLevel, 0.8);
     CHECK(needed > before);
-    CHECK(units_for_power(mean / sigma, kLevel / 3, 0.8) > needed);
+    CHECK(units_for_power(mean / sigma, kPowerLevel / 3, 0.8) > needed);
     before = needed;
   }
 }
 
 TEST_CASE("no power comes of one unit, and a test without a difference finds its level") {
-  CHECK(t_test_power(3, 1, kLevel) == 0);
-  CHECK(t_test_power(0, 7, kLevel) == Approx(kLevel));
-  CHECK(std::isinf(units_for_power(0, kLevel, 0.8)));
+  CHECK(t_test_power(3, 1, kPowerLevel) == 0);
+  CHECK(t_test_power(0, 7, kPowerLevel) == Approx(kPowerLevel));
+  CHECK(std::isinf(units_for_power(0, kPowerLevel, 0.8)));
 }

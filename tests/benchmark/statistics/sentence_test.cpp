@@ -9,7 +9,7 @@ using Catch::Contains;
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 /// So many queries of a site of which only b, only a, or both succeed; the others fail in both.
 struct Site {
@@ -32,7 +32,7 @@ ResultsTable results(const std::vector<Site>& sites, double metres, double ratio
                          site.name,
                          std::to_string(query),
                          1,
-                         {{"success", success}, {"first_fix_m", success ? distance_m : kNever}, {"cpu_ms", cpu_ms}},
+                         {{"success", success}, {"first_fix_m", success ? distance_m : kEndless}, {"cpu_ms", cpu_ms}},
                          ""});
       };
       add("A", a, 2, 1);

@@ -9,12 +9,12 @@ using namespace opal;
 namespace {
 
 constexpr double kGood_nat = 2, kBad_nat = -1;
-constexpr double kMemory = 0.99;
+constexpr double kDetectorMemory = 0.99;
 
 /// A robot with one hypothesis, scan after scan.
 struct Watch {
   void see(double scan_nat, double match_share = 1, bool established = true) {
-    gathered_nat = kMemory * gathered_nat + scan_nat;
+    gathered_nat = kDetectorMemory * gathered_nat + scan_nat;
     detector.add({++keyframe, 1, match_share, scan_nat, gathered_nat, established});
   }
   void see_good(int scans) {
@@ -28,7 +28,7 @@ struct Watch {
     see(kBad_nat, 0);
     see_bad(scans_after);
   }
-  KidnapDetector detector{KidnappingOptions{}, kMemory};
+  KidnapDetector detector{KidnappingOptions{}, kDetectorMemory};
   int keyframe = 0;
   double gathered_nat = 0;
 };
@@ -182,7 +182,7 @@ TEST_CASE("a detector that is reset suspects nothing and knows of no usual scan"
   watch.be_kidnapped(10);
   watch.detector.reset();
   CHECK_FALSE(watch.detector.suspected());
-  CHECK(watch.detector.probability() == KidnapDetector(KidnappingOptions{}, kMemory).probability());
+  CHECK(watch.detector.probability() == KidnapDetector(KidnappingOptions{}, kDetectorMemory).probability());
   CHECK_FALSE(watch.detector.alarming(0));
   watch.see_bad(1);
   CHECK_FALSE(watch.detector.suspected());

@@ -11,7 +11,7 @@ using namespace opal;
 
 namespace {
 
-constexpr double kMemory = 0.99;
+constexpr double kDecisionMemory = 0.99;
 const Pose2 kHere(3, 2, 0.5), kThere(20, 9, 2), kElsewhere(-8, 4, -1);
 
 /// @param T_map_base  where the robot is now by it.
@@ -26,7 +26,7 @@ Live hypothesis(int id, const Pose2& T_map_base, double nat, double scan_nat = 1
 
 /// Estimates of a robot that stands at the origin of the local frame.
 struct Answer {
-  explicit Answer(const StatusOptions& options = {}) : estimator(options, kMemory) {}
+  explicit Answer(const StatusOptions& options = {}) : estimator(options, kDecisionMemory) {}
   PoseEstimate to(const std::vector<Live>& alive, const Circumstances& now = {}) {
     return estimator.estimate(alive, Pose2(), ++stamp_s, now);
   }
@@ -226,7 +226,7 @@ TEST_CASE("evidence of any size gives probabilities") {
 
 TEST_CASE("an estimate between two scans is carried by odometry") {
   const Pose2 T_local_base(1, 1, 0.3), driven(0.8, 0.1, 0.2);
-  StatusEstimator estimator({}, kMemory);
+  StatusEstimator estimator({}, kDecisionMemory);
   estimator.estimate({hypothesis(1, kHere, 20, 1, T_local_base)}, T_local_base, 5, {});
   const PoseEstimate later = estimator.at(6, T_local_base * driven);
   CHECK(later.stamp_s == 6);
@@ -238,7 +238,7 @@ TEST_CASE("an estimate between two scans is carried by odometry") {
 // It is carried along the best hypothesis' heading instead.
 TEST_CASE("an alternative between two scans drives where it says the robot looks") {
   const Pose2 driven(1, 0, 0.2);
-  StatusEstimator estimator({}, kMemory);
+  StatusEstimator estimator({}, kDecisionMemory);
   estimator.estimate({hypothesis(1, kHere, 9), hypothesis(2, kThere, 9)}, Pose2(), 5, {});
   const PoseEstimate later = estimator.at(6, driven);
   REQUIRE(later.alternatives.size() == 1);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMemory = 0.99;
 
-VerificationOptions options(int scans = 40) {
+VerificationOptions verification_options(int scans = 40) {
   VerificationOptions chosen;
   chosen.scans = scans;
   return chosen;
@@ -22,7 +22,7 @@ VerificationOptions options(int scans = 40) {
 /// A robot that drives through the room from its left to its right, and remembers.
 struct Past {
   explicit Past(std::vector<ActiveScorer> scorers = {{"fit", fit_scorer(), true, 1}},
-                const VerificationOptions& given = options(), double memory = kMemory)
+                const VerificationOptions& given = verification_options(), double memory = kMemory)
       : judges(map, std::move(scorers)), past(map, judges.ensemble, given, memory) {}
   void see(double tempering_weight = 1, double best_nat = 2.9) {
     robot.drive_to(robot.T_map_base() * Pose2(0.4, 0.05, 0.02));
@@ -49,7 +49,7 @@ struct Past {
 };
 
 /// Each scan says this for every hypothesis.
-Past past_of(double nat, const VerificationOptions& given = options(), double memory = kMemory) {
+Past past_of(double nat, const VerificationOptions& given = verification_options(), double memory = kMemory) {
   return Past({{"constant", constant_scorer(nat), true, 1}}, given, memory);
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("a scan is kept for every whole piece of evidence, and the first one a
 }
 
 TEST_CASE("no more scans are kept than asked for, the newest ones") {
-  Past past({{"fit", fit_scorer(), true, 1}}, options(3));
+  Past past({{"fit", fit_scorer(), true, 1}}, verification_options(3));
   past.see_scans(10);
   CHECK(past.truth().scans == 3);
   past.past.forget_until(7);
@@ -85,7 +85,7 @@ TEST_CASE("no more scans are kept than asked for, the newest ones") {
 }
 
 TEST_CASE("who may keep no scan verifies nothing") {
-  Past past({{"fit", fit_scorer(), true, 1}}, options(0));
+  Past past({{"fit", fit_scorer(), true, 1}}, verification_options(0));
   past.see_scans(10);
   CHECK(past.truth().scans == 0);
   CHECK(past.past.since_newest(0.3) == 1);
@@ -138,7 +138,7 @@ TEST_CASE("who keeps up with the best of the time is not hopeless, however littl
 
 TEST_CASE("evidence of old scans counts as much less as tracking has forgotten of it") {
   const double memory = 0.5;
-  Past past = past_of(1, options(), memory);
+  Past past = past_of(1, verification_options(), memory);
   past.see_scans(3);
   CHECK(past.truth().nat == Approx(memory + memory * memory + memory * memory * memory));
 }
@@ -194,7 +194,7 @@ TEST_CASE("a candidate that the past speaks for does not pay for a kidnapping") 
 
 TEST_CASE("a candidate after a kidnapping has the scans since then and what it takes over, the price included") {
   const double memory = 1, takeover_nat = 6;
-  Past past = past_of(1, options(), memory);
+  Past past = past_of(1, verification_options(), memory);
   past.see_scans(8);
   past.past.suspect(RetrospectiveVerification::Takeover{5, takeover_nat});
   const auto verdict = past.truth();
@@ -241,7 +241,7 @@ TEST_CASE("in retrospect no scan is more than one whole piece of evidence to a s
 
 // It is given the weight of all of the blind drive.
 TEST_CASE("the first scan after a blind drive counts once", "[!shouldfail]") {
-  Past past = past_of(1, options(), 1);
+  Past past = past_of(1, verification_options(), 1);
   for (int k = 1; k <= 10; ++k) {
     past.robot.drive_blind_to(Pose2(2 + 0.4 * k, 4, 0));
     past.past.remember(past.robot.observation(), ++past.keyframe, 1, 0);

@@ -6,7 +6,7 @@ using namespace opal;
 
 namespace {
 
-SearchScheduleOptions options() {
+SearchScheduleOptions schedule_options() {
   SearchScheduleOptions chosen;
   chosen.every_m = 0.5;
   chosen.every_rad = 1;
@@ -16,7 +16,7 @@ SearchScheduleOptions options() {
 
 /// A robot that drives along x; the schedule's answer after each step.
 struct Driving {
-  explicit Driving(const SearchScheduleOptions& given = options()) : schedule(given) {}
+  explicit Driving(const SearchScheduleOptions& given = schedule_options()) : schedule(given) {}
   bool step(double by_m, int every = 1, bool at_once = false) {
     at_m += by_m;
     return schedule.time_to_search({at_m, 0, 0}, at_once, every);
@@ -50,7 +50,7 @@ TEST_CASE("small steps add up to a chance to search") {
 
 TEST_CASE("turning on the spot brings chances to search, to either side") {
   for (const double side : {1.0, -1.0}) {
-    SearchSchedule schedule(options());
+    SearchSchedule schedule(schedule_options());
     REQUIRE(schedule.time_to_search(Pose2(), false, 1));
     CHECK_FALSE(schedule.time_to_search(Pose2(0, 0, side * 0.9), false, 1));
     CHECK(schedule.time_to_search(Pose2(0, 0, side * 1.1), false, 1));
@@ -113,7 +113,7 @@ TEST_CASE("chances to let pass and chances asked for do not add up: the more cou
 }
 
 TEST_CASE("no place is too much where places cost no chance") {
-  SearchScheduleOptions free = options();
+  SearchScheduleOptions free = schedule_options();
   free.places_per_chance = 0;
   Driving robot(free);
   robot.step(0);

@@ -14,7 +14,7 @@ using opal_test::read_text;
 
 namespace {
 
-std::string refusal_of(const std::string& path) {
+std::string refusal_of_fresh(const std::string& path) {
   opal::PluginRegistry registry;
   try {
     registry.load(path);
@@ -35,7 +35,7 @@ TEST_CASE("a plugin that lacks its end is refused, wherever it is cut") {
   for (const std::size_t length : lengths) {
     CAPTURE(length, whole.size());
     const std::string file = folder.write("good.so", whole.substr(0, length));
-    const std::string refusal = refusal_of(file);
+    const std::string refusal = refusal_of_fresh(file);
     CHECK_THAT(refusal, Catch::StartsWith(file + ": is "));
     CHECK_THAT(refusal, Catch::Contains(length < 4 ? "does not begin with the ELF magic number" : "is truncated: "));
   }
@@ -56,7 +56,7 @@ TEST_CASE("a plugin whose section headers cannot be right is refused or loaded, 
     const std::size_t place = places[random() % places.size()];
     damaged[place] = static_cast<char>(random());
     CAPTURE(place, static_cast<int>(damaged[place]));
-    const std::string refusal = refusal_of(folder.write("good.so", damaged));
+    const std::string refusal = refusal_of_fresh(folder.write("good.so", damaged));
     CHECK((refusal == "accepted" || refusal.find("good.so: ") != std::string::npos));
   }
 }

@@ -41,7 +41,7 @@ std::vector<std::string> text_of(const OccupancyGrid& grid) {
 }
 
 /// Two rooms beside each other, with a slanted wall in one, a free standing wall in the other, and a door between them.
-DrawnGrid two_rooms() {
+DrawnGrid two_smeared_rooms() {
   DrawnGrid grid(260, 160);
   grid.room(10, 10, 130, 140);
   grid.room(130, 10, 240, 140);
@@ -108,7 +108,7 @@ TEST_CASE("taking smear off leaves the middle of every stroke, and gives the res
 }
 
 TEST_CASE("a clean grid has no smear, however thick a wall is once") {
-  DrawnGrid grid = two_rooms();
+  DrawnGrid grid = two_smeared_rooms();
   CHECK(import(grid).map->origin().smear_m == 0);
   grid.fill(DrawnGrid::kOccupied, 60, 100, 110, 112);
   CHECK(import(grid).map->origin().smear_m == 0);
@@ -117,8 +117,8 @@ TEST_CASE("a clean grid has no smear, however thick a wall is once") {
 TEST_CASE("faces of thick walls are within five centimetres of the true ones, or a cell if smear is half cells") {
   const double smear_m = GENERATE(0.2, 0.3, 0.4, 0.5);
   const double tolerance_m = smear_m == 0.2 || smear_m == 0.4 ? 0.05 : 0.10;
-  const auto clean = import(two_rooms()).map;
-  const MapImport thick = import(two_rooms(), {{"thicken_m", smear_m}});
+  const auto clean = import(two_smeared_rooms()).map;
+  const MapImport thick = import(two_smeared_rooms(), {{"thicken_m", smear_m}});
   CAPTURE(smear_m);
   CHECK(thick.map->origin().smear_m == Approx(smear_m).margin(0.1));
   CHECK(std::any_of(thick.report.begin(), thick.report.end(), [](const std::string& sentence) {
@@ -138,6 +138,6 @@ TEST_CASE("faces of thick walls are within five centimetres of the true ones, or
 }
 
 TEST_CASE("how thick walls may be made is checked") {
-  CHECK_THROWS_WITH(import(two_rooms(), {{"thicken_m", 3}}),
+  CHECK_THROWS_WITH(import(two_smeared_rooms(), {{"thicken_m", 3}}),
                     Catch::Contains("thicken_m") && Catch::Contains("from 0 to 2"));
 }

@@ -9,8 +9,6 @@
 namespace opal {
 namespace {
 
-std::string ref(int number) { return "#" + std::to_string(number); }
-
 std::string listed(const std::vector<int>& numbers) {
   std::string list;
   for (const int number : numbers) list += (list.empty() ? "" : ",") + ref(number);

@@ -11,6 +11,9 @@
 
 namespace opal {
 
+/// "#12".
+inline std::string ref(int number) { return "#" + std::to_string(number); }
+
 /// A small building, written as an IFC4 file. All lengths in metres; bodies stand from z = 0 to 3 m.
 class DrawnBuilding {
  public:

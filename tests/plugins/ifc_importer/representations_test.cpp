@@ -17,8 +17,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-std::string ref(int number) { return "#" + std::to_string(number); }
-
 /// What a thing's own cut encloses; holes count against it.
 double area_m2(const ImportedElement& element) {
   double twice = 0;

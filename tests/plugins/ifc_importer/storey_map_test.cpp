@@ -11,15 +11,15 @@ using namespace opal;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 /// A room of 6 x 4 m inside, whose walls meet end to face.
 DrawnBuilding room(const Pose2& T_world_building = Pose2(), const std::string& unit = "m", double gap_m = 0) {
   DrawnBuilding building(T_world_building, unit);
   building.add_wall("south", {3, -0.1, 0}, 6.4, 0.2);
   building.add_wall("north", {3, 4.1, 0}, 6.4, 0.2);
-  building.add_wall("west", {-0.1, 2, kPi / 2}, 4 - 2 * gap_m, 0.2);
-  building.add_wall("east", {6.1, 2, kPi / 2}, 4 - 2 * gap_m, 0.2);
+  building.add_wall("west", {-0.1, 2, kHalfTurn / 2}, 4 - 2 * gap_m, 0.2);
+  building.add_wall("east", {6.1, 2, kHalfTurn / 2}, 4 - 2 * gap_m, 0.2);
   return building;
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("a room's walls are seen from inside and outside, and share their corn
   const auto corners = all_of(map, GeometryKind::oriented_point);
   CHECK(corners.size() == 8);
   const auto concave = std::count_if(corners.begin(), corners.end(), [](const MapFeature* corner) {
-    return std::get<OrientedPoint>(corner->geometry).opening_rad < kPi;
+    return std::get<OrientedPoint>(corner->geometry).opening_rad < kHalfTurn;
   });
   CHECK(concave == 4);
   CHECK(points_of(faces).size() == 12);
@@ -89,7 +89,7 @@ TEST_CASE("walls that end less than a centimetre before others touch them") {
 TEST_CASE("a wall that ends at the middle of another leaves no phantom there") {
   DrawnBuilding building;
   building.add_wall("long", {0, 0, 0}, 10, 0.2);
-  building.add_wall("stem", {1, 1.6, kPi / 2}, 3, 0.1);
+  building.add_wall("stem", {1, 1.6, kHalfTurn / 2}, 3, 0.1);
   const MapImport imported = import(building);
   const auto faces = features_of(*imported.map, "long", GeometryKind::segment);
   CHECK(faces.size() == 5);
@@ -147,13 +147,13 @@ TEST_CASE("a round column within a wall is no circle, and is told about") {
 }
 
 TEST_CASE("a building that is moved rigidly gives the same map, moved") {
-  const double heading_rad = GENERATE(take(8, random(-kPi, kPi)));
+  const double heading_rad = GENERATE(take(8, random(-kHalfTurn, kHalfTurn)));
   const Pose2 T_world_building(GENERATE(-250.0, 3.7), 1000, heading_rad);
   CAPTURE(heading_rad);
   const auto drawn = [](const Pose2& T) {
     DrawnBuilding building = room(T);
-    const int wall = building.add_wall("middle", {3, 2, kPi / 2}, 3.993, 0.15);
-    building.add_door(wall, "door", {3, 1, kPi / 2}, 0.9, 0.15);
+    const int wall = building.add_wall("middle", {3, 2, kHalfTurn / 2}, 3.993, 0.15);
+    building.add_door(wall, "door", {3, 1, kHalfTurn / 2}, 0.9, 0.15);
     building.add_column("column", {1.5, 2.5}, 0.2);
     building.add_box("IFCCOLUMN", "pillar", {4.5, 2.5, 0.3}, 0.4, 0.3);
     building.add_box("IFCCOLUMN", "as thin as counts", {1.5, 1, 0}, 0.1, 0.075);  // limits must not depend on rounding
@@ -250,8 +250,8 @@ TEST_CASE("storeys are listed from the lowest, chosen by name, and the lowest wi
 
 TEST_CASE("what the model says survives writing and reading") {
   DrawnBuilding building = room();
-  const int wall = building.add_wall("middle", {3, 2, kPi / 2}, 4, 0.15);
-  building.add_door(wall, "door", {3, 1, kPi / 2}, 0.9, 0.15);
+  const int wall = building.add_wall("middle", {3, 2, kHalfTurn / 2}, 4, 0.15);
+  building.add_door(wall, "door", {3, 1, kHalfTurn / 2}, 0.9, 0.15);
   building.add_column("column", {1.5, 2.5}, 0.2);
   building.add_column("column again", {1.5, 2.5}, 0.2);
   building.add_storey("Ground", 0);

@@ -21,14 +21,14 @@ using Counts = std::map<std::string, int>;
 const std::vector<double> kHere{0, 0, 0, 0, 0, 0, 1};
 const double kHalf = std::sqrt(0.5);  // quaternions of quarter turns
 
-struct Walked {
+struct WalkedBag {
   std::vector<LogRecord> records;
   Counts defects;
 };
 
-Walked walk(const std::string& path, const ros2_bag::TopicChoice& topics = {}) {
+WalkedBag walk_bag(const std::string& path, const ros2_bag::TopicChoice& topics = {}) {
   const auto reader = Ros2Bag(topics).open(path);
-  Walked walked{read_all(*reader), {}};
+  WalkedBag walked{read_all(*reader), {}};
   walked.defects = reader->defects();
   CHECK(reader->progress() == 1);
   return walked;
@@ -41,7 +41,7 @@ LaserScanMessage scan_at(double stamp_s) {
 }
 
 /// One scan and one odometry message, and what is fixed to what.
-Walked walk_mounted(const std::vector<Link>& links) {
+WalkedBag walk_mounted(const std::vector<Link>& links) {
   const TemporaryFolder folder;
   {
     BagWriter bag(folder.path_of("a.db3"));
@@ -49,7 +49,7 @@ Walked walk_mounted(const std::vector<Link>& links) {
     bag.message(bag.odometry(), 1, odometry_bytes(1, kHere));
     bag.message(bag.static_transforms(), 2, transforms_bytes(links));  // too late, but it holds all the same
   }
-  return walk(folder.path_of("a.db3"));
+  return walk_bag(folder.path_of("a.db3"));
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ TEST_CASE("scans and odometry of a recording become records in either byte order
                 odometry_bytes(1000.125, {1, 2, 0.1, 0, 0, kHalf, kHalf}, "base_link", big_endian));
     bag.message(bag.topic("/chatter", "std_msgs/msg/String"), 1000.3, "no CDR at all");
   }
-  const Walked walked = walk(folder.path_of("a.db3"));
+  const WalkedBag walked = walk_bag(folder.path_of("a.db3"));
   REQUIRE(walked.records.size() == 2);
   const auto& odometry = std::get<OdometryRecord>(walked.records[0]);  // recorded first
   CHECK(odometry.stamp_s == 1000.125);
@@ -90,9 +90,9 @@ TEST_CASE("scans and odometry of a recording become records in either byte order
 
 TEST_CASE("the laser's mount is followed through all that is fixed, in three dimensions") {
   // Two links that each turn about another axis: one quarter about z, then the laser lies 1 m ahead of that.
-  const Walked walked = walk_mounted({{"base_link", "mast", {0.5, 0, 1, 0, 0, kHalf, kHalf}},
-                                      {"/mast", "laser", {1, 0, 0, 0, 0, 0, 1}},
-                                      {"base_footprint", "base_link", {7, 7, 0, 0, 0, 0, 1}}});
+  const WalkedBag walked = walk_mounted({{"base_link", "mast", {0.5, 0, 1, 0, 0, kHalf, kHalf}},
+                                         {"/mast", "laser", {1, 0, 0, 0, 0, 0, 1}},
+                                         {"base_footprint", "base_link", {7, 7, 0, 0, 0, 0, 1}}});
   const auto& mount = std::get<MountRecord>(walked.records.at(0));
   CHECK(mount.parent == "base_link");
   CHECK(mount.child == "laser");
@@ -102,7 +102,7 @@ TEST_CASE("the laser's mount is followed through all that is fixed, in three dim
 }
 
 TEST_CASE("the beams of a laser that hangs upside down are turned the right way round") {
-  const Walked walked = walk_mounted({{"base_link", "laser", {0, 0, 0, 1, 0, 0, 0}}});  // half a turn about x
+  const WalkedBag walked = walk_mounted({{"base_link", "laser", {0, 0, 0, 1, 0, 0, 0}}});  // half a turn about x
   const auto& scan = std::get<RawScan>(walked.records.at(1));
   LaserModel laser;
   laser.geometry_from_log = true;
@@ -121,7 +121,7 @@ TEST_CASE("a tilted laser, an unconnected one and a circle of frames are told") 
   const Counts unconnected{{"no static transform from base_link to laser", 1}};
   CHECK(walk_mounted({{"mast", "laser", kHere}}).defects == unconnected);
   CHECK(walk_mounted({}).defects == unconnected);
-  const Walked circle = walk_mounted({{"laser", "mast", kHere}, {"mast", "laser", kHere}});
+  const WalkedBag circle = walk_mounted({{"laser", "mast", kHere}, {"mast", "laser", kHere}});
   CHECK(circle.records.size() == 2);
   CHECK(circle.defects == unconnected);
 }
@@ -146,7 +146,7 @@ TEST_CASE("damaged messages are counted, and the next one is read") {
     bag.message(odometry, 3, good_odometry);
     bag.message(bag.static_transforms(), 1, "damaged");
   }
-  const Walked walked = walk(folder.path_of("a.db3"));
+  const WalkedBag walked = walk_bag(folder.path_of("a.db3"));
   CHECK(walked.records.size() == 2);
   CHECK(walked.defects == Counts{{"damaged LaserScan message", 4},
                                  {"damaged Odometry message", 3},
@@ -164,7 +164,7 @@ TEST_CASE("wherever a message is cut, it is damaged before its ranges end") {
       BagWriter bag(folder.path_of("a.db3"));
       bag.message(bag.scans(), 1, whole.substr(0, length));
     }
-    CHECK(walk(folder.path_of("a.db3")).records.size() == (length >= needed ? 1 : 0));
+    CHECK(walk_bag(folder.path_of("a.db3")).records.size() == (length >= needed ? 1 : 0));
   }
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("a stamp that was never set is the time of recording") {
     bag.message(bag.scans(), 12.5, scan_at(0).bytes());
     bag.message(bag.odometry(), 13.5, odometry_bytes(0, kHere));
   }
-  const Walked walked = walk(folder.path_of("a.db3"));
+  const WalkedBag walked = walk_bag(folder.path_of("a.db3"));
   CHECK(std::get<RawScan>(walked.records.at(0)).stamp_s == 12.5);
   CHECK(std::get<OdometryRecord>(walked.records.at(1)).stamp_s == 13.5);
 }
@@ -190,15 +190,15 @@ TEST_CASE("of several topics the usual one is read, or the one that is asked for
     bag.message(bag.odometry("/wheels"), 3, odometry_bytes(3, kHere));
     bag.message(bag.odometry("/fused"), 4, odometry_bytes(4, kHere));
   }
-  CHECK_THROWS_WITH(walk(path), path +
-                                    ": several topics of type nav_msgs/msg/Odometry (/fused, /wheels), expected an "
-                                    "option to choose one");
-  const Walked usual = walk(path, {"", "/wheels"});
+  CHECK_THROWS_WITH(walk_bag(path), path +
+                                        ": several topics of type nav_msgs/msg/Odometry (/fused, /wheels), expected an "
+                                        "option to choose one");
+  const WalkedBag usual = walk_bag(path, {"", "/wheels"});
   REQUIRE(usual.records.size() == 2);
   CHECK(std::get<RawScan>(usual.records[0]).stamp_s == 1);
   CHECK(std::get<OdometryRecord>(usual.records[1]).stamp_s == 3);
-  CHECK(std::get<RawScan>(walk(path, {"/rear/scan", "/fused"}).records[0]).stamp_s == 2);
-  CHECK_THROWS_WITH(walk(path, {"/front", ""}),
+  CHECK(std::get<RawScan>(walk_bag(path, {"/rear/scan", "/fused"}).records[0]).stamp_s == 2);
+  CHECK_THROWS_WITH(walk_bag(path, {"/front", ""}),
                     path + ": no topic /front of type sensor_msgs/msg/LaserScan in CDR, there is /rear/scan, /scan");
 }
 
@@ -212,7 +212,7 @@ TEST_CASE("a recording in several files is read by time, as one") {
     for (const int second : {1, 2}) bag.message(scans, 10 * part + second, scan_at(10 * part + second).bytes());
   }
   CHECK(Ros2Bag({}).recognizes(folder.path()));
-  const Walked walked = walk(folder.path());
+  const WalkedBag walked = walk_bag(folder.path());
   std::vector<double> stamps_s;
   for (const LogRecord& record : walked.records)
     if (const auto* scan = std::get_if<RawScan>(&record)) stamps_s.push_back(scan->stamp_s);
@@ -248,7 +248,7 @@ TEST_CASE("a recording without scans is refused") {
     BagWriter bag(path);
     bag.message(bag.odometry(), 1, odometry_bytes(1, kHere));
   }
-  CHECK_THROWS_WITH(walk(path), path + ": no topic of type sensor_msgs/msg/LaserScan in CDR");
+  CHECK_THROWS_WITH(walk_bag(path), path + ": no topic of type sensor_msgs/msg/LaserScan in CDR");
 }
 
 TEST_CASE("a file with a damaged part is read as far as it goes, one that was cut off is refused") {

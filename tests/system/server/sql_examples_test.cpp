@@ -38,7 +38,7 @@ std::string example_with(const std::string& words) {
   return {};
 }
 
-Rows answer_to(const std::string& sql) {
+Rows rows_of_answer(const std::string& sql) {
   Rows rows;
   postgis_store::Server({}).read([&](postgis_store::Session& session) { rows = session.ask(sql); });
   return rows;
@@ -80,9 +80,9 @@ TEST_CASE("the thesis' question has the same answer from flat rows, from the gra
     store()->push(*map, {"example"});
     const auto expected = walls_and_doors_within(*map, {0, 0}, 10);
     REQUIRE(expected.size() >= 4);
-    const Rows flat = answer_to(example_with("f.object_type IN ('opal:Door', 'opal:Wall')"));
+    const Rows flat = rows_of_answer(example_with("f.object_type IN ('opal:Door', 'opal:Wall')"));
     CHECK(column(flat, 2) == expected);
-    const Rows graph = answer_to(example_with("DISTINCT ON (o.id, o.geometry)"));
+    const Rows graph = rows_of_answer(example_with("DISTINCT ON (o.id, o.geometry)"));
     CHECK(column(graph, 2) == expected);
     CHECK(column(flat, 1) == column(graph, 1));
     for (const auto& row : flat) CHECK(nlohmann::json::parse(row.at(4)).at("@id") == row.at(2));
@@ -92,10 +92,11 @@ TEST_CASE("the thesis' question has the same answer from flat rows, from the gra
 TEST_CASE("SQL sees the whole graph") {
   store()->push(*rich_map(), {"rich"});
   const auto of_newest = [](const std::string& sql) {
-    return answer_to("SELECT " + sql + " JOIN opal.versions v USING (map) WHERE v.building = 'rich' AND v.is_newest");
+    return rows_of_answer("SELECT " + sql +
+                          " JOIN opal.versions v USING (map) WHERE v.building = 'rich' AND v.is_newest");
   };
   const auto has = [&](const std::string& subject, const std::string& relation, const std::string& object) {
-    return !answer_to(
+    return !rows_of_answer(
                 "SELECT 1 FROM opal.node_relations JOIN opal.versions v USING (map) WHERE v.building = 'rich' AND "
                 "v.is_newest "
                 "AND subject = '" +
