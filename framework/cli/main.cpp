@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   opal::add_experiment_verb(app, exit_code);
   opal::add_ab_verb(app, exit_code);
   opal::add_bench_verb(app, exit_code);
+  opal::add_calibrate_verb(app, exit_code);
   opal::add_calibration_verb(app, exit_code);
   opal::add_plugins_verb(app, exit_code);
   try {

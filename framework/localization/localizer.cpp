@@ -9,24 +9,26 @@
 #include "localization/search/global_search.hpp"
 #include "localization/search/search_schedule.hpp"
 #include "localization/tree/hypothesis_set.hpp"
+#include "sensor_health/sensor_monitor.hpp"
 
 #include "common/plugin_failures.hpp"
 #include "common/stage_clock.hpp"
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace opal {
 namespace {
 
-// Points of the alignment search after odometry has failed.
-constexpr std::size_t kCoarsePoints = 40;
+constexpr std::size_t kCoarsePoints = 40;  // of the alignment search after odometry has failed
 
 }  // namespace
 
 struct Localizer::State {
   State(LocalizerParts parts_given, EventSink* sink)
       : parts(std::move(parts_given)),
+        sensor(parts.laser, parts.matcher),
         local_map(parts.local_map, parts.matcher),
         ensemble(parts.scorers, parts.map, failures),
         search(parts.map, parts.patterns, ensemble, parts.stages.search),
@@ -37,6 +39,7 @@ struct Localizer::State {
         schedule(parts.stages.schedule),
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
+  void check_sensor(const Scan& scan, const Pose2& T_odom_base);
   bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Scan& scan, const Pose2& T_odom_base) const;
   std::vector<Feature> detect(const Scan& scan);
@@ -55,6 +58,7 @@ struct Localizer::State {
   NullEventSink nobody;
   LocalizerParts parts;
   PluginFailures failures;
+  SensorMonitor sensor;
   LocalMap local_map;
   ScorerEnsemble ensemble;
   GlobalSearch search;
@@ -72,6 +76,7 @@ struct Localizer::State {
   Pose2 T_odom_base;                ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   bool search_now = false;          ///< there is reason to believe that the robot was kidnapped, since this scan
+  double sensor_s = 0;              ///< CPU time of the sensor check since the newest keyframe
   StageTimes times;
 };
 
@@ -79,8 +84,9 @@ struct Localizer::State {
 
 std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_odom_base) {
   State& s = *state_;
+  s.check_sensor(scan, T_odom_base);
   if (!s.moved_enough(T_odom_base) && !s.fits_no_more(scan, T_odom_base)) return std::nullopt;
-  s.times = {};
+  s.times = {.sensor_s = std::exchange(s.sensor_s, 0)};
   s.stamp_s = scan.stamp_s;
   const std::vector<Feature> features = s.detect(scan);  // sensor frame
   {
@@ -108,6 +114,16 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
 }
 
 // ---------------------------------------------------------------------------------------------- its stages
+
+/// A description that the drive contradicts turns every pose.
+void Localizer::State::check_sensor(const Scan& scan, const Pose2& now) {
+  StageClock clock(sensor_s);
+  bool changed = false;
+  failures.guard("scan matcher", [&] { changed = sensor.add(scan, now); });
+  if (!changed) return;
+  status.contradict(sensor.contradiction());
+  journal.sensor(sensor.findings());
+}
 
 bool Localizer::State::moved_enough(const Pose2& now) const {
   return !started || distance_m(T_odom_base, now) > parts.keyframes.distance_m ||
@@ -244,6 +260,7 @@ PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) co
 
 void Localizer::reset() {
   State& s = *state_;
+  s.sensor.clear();
   s.local_map.clear();
   s.retrospective.clear();
   s.hypotheses.clear();
@@ -276,6 +293,7 @@ std::map<std::string, Score> Localizer::scores_of(int hypothesis) const {
   return scores;
 }
 
+const std::vector<SensorFinding>& Localizer::sensor_findings() const { return state_->sensor.findings(); }
 const StageTimes& Localizer::last_times() const { return state_->times; }
 const std::map<std::string, int>& Localizer::plugin_failures() const { return state_->failures.counts(); }
 

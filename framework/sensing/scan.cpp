@@ -20,9 +20,13 @@ Beams beams_of(const RawScan& raw, const LaserModel& laser) {
 
 enum class Reading { invalid, hit, free };
 
+/// Logs hold ranges in single precision, or as text of a few digits: a limit holds for what rounds to it.
+constexpr double kRounding_m = 5e-4;
+
 Reading classify(double range_m, const LaserModel& laser) {
-  if (std::isnan(range_m) || range_m <= 0 || range_m < laser.range_min_m) return Reading::invalid;
-  return range_m <= laser.range_max_m && range_m < laser.no_return_m ? Reading::hit : Reading::free;
+  if (std::isnan(range_m) || range_m <= 0 || range_m < laser.range_min_m - kRounding_m) return Reading::invalid;
+  const bool is_hit = range_m <= laser.range_max_m + kRounding_m && range_m < laser.no_return_m - kRounding_m;
+  return is_hit ? Reading::hit : Reading::free;
 }
 
 void sort_by_bearing(Scan& scan) {

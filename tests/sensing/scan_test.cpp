@@ -128,3 +128,16 @@ TEST_CASE("points come by increasing bearing, whichever beam the laser starts wi
     REQUIRE((point.position - 3.0 * unit_vector(beam_rad)).norm() < 1e-9);
   }
 }
+
+TEST_CASE("a range that is written exactly at a limit keeps to it, though single precision rounds it") {
+  // 5.6 and 0.7 are a little less in single precision, 8.1 a little more.
+  LaserModel laser = five_beams();
+  laser.no_return_m = 5.6;
+  CHECK(make_scan(reading({5.6f, 5.6f, 5.5f, 1, 1}), laser).free_bearings_rad.size() == 2);
+  laser = five_beams();
+  laser.range_max_m = 8.1;
+  CHECK(make_scan(reading({8.1f, 8.2f, 1, 1, 1}), laser).points.size() == 4);
+  laser = five_beams();
+  laser.range_min_m = 0.7;
+  CHECK(make_scan(reading({0.7f, 0.6f, 1, 1, 1}), laser).invalid == 1);
+}

@@ -12,7 +12,7 @@ using Catch::Contains;
 namespace {
 
 const std::string kHead =
-    R"({"event":"run","format":2,"opal":"0.1.0"})"
+    R"({"event":"run","format":3,"opal":"0.1.0"})"
     "\n"
     R"({"event":"map","name":"m","objects":[["w","opal:Wall"]],"features":[{"id":"w/face","object":0,"type":"opal:Wall","segment":[0,0,5,0]}],"patterns":[]})"
     "\n";
@@ -165,12 +165,12 @@ TEST_CASE("a broken line in the middle is an error, at the end of the stream a n
 
 TEST_CASE("streams of other formats, and what is none, are refused with the reason") {
   expect_error(update(0, 1), 1, "older version of Opal");
-  expect_error(R"({"event":"run","format":3})"
+  expect_error(R"({"event":"run","format":4})"
                "\n",
-               1, "/format: 3, expected 2");
+               1, "/format: 4, expected 3");
   expect_error(R"({"event":"run","format":1})"
                "\n",
-               1, "/format: 1, expected 2");
+               1, "/format: 1, expected 3");
   expect_error(R"({"event":"run"})"
                "\n",
                1, "a member 'format'");

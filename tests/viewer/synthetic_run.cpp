@@ -70,7 +70,7 @@ class Run {
 
   void write_header() {
     events_.write({{"event", "run"},
-                   {"format", 2},
+                   {"format", 3},
                    {"opal", "0.1.0"},
                    {"log", "hall.log.gz"},
                    {"config", "default.jsonld"},

@@ -1,5 +1,6 @@
 #include "benchmark/runs/bench_place.hpp"
 
+#include "sensing/log_check.hpp"
 #include "session/session.hpp"
 
 opal::Replay BenchPlace::replay(const opal::Query& window) const {
@@ -17,7 +18,10 @@ RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const o
 }
 
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment) {
-  return {site, with_laser(std::move(deployment), opal::read_site_laser(site.prefix + ".info.json")),
-          opal::read_queries(site.prefix + ".queries.json"),
-          opal::read_all(*open_log(registry, site.prefix + ".log.gz"))};
+  const std::string info = site.prefix + ".info.json", log = site.prefix + ".log.gz";
+  const opal::LaserModel laser = opal::read_site_laser(info);
+  std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, log));
+  opal::check_log(records, laser, log, info);
+  return {site, with_laser(std::move(deployment), laser), opal::read_queries(site.prefix + ".queries.json"),
+          std::move(records)};
 }

@@ -73,6 +73,8 @@ void LocalizeRun::play_window(opal::Replay& replay, const opal::Query& window, c
   newest_ = run_log(localizer_, laser_, replay, window.id, observer);
   for (const auto& [cause, count] : replay.counts()) oddities_[cause] += count;
   all_.append(newest_);
+  for (const opal::SensorFinding& finding : localizer_.sensor_findings())
+    if (finding.verdict == opal::SensorFinding::Verdict::contradicted) contradictions_.push_back(finding.words);
 }
 
 void LocalizeRun::write(const fs::path& out) const {
@@ -85,6 +87,9 @@ void LocalizeRun::write(const fs::path& out) const {
 
 void LocalizeRun::print() const {
   print_answer(localizer_, all_.last);
+  for (const opal::SensorFinding& finding : localizer_.sensor_findings())
+    std::printf("sensor: %s\n", finding.words.c_str());
+  for (const std::string& words : contradictions_) std::printf("the sensor description is wrong: %s\n", words.c_str());
   for (const auto& [cause, count] : oddities_) std::printf("log: %s: %d times\n", cause.c_str(), count);
   if (truth_) print_errors(all_, *truth_);
 }

@@ -41,7 +41,7 @@ class LocalizeRun {
 
   void write(const std::filesystem::path& out) const;  ///< trajectory, results, the last picture
   void print() const;                                  ///< on stdout
-  bool found() const { return all_.last.has_pose && all_.last.status != opal::Status::lost; }
+  bool found() const { return all_.last.has_pose && all_.last.status != opal::Status::lost && contradictions_.empty(); }
 
  private:
   void play_window(opal::Replay& replay, const opal::Query& window, const RunObserver& observer);
@@ -54,5 +54,6 @@ class LocalizeRun {
   std::optional<opal::GroundTruth> truth_;
   RunRecord all_, newest_;
   std::map<std::string, int> oddities_;
+  std::vector<std::string> contradictions_;  ///< of the sensor description by the drive
   bool first_scan_drawn_ = false;
 };

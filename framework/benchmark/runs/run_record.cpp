@@ -5,6 +5,7 @@
 namespace {
 
 void add(opal::StageTimes& sum, const opal::StageTimes& one) {
+  sum.sensor_s += one.sensor_s;
   sum.detect_s += one.detect_s;
   sum.local_map_s += one.local_map_s;
   sum.associate_s += one.associate_s;

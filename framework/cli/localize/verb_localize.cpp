@@ -35,7 +35,7 @@ int localize(const LocalizeOptions& options) {
   const auto map = load_map(registry, deployment);
   const auto reader = open_log(registry, options.log);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
-  deployment.laser = opal::with_log_geometry(deployment.laser, records);
+  deployment.laser = options.laser_of(records, deployment.laser);
   const std::vector<opal::Query> windows = options.windows();
   const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
 

@@ -1,6 +1,9 @@
 #include "cli/options/log_run_options.hpp"
 
+#include "sensing/log_check.hpp"
+
 #include <opal/common/error.hpp>
+#include <opal/sensing/replay.hpp>
 
 #include <limits>
 
@@ -24,6 +27,12 @@ opal::Deployment LogRunOptions::deployment() const {
     deployment.laser.id = sensor;
   }
   return deployment;
+}
+
+opal::LaserModel LogRunOptions::laser_of(const std::vector<opal::LogRecord>& records,
+                                         const opal::LaserModel& described) const {
+  opal::check_log(records, described, log, info.empty() ? config + ": /sensor" : info);
+  return opal::with_log_geometry(described, records);
 }
 
 std::vector<opal::Query> LogRunOptions::windows() const {

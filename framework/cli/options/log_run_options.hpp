@@ -5,6 +5,8 @@
 #include <opal/deployment/deployment.hpp>
 #include "evaluation/site.hpp"
 
+#include <opal/sensing/log_source.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -20,6 +22,8 @@ struct LogRunOptions {
   void add_to(CLI::App& verb, const std::string& written);
   /// The deployment with what was said instead or besides. @throws opal::ConfigError if it has no map.
   opal::Deployment deployment() const;
+  /// `described` with what the log states of its laser. @throws opal::ConfigError if it states something else.
+  opal::LaserModel laser_of(const std::vector<opal::LogRecord>& records, const opal::LaserModel& described) const;
   /// What to play: the queries, or the whole log.
   std::vector<opal::Query> windows() const;
 };

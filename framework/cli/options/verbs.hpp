@@ -48,6 +48,9 @@ void add_experiment_verb(CLI::App& app, int& exit_code);
 /// collected.
 void add_ab_verb(CLI::App& app, int& exit_code);
 
+/// `opal calibrate CONFIG LOG`: the laser's mount and the scales of the odometry, from a drive.
+void add_calibrate_verb(CLI::App& app, int& exit_code);
+
 /// `opal calibration RUN...`: how far the probabilities of bench runs can be trusted.
 void add_calibration_verb(CLI::App& app, int& exit_code);
 

@@ -48,7 +48,7 @@ int track(const TrackOptions& options) {
   if (options.damage.any()) map = opal::damaged_map(*map, options.damage.damage());
   const auto reader = open_log(registry, options.log);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
-  deployment.laser = opal::with_log_geometry(deployment.laser, records);
+  deployment.laser = options.laser_of(records, deployment.laser);
   std::optional<opal::GroundTruth> truth;
   if (!options.truth.empty()) truth = opal::GroundTruth::read(options.truth);
   std::optional<StartPoses> starts;

@@ -35,6 +35,7 @@ void StatusEstimator::reset() {
   none_nat_ = 0;
   was_localized_ = false;
   mean_scan_nat_ = 0;
+  contradiction_.clear();
 }
 
 void StatusEstimator::believe(const std::vector<Live>& alive) {
@@ -79,6 +80,7 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
   sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.tempering_weight : 0;
   constexpr double kMemory = 0.8;
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat : alive.front().scan_nat;
+  if (!contradiction_.empty()) return because(while_contradicted(estimate), contradiction_);
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
     return because(Status::lost, sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
                                           options_.lost_scan_nat));
@@ -109,6 +111,11 @@ Status StatusEstimator::because_held(Status status, double asked, double unmappe
 Status StatusEstimator::because(Status status, std::string why) {
   belief_.why = std::move(why);
   return status;
+}
+
+Status StatusEstimator::while_contradicted(const PoseEstimate& estimate) const {
+  if (was_localized_) return Status::lost;
+  return estimate.alternatives.empty() ? Status::searching : Status::ambiguous;
 }
 
 PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s,
@@ -152,6 +159,7 @@ PoseEstimate StatusEstimator::at(double stamp_s, const Pose2& T_local_base) cons
   PoseEstimate estimate = last_;
   estimate.stamp_s = stamp_s;
   if (!last_.has_pose) return estimate;
+  if (!contradiction_.empty() && last_.status == Status::localized) estimate.status = Status::lost;
   estimate.T_map_base = T_map_local_ * T_local_base;
   const Pose2 T_last_now = last_.T_map_base.inverse() * estimate.T_map_base;  // as driven, whichever way one looks
   for (auto& alternative : estimate.alternatives) alternative.T_map_base = alternative.T_map_base * T_last_now;

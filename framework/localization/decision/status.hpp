@@ -38,6 +38,9 @@ class OPAL_EXPORT StatusEstimator {
   };
   const Belief& belief() const { return belief_; }
 
+  /// While `why`, a sentence, is not empty, nothing is called localized: the sensor description is wrong.
+  void contradict(const std::string& why) { contradiction_ = why; }
+
   /// Takes this much off what "none of these" has gathered, but leaves it at least `least_nat`: hypotheses begin anew.
   void settle(double nat, double least_nat) { none_nat_ = std::max(none_nat_ - nat, least_nat); }
 
@@ -58,11 +61,13 @@ class OPAL_EXPORT StatusEstimator {
   /// The status is what it is since the required probability has held for so long, and no longer.
   Status because_held(Status status, double asked, double unmapped_walls_m);
   Status because(Status status, std::string why);
+  Status while_contradicted(const PoseEstimate& estimate) const;
 
   StatusOptions options_;
   double evidence_memory_;
   PoseEstimate last_;
   Belief belief_;
+  std::string contradiction_;  ///< of the sensor description by the drive; empty: none
   Pose2 T_map_local_;
   double none_nat_ = 0;  ///< log weight of "none of these"
   double sure_ = 0;      ///< tempering_weight since the required probability holds at one place

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 ordered_json feature_json(const MapFeature& feature, bool perceivable) {
   ordered_json json{

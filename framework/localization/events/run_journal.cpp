@@ -40,6 +40,7 @@ Pose2 RunJournal::T_map_base(const Live& live) const {
 void RunJournal::reset() {
   written_.clear();
   reported_.reset();
+  sensor_ = Json::array();
 }
 
 // ---------------------------------------------------------------------------------------------- what is seen
@@ -239,8 +240,15 @@ void RunJournal::estimate(const PoseEstimate& estimate, const std::vector<Live>&
   for (std::size_t k = 0; k < alive.size(); ++k) rows.push_back(hypothesis_json(alive[k], belief.hypotheses[k]));
   e["hypotheses"] = std::move(rows);
   e["findings"] = alive.empty() ? Json::array() : findings_json(alive.front());
+  if (!sensor_.empty()) e["sensor"] = sensor_;
   events_.write(e);
   status_change(estimate);
+}
+
+void RunJournal::sensor(const std::vector<SensorFinding>& findings) {
+  sensor_ = Json::array();
+  for (const SensorFinding& finding : findings)
+    if (finding.verdict != SensorFinding::Verdict::fine) sensor_.push_back(finding.words);
 }
 
 void RunJournal::status_change(const PoseEstimate& estimate) {
@@ -257,10 +265,10 @@ void RunJournal::cost(const StageTimes& times, double total_s) {
   observation_ = nullptr;
   if (!listening()) return;
   auto e = event("cost");
-  e["cpu_ms"] = {{"detect", milliseconds(times.detect_s)}, {"local_map", milliseconds(times.local_map_s)},
-                 {"track", milliseconds(times.track_s)},   {"associate", milliseconds(times.associate_s)},
-                 {"verify", milliseconds(times.verify_s)}, {"status", milliseconds(times.status_s)},
-                 {"total", milliseconds(total_s)}};
+  e["cpu_ms"] = {{"sensor", milliseconds(times.sensor_s)},       {"detect", milliseconds(times.detect_s)},
+                 {"local_map", milliseconds(times.local_map_s)}, {"track", milliseconds(times.track_s)},
+                 {"associate", milliseconds(times.associate_s)}, {"verify", milliseconds(times.verify_s)},
+                 {"status", milliseconds(times.status_s)},       {"total", milliseconds(total_s)}};
   events_.write(e);
 }
 

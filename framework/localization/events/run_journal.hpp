@@ -5,6 +5,7 @@
 
 #include <opal/common/stage_times.hpp>
 #include <opal/localization/events/event_stream.hpp>
+#include <opal/sensor_health/sensor_finding.hpp>
 
 #include <unordered_map>
 
@@ -23,6 +24,8 @@ class RunJournal final : public HypothesisListener {
   /// @param observation  what hypotheses are judged by; must outlive the update.
   void keyframe(double stamp_s, int keyframe, const Scan& scan, const Pose2& T_base_laser,
                 const Observation& observation);
+  /// What the drive says of the sensor; the estimates that follow write what is not fine.
+  void sensor(const std::vector<SensorFinding>& findings);
   void searched(std::span<const CandidateGenerator::LookedUp> looked_up, std::size_t proposed);
   void estimate(const PoseEstimate& estimate, const std::vector<Live>& alive, const StatusEstimator::Belief& belief);
   /// Ends an update.
@@ -65,7 +68,8 @@ class RunJournal final : public HypothesisListener {
   const Observation* observation_ = nullptr;  ///< of the update that is under way
   std::unordered_map<int, Written> written_;
   std::optional<Status> reported_;
-  Json rejected_;  ///< candidates of the search that is under way
+  Json sensor_ = Json::array();  ///< words of findings that are not fine
+  Json rejected_;                ///< candidates of the search that is under way
 };
 
 }  // namespace opal

@@ -33,7 +33,7 @@ void write_scan(const RunFrame& frame, const PageDetail& detail, RecordText& rec
 
 std::string PageEncoder::run_record(const RunHeader& header) const {
   RecordText record;
-  record.open('{').key("r").text("run").key("format").integer(2).key("opal").text(header.opal);
+  record.open('{').key("r").text("run").key("format").integer(3).key("opal").text(header.opal);
   record.key("log").text(header.log).key("config").text(header.config).key("map").text(header.map_file);
   record.key("sensor").text(header.sensor);
   record.key("T_base_laser").open('[').pose(header.T_base_laser, kLocalDecimals).close(']');

@@ -172,6 +172,9 @@ void read_estimate(const EventPlace& event, const FeaturePositions& features, Ru
   if (const auto none = event.find("none")) frame.none = none->probability();
   frame.why.clear();
   if (const auto why = event.find("why")) frame.why = why->sentence();
+  frame.sensor.clear();
+  if (const auto sensor = event.find("sensor"))
+    for (std::size_t k = 0; k < sensor->elements(); ++k) frame.sensor.push_back(sensor->element(k).sentence());
   frame.best = optional_id(event, "hypothesis");
   const EventPlace array = event.member("hypotheses");
   frame.hypotheses.clear();

@@ -146,7 +146,8 @@ struct RunFrame {
   std::string status;
   double probability = 0;
   double none = 0;
-  std::string why;  ///< the status is what it is; may be empty
+  std::string why;                  ///< the status is what it is; may be empty
+  std::vector<std::string> sensor;  ///< where the drive does not agree with the sensor description
   int best = -1;
   std::vector<RecordedHypothesis> hypotheses;          ///< alive at the end of the update, best first
   std::vector<RecordedFinding> findings;               ///< about the best one

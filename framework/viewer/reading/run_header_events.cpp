@@ -6,7 +6,7 @@
 namespace opal {
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 std::string optional_sentence(const EventPlace& event, const char* name) {
   const auto found = event.find(name);
@@ -54,7 +54,7 @@ int mapped_feature(const EventPlace& id, const FeaturePositions& positions) {
 
 void read_run_event(const EventPlace& event, RunHeader& header) {
   const EventPlace format = event.member("format");
-  if (format.count() != kFormat) format.fail("2, the format of event streams that this version of Opal reads");
+  if (format.count() != kFormat) format.fail("3, the format of event streams that this version of Opal reads");
   header.opal = optional_sentence(event, "opal");
   header.log = optional_sentence(event, "log");
   header.config = optional_sentence(event, "config");

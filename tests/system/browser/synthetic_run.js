@@ -26,7 +26,7 @@ export function syntheticRun({
   const lines = [
     JSON.stringify({
       r: 'run',
-      format: 2,
+      format: 3,
       opal: '0.9',
       log,
       config,

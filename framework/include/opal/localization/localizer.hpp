@@ -13,6 +13,7 @@
 #include <opal/map/view/map_view.hpp>
 #include <opal/patterns/pattern_template.hpp>
 #include <opal/sensing/feature_detector.hpp>
+#include <opal/sensor_health/sensor_finding.hpp>
 
 #include <map>
 #include <memory>
@@ -73,6 +74,9 @@ class OPAL_EXPORT Localizer {
   const std::vector<Hypothesis>& hypotheses() const;
   /// Latest opinions on a hypothesis, by scorer name; empty if there is no such hypothesis.
   std::map<std::string, Score> scores_of(int hypothesis) const;
+  /// What the drive says of the sensor description, of all of which it has told enough. While one of them contradicts
+  /// it, no estimate is called localized.
+  const std::vector<SensorFinding>& sensor_findings() const;
   /// CPU time of the newest keyframe, by stage.
   const StageTimes& last_times() const;
   /// Calls into plugins that threw and were skipped, by type name.

@@ -1,0 +1,56 @@
+#include "sensing/log_check.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/common/sentence.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace opal {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// Most scans have as many beams; a line that was cut has fewer.
+int usual_beams(std::span<const LogRecord> records) {
+  std::map<int, int> scans_by_beams;
+  for (const LogRecord& record : records)
+    if (const auto* raw = std::get_if<RawScan>(&record)) ++scans_by_beams[static_cast<int>(raw->ranges_m.size())];
+  const auto most = std::max_element(scans_by_beams.begin(), scans_by_beams.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == scans_by_beams.end() ? 0 : most->first;
+}
+
+const RawScan* first_with_geometry(std::span<const LogRecord> records) {
+  for (const LogRecord& record : records)
+    if (const auto* raw = std::get_if<RawScan>(&record); raw && raw->angle_min_rad && raw->angle_increment_rad)
+      return raw;
+  return nullptr;
+}
+
+}  // namespace
+
+void check_log(std::span<const LogRecord> records, const LaserModel& laser, const std::string& log,
+               const std::string& described_in) {
+  const RawScan* stated = first_with_geometry(records);
+  if (laser.geometry_from_log && stated) return;
+  const int beams = usual_beams(records);
+  if (beams > 0 && beams != laser.beams)
+    throw ConfigError(
+        sentence("%s: the laser has %d beams, but the scans of %s have %d; describe the laser that recorded "
+                 "the log (beams, angle_min_rad, angle_increment_rad)",
+                 described_in.c_str(), laser.beams, log.c_str(), beams));
+  if (!stated) return;
+  // Half a beam at either end: what is more turns the scan, or bends it.
+  const double off_first_rad = std::abs(wrap_angle(*stated->angle_min_rad - laser.angle_min_rad));
+  const double off_span_rad = std::abs(*stated->angle_increment_rad - laser.angle_increment_rad) * (laser.beams - 1);
+  const double half_a_beam_rad = std::abs(laser.angle_increment_rad) / 2;
+  if (off_first_rad <= half_a_beam_rad && off_span_rad <= 2 * half_a_beam_rad) return;
+  throw ConfigError(
+      sentence("%s: beams begin at %.3f degrees and are %.4f degrees apart, but %s states %.3f and %.4f; "
+               "correct them, or set geometry_from_log",
+               described_in.c_str(), laser.angle_min_rad * kDegrees, laser.angle_increment_rad * kDegrees, log.c_str(),
+               *stated->angle_min_rad * kDegrees, *stated->angle_increment_rad * kDegrees));
+}
+
+}  // namespace opal

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <opal/sensing/log_source.hpp>
+
+#include <span>
+#include <string>
+
+namespace opal {
+
+/// Holds what a log states of its laser against the description: the number of beams, their first angle and
+/// increment. A description that takes its geometry from the log agrees with any log that states one.
+/// @param described_in  what messages call the description: a file, and the place in it.
+/// @param log           what they call the log.
+/// @throws ConfigError that gives both numbers.
+OPAL_EXPORT void check_log(std::span<const LogRecord> records, const LaserModel& laser, const std::string& log,
+                           const std::string& described_in);
+
+}  // namespace opal

@@ -1,0 +1,83 @@
+#include "sensor_health/motion_pairs.hpp"
+
+#include <tuple>
+#include <utility>
+
+namespace opal {
+namespace {
+
+// A motion is long enough to tell its direction, and short enough that the scans are alike.
+constexpr double kStep_m = 0.25, kStep_rad = 0.25, kTooFar_m = 1, kTooFar_rad = 0.8;
+/// A robot that stands by its odometry is looked at this often: it may be driving all the same.
+constexpr double kStanding_s = 0.5;
+constexpr double kFewestInliers = 0.6, kPlainInliers = 0.85, kClearlyMore = 0.2;
+constexpr std::size_t kFewestPoints = 20;
+
+std::vector<Point> positions_of(const Scan& scan) {
+  std::vector<Point> points;
+  points.reserve(scan.points.size());
+  for (const ScanPoint& point : scan.points) points.push_back(point.position);
+  return points;
+}
+
+}  // namespace
+
+void MotionPairs::clear() {
+  begun_ = false;
+  skipped_ = 0;
+}
+
+void MotionPairs::begin_at(const Scan& scan, const Pose2& T_odom_base) {
+  reference_ = positions_of(scan);
+  T_odom_reference_ = T_odom_base;
+  reference_stamp_s_ = scan.stamp_s;
+  begun_ = true;
+}
+
+ScanMatch MotionPairs::as_described(const std::vector<Point>& points, const Pose2& T_odometry) const {
+  const Pose2 guess = T_base_laser_.inverse() * T_odometry * T_base_laser_;
+  const double sigma_m = 0.03 + 0.1 * guess.position().norm(), sigma_rad = 0.03 + 0.1 * std::abs(guess.heading_rad());
+  return matcher_->match(reference_, points, guess, {sigma_m, sigma_m, sigma_rad});
+}
+
+/// The search is as wide backwards as forwards, and reaches twice as far as odometry moved.
+ScanMatch MotionPairs::any_way(const std::vector<Point>& points, const Pose2& T_odometry) const {
+  const double sigma_m = 0.15 + T_odometry.position().norm() / 1.5;
+  const double sigma_rad = 0.08 + std::abs(T_odometry.heading_rad()) / 1.5;
+  return matcher_->match(reference_, points, Pose2(), {sigma_m, sigma_m, sigma_rad});
+}
+
+std::optional<MotionPair> MotionPairs::laid_over(const std::vector<Point>& points, const Pose2& T_odometry) const {
+  ScanMatch match = as_described(points, T_odometry);
+  bool is_as_described = true;
+  const double described_share = match.converged ? match.inlier_share : 0;
+  if (described_share < kPlainInliers) {
+    const ScanMatch other = any_way(points, T_odometry);
+    if (other.converged && other.inlier_share > described_share + kClearlyMore)
+      std::tie(match, is_as_described) = std::pair(other, false);
+  }
+  if (!match.converged || match.inlier_share < kFewestInliers || !match.covariance.allFinite()) return std::nullopt;
+  return MotionPair{T_odometry, match.T_reference_scan, match.covariance, is_as_described};
+}
+
+std::optional<MotionPair> MotionPairs::add(const Scan& scan, const Pose2& T_odom_base) {
+  if (scan.points.size() < kFewestPoints) return std::nullopt;
+  if (!begun_) {
+    begin_at(scan, T_odom_base);
+    return std::nullopt;
+  }
+  const Pose2 T_odometry = T_odom_reference_.inverse() * T_odom_base;
+  const double moved_m = T_odometry.position().norm(), turned_rad = std::abs(T_odometry.heading_rad());
+  const bool is_over =
+      moved_m >= kStep_m || turned_rad >= kStep_rad || scan.stamp_s - reference_stamp_s_ >= kStanding_s;
+  if (!is_over) return std::nullopt;
+  std::optional<MotionPair> pair;
+  if (skipped_ > 0)
+    --skipped_;
+  else if (moved_m <= kTooFar_m && turned_rad <= kTooFar_rad)
+    pair = laid_over(positions_of(scan), T_odometry);
+  begin_at(scan, T_odom_base);
+  return pair;
+}
+
+}  // namespace opal

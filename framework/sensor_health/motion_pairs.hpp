@@ -1,0 +1,46 @@
+#pragma once
+
+#include "sensor_health/motion_calibration.hpp"
+
+#include <opal/local_map/scan_matcher.hpp>
+#include <opal/sensing/scan.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace opal {
+
+/// Cuts a drive into short motions and lays the scan at the end of each over the one at its beginning. Where the scans
+/// lie over each other as odometry and the described mount have it, that is taken. Where they do not, all motions are
+/// tried, backwards as well as forwards, and one that fits clearly better is taken. So look-alike places, and corridors
+/// along which scans slide, do not speak against a description that is right.
+class OPAL_EXPORT MotionPairs {
+ public:
+  /// @param matcher  not null. @param T_base_laser  the described mount.
+  MotionPairs(std::shared_ptr<const ScanMatcher> matcher, const Pose2& T_base_laser)
+      : matcher_(std::move(matcher)), T_base_laser_(T_base_laser) {}
+
+  /// @param scan  sensor frame. @param T_odom_base  odometry at its stamp.
+  /// @return a motion that ends with this scan, if one does and the scans tell it.
+  std::optional<MotionPair> add(const Scan& scan, const Pose2& T_odom_base);
+  /// Passes by so many motions before the next one is looked at; they cost nothing.
+  void skip(int motions) { skipped_ = motions; }
+  void clear();
+
+ private:
+  void begin_at(const Scan& scan, const Pose2& T_odom_base);
+  ScanMatch as_described(const std::vector<Point>& points, const Pose2& T_odometry) const;
+  ScanMatch any_way(const std::vector<Point>& points, const Pose2& T_odometry) const;
+  std::optional<MotionPair> laid_over(const std::vector<Point>& points, const Pose2& T_odometry) const;
+
+  std::shared_ptr<const ScanMatcher> matcher_;
+  Pose2 T_base_laser_;
+  std::vector<Point> reference_;  ///< sensor frame at the beginning of the motion
+  Pose2 T_odom_reference_;
+  double reference_stamp_s_ = 0;
+  bool begun_ = false;
+  int skipped_ = 0;
+};
+
+}  // namespace opal

@@ -1,0 +1,155 @@
+#include "sensor_health/sensor_judgement.hpp"
+
+#include <opal/common/sentence.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+namespace opal {
+namespace {
+
+using Subject = SensorFinding::Subject;
+using Verdict = SensorFinding::Verdict;
+
+/// How far something may be off before it is doubtful, and before it turns answers; and how well it must be known.
+struct Bounds {
+  double doubtful, contradicted;
+  double most_sigma;  ///< known worse than this, nothing is said
+};
+// A pose counts as right within 1 m and 10 degrees: a mount that is off by as much makes it wrong by itself. The scan
+// matcher bears with odometry of a wrong scale (as a logarithm), up to twice or half.
+constexpr Bounds kHeading_rad{0.05, 0.17, 0.06};
+constexpr Bounds kPosition_m{0.1, 0.5, 0.1};
+constexpr Bounds kScale{0.1, 0.69, 0.08};
+constexpr double kSigmas = 4;  // a difference is one from so many standard deviations on
+constexpr double kMostBetter = 0.8;
+constexpr int kFewestMotions = 5;
+constexpr double kLeastTurned_rad = 0.8, kLeastDriven_m = 0.8;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// A standing robot's scans lie over each other to a few centimetres; people in them do not move all of it.
+constexpr double kMoves_m = 0.1, kMoves_rad = 0.08;
+constexpr std::size_t kMovingMotions = 5;
+
+constexpr int kScansOfRanges = 10;
+constexpr double kFewestUsable = 0.02;
+constexpr double kRepeatedScans = 0.3;
+
+/// @param better  share of the motions that speak against the description: single ones that went wrong do not.
+Verdict verdict_of(double off, double sigma, const Bounds& bounds, double better) {
+  if (off < kSigmas * sigma || better < kMostBetter) return Verdict::fine;
+  return off > bounds.contradicted ? Verdict::contradicted : off > bounds.doubtful ? Verdict::doubtful : Verdict::fine;
+}
+
+const char* ending_of(Verdict verdict) { return verdict == Verdict::fine ? ": fine" : ""; }
+
+SensorFinding turn_finding(const MotionCalibration& drive) {
+  const Estimated& scale = drive.turn_scale;
+  const double by_odometry = drive.turned_rad, by_scans = scale.value * by_odometry;
+  const std::string turned = sentence("scans turn by %.2f rad where odometry turns by %.2f", by_scans, by_odometry);
+  if (scale.value < 0)
+    return {Subject::mirroring,
+            verdict_of(2, scale.sigma, kScale, drive.turns_better),
+            -1,
+            1,
+            scale.sigma,
+            turned + ": is the laser mounted upside down, or is one of the two mirrored?"};
+  const Verdict verdict = verdict_of(std::abs(std::log(scale.value)), scale.sigma, kScale, drive.turns_better);
+  return {Subject::odometry_turn,
+          verdict,
+          scale.value,
+          1,
+          scale.sigma,
+          turned + (verdict == Verdict::fine ? ": fine" : ": is the odometry's heading scaled, or in other units?")};
+}
+
+const char* guess_of_heading(double off_rad) {
+  const double off_deg = std::abs(off_rad) * kDegrees;
+  if (off_deg > 150) return ": scans move backwards when odometry moves forwards: is the laser mounted at 180 degrees?";
+  if (std::abs(off_deg - 90) < 20) return ": is the laser mounted sideways, or are the axes swapped?";
+  return ": is the laser's heading on the robot, or its first angle, described wrongly?";
+}
+
+SensorFinding heading_finding(const MotionCalibration& drive, const Pose2& T_base_laser) {
+  const Estimated& heading = drive.mount_heading_rad;
+  const double off_rad = wrap_angle(heading.value - T_base_laser.heading_rad());
+  const Verdict verdict = verdict_of(std::abs(off_rad), heading.sigma, kHeading_rad, drive.distances_better);
+  std::string words =
+      sentence("the laser looks %.1f +- %.1f degrees to the left of the driving direction, and is described at %.1f",
+               heading.value * kDegrees, heading.sigma * kDegrees, T_base_laser.heading_rad() * kDegrees);
+  words += verdict == Verdict::fine ? ending_of(verdict) : guess_of_heading(off_rad);
+  return {Subject::mount_heading, verdict, heading.value, T_base_laser.heading_rad(), heading.sigma, words};
+}
+
+SensorFinding distance_finding(const MotionCalibration& drive) {
+  const Estimated& scale = drive.distance_scale;
+  const Verdict verdict = verdict_of(std::abs(std::log(scale.value)), scale.sigma, kScale, drive.distances_better);
+  std::string words =
+      sentence("scans move by %.2f m where odometry moves by %.2f", scale.value * drive.driven_m, drive.driven_m);
+  words += verdict == Verdict::fine
+               ? ending_of(verdict)
+               : ": is the wheel radius wrong, do wheels slip, or are ranges or odometry in other units?";
+  return {Subject::odometry_distance, verdict, scale.value, 1, scale.sigma, words};
+}
+
+SensorFinding position_finding(const MotionCalibration& drive, const Pose2& T_base_laser) {
+  const double off_m = (drive.mount_position_m - T_base_laser.position()).norm(), sigma = drive.mount_position_sigma_m;
+  const Verdict verdict = verdict_of(off_m, sigma, kPosition_m, drive.distances_better);
+  std::string words =
+      sentence("in turns the laser moves as if it sat at (%.2f, %.2f) m on the robot, and is described at (%.2f, %.2f)",
+               drive.mount_position_m.x(), drive.mount_position_m.y(), T_base_laser.x(), T_base_laser.y());
+  return {Subject::mount_position, verdict, off_m, 0, sigma, words + ending_of(verdict)};
+}
+
+}  // namespace
+
+std::vector<SensorFinding> judge_motion(const MotionCalibration& drive, const Pose2& T_base_laser) {
+  std::vector<SensorFinding> findings;
+  if (drive.pairs < kFewestMotions) return findings;
+  const bool turned = drive.turned_rad >= kLeastTurned_rad && drive.turn_scale.sigma < kScale.most_sigma;
+  if (turned) findings.push_back(turn_finding(drive));
+  if (drive.driven_m < kLeastDriven_m || drive.distance_scale.sigma > kScale.most_sigma) return findings;
+  if (drive.mount_heading_rad.sigma < kHeading_rad.most_sigma) findings.push_back(heading_finding(drive, T_base_laser));
+  findings.push_back(distance_finding(drive));
+  if (turned && drive.mount_position_sigma_m < kPosition_m.most_sigma)
+    findings.push_back(position_finding(drive, T_base_laser));
+  return findings;
+}
+
+std::vector<SensorFinding> judge_standing(std::span<const MotionPair> standing) {
+  double moved_m = 0, turned_rad = 0;
+  std::size_t moving = 0;
+  for (const MotionPair& pair : standing) {
+    const double by_m = pair.T_scans.position().norm(), by_rad = std::abs(pair.T_scans.heading_rad());
+    if (by_m < kMoves_m && by_rad < kMoves_rad) continue;
+    ++moving;
+    moved_m += by_m;
+    turned_rad += by_rad;
+  }
+  if (moving < kMovingMotions) return {};
+  return {{Subject::standing_odometry, Verdict::contradicted, moved_m, 0, 0,
+           sentence("scans move by %.2f m and turn by %.2f rad where odometry stands: does the odometry arrive?",
+                    moved_m, turned_rad)}};
+}
+
+std::vector<SensorFinding> judge_ranges(const RangeHabits& habits, const LaserModel& described) {
+  std::vector<SensorFinding> findings;
+  if (habits.scans() < kScansOfRanges) return findings;
+  const double usable = habits.usable_share();
+  if (usable < kFewestUsable)
+    findings.push_back(
+        {Subject::usable_beams, Verdict::contradicted, usable, 1, 0,
+         sentence("%.1f of 100 beams hit something between %.2f and %.2f m: are the ranges in metres, and "
+                  "the limits those of this laser?",
+                  100 * usable, described.range_min_m, std::min(described.range_max_m, described.no_return_m))});
+  if (const auto repeated = habits.repeated_farthest(); repeated && repeated->scan_share > kRepeatedScans)
+    findings.push_back(
+        {Subject::no_return, Verdict::contradicted, repeated->range_m, described.no_return_m, 0,
+         sentence("%.0f of 100 beams have exactly the range %.4g m, in %.0f of 100 scans: that is no hit, but "
+                  "no_return_m is described as %.4g",
+                  100 * repeated->beam_share, repeated->range_m, 100 * repeated->scan_share, described.no_return_m)});
+  return findings;
+}
+
+}  // namespace opal

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "sensor_health/motion_calibration.hpp"
+#include "sensor_health/range_habits.hpp"
+
+#include <opal/sensor_health/sensor_finding.hpp>
+
+#include <span>
+#include <vector>
+
+namespace opal {
+
+/// What a calibration says of a description, subject by subject; subjects that are not known well enough are left out.
+OPAL_EXPORT std::vector<SensorFinding> judge_motion(const MotionCalibration& drive, const Pose2& T_base_laser);
+
+/// What scans say of a robot that stands, by its odometry.
+/// @param standing  the newest motions without odometry.
+OPAL_EXPORT std::vector<SensorFinding> judge_standing(std::span<const MotionPair> standing);
+
+/// What ranges say of the limits of a description.
+OPAL_EXPORT std::vector<SensorFinding> judge_ranges(const RangeHabits& habits, const LaserModel& described);
+
+}  // namespace opal

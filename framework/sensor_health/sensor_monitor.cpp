@@ -1,0 +1,100 @@
+#include "sensor_health/sensor_monitor.hpp"
+
+#include "sensor_health/sensor_judgement.hpp"
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+constexpr std::size_t kMotions = 40;  // 10 m of driving, or 80 once all is known
+constexpr std::size_t kStandingMotions = 10;
+constexpr std::size_t kKnownAfter = 12;  // motions: if they say that all is fine,
+constexpr int kSkipped = 7;              // every eighth of those that follow will do
+constexpr double kStands_m = 0.02, kStands_rad = 0.02;
+constexpr double kOtherView_m = 0.1, kOtherView_rad = 0.1;
+
+bool stands(const MotionPair& pair) {
+  return pair.T_odometry.position().norm() < kStands_m && std::abs(pair.T_odometry.heading_rad()) < kStands_rad;
+}
+
+void keep(std::deque<MotionPair>& newest, const MotionPair& pair, std::size_t most) {
+  newest.push_back(pair);
+  if (newest.size() > most) newest.pop_front();
+}
+
+std::vector<MotionPair> listed(const std::deque<MotionPair>& pairs) { return {pairs.begin(), pairs.end()}; }
+
+bool same_verdicts(const std::vector<SensorFinding>& a, const std::vector<SensorFinding>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const SensorFinding& x, const SensorFinding& y) {
+    return x.subject == y.subject && x.verdict == y.verdict;
+  });
+}
+
+}  // namespace
+
+SensorMonitor::SensorMonitor(const LaserModel& described, std::shared_ptr<const ScanMatcher> matcher)
+    : described_(described) {
+  if (matcher) motions_.emplace(std::move(matcher), described.T_base_laser);
+}
+
+void SensorMonitor::clear() {
+  if (motions_) motions_->clear();
+  newest_.clear();
+  standing_.clear();
+  ranges_.clear();
+  T_odom_ranges_.reset();
+  findings_.clear();
+}
+
+bool SensorMonitor::add(const Scan& scan, const Pose2& T_odom_base) {
+  const int ranges_before = ranges_.scans();
+  look_at_ranges(scan, T_odom_base);
+  const auto pair = motions_ ? motions_->add(scan, T_odom_base) : std::nullopt;
+  if (pair) take(*pair);
+  if (!pair && ranges_.scans() == ranges_before) return false;
+  const std::vector<SensorFinding> before = std::move(findings_);
+  judge();
+  return !same_verdicts(before, findings_);
+}
+
+void SensorMonitor::take(const MotionPair& pair) {
+  if (stands(pair)) return keep(standing_, pair, kStandingMotions);
+  standing_.clear();
+  keep(newest_, pair, kMotions);
+  const auto is_fine = [](const SensorFinding& f) { return f.verdict == SensorFinding::Verdict::fine; };
+  if (newest_.size() >= kKnownAfter && pair.as_described && std::all_of(findings_.begin(), findings_.end(), is_fine))
+    motions_->skip(kSkipped);
+}
+
+/// Scans from one place say one thing.
+void SensorMonitor::look_at_ranges(const Scan& scan, const Pose2& T_odom_base) {
+  if (T_odom_ranges_ && distance_m(*T_odom_ranges_, T_odom_base) < kOtherView_m &&
+      angle_between_rad(*T_odom_ranges_, T_odom_base) < kOtherView_rad)
+    return;
+  T_odom_ranges_ = T_odom_base;
+  ranges_.add(scan);
+}
+
+std::optional<MotionCalibration> SensorMonitor::calibration() const {
+  return calibrate_motion(listed(newest_), described_.T_base_laser);
+}
+
+void SensorMonitor::judge() {
+  findings_.clear();
+  const auto append = [&](std::vector<SensorFinding> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(findings_));
+  };
+  append(judge_ranges(ranges_, described_));  // first: scans with wrong ranges tell nothing of motions
+  append(judge_standing(listed(standing_)));
+  if (const auto drive = calibration()) append(judge_motion(*drive, described_.T_base_laser));
+}
+
+std::string SensorMonitor::contradiction() const {
+  const auto found = std::find_if(findings_.begin(), findings_.end(), [](const SensorFinding& finding) {
+    return finding.verdict == SensorFinding::Verdict::contradicted;
+  });
+  return found == findings_.end() ? "" : found->words;
+}
+
+}  // namespace opal

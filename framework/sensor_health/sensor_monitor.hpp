@@ -1,0 +1,47 @@
+#pragma once
+
+#include "sensor_health/motion_pairs.hpp"
+#include "sensor_health/range_habits.hpp"
+
+#include <opal/sensor_health/sensor_finding.hpp>
+
+#include <deque>
+
+namespace opal {
+
+/// Holds the sensor description against the drive: motion by scans against motion by odometry, ranges against limits.
+/// It knows neither the map nor where the robot is. Its judgement rests on the newest motions, so that it recovers from
+/// wheels that slipped, and from a robot that was carried.
+class OPAL_EXPORT SensorMonitor {
+ public:
+  /// @param described  the sensor. @param matcher  may be null: then motions are not compared.
+  SensorMonitor(const LaserModel& described, std::shared_ptr<const ScanMatcher> matcher);
+
+  /// Takes every scan, keyframe or not.
+  /// @param scan  sensor frame. @param T_odom_base  odometry at its stamp.
+  /// @return true if the findings changed.
+  bool add(const Scan& scan, const Pose2& T_odom_base);
+  void clear();
+
+  /// By subject; those of which the drive has told enough.
+  const std::vector<SensorFinding>& findings() const { return findings_; }
+  /// Words of the first finding that contradicts the description; empty if none does.
+  std::string contradiction() const;
+  /// What the drive says so far, if it says enough.
+  std::optional<MotionCalibration> calibration() const;
+
+ private:
+  void take(const MotionPair& pair);
+  void look_at_ranges(const Scan& scan, const Pose2& T_odom_base);
+  void judge();
+
+  LaserModel described_;
+  std::optional<MotionPairs> motions_;
+  std::deque<MotionPair> newest_;    ///< motions of the odometry
+  std::deque<MotionPair> standing_;  ///< motions that odometry has none of
+  RangeHabits ranges_;
+  std::optional<Pose2> T_odom_ranges_;  ///< where ranges were looked at last
+  std::vector<SensorFinding> findings_;
+};
+
+}  // namespace opal

@@ -1,0 +1,64 @@
+#include "sensing/log_check.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+
+namespace {
+
+LaserModel described(int beams) {
+  LaserModel laser;
+  laser.beams = beams;
+  return laser;
+}
+
+std::vector<LogRecord> log_with(std::size_t beams, int scans = 3) {
+  RawScan raw;
+  raw.ranges_m.assign(beams, 2.0f);
+  return std::vector<LogRecord>(static_cast<std::size_t>(scans), raw);
+}
+
+std::string complaint(const std::vector<LogRecord>& records, const LaserModel& laser) {
+  try {
+    check_log(records, laser, "a.log", "b.jsonld: /sensor");
+    return "";
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a log with another number of beams than described is refused with both numbers") {
+  const std::string said = complaint(log_with(541), described(361));
+  CHECK_THAT(said, Catch::StartsWith("b.jsonld: /sensor: "));
+  CHECK_THAT(said, Catch::Contains("361 beams") && Catch::Contains("a.log have 541"));
+  CHECK(complaint(log_with(361), described(361)).empty());
+}
+
+TEST_CASE("a few cut scans do not speak against the description, and an empty log says nothing") {
+  auto records = log_with(361, 5);
+  for (const LogRecord& cut : log_with(17, 2)) records.push_back(cut);
+  CHECK(complaint(records, described(361)).empty());
+  CHECK(complaint({}, described(361)).empty());
+}
+
+TEST_CASE("angles that the log states must be those described, unless they are taken from it") {
+  auto records = log_with(361);
+  for (LogRecord& record : records) {
+    auto& raw = std::get<RawScan>(record);
+    raw.angle_min_rad = -std::numbers::pi / 2;
+    raw.angle_increment_rad = std::numbers::pi / 360;
+  }
+  LaserModel laser = described(361);
+  CHECK(complaint(records, laser).empty());
+  laser.angle_min_rad += 0.02;
+  CHECK_THAT(complaint(records, laser), Catch::Contains("-88.854") && Catch::Contains("-90.000"));
+  laser.geometry_from_log = true;
+  CHECK(complaint(records, laser).empty());
+  laser = described(361);
+  laser.angle_increment_rad *= 1.1;
+  CHECK_THAT(complaint(records, laser), Catch::Contains("degrees apart"));
+}

@@ -1,0 +1,101 @@
+#include "sensor_health/motion_calibration.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+using namespace opal;
+
+namespace {
+
+struct Robot {
+  Pose2 T_base_laser;
+  double distance_scale = 1, turn_scale = 1;
+  bool mirrored = false;
+};
+
+/// Motions of a robot that drives curves, with a centimetre of noise; `gone_wrong` of them are nonsense.
+std::vector<MotionPair> drive(const Robot& robot, std::uint32_t seed, int motions = 60, double gone_wrong = 0) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise_m(0, 0.01), noise_rad(0, 0.005);
+  std::uniform_real_distribution<double> step_m(0.1, 0.3), turn_rad(-0.3, 0.3), share(0, 1);
+  std::vector<MotionPair> pairs;
+  for (int k = 0; k < motions; ++k) {
+    const Pose2 T_true(step_m(random), 0, turn_rad(random));
+    Pose2 T_laser = robot.T_base_laser.inverse() * T_true * robot.T_base_laser;
+    T_laser =
+        Pose2(T_laser.x() + noise_m(random), T_laser.y() + noise_m(random), T_laser.heading_rad() + noise_rad(random));
+    if (robot.mirrored) T_laser = Pose2(T_laser.x(), -T_laser.y(), -T_laser.heading_rad());
+    if (share(random) < gone_wrong) T_laser = Pose2(turn_rad(random), turn_rad(random), turn_rad(random));
+    MotionPair pair;
+    pair.T_odometry = Pose2(T_true.position() / robot.distance_scale, T_true.heading_rad() / robot.turn_scale);
+    pair.T_scans = T_laser;
+    pair.covariance = Eigen::Vector3d(1e-4, 1e-4, 2.5e-5).asDiagonal();
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+void expect(const MotionCalibration& found, const Robot& robot, double scale_margin = 0.03) {
+  INFO("heading " << found.mount_heading_rad.value << " +- " << found.mount_heading_rad.sigma << ", position "
+                  << found.mount_position_m.transpose() << " +- " << found.mount_position_sigma_m << ", scales "
+                  << found.distance_scale.value << ", " << found.turn_scale.value);
+  CHECK(std::abs(wrap_angle(found.mount_heading_rad.value - robot.T_base_laser.heading_rad())) < 0.03);
+  CHECK((found.mount_position_m - robot.T_base_laser.position()).norm() < 0.05);
+  CHECK(found.distance_scale.value == Approx(robot.distance_scale).margin(scale_margin));
+  CHECK(found.turn_scale.value == Approx((robot.mirrored ? -1 : 1) * robot.turn_scale).margin(scale_margin));
+}
+
+}  // namespace
+
+TEST_CASE("mount and scales are found from motions, wherever the laser sits") {
+  const auto robot =
+      GENERATE(Robot{{0, 0, 0}}, Robot{{0.3, -0.1, 0.2}}, Robot{{-0.2, 0, std::numbers::pi}},
+               Robot{{0.1, 0.2, -1.5}, 1.2, 0.9}, Robot{{0.2, 0, 0}, 0.6, 1.4}, Robot{{0.2, 0.1, 0.1}, 1, 1, true});
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    const auto found = calibrate_motion(drive(robot, seed), Pose2());
+    REQUIRE(found);
+    expect(*found, robot);
+  }
+}
+
+TEST_CASE("a fifth of the motions may have gone wrong") {
+  const Robot robot{{0.3, 0, 0.5}};
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    const auto found = calibrate_motion(drive(robot, seed, 100, 0.2), Pose2());
+    REQUIRE(found);
+    expect(*found, robot, 0.08);
+  }
+}
+
+TEST_CASE("the order of the motions does not matter") {
+  auto pairs = drive(Robot{{0.3, 0, 0.5}}, 1);
+  const auto there = calibrate_motion(pairs, Pose2());
+  std::reverse(pairs.begin(), pairs.end());
+  const auto back = calibrate_motion(pairs, Pose2());
+  CHECK(there->mount_heading_rad.value == Approx(back->mount_heading_rad.value).margin(1e-9));
+  CHECK(there->distance_scale.value == Approx(back->distance_scale.value).margin(1e-9));
+}
+
+TEST_CASE("the uncertainty covers the error") {
+  const Robot robot{{0.3, -0.1, 0.2}};
+  int within = 0;
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    const auto found = calibrate_motion(drive(robot, seed, 20), Pose2());
+    within += std::abs(found->mount_heading_rad.value - 0.2) < 2 * found->mount_heading_rad.sigma;
+  }
+  CHECK(within >= 45);
+}
+
+TEST_CASE("a drive straight ahead says nothing of where the laser sits") {
+  std::vector<MotionPair> pairs(20);
+  for (MotionPair& pair : pairs) {
+    pair.T_odometry = pair.T_scans = Pose2(0.2, 0, 0);
+    pair.covariance *= 1e-4;
+  }
+  const auto found = calibrate_motion(pairs, Pose2(0.4, 0.1, 0));
+  REQUIRE(found);
+  CHECK(found->mount_position_sigma_m > 0.5);
+  CHECK(found->mount_heading_rad.sigma < 0.05);
+  CHECK_FALSE(calibrate_motion({}, Pose2()));
+}

@@ -1,0 +1,153 @@
+// A simulated robot drives in a generated building; what is described of it is right, or wrong in one way.
+#include "sensor_health/sensor_monitor.hpp"
+#include "simulation/buildings/building.hpp"
+#include "simulation/simulation.hpp"
+
+#include <opal/plugin/plugin_registry.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+
+namespace {
+
+using Subject = SensorFinding::Subject;
+using Verdict = SensorFinding::Verdict;
+
+std::shared_ptr<const ScanMatcher> matcher() {
+  static PluginRegistry registry = [] {
+    PluginRegistry loaded;
+    loaded.load(OPAL_PLUGIN_DIR "/point_to_line_matcher.so");
+    return loaded;
+  }();
+  return registry.make<ScanMatcher>("opal:PointToLineMatcher");
+}
+
+/// What a drive gives to a monitor: the reading, and odometry.
+struct Reading {
+  RawScan scan;
+  Pose2 T_odom_base;
+};
+
+/// Half a minute of curves from the middle of a building.
+std::vector<Reading> driven(const LaserModel& laser, const std::string& kind, std::uint64_t seed) {
+  simulation::SimulationOptions options;
+  options.laser = laser;
+  options.people = 2;
+  simulation::Simulation robot(simulation::generate_building({kind, seed, 0, 0.5}).map, options, seed);
+  simulation::Random random(seed);
+  robot.place(Pose2(robot.floor().anywhere(random), 0));
+  std::vector<Reading> readings;
+  for (int step = 0; step < 300; ++step) {
+    const double turn_radps = std::sin(step / 25.0) * 0.6;
+    if (robot.drive({{0.6, 0}, turn_radps}, 0.1)) robot.drive({{0, 0}, 0.8}, 0.5);
+    readings.push_back({robot.scan(), robot.T_odom_base()});
+  }
+  return readings;
+}
+
+SensorMonitor watched(const std::vector<Reading>& readings, const LaserModel& described) {
+  SensorMonitor monitor(described, matcher());
+  for (const Reading& reading : readings) monitor.add(make_scan(reading.scan, described), reading.T_odom_base);
+  return monitor;
+}
+
+bool contradicts(const SensorMonitor& monitor, Subject subject) {
+  const auto& all = monitor.findings();
+  return std::any_of(all.begin(), all.end(), [&](const SensorFinding& finding) {
+    return finding.subject == subject && finding.verdict == Verdict::contradicted;
+  });
+}
+
+std::string words(const SensorMonitor& monitor) {
+  std::string text;
+  for (const SensorFinding& finding : monitor.findings()) text += finding.words + '\n';
+  return text;
+}
+
+LaserModel true_laser() { return simulation::SimulationOptions::default_laser(); }
+
+}  // namespace
+
+TEST_CASE("a description that is right is found fine, whatever the building") {
+  const std::string kind = GENERATE("office", "hall", "warehouse", "corridor");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const SensorMonitor monitor = watched(driven(true_laser(), kind, seed), true_laser());
+    INFO(kind << " " << seed << ":\n" << words(monitor));
+    CHECK(monitor.contradiction().empty());
+  }
+}
+
+TEST_CASE("a laser that is mounted backwards is noticed") {
+  LaserModel described = true_laser();
+  described.T_base_laser = Pose2(described.T_base_laser.position(), described.T_base_laser.heading_rad() + 3.14);
+  const std::string kind = GENERATE("office", "hall", "warehouse");
+  const SensorMonitor monitor = watched(driven(true_laser(), kind, 1), described);
+  INFO(words(monitor));
+  CHECK(contradicts(monitor, Subject::mount_heading));
+  CHECK_THAT(monitor.contradiction(), Catch::Contains("backwards"));
+}
+
+TEST_CASE("a laser that is turned by 30 degrees is noticed") {
+  LaserModel described = true_laser();
+  described.angle_min_rad += 0.52;
+  const SensorMonitor monitor = watched(driven(true_laser(), "office", 1), described);
+  INFO(words(monitor));
+  CHECK(contradicts(monitor, Subject::mount_heading));
+}
+
+TEST_CASE("beams that turn the other way are noticed") {
+  std::vector<Reading> readings = driven(true_laser(), "office", 1);
+  for (Reading& reading : readings) std::reverse(reading.scan.ranges_m.begin(), reading.scan.ranges_m.end());
+  const SensorMonitor monitor = watched(readings, true_laser());
+  INFO(words(monitor));
+  CHECK(contradicts(monitor, Subject::mirroring));
+}
+
+TEST_CASE("odometry in other units is noticed") {
+  std::vector<Reading> readings = driven(true_laser(), "office", 1);
+  for (Reading& reading : readings)
+    reading.T_odom_base = Pose2(3.28 * reading.T_odom_base.position(), reading.T_odom_base.heading_rad());
+  const SensorMonitor monitor = watched(readings, true_laser());
+  INFO(words(monitor));
+  CHECK(contradicts(monitor, Subject::odometry_distance));
+}
+
+TEST_CASE("odometry that never comes is noticed") {
+  std::vector<Reading> readings = driven(true_laser(), "office", 1);
+  for (Reading& reading : readings) reading.T_odom_base = Pose2();
+  const SensorMonitor monitor = watched(readings, true_laser());
+  INFO(words(monitor));
+  CHECK(contradicts(monitor, Subject::standing_odometry));
+}
+
+TEST_CASE("a range that stands for no return, and is described as a hit, is noticed") {
+  std::vector<Reading> readings = driven(true_laser(), "hall", 1);
+  for (Reading& reading : readings)
+    for (float& range_m : reading.scan.ranges_m) range_m = std::min(range_m, 5.6f);
+  const SensorMonitor monitor = watched(readings, true_laser());
+  INFO(words(monitor));
+  CHECK(contradicts(monitor, Subject::no_return));
+  CHECK_THAT(monitor.contradiction(), Catch::Contains("5.6"));
+  LaserModel right = true_laser();
+  right.no_return_m = 5.6;
+  CHECK_FALSE(contradicts(watched(readings, right), Subject::no_return));
+}
+
+TEST_CASE("ranges in millimetres are noticed") {
+  std::vector<Reading> readings = driven(true_laser(), "hall", 1);
+  for (Reading& reading : readings)
+    for (float& range_m : reading.scan.ranges_m) range_m *= 1000;
+  CHECK(contradicts(watched(readings, true_laser()), Subject::usable_beams));
+}
+
+TEST_CASE("empty scans, NaN and a robot that stands say nothing") {
+  SensorMonitor monitor(true_laser(), matcher());
+  Scan nan;
+  nan.points.push_back({{NAN, NAN}, NAN, NAN, 0});
+  for (int k = 0; k < 50; ++k) {
+    monitor.add({}, Pose2());
+    monitor.add(nan, Pose2(NAN, 0, 0));
+  }
+  CHECK(monitor.contradiction().empty());
+}
