@@ -44,6 +44,15 @@ LaserModel read_sensor(ConfigObject sensor) {
   return laser;
 }
 
+OdometryScale read_odometry(ConfigObject object) {
+  const NumberRange scale{0.01, 100};
+  OdometryScale odometry;
+  odometry.distance = object.number("distance_scale", odometry.distance, scale);
+  odometry.turn = object.number("turn_scale", odometry.turn, scale);
+  object.expect_no_more();
+  return odometry;
+}
+
 KeyframeOptions read_keyframes(ConfigObject object) {
   KeyframeOptions keyframes;
   keyframes.distance_m = object.number("distance_m", keyframes.distance_m, kLength_m);
@@ -148,6 +157,7 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   deployment.map = resolve(document.text("map", ""), file);
   for (const std::string& path : document.texts("overlays")) deployment.overlays.push_back(resolve(path, file));
   if (auto sensor = document.object("sensor")) deployment.laser = read_sensor(*sensor);
+  if (auto odometry = document.object("odometry")) deployment.odometry = read_odometry(*odometry);
   if (auto keyframes = document.object("keyframes")) deployment.keyframes = read_keyframes(*keyframes);
   if (auto local_map = document.object("local_map")) deployment.local_map = read_local_map(*local_map);
   if (auto matcher = document.object("matcher")) deployment.matcher = read_whole_part(*matcher);

@@ -134,6 +134,7 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   LocalizerParts parts;
   parts.map = std::make_shared<const MapView>(std::move(map), deployment.laser.id);
   parts.laser = deployment.laser;
+  parts.odometry = deployment.odometry;
   parts.keyframes = deployment.keyframes;
   parts.local_map = deployment.local_map;
   if (deployment.matcher)

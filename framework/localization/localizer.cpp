@@ -28,6 +28,7 @@ constexpr std::size_t kCoarsePoints = 40;  // of the alignment search after odom
 struct Localizer::State {
   State(LocalizerParts parts_given, EventSink* sink)
       : parts(std::move(parts_given)),
+        odometry(parts.odometry),
         sensor(parts.laser, parts.matcher),
         local_map(parts.local_map, parts.matcher),
         ensemble(parts.scorers, parts.map, failures),
@@ -58,6 +59,7 @@ struct Localizer::State {
   NullEventSink nobody;
   LocalizerParts parts;
   PluginFailures failures;
+  ScaledOdometry odometry;
   SensorMonitor sensor;
   LocalMap local_map;
   ScorerEnsemble ensemble;
@@ -80,10 +82,10 @@ struct Localizer::State {
   StageTimes times;
 };
 
-// ---------------------------------------------------------------------------------------------- the pipeline
-
-std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_odom_base) {
+// The pipeline; its stages follow.
+std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_recorded) {
   State& s = *state_;
+  const Pose2 T_odom_base = s.odometry.next(T_recorded);
   s.check_sensor(scan, T_odom_base);
   if (!s.moved_enough(T_odom_base) && !s.fits_no_more(scan, T_odom_base)) return std::nullopt;
   s.times = {.sensor_s = std::exchange(s.sensor_s, 0)};
@@ -112,8 +114,6 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_o
   ++s.keyframe;
   return estimate;
 }
-
-// ---------------------------------------------------------------------------------------------- its stages
 
 /// A description that the drive contradicts turns every pose.
 void Localizer::State::check_sensor(const Scan& scan, const Pose2& now) {
@@ -255,7 +255,7 @@ Localizer::Localizer(LocalizerParts parts, EventSink* events)
 Localizer::~Localizer() = default;
 
 PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) const {
-  return state_->status.at(stamp_s, state_->local_map.T_local_base_at(T_odom_base));
+  return state_->status.at(stamp_s, state_->local_map.T_local_base_at(state_->odometry.at(T_odom_base)));
 }
 
 void Localizer::reset() {

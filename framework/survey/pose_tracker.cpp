@@ -88,6 +88,7 @@ struct PoseTracker::State {
 
   LocalizerParts parts;
   PoseTrackerOptions options;
+  ScaledOdometry scaled{parts.odometry};
   OdometryDirection odometry;
   LocalMap local_map;  ///< follows the corrected odometry
   MapBelief belief;
@@ -261,8 +262,9 @@ void PoseTracker::forget_offsets() {
   state_->horizon.forget_offsets();
 }
 
-std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_odom_base) {
+std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_recorded) {
   State& s = *state_;
+  const Pose2 T_odom_base = s.scaled.next(T_recorded);
   if (!s.ready || !s.moved_enough(T_odom_base)) return std::nullopt;
   const Point laser = s.parts.laser.T_base_laser.position();
   const Pose2 T_map_before = s.last.T_map_base;
@@ -296,8 +298,8 @@ std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_
 Pose2 PoseTracker::T_map_base_at(const Pose2& T_odom_base) const {
   const State& s = *state_;
   if (!s.started) return s.last.T_map_base;
-  return s.last.T_map_base *
-         (s.local_map.T_local_base().inverse() * s.local_map.T_local_base_at(s.odometry.corrected(T_odom_base)));
+  return s.last.T_map_base * (s.local_map.T_local_base().inverse() *
+                              s.local_map.T_local_base_at(s.odometry.corrected(s.scaled.at(T_odom_base))));
 }
 
 const TrackedPose& PoseTracker::last() const { return state_->last; }

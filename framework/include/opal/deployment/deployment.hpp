@@ -37,6 +37,7 @@ struct Deployment {
   std::vector<std::string>
       overlays;               ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
   LaserModel laser;           ///< the sensor
+  OdometryScale odometry;     ///< by which odometry is corrected
   KeyframeOptions keyframes;  ///< how densely scans are taken
   LocalMapOptions local_map;  ///< how features of several scans are put together
   std::optional<PartConfig> matcher;  ///< none: odometry as it is

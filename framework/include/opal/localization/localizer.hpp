@@ -13,6 +13,7 @@
 #include <opal/map/view/map_view.hpp>
 #include <opal/patterns/pattern_template.hpp>
 #include <opal/sensing/feature_detector.hpp>
+#include <opal/sensing/odometry_scale.hpp>
 #include <opal/sensor_health/sensor_finding.hpp>
 
 #include <map>
@@ -41,6 +42,7 @@ struct LocalizerParts {
   std::vector<Named<PatternTemplate>> patterns;   ///< all are looked for, on the map and in the local map
   std::vector<ActiveScorer> scorers;              ///< one of them decides at least
   LocalizerOptions stages = {};                   ///< options of everything behind the local map
+  OdometryScale odometry = {};                    ///< by which odometry is corrected before all else
 };
 
 /// The pipeline: scan -> features -> local map -> patterns -> association tree -> scores -> pose. One object per
