@@ -44,7 +44,8 @@ int localize(const LocalizeOptions& options) {
   std::ofstream file = event_file(options.out);
   opal::JsonLinesSink recorder(file);
   opal::NullEventSink nobody;
-  EventSplitter events(recorder, live ? live->events() : nobody);
+  EventSplitter listeners(recorder, live ? live->events() : nobody);
+  LastReason events(listeners);
   events.write(opal::run_event({options.log, options.config, deployment.map}, parts.laser));
   events.write(opal::map_event(*parts.map));
 
