@@ -17,7 +17,7 @@ RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const o
 }
 
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment) {
+  auto records = opal::read_all(*open_log(registry, site.prefix + ".log.gz", deployment));
   return {site, with_laser(std::move(deployment), opal::read_site_laser(site.prefix + ".info.json")),
-          opal::read_queries(site.prefix + ".queries.json"),
-          opal::read_all(*open_log(registry, site.prefix + ".log.gz"))};
+          opal::read_queries(site.prefix + ".queries.json"), std::move(records)};
 }

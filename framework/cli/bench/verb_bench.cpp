@@ -7,6 +7,7 @@
 #include "evaluation/place_verdict.hpp"
 #include "session/overlays.hpp"
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 struct BenchOptions {
   std::vector<std::string> prefixes;
   std::string out;
-  std::string config;
+  std::string config = "default";
   DamageOptions damage;
   bool joined = false;
   JoinOptions join;
@@ -183,8 +184,7 @@ void lay_overlays(std::vector<BenchSite>& sites, const std::vector<std::string>&
 
 int bench(const BenchOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
-  const opal::Deployment deployment =
-      opal::read_deployment(options.config.empty() ? shipped_config("default.jsonld") : options.config);
+  const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
   opal::MapJoin join = options.join.join;
   join.seed = options.damage.seed;
   if (join.copies > 0 && !options.joined) throw opal::ConfigError("bench: --copies without --join");
@@ -231,7 +231,8 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
       "--join", options->joined,
       "run every query on the maps of all places side by side; results are in the frame of the place's own map");
   options->join.add_to(*verb);
-  verb->add_option("--config", options->config, "deployment to run (default: configs/default.jsonld)");
+  verb->add_option("--config", options->config, "deployment to run, or the name of one that ships")
+      ->capture_default_str();
   verb->add_option("--kidnap", options->sequence,
                    "kidnap the robot instead: join windows with a cut that nothing tells, drawn by this seed; reads "
                    "PREFIX.gt.csv to choose and to judge, and also writes kidnappings.csv");

@@ -33,7 +33,7 @@ int localize(const LocalizeOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = options.deployment();
   const auto map = load_map(registry, deployment);
-  const auto reader = open_log(registry, options.log);
+  const auto reader = open_log(registry, options.log, deployment, options.log_words);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
   deployment.laser = opal::with_log_geometry(deployment.laser, records);
   const std::vector<opal::Query> windows = options.windows();
