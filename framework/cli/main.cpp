@@ -8,7 +8,9 @@
 int main(int argc, char** argv) {
   CLI::App app("Opal: where a wheeled robot is in a building, from a LiDAR, odometry and a semantic map", "opal");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "opal " OPAL_VERSION);
   int exit_code = 0;
+  opal::add_demo_verb(app, exit_code);
   opal::add_map_verb(app, exit_code);
   opal::add_localize_verb(app, exit_code);
   opal::add_track_verb(app, exit_code);

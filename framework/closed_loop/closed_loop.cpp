@@ -1,12 +1,13 @@
 #include "closed_loop/closed_loop.hpp"
 
+#include "evaluation/pose_tolerance.hpp"
+
 #include <chrono>
 #include <thread>
 
 namespace opal {
 namespace {
 
-constexpr double kRight_m = 1;
 constexpr int kStepsPerTick = 2;
 
 /// One drive under way.
@@ -66,7 +67,7 @@ class ClosedLoop {
     ++record_.scans;
     if (estimate.status != Status::localized) return;
     ++record_.localized_scans;
-    if (distance_m(truth, estimate.T_map_base) > kRight_m) {
+    if (!kRightPose.holds(estimate.T_map_base, truth)) {
       ++record_.falsely_localized_scans;
     } else if (!record_.localized_after_m) {
       record_.localized_after_m = record_.driven_m;

@@ -35,7 +35,7 @@ struct DriveRecord {
   std::optional<double> localized_after_m,
       localized_after_s;  ///< first time that the pose was called localized, and right
   int scans = 0, localized_scans = 0;
-  int falsely_localized_scans = 0;  ///< called localized, and more than 1 m off
+  int falsely_localized_scans = 0;  ///< called localized, and wrong
   int unanswered_scans = 0;         ///< localization was not there
   struct Moment {
     double stamp_s;

@@ -3,6 +3,7 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace opal {
@@ -29,6 +30,28 @@ std::string in_words(const std::string& type, const NumberRange& range) {
   if (from) return type + " >= " + number_text(range.minimum);
   if (to) return type + " <= " + number_text(range.maximum);
   return type;
+}
+
+constexpr const char* kExpectedContext = "\"urn:opal:v1\", or a list of it and objects that define prefixes by IRIs";
+
+/// A prefix and what it stands for; those of Opal's own context mean what they mean.
+bool is_prefix(const std::string& prefix, const json& iri) {
+  if (prefix.empty() || prefix == "opal" || prefix.find_first_of("@:/") != std::string::npos) return false;
+  return iri.is_string() && iri.get_ref<const std::string&>().find(':') != std::string::npos;
+}
+
+bool are_prefixes(const json& definitions) {
+  if (!definitions.is_object()) return false;
+  for (const auto& [prefix, iri] : definitions.items())
+    if (!is_prefix(prefix, iri)) return false;
+  return true;
+}
+
+bool is_own_context(const json& context) {
+  const json own = "urn:opal:v1";
+  if (!context.is_array()) return context == own;
+  if (context.empty() || context.front() != own) return false;
+  return std::all_of(context.begin() + 1, context.end(), are_prefixes);
 }
 
 bool holds(const NumberRange& range, const json& value) {
@@ -116,11 +139,9 @@ std::optional<std::vector<ConfigObject>> ConfigObject::list(const std::string& k
 }
 
 void ConfigObject::expect_type(const std::string& type) {
-  const auto is = [&](const char* key, const std::string& value) {
-    if (required_text(key) != value) refuse(key, json(value).dump());
-  };
-  is("@context", "urn:opal:v1");
-  is("@type", type);
+  const json* context = find("@context");
+  if (!context || !is_own_context(*context)) refuse("@context", kExpectedContext);
+  if (required_text("@type") != type) refuse("@type", json(type).dump());
 }
 
 void ConfigObject::expect_no_more() const {

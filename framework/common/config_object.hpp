@@ -39,7 +39,8 @@ class OPAL_EXPORT ConfigObject {
   /// nullopt if there is no such key: an empty list is something else.
   std::optional<std::vector<ConfigObject>> list(const std::string& key);
 
-  /// The two members that every document of Opal's begins with. @throws ConfigError if it is of another type.
+  /// The two members that every document of Opal's begins with. "@context" is "urn:opal:v1", or a list of it and
+  /// objects that define further prefixes. @throws ConfigError if it is of another type.
   void expect_type(const std::string& type);
 
   /// @throws ConfigError for the first key that was not asked for, with those that were.

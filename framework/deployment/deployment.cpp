@@ -156,7 +156,11 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   document.text("comment", "");
   deployment.map = resolve(document.text("map", ""), file);
   for (const std::string& path : document.texts("overlays")) deployment.overlays.push_back(resolve(path, file));
-  if (auto sensor = document.object("sensor")) deployment.laser = read_sensor(*sensor);
+  if (auto sensor = document.object("sensor")) {
+    deployment.laser = read_sensor(*sensor);
+    const nlohmann::json& described = document.any("sensor");
+    deployment.describes_laser = described.size() > described.count("id");
+  }
   if (auto odometry = document.object("odometry")) deployment.odometry = read_odometry(*odometry);
   if (auto keyframes = document.object("keyframes")) deployment.keyframes = read_keyframes(*keyframes);
   if (auto local_map = document.object("local_map")) deployment.local_map = read_local_map(*local_map);
@@ -164,6 +168,7 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   if (auto detectors = document.list("detectors")) deployment.detectors = read_parts(*detectors);
   if (auto patterns = document.list("patterns")) deployment.patterns = read_parts(*patterns);
   if (auto importers = document.list("importers")) deployment.importers = read_parts(*importers);
+  if (auto sources = document.list("log_sources")) deployment.log_sources = read_parts(*sources);
   deployment.scorers = read_scorers(document);
   if (document.object("stages"))
     deployment.stages = read_localizer_options(document.any("stages"), document.where("stages"));

@@ -98,14 +98,25 @@ std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, const Plugi
   throw ConfigError(message);
 }
 
+/// Of one of the parts that are listed; none if it is not. All of them are checked.
+nlohmann::json options_of(const std::string& type, const std::vector<PartConfig>& listed, PluginKind kind,
+                          const PluginRegistry& registry) {
+  for (const PartConfig& part : listed) expect_usable(part, kind, registry);
+  for (const PartConfig& part : listed)
+    if (part.type == type) return part.options;
+  return nlohmann::json::object();
+}
+
 }  // namespace
 
 nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
                                 const std::string& importer) {
-  for (const PartConfig& part : deployment.importers) expect_usable(part, PluginKind::map_importer, registry);
-  for (const PartConfig& part : deployment.importers)
-    if (part.type == importer) return part.options;
-  return nlohmann::json::object();
+  return options_of(importer, deployment.importers, PluginKind::map_importer, registry);
+}
+
+nlohmann::json log_source_options(const Deployment& deployment, const PluginRegistry& registry,
+                                  const std::string& log_source) {
+  return options_of(log_source, deployment.log_sources, PluginKind::log_source, registry);
 }
 
 void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
@@ -116,6 +127,7 @@ void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
   expect_all(deployment.detectors, PluginKind::feature_detector);
   expect_all(deployment.patterns, PluginKind::pattern_template);
   expect_all(deployment.importers, PluginKind::map_importer);
+  expect_all(deployment.log_sources, PluginKind::log_source);
   if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, registry);
   for (const ScorerConfig& scorer : deployment.scorers)
     expect_usable(scorer.part, PluginKind::hypothesis_scorer, registry);

@@ -12,7 +12,7 @@ namespace {
 /// A row beside the truth.
 struct RowBesideTruth {
   Status status = Status::searching;
-  double error_m = 0;
+  double error_m = 0, error_rad = 0;
   double driven_m = 0;  ///< since the first beside_truth row
 };
 
@@ -25,7 +25,8 @@ std::vector<RowBesideTruth> beside_truth(std::span<const ResultRow> rows, const 
     if (!pose) continue;
     driven_m += before ? distance_m(*before, *pose) : 0;
     before = pose;
-    beside_truth.push_back({row.status, distance_m(*pose, row.T_map_laser), driven_m});
+    beside_truth.push_back(
+        {row.status, distance_m(*pose, row.T_map_laser), angle_between_rad(*pose, row.T_map_laser), driven_m});
   }
   return beside_truth;
 }
@@ -48,7 +49,7 @@ double median(std::vector<double> values) {
 KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t cut, const GroundTruth& truth,
                                    const RecoveryOptions& options) {
   cut = std::min(cut, rows.size());
-  const auto right = [&](const RowBesideTruth& row) { return row.error_m < options.right_within_m; };
+  const auto right = [&](const RowBesideTruth& row) { return options.right.holds(row.error_m, row.error_rad); };
   const auto falsely = [&](const RowBesideTruth& row) { return row.status == Status::localized && !right(row); };
   KidnappingVerdict verdict;
   const std::vector<RowBesideTruth> before = beside_truth(rows.subspan(0, cut), truth),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "evaluation/ground_truth.hpp"
+#include "evaluation/pose_tolerance.hpp"
 #include "evaluation/results.hpp"
 
 #include <iosfwd>
@@ -12,7 +13,7 @@ namespace opal {
 
 /// When a robot that was kidnapped may be called recovered.
 struct RecoveryOptions {
-  double right_within_m = 1.0;   ///< an error below this is right
+  PoseTolerance right = kRightPose;
   double recover_within_m = 15;  ///< of driving after the cut
   double least_kept_m = 2;       ///< of driving that it must stay right for, up to the end
 };

@@ -54,10 +54,8 @@ QueryVerdict judge_query(std::span<const ResultRow> all, const Query& window, co
   const double start_m = truth.driven_m(window.start_s);
   const WindowEnd end{window.end_s, truth.driven_m(window.end_s) - start_m};
   const std::vector<JudgedRow> rows = judged(all, start_m, truth);
-  const auto right = [&](const JudgedRow& row) { return row.error_m < options.right_within_m; };
-  const auto strictly = [&](const JudgedRow& row) {
-    return row.error_m < options.strictly_within_m && row.error_rad < options.strictly_within_rad;
-  };
+  const auto right = [&](const JudgedRow& row) { return options.right.holds(row.error_m, row.error_rad); };
+  const auto strictly = [&](const JudgedRow& row) { return options.strictly_right.holds(row.error_m, row.error_rad); };
   QueryVerdict verdict;
   verdict.rows = static_cast<int>(rows.size());
   if (const auto part = kept(rows, end, options, right); !part.empty()) {

@@ -1,19 +1,17 @@
 #pragma once
 
 #include "evaluation/ground_truth.hpp"
+#include "evaluation/pose_tolerance.hpp"
 #include "evaluation/results.hpp"
 #include "evaluation/site.hpp"
 
-#include <numbers>
 #include <span>
 
 namespace opal {
 
 /// When a robot that began without any idea of its pose may be called localized in truth.
 struct QueryJudgeOptions {
-  double right_within_m = 1.0;     ///< an error below this is right
-  double strictly_within_m = 0.5;  ///< an error below these two is strictly right
-  double strictly_within_rad = 10 * std::numbers::pi / 180;
+  PoseTolerance right = kRightPose, strictly_right = kStrictlyRightPose;
   double least_kept_m = 2;  ///< of driving that it must stay right for, up to the end: no lucky last row
   double end_gap_m = 3;     ///< the last row may lie so much driving before the window's end,
   double end_gap_s = 5;     ///< or so much time

@@ -4,6 +4,7 @@
 #include "session/stored_maps.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/plugin/plugin_description.hpp>
 #include <opal/plugin/plugin_folders.hpp>
 
 #include <filesystem>
@@ -35,6 +36,14 @@ std::string recognizing(const opal::PluginRegistry& registry, opal::PluginKind k
   return "";
 }
 
+/// A line for every plugin of a kind: its name and what it says of itself.
+std::string what_is_read(const opal::PluginRegistry& registry, opal::PluginKind kind) {
+  std::string lines;
+  for (const opal::RegisteredType& type : registry.types())
+    if (type.kind == kind) lines += "\n  " + type.info.name + ": " + type.description;
+  return lines;
+}
+
 bool is_document(const std::string& source) {
   const std::string extension = fs::path(source).extension().string();
   return extension == ".jsonld" || extension == ".json";
@@ -59,7 +68,10 @@ opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folder
 const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source) {
   if (!fs::exists(source)) throw opal::MapError(source + ": does not exist");
   const std::string name = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source);
-  if (name.empty()) throw opal::MapError(source + ": no importer recognizes this file");
+  if (name.empty())
+    throw opal::MapError(source +
+                         ": no importer recognizes this file; maps are read from\n  documents of Opal (.jsonld)" +
+                         what_is_read(registry, opal::PluginKind::map_importer));
   return registry.type(name);
 }
 
@@ -97,16 +109,14 @@ std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& re
       is_made ? *load_map(registry, source) : *import_map(registry, source, import_options(damage)).map, damage);
 }
 
-std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path) {
+std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path,
+                                          const opal::Deployment& deployment, const std::vector<std::string>& words) {
   if (!fs::exists(path)) throw opal::LogError(path + ": does not exist");
   const std::string source = recognizing<opal::LogSource>(registry, opal::PluginKind::log_source, path);
-  if (source.empty()) throw opal::LogError(path + ": no log source recognizes this file");
-  return registry.make<opal::LogSource>(source)->open(path);
-}
-
-std::string shipped_config(const std::string& name) {
-  const fs::path program = fs::canonical("/proc/self/exe").parent_path();
-  for (const char* folder : {"../../../configs", "../share/opal/configs"})
-    if (const fs::path file = program / folder / name; fs::exists(file)) return fs::canonical(file).string();
-  throw opal::ConfigError(name + ": is neither beside the sources nor installed; name a configuration with --config");
+  if (source.empty())
+    throw opal::LogError(path + ": no log source recognizes this file; logs are read by" +
+                         what_is_read(registry, opal::PluginKind::log_source));
+  nlohmann::json options = opal::log_source_options(deployment, registry, source);
+  options.merge_patch(opal::parse_options(source, registry.type(source).options, words));
+  return registry.make<opal::LogSource>(source, options)->open(path);
 }

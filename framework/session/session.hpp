@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 /// What several verbs begin with.
 
@@ -40,9 +41,10 @@ nlohmann::json import_options(const opal::MapDamage& damage);
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
                                                   const opal::MapDamage& damage);
 
-/// Opens a recorded log with the source that recognizes it. @throws opal::LogError if none does.
-std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path);
-
-/// A configuration that ships with the program, by name, whether it runs from the build or is installed.
-/// @throws opal::ConfigError if it is nowhere.
-std::string shipped_config(const std::string& name);
+/// Opens a recorded log with the source that recognizes it. @throws opal::LogError if none does; it tells which do read
+/// what.
+/// @param deployment  has options for log sources.
+/// @param words  NAME=VALUE, further options of that source; they win.
+std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path,
+                                          const opal::Deployment& deployment = {},
+                                          const std::vector<std::string>& words = {});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace opal::ros2_bag {
 namespace {
@@ -23,24 +25,57 @@ const std::string& name_of(const BagFile& file, std::int64_t id) {
   return kNone;
 }
 
-std::vector<std::string> static_transform_topics(const BagFile& file) {
+std::vector<std::string> transform_topics(const BagFile& file, bool are_static) {
   std::vector<std::string> names;
   for (const Topic& topic : file.topics())
-    if (topic.type == "tf2_msgs/msg/TFMessage" && topic.name.ends_with("tf_static")) names.push_back(topic.name);
+    if (topic.type == "tf2_msgs/msg/TFMessage" && topic.name.ends_with("tf_static") == are_static)
+      names.push_back(topic.name);
   return names;
+}
+
+/// "odom to base_footprint, map to odom"
+std::string listed(const std::set<std::pair<std::string, std::string>>& links) {
+  std::string text;
+  for (const auto& [parent, child] : links) text += (text.empty() ? "" : ", ") + parent + " to " + child;
+  return text;
 }
 
 }  // namespace
 
 BagReader::BagReader(std::vector<BagFile> files, TopicChoice topics)
     : files_(std::move(files)), topics_(std::move(topics)), reached_s_(files_.front().begin_s()) {
+  topics_.odom_frame = without_slash(topics_.odom_frame);
+  topics_.base_frame = without_slash(topics_.base_frame);
+  if (topics_.odometry.empty()) find_odometry_transform();
   find_mount();
+}
+
+bool BagReader::is_odometry(const Transform& transform) const {
+  return without_slash(transform.parent) == topics_.odom_frame &&
+         (topics_.base_frame.empty() || without_slash(transform.child) == topics_.base_frame);
+}
+
+void BagReader::find_odometry_transform() {
+  std::set<std::pair<std::string, std::string>> others;
+  for (const BagFile& file : files_) {
+    BagFile::Messages messages = file.messages(ids_of(file, transform_topics(file, false)));
+    while (messages.next())
+      for (const Transform& transform : decode_transforms(messages.data()).value_or(std::vector<Transform>{})) {
+        transforms_are_odometry_ = is_odometry(transform);
+        if (transforms_are_odometry_) topics_.base_frame = without_slash(transform.child);
+        if (transforms_are_odometry_) return;
+        others.emplace(without_slash(transform.parent), without_slash(transform.child));
+      }
+  }
+  const std::string frames = topics_.odom_frame + (topics_.base_frame.empty() ? "" : " to " + topics_.base_frame);
+  ++defects_["no odometry: no topic has it, and no transform from " + frames +
+             (others.empty() ? "" : "; the options odom_frame and base_frame may name one of " + listed(others))];
 }
 
 StaticFrames BagReader::read_static_frames() {
   StaticFrames frames;
   for (const BagFile& file : files_) {
-    BagFile::Messages messages = file.messages(ids_of(file, static_transform_topics(file)));
+    BagFile::Messages messages = file.messages(ids_of(file, transform_topics(file, true)));
     while (messages.next()) {
       const auto transforms = decode_transforms(messages.data());
       if (!transforms) ++defects_["damaged TFMessage"];
@@ -66,9 +101,11 @@ void BagReader::find_mount() {
   if (!scan) return;
   const StaticFrames frames = read_static_frames();
   const auto odometry = first_of<OdometryMessage>(topics_.odometry, decode_odometry);
-  const std::string base = odometry ? odometry->base_frame : frames.root_of(scan->frame);
+  const std::string base = odometry                   ? odometry->base_frame
+                           : transforms_are_odometry_ ? topics_.base_frame
+                                                      : frames.root_of(scan->frame);
   const std::optional<Eigen::Isometry3d> T_base_laser = frames.pose(base, scan->frame);
-  const bool stands_alone = !odometry && base == scan->frame;  // nothing carries it
+  const bool stands_alone = !odometry && !transforms_are_odometry_ && base == scan->frame;  // nothing carries it
   if (!T_base_laser || stands_alone) {
     ++defects_["no static transform from " + (stands_alone ? "anything" : base) + " to " + scan->frame];
     return;
@@ -89,7 +126,12 @@ void BagReader::turn_upright(RawScan& scan) const {
 bool BagReader::next_message() {
   while (file_ < files_.size()) {
     const BagFile& file = files_[file_];
-    if (!messages_) messages_ = file.messages(ids_of(file, {topics_.scan, topics_.odometry}));
+    if (!messages_) {
+      std::vector<std::string> names{topics_.scan, topics_.odometry};
+      if (transforms_are_odometry_)
+        for (const std::string& name : transform_topics(file, false)) names.push_back(name);
+      messages_ = file.messages(ids_of(file, names));
+    }
     if (messages_->next()) return true;
     if (messages_->damaged()) ++defects_["damaged file"];
     messages_.reset();
@@ -98,22 +140,38 @@ bool BagReader::next_message() {
   return false;
 }
 
-std::optional<LogRecord> BagReader::decode_current() {
+namespace {
+
+// A driver without a clock leaves its stamps at zero.
+double stamp_or_recorded(double stamp_s, double recorded_s) { return stamp_s == 0 ? recorded_s : stamp_s; }
+
+}  // namespace
+
+BagReader::Decoded BagReader::odometry_of(Bytes transforms, double recorded_s) const {
+  const auto decoded = decode_transforms(transforms);
+  if (!decoded) return {std::nullopt, true};
+  const auto found = std::find_if(decoded->begin(), decoded->end(),
+                                  [&](const Transform& transform) { return is_odometry(transform); });
+  if (found == decoded->end()) return {};
+  return {OdometryRecord{stamp_or_recorded(found->stamp_s, recorded_s), projected(found->T_parent_child)}};
+}
+
+BagReader::Decoded BagReader::decode_current() {
   const double recorded_s = messages_->recorded_s();
   reached_s_ = recorded_s;
-  // A driver without a clock leaves its stamps at zero.
-  const auto stamp_or_recorded = [recorded_s](double stamp_s) { return stamp_s == 0 ? recorded_s : stamp_s; };
-  if (name_of(files_[file_], messages_->topic()) == topics_.scan) {
+  const std::string& topic = name_of(files_[file_], messages_->topic());
+  if (topic == topics_.scan) {
     std::optional<RawScan> scan = decode_laser_scan(messages_->data());
-    if (!scan) return std::nullopt;
-    scan->stamp_s = stamp_or_recorded(scan->stamp_s);
+    if (!scan) return {std::nullopt, true};
+    scan->stamp_s = stamp_or_recorded(scan->stamp_s, recorded_s);
     turn_upright(*scan);
-    return std::move(*scan);
+    return {std::move(*scan)};
   }
+  if (topic != topics_.odometry) return odometry_of(messages_->data(), recorded_s);
   std::optional<OdometryMessage> message = decode_odometry(messages_->data());
-  if (!message) return std::nullopt;
-  message->odometry.stamp_s = stamp_or_recorded(message->odometry.stamp_s);
-  return message->odometry;
+  if (!message) return {std::nullopt, true};
+  message->odometry.stamp_s = stamp_or_recorded(message->odometry.stamp_s, recorded_s);
+  return {message->odometry};
 }
 
 std::optional<LogRecord> BagReader::next() {
@@ -123,9 +181,13 @@ std::optional<LogRecord> BagReader::next() {
     return mount;
   }
   while (next_message()) {
-    if (std::optional<LogRecord> record = decode_current()) return record;
-    const bool is_scan = name_of(files_[file_], messages_->topic()) == topics_.scan;
-    ++defects_[is_scan ? "damaged LaserScan message" : "damaged Odometry message"];
+    Decoded decoded = decode_current();
+    if (decoded.record) return std::move(decoded.record);
+    if (!decoded.damaged) continue;
+    const std::string& topic = name_of(files_[file_], messages_->topic());
+    ++defects_[topic == topics_.scan       ? "damaged LaserScan message"
+               : topic == topics_.odometry ? "damaged Odometry message"
+                                           : "damaged TFMessage"];
   }
   return std::nullopt;
 }

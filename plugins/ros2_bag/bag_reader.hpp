@@ -21,8 +21,17 @@ class BagReader final : public LogReader {
 
  private:
   bool next_message();
-  std::optional<LogRecord> decode_current();
+  /// What a message holds for us; nothing and not damaged: it is about something else.
+  struct Decoded {
+    std::optional<LogRecord> record;
+    bool damaged = false;
+  };
+  Decoded decode_current();
+  Decoded odometry_of(Bytes transforms, double recorded_s) const;
   void find_mount();
+  void find_odometry_transform();
+  /// @return whether it leads from the frame of odometry to the robot.
+  bool is_odometry(const Transform& transform) const;
   StaticFrames read_static_frames();
   template <class Message, class Decode>
   std::optional<Message> first_of(const std::string& topic, Decode decode) const;
@@ -35,6 +44,7 @@ class BagReader final : public LogReader {
   std::optional<MountRecord> mount_;           // not yet handed out
   bool upside_down_ = false;
   double reached_s_ = 0;
+  bool transforms_are_odometry_ = false;  ///< no topic has odometry
   std::map<std::string, int> defects_;
 };
 

@@ -93,6 +93,7 @@ std::optional<std::vector<Transform>> decode_transforms(Bytes message) {
   for (Transform& transform : transforms) {
     const std::optional<Header> header = read_header(cdr);
     if (!header) return std::nullopt;
+    transform.stamp_s = header->stamp_s;
     transform.parent = header->frame;
     transform.child = cdr.text();
     const std::optional<Eigen::Isometry3d> T_parent_child = read_pose(cdr);

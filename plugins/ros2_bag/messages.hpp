@@ -14,8 +14,9 @@ namespace opal::ros2_bag {
 
 using Bytes = std::span<const std::byte>;
 
-/// geometry_msgs/msg/TransformStamped, without its stamp.
+/// geometry_msgs/msg/TransformStamped. A stamp of 0 is one that was never set.
 struct Transform {
+  double stamp_s = 0;
   std::string parent;
   std::string child;
   Eigen::Isometry3d T_parent_child = Eigen::Isometry3d::Identity();

@@ -46,14 +46,14 @@ std::string listed(const std::set<std::string>& names) {
 
 /// @return empty if there is no topic of this type and none is asked for.
 std::string choose(const std::string& path, const std::set<std::string>& topics, const std::string& type,
-                   const std::string& wanted, const std::string& usual) {
+                   const std::string& wanted, const std::string& usual, const std::string& option) {
   if (!wanted.empty() && !topics.contains(wanted))
     throw LogError(path + ": no topic " + wanted + " of type " + type + " in CDR, there is " + listed(topics));
   if (!wanted.empty()) return wanted;
   if (topics.size() <= 1) return topics.empty() ? "" : *topics.begin();
   if (topics.contains(usual)) return usual;
   throw LogError(path + ": several topics of type " + type + " (" + listed(topics) +
-                 "), expected an option to choose one");
+                 "), expected an option to choose one: " + option + "=" + *topics.begin());
 }
 
 }  // namespace
@@ -76,8 +76,9 @@ std::unique_ptr<LogReader> Ros2Bag::open(const std::string& path) const {
   const std::string scan_type = "sensor_msgs/msg/LaserScan";
   const std::string odometry_type = "nav_msgs/msg/Odometry";
   const TopicChoice chosen{
-      choose(path, topics_of_type(files, scan_type), scan_type, topics_.scan, "/scan"),
-      choose(path, topics_of_type(files, odometry_type), odometry_type, topics_.odometry, "/odom")};
+      choose(path, topics_of_type(files, scan_type), scan_type, topics_.scan, "/scan", "scan_topic"),
+      choose(path, topics_of_type(files, odometry_type), odometry_type, topics_.odometry, "/odom", "odometry_topic"),
+      topics_.odom_frame, topics_.base_frame};
   if (chosen.scan.empty()) throw LogError(path + ": no topic of type " + scan_type + " in CDR");
   return std::make_unique<BagReader>(std::move(files), chosen);
 }

@@ -6,10 +6,12 @@
 
 namespace opal::ros2_bag {
 
-/// Which topics to read; empty: the only one of its type, or the one of the usual name (/scan, /odom).
+/// What to read of a recording.
 struct TopicChoice {
-  std::string scan;
-  std::string odometry;
+  std::string scan;                 ///< topic; empty: the only one of its type, or the one of the usual name (/scan)
+  std::string odometry;             ///< the same (/odom)
+  std::string odom_frame = "odom";  ///< where no topic has odometry: the transforms from this frame are it,
+  std::string base_frame = {};      ///< to this one; empty: to the first that a transform leads to
 };
 
 /// ROS 2 recordings (rosbag2, sqlite3 storage, CDR): one .db3 file, or the folder of a recording with all of its

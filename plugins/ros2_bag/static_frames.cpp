@@ -1,12 +1,8 @@
 #include "static_frames.hpp"
 
 namespace opal::ros2_bag {
-namespace {
 
-// Old drivers write "/base_link" for "base_link".
 std::string without_slash(const std::string& frame) { return frame.starts_with('/') ? frame.substr(1) : frame; }
-
-}  // namespace
 
 void StaticFrames::add(const Transform& transform) {
   Transform& kept = by_child_[without_slash(transform.child)];

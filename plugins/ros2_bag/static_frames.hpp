@@ -6,6 +6,9 @@
 
 namespace opal::ros2_bag {
 
+/// Old drivers write "/base_link" for "base_link".
+std::string without_slash(const std::string& frame);
+
 /// The frames that are fixed to each other, from /tf_static.
 class StaticFrames {
  public:

@@ -1,5 +1,7 @@
 #include "scorer.hpp"
 
+#include <opal/map/object_words.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -52,13 +54,12 @@ class Passages {
 
  private:
   std::string words(const Passage& passage) const {
-    const opal::MapObject& object = map_.map().objects()[map_.feature(passage.map_feature).object];
+    const std::string object = object_words(map_.map(), map_.feature(passage.map_feature).object);
     char depth[32];
     std::snprintf(depth, sizeof depth, "%.1f m", passage.depth_m);
-    std::string words = passage.beam + " passes " + depth + " through " + object.type + " " + object.id;
-    if (passage.beams > 1)
-      words += "; " + std::to_string(passage.beams) + " of the " + std::to_string(judged_) + " judged do";
-    return words;
+    if (passage.beams == 1) return passage.beam + " passes " + depth + " through " + object;
+    return std::to_string(passage.beams) + " of " + std::to_string(judged_) + " judged beams pass through " + object +
+           ", at most " + depth;
   }
 
   const opal::MapView& map_;

@@ -1,5 +1,7 @@
 #include "scorer.hpp"
 
+#include <opal/map/object_words.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
@@ -135,11 +137,11 @@ std::vector<opal::Finding> FreeSpaceScorer::explain(const opal::Hypothesis& hypo
   if (found.size() > kMostFindings) found.resize(kMostFindings);
   std::vector<opal::Finding> findings;
   for (const Overlap& overlap : found) {
-    const opal::MapObject& object = map.map().objects()[map.feature(overlap.map_feature).object];
-    findings.push_back(
-        {metres(overlap.length_m) + " of " + object.type + " " + object.id + " stand where the scan shows free space",
-         overlap.map_feature,
-         {T_map_base * overlap.longest.begin, T_map_base * overlap.longest.end}});
+    findings.push_back({metres(overlap.length_m) + " of " +
+                            object_words(map.map(), map.feature(overlap.map_feature).object) +
+                            " stand where the scan shows free space",
+                        overlap.map_feature,
+                        {T_map_base * overlap.longest.begin, T_map_base * overlap.longest.end}});
   }
   return findings;
 }

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
 #include <sstream>
 
 using namespace opal;
@@ -21,8 +22,10 @@ GroundTruth straight_drive() {
   return GroundTruth::read(file.path());
 }
 
-/// A row at second `t` whose pose is off by some metres.
-ResultRow row(double t, double off_m, Status status) { return {"s", t, Pose2(t, off_m, 0), status, 1, 0}; }
+/// A row at second `t` whose pose is off by some metres, and turned.
+ResultRow row(double t, double off_m, Status status, double off_rad = 0) {
+  return {"s", t, Pose2(t, off_m, off_rad), status, 1, 0};
+}
 
 std::vector<Sample> samples(double from_s, int count, const Pose2& T_odom_start) {
   std::vector<Sample> all;
@@ -123,6 +126,17 @@ TEST_CASE("too late, or not to the end, is not recovered") {
   CHECK(judge_kidnapping(late, 1, truth).right_after_m == Approx(20));
   CHECK(judge_kidnapping(lost_again, 1, truth).right_after_m == -1);
   CHECK(judge_kidnapping(lucky, 1, truth).right_after_m == -1);
+}
+
+TEST_CASE("after a kidnapping, a pose at the right place that looks the other way is wrong") {
+  std::vector<ResultRow> rows{row(9, 0.1, Status::localized)};
+  for (int t = 50; t < 80; ++t) rows.push_back(row(t, 0.1, Status::localized, std::numbers::pi));
+  const KidnappingVerdict v = judge_kidnapping(rows, 1, straight_drive());
+  CHECK(v.localized_before);
+  CHECK(v.right_after_m == -1);
+  CHECK(v.localized_after_m == -1);
+  CHECK_FALSE(v.recovered);
+  CHECK(v.false_rows == 30);
 }
 
 TEST_CASE("no rows after the cut is no recovery, and no crash") {

@@ -1,14 +1,6 @@
 #include "benchmark/cells/ab_observation.hpp"
 
-namespace {
-
-constexpr double kRight_m = 1, kRight_rad = 0.5;
-
-bool is_right(const opal::Pose2& said, const opal::Pose2& truth) {
-  return distance_m(said, truth) < kRight_m && angle_between_rad(said, truth) < kRight_rad;
-}
-
-}  // namespace
+#include "evaluation/pose_tolerance.hpp"
 
 std::vector<ObservedScorer> let_observe(opal::Deployment& deployment, const opal::ab::Arm& arm, bool decides) {
   std::vector<ObservedScorer> observed;
@@ -39,7 +31,7 @@ void RankedRun::look(double stamp_s) {
   std::vector<opal::ab::RankedHypothesis> ranked;
   for (const opal::Hypothesis& hypothesis : localizer_.hypotheses()) {
     const opal::Pose2 said = hypothesis.T_map_local * localizer_.local_map().T_local_base() * T_base_laser_;
-    ranked.push_back({judged_nat(hypothesis.id), is_right(said, *T_map_laser)});
+    ranked.push_back({judged_nat(hypothesis.id), opal::kRightPose.holds(said, *T_map_laser)});
     const double pose[] = {said.x(), said.y(), said.heading_rad()};
     seen_.add({reinterpret_cast<const char*>(pose), sizeof pose});
   }

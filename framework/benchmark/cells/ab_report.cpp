@@ -23,7 +23,7 @@ const std::vector<st::Metric>& known_metrics() {
       {"distance_to_localized_m", Kind::distance_until, false, "m", "calls itself localized", 0},
       {"honest", Kind::proportion, true, "", "never calls a wrong pose localized in", 0},
       {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
-      {"strict", Kind::proportion, true, "", "is right within 0.5 m and 10 degrees in", 0},
+      {"strict", Kind::proportion, true, "", "is right within 0.5 m and 5 degrees in", 0},
       {"time_to_success_s", Kind::distance_until, false, "s", "is right", 0},
       {"distance_to_strict_m", Kind::distance_until, false, "m", "is so right", 0},
       {"error_m", Kind::cost, false, "m", "error", 0},

@@ -1,6 +1,9 @@
 #include "benchmark/runs/answer.hpp"
 
 #include "localization/alignment/registration.hpp"
+#include "report/status_text.hpp"
+
+#include <opal/map/object_words.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -26,35 +29,40 @@ std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer) 
     if (!local || pair.map_feature < 0) continue;
     const opal::MapFeature& mapped = map.features()[pair.map_feature];
     const opal::Geometry placed = transformed(best.T_map_local, local->feature.geometry);
-    named.push_back({pair.local_feature, map.objects()[mapped.object].id, mapped.id, placed, mapped.geometry,
+    named.push_back({pair.local_feature, opal::object_words(map, mapped.object), mapped.id, placed, mapped.geometry,
                      mismatch(placed, mapped.geometry).position_m});
   }
   return named;
 }
 
-std::string pose_text(const opal::Pose2& pose) {
+std::string pose_words(const opal::Pose2& pose) {
   char text[96];
   std::snprintf(text, sizeof text, "x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(),
                 pose.heading_rad() * 180 / std::numbers::pi);
   return text;
 }
 
-void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer) {
-  std::printf("status: %s", opal::name_of(answer.status));
+void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer, const std::string& why) {
+  const double probability = answer.has_pose ? answer.probability : 0;
+  std::printf("at the end: %s", opal::status_text(name_of(answer.status), probability).c_str());
   if (answer.has_pose) {
-    std::printf(" (probability %.3f, %d hypotheses)\n", answer.probability, answer.hypotheses);
-    std::printf("pose:   %s\n", pose_text(answer.T_map_base).c_str());
+    std::printf(", probability %.3f, %d %s\n", answer.probability, answer.hypotheses,
+                answer.hypotheses == 1 ? "hypothesis" : "hypotheses");
+    std::printf("pose: %s\n", pose_words(answer.T_map_base).c_str());
   } else {
     std::printf("\nno pose\n");
   }
+  const bool is_lost = answer.status == opal::Status::lost;
+  if (answer.status != opal::Status::localized && !why.empty())
+    std::printf("%s: %s\n", is_lost ? "lost" : "not localized yet, it waits for more evidence", why.c_str());
   for (const auto& alternative : answer.alternatives)
-    std::printf("alternative:  %s, probability %.3f\n", pose_text(alternative.T_map_base).c_str(),
+    std::printf("alternative:  %s, probability %.3f\n", pose_words(alternative.T_map_base).c_str(),
                 alternative.probability);
   const auto associations = associations_of(localizer);
   if (!associations.empty()) std::printf("it rests on:\n");
   for (const NamedAssociation& named : associations)
-    std::printf("  local feature %d is %s of %s (%.2f m off)\n", named.local_feature, named.feature.c_str(),
-                named.object.c_str(), named.off_m);
+    std::printf("  %s (%.2f m off): local feature %d is %s\n", named.object.c_str(), named.off_m, named.local_feature,
+                named.feature.c_str());
   for (const auto& [plugin, count] : localizer.plugin_failures())
     std::printf("skipped: %s failed %d times\n", plugin.c_str(), count);
 }

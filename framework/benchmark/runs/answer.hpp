@@ -8,7 +8,7 @@
 /// An association of the best hypothesis, by name and by geometry (map frame).
 struct NamedAssociation {
   int local_feature = 0;
-  std::string object, feature;
+  std::string object, feature;  ///< the object in words, the feature's id
   opal::Geometry local, mapped;
   double off_m = 0;  ///< of the local geometry from the mapped one
 };
@@ -16,7 +16,8 @@ struct NamedAssociation {
 /// What the best hypothesis rests on; features that are not on the map are left out.
 std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer);
 
-std::string pose_text(const opal::Pose2& pose);
+std::string pose_words(const opal::Pose2& pose);
 
 /// Status, pose, alternatives and associations, on stdout.
-void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer);
+/// @param why  the status is what it is.
+void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer, const std::string& why);

@@ -20,7 +20,7 @@ RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const o
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment) {
   const std::string info = site.prefix + ".info.json", log = site.prefix + ".log.gz";
   const opal::LaserModel laser = opal::read_site_laser(info);
-  std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, log));
+  std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, log, deployment));
   opal::check_log(records, laser, log, info);
   return {site, with_laser(std::move(deployment), laser), opal::read_queries(site.prefix + ".queries.json"),
           std::move(records)};

@@ -72,6 +72,7 @@ void LocalizeRun::play_window(opal::Replay& replay, const opal::Query& window, c
   if (truth_) events_.write(truth_event_of(*truth_, window, laser_));
   newest_ = run_log(localizer_, laser_, replay, window.id, observer);
   for (const auto& [cause, count] : replay.counts()) oddities_[cause] += count;
+  answers_.push_back(answer_of(window.id, newest_, events_.why(), truth_));
   all_.append(newest_);
   for (const opal::SensorFinding& finding : localizer_.sensor_findings())
     if (finding.verdict == opal::SensorFinding::Verdict::contradicted) contradictions_.push_back(finding.words);
@@ -86,7 +87,13 @@ void LocalizeRun::write(const fs::path& out) const {
 }
 
 void LocalizeRun::print() const {
-  print_answer(localizer_, all_.last);
+  if (answers_.size() > 1) {
+    std::printf("%s\n", summary_of(answers_).c_str());
+    for (const WindowAnswer& answer : answers_) std::printf("%s\n", line_of(answer).c_str());
+  } else if (!answers_.empty()) {
+    std::printf("%s\n", localized_text(answers_.front()).c_str());
+    print_answer(localizer_, all_.last, answers_.front().why);
+  }
   for (const opal::SensorFinding& finding : localizer_.sensor_findings())
     std::printf("sensor: %s\n", finding.words.c_str());
   for (const std::string& words : contradictions_) std::printf("the sensor description is wrong: %s\n", words.c_str());

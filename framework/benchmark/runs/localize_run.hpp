@@ -1,6 +1,8 @@
 #pragma once
 
+#include "benchmark/runs/last_reason.hpp"
 #include "benchmark/runs/run_record.hpp"
+#include "benchmark/runs/window_answer.hpp"
 
 #include <opal/localization/events/event_stream.hpp>
 #include "drawing/drawing.hpp"
@@ -26,10 +28,11 @@ struct Playing {
 /// One localizer over all windows of a log, and what it leaves behind.
 class LocalizeRun {
  public:
-  /// @param events  gets what only the run knows: the windows and their truth; the localizer writes there, too.
+  /// @param events  gets what only the run knows: the windows and their truth; the localizer writes there, too, and
+  /// says
+  ///                why it is not localized yet.
   /// @param log  name for the pictures.
-  LocalizeRun(opal::Localizer& localizer, const opal::LaserModel& laser, opal::EventSink& events,
-              const std::string& log)
+  LocalizeRun(opal::Localizer& localizer, const opal::LaserModel& laser, LastReason& events, const std::string& log)
       : localizer_(localizer), laser_(laser), events_(events), log_(log) {}
 
   /// Truth as poses of the laser; drawn, recorded and compared with.
@@ -40,7 +43,7 @@ class LocalizeRun {
             const Playing& playing, const std::filesystem::path& out);
 
   void write(const std::filesystem::path& out) const;  ///< trajectory, results, the last picture
-  void print() const;                                  ///< on stdout
+  void print() const;                                  ///< on stdout: when it was localized, then the answer
   bool found() const { return all_.last.has_pose && all_.last.status != opal::Status::lost && contradictions_.empty(); }
 
  private:
@@ -49,10 +52,11 @@ class LocalizeRun {
 
   opal::Localizer& localizer_;
   const opal::LaserModel& laser_;
-  opal::EventSink& events_;
+  LastReason& events_;
   const std::string log_;
   std::optional<opal::GroundTruth> truth_;
   RunRecord all_, newest_;
+  std::vector<WindowAnswer> answers_;
   std::map<std::string, int> oddities_;
   std::vector<std::string> contradictions_;  ///< of the sensor description by the drive
   bool first_scan_drawn_ = false;

@@ -56,7 +56,7 @@ void add_best(opal::DrawingScene& scene, const opal::Localizer& localizer, const
     if (local.stable) scene.local_features.push_back({transformed(T_map_local, local.feature.geometry)});
   for (const NamedAssociation& named : associations_of(localizer))
     scene.associations.push_back({named.local, named.mapped});
-  scene.notes.push_back(pose_text(record.last.T_map_base));
+  scene.notes.push_back(pose_words(record.last.T_map_base));
 }
 
 }  // namespace

@@ -24,6 +24,21 @@ void add_rows(RunRecord& record, const std::string& query, const opal::LaserMode
   record.trajectory.push_back({said.stamp_s, said.T_map_base});
 }
 
+/// Carries the progress of a replay on to its newest scan.
+class Odometer {
+ public:
+  ReplayProgress at(double stamp_s, const opal::Pose2& T_odom_base) {
+    if (!before_) start_s_ = stamp_s;
+    driven_m_ += before_ ? distance_m(*before_, T_odom_base) : 0;
+    before_ = T_odom_base;
+    return {stamp_s - start_s_, driven_m_};
+  }
+
+ private:
+  std::optional<opal::Pose2> before_;
+  double start_s_ = 0, driven_m_ = 0;
+};
+
 template <class T>
 void extend(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -38,6 +53,8 @@ void RunRecord::append(const RunRecord& other) {
   extend(update_cpu_ms, other.update_cpu_ms);
   add(stages, other.stages);
   hypotheses += other.hypotheses;
+  whole = other.whole;
+  localized_after = other.localized_after;
   last = other.last;
   last_points = other.last_points;
   last_T_odom_base = other.last_T_odom_base;
@@ -46,6 +63,7 @@ void RunRecord::append(const RunRecord& other) {
 RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser, const SampleSource& next,
                       const std::string& query, const RunObserver& observer) {
   RunRecord record;
+  Odometer odometer;
   double before_s = opal::thread_cpu_s();  // the replay cleans the scan: that is part of an update's cost
   while (const auto sample = next()) {
     if (observer.ready && !observer.ready(sample->scan.stamp_s)) break;
@@ -59,6 +77,8 @@ RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser,
       record.last_T_odom_base = sample->T_odom_base;
     }
     record.last = localizer.estimate_at(sample->scan.stamp_s, sample->T_odom_base);
+    record.whole = odometer.at(sample->scan.stamp_s, sample->T_odom_base);
+    if (!record.localized_after && record.last.status == opal::Status::localized) record.localized_after = record.whole;
     if (record.last.has_pose) add_rows(record, query, laser);
     if (updated && observer.updated) observer.updated(record);
     before_s = opal::thread_cpu_s();

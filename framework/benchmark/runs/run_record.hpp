@@ -6,11 +6,20 @@
 #include "sensing/trajectory.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+/// How far a replay had come, since its first scan and as odometry tells it.
+struct ReplayProgress {
+  double time_s = 0, driven_m = 0;
+};
+
 /// What one replay of a log through a localizer leaves behind.
 struct RunRecord {
+  ReplayProgress whole;                           ///< of the newest replay
+  std::optional<ReplayProgress> localized_after;  ///< of the newest replay: until the first scan that was `localized`
+
   std::vector<opal::ResultRow> rows;               ///< one per scan that had a pose
   std::vector<opal::AlternativeRow> alternatives;  ///< of the same scans
   std::vector<opal::StampedPose> trajectory;       ///< T_map_base, the same scans

@@ -3,6 +3,7 @@
 #include "benchmark/runs/progress_bar.hpp"
 #include "cli/options/verbs.hpp"
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include "benchmark/ab/execution/slurm.hpp"
 #include "benchmark/ab/execution/workers.hpp"

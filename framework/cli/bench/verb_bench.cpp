@@ -4,8 +4,10 @@
 #include "cli/options/join_options.hpp"
 #include "cli/options/overlay_options.hpp"
 #include "cli/options/verbs.hpp"
+#include "evaluation/place_verdict.hpp"
 #include "session/overlays.hpp"
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -26,7 +28,7 @@ namespace fs = std::filesystem;
 struct BenchOptions {
   std::vector<std::string> prefixes;
   std::string out;
-  std::string config;
+  std::string config = "default";
   DamageOptions damage;
   bool joined = false;
   JoinOptions join;
@@ -78,6 +80,16 @@ nlohmann::ordered_json summarize(const RunRecord& all, const BenchCost& cost) {
             {"status", mean_ms(all.stages.status_s)}}}};
 }
 
+/// The costs for people.
+std::string cost_text(const nlohmann::ordered_json& summary) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "CPU per update %.2f ms (median), 99 %% below %.1f ms; memory %.0f MB; map import %.1f s\n",
+                summary["cpu_ms_median"].get<double>(), summary["cpu_ms_p99"].get<double>(),
+                summary["peak_rss_mb"].get<double>(), summary["import_s"].get<double>());
+  return text;
+}
+
 std::ofstream writable(const fs::path& path) {
   std::ofstream file(path);
   if (!file) throw opal::Error(path.string() + ": cannot be written");
@@ -112,27 +124,55 @@ void write_record(RunRecord& all, const BenchSite& site, const BenchFiles& files
   opal::write_alternatives(alternatives, all.alternatives);
 }
 
+/// Judges the rows of all queries, in the frame of the place's own map, if the place has a recorded truth.
+std::optional<opal::PlaceVerdict> judged(const BenchPlace& place, const RunRecord& all) {
+  const std::string truth = place.site.prefix + ".gt.csv";
+  if (!fs::exists(truth)) return std::nullopt;
+  return opal::judge_place(all.rows, place.queries, opal::GroundTruth::read(truth));
+}
+
+/// What a run of a place leaves to tell.
+struct PlaceReport {
+  nlohmann::ordered_json summary;
+  std::string text;  ///< for people: did it work, then the costs
+  std::optional<opal::PlaceVerdict> verdict;
+};
+
 /// All queries of a place, or as many kidnappings.
-nlohmann::ordered_json run_place(const BenchPlace& place, const opal::PluginRegistry& registry,
-                                 const BenchOptions& options, const BenchFiles& files) {
+PlaceReport run_place(const BenchPlace& place, const opal::PluginRegistry& registry, const BenchOptions& options,
+                      const BenchFiles& files) {
   const double before_mb = allocated_mb();
   opal::Localizer localizer(opal::build_parts(place.deployment, registry, place.site.map));
   BenchCost cost{place.queries.size(), place.site.import_s, allocated_mb() - before_mb};
   RunRecord all;
+  PlaceReport report;
   if (options.sequence) {
     KidnappingRuns kidnapped = run_kidnappings(localizer, place, options);
     auto sequences = writable(files.folder / "kidnappings.csv");
     opal::write_kidnappings(sequences, kidnapped.verdicts);
-    std::cout << opal::summary_of(kidnapped.verdicts);
+    report.text = opal::summary_of(kidnapped.verdicts);
     cost.queries = kidnapped.verdicts.size();
     all = std::move(kidnapped.all);
   } else {
     all = run_queries(localizer, place);
   }
   write_record(all, place.site, files);
-  auto summary = summarize(all, cost);
-  summary["site"] = fs::absolute(place.site.prefix).lexically_normal().string();
-  return summary;
+  report.summary = summarize(all, cost);
+  report.summary["site"] = fs::absolute(place.site.prefix).lexically_normal().string();
+  if (!options.sequence) report.verdict = judged(place, all);
+  if (report.verdict) {
+    report.text = summary_of(*report.verdict);
+    report.summary["verdict"] = to_json(*report.verdict);
+  } else if (!options.sequence) {
+    report.text = "not judged: there is no recorded truth in " + place.site.prefix + ".gt.csv\n";
+  }
+  report.text += cost_text(report.summary);
+  return report;
+}
+
+/// Of several places together; nothing if none was judged.
+void print_totals(const opal::PlaceVerdict& all, std::size_t places) {
+  if (places > 1 && all.queries > 0) std::cout << "all places\n" << summary_of(all);
 }
 
 /// Overlays speak of one building's ids, and of the map as it was imported.
@@ -145,8 +185,7 @@ void lay_overlays(std::vector<BenchSite>& sites, const std::vector<std::string>&
 
 int bench(const BenchOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
-  const opal::Deployment deployment =
-      opal::read_deployment(options.config.empty() ? shipped_config("default.jsonld") : options.config);
+  const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
   opal::MapJoin join = options.join.join;
   join.seed = options.damage.seed;
   if (join.copies > 0 && !options.joined) throw opal::ConfigError("bench: --copies without --join");
@@ -158,14 +197,19 @@ int bench(const BenchOptions& options) {
   if (options.joined) join_sites(sites, join);
   const fs::path out = options.out;
   const bool single = sites.size() == 1;
+  opal::PlaceVerdict all;
   for (const BenchSite& site : sites) {
     const fs::path folder = single ? out : out / site.name;
     fs::create_directories(folder);
     const BenchFiles files{single ? out / "results.csv" : out / (site.name + ".csv"), folder};
-    const auto summary = run_place(read_bench_place(registry, site, deployment), registry, options, files);
-    writable(folder / "summary.json") << summary.dump(2) << '\n';
-    std::cout << (single ? "" : site.name + ": ") << summary.dump(2) << '\n';
+    const auto report = run_place(read_bench_place(registry, site, deployment), registry, options, files);
+    writable(folder / "summary.json") << report.summary.dump(2) << '\n';
+    std::cout << (single ? "" : site.name + "\n") << report.text << std::flush;
+    if (report.verdict) all.add(*report.verdict);
   }
+  print_totals(all, sites.size());
+  std::cout << "written to " << out.string() << ": " << (single ? "results.csv" : "NAME.csv")
+            << ", alternatives.csv and summary.json\n";
   return 0;
 }
 
@@ -188,7 +232,8 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
       "--join", options->joined,
       "run every query on the maps of all places side by side; results are in the frame of the place's own map");
   options->join.add_to(*verb);
-  verb->add_option("--config", options->config, "deployment to run (default: configs/default.jsonld)");
+  verb->add_option("--config", options->config, "deployment to run, or the name of one that ships")
+      ->capture_default_str();
   verb->add_option("--kidnap", options->sequence,
                    "kidnap the robot instead: join windows with a cut that nothing tells, drawn by this seed; reads "
                    "PREFIX.gt.csv to choose and to judge, and also writes kidnappings.csv");

@@ -43,7 +43,7 @@ std::map<Moment, std::vector<opal::AlternativeRow>> alternatives_by_moment(const
 
 }  // namespace
 
-void JudgedRuns::add(const std::string& run, const std::string& folder, double within_m) {
+void JudgedRuns::add(const std::string& run, const std::string& folder, const opal::PoseTolerance& tolerance) {
   const opal::GroundTruth truth = opal::GroundTruth::read(truth_of(run, folder).string());
   const auto alternatives = alternatives_by_moment(run);
   const std::string number = std::to_string(++runs);  // the same query in another run is another one
@@ -53,7 +53,7 @@ void JudgedRuns::add(const std::string& run, const std::string& folder, double w
     const auto pose = truth.T_map_laser_at(row.stamp_s);
     if (!pose) continue;
     const std::string query = number + "/" + row.query;
-    const bool right = distance_m(*pose, row.T_map_laser) < within_m;
+    const bool right = tolerance.holds(row.T_map_laser, *pose);
     bool any_right = right;
     seen.insert(query);
     ++rows;
@@ -61,7 +61,7 @@ void JudgedRuns::add(const std::string& run, const std::string& folder, double w
     places.push_back(best.back());
     if (const auto found = alternatives.find({row.query, row.stamp_s}); found != alternatives.end())
       for (const opal::AlternativeRow& alternative : found->second) {
-        const bool alternative_right = distance_m(*pose, alternative.T_map_laser) < within_m;
+        const bool alternative_right = tolerance.holds(alternative.T_map_laser, *pose);
         any_right = any_right || alternative_right;
         places.push_back({query, alternative.probability, alternative_right});
       }

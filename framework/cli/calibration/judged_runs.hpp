@@ -1,6 +1,7 @@
 #pragma once
 
 #include "evaluation/calibration.hpp"
+#include "evaluation/pose_tolerance.hpp"
 
 #include <string>
 #include <vector>
@@ -16,9 +17,9 @@ struct JudgedRuns {
 
   /// Reads one folder that `opal bench` wrote. Rows at times without truth are left out.
   /// @param truth  folder of SITE.gt.csv; empty: where the run's recording was.
-  /// @param within_m  a pose with a smaller error is right.
+  /// @param tolerance  how far off a pose may be.
   /// @throws Error naming the file: no run, no row, no probabilities, no truth.
-  void add(const std::string& run, const std::string& truth, double within_m);
+  void add(const std::string& run, const std::string& truth, const opal::PoseTolerance& tolerance);
 
   double share_of_queries_with_false_flag() const {
     return queries ? static_cast<double>(false_queries) / static_cast<double>(queries) : 0;

@@ -10,16 +10,18 @@
 
 #include <filesystem>
 #include <iostream>
+#include <numbers>
 
 namespace {
 
 namespace fs = std::filesystem;
 using opal::Weighting;
+constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
 
 struct CalibrationOptions {
   std::vector<std::string> runs;
   std::string truth, out;
-  double within_m = 1;
+  opal::PoseTolerance right;
 };
 
 void print(const std::string& what, std::span<const opal::Statement> statements) {
@@ -66,7 +68,7 @@ void print_flags(const JudgedRuns& runs) {
 
 int calibrate(const CalibrationOptions& options) {
   JudgedRuns runs;
-  for (const std::string& run : options.runs) runs.add(run, options.truth, options.within_m);
+  for (const std::string& run : options.runs) runs.add(run, options.truth, options.right);
   print_flags(runs);
   print("the best place is right", runs.best);
   print("a place is right, best or alternative", runs.places);
@@ -91,8 +93,15 @@ void opal::add_calibration_verb(CLI::App& app, int& exit_code) {
   verb->add_option("RUN", options->runs, "folders that opal bench wrote")->required();
   verb->add_option("-o,--out", options->out, "folder for calibration.json and the reliability diagram");
   verb->add_option("--truth", options->truth, "folder that holds SITE.gt.csv (default: where the run's recording was)");
-  verb->add_option("--within", options->within_m, "a pose with a smaller error is right [m]")
+  verb->add_option("--within", options->right.position_m, "a pose with smaller errors is right: of the position [m]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  verb->callback([options, &exit_code] { exit_code = calibrate(*options); });
+  auto heading_deg = std::make_shared<double>(opal::kRightPose.heading_rad * kDegrees);
+  verb->add_option("--within-degrees", *heading_deg, "and of the heading [degrees]")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  verb->callback([options, heading_deg, &exit_code] {
+    options->right.heading_rad = *heading_deg / kDegrees;
+    exit_code = calibrate(*options);
+  });
 }

@@ -2,6 +2,7 @@
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include "ipc/remote/remote_localization.hpp"
 #include "navigation/node_registry.hpp"
@@ -105,8 +106,8 @@ int drive(DriveVerbOptions options) {
   options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
   const opal::PluginRegistry registry = load_plugins();
-  opal::Deployment deployment = opal::read_deployment(options.config);
-  options.world.laser.id = deployment.laser.id;
+  opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+  options.take_laser(deployment);
   deployment.laser = options.world.laser;
   deployment.map = options.map;
   const auto map = load_map(registry, deployment);
@@ -118,7 +119,7 @@ int drive(DriveVerbOptions options) {
   else
     localization = connected(options.localizer, deployment.laser, *map);
   const opal::FloorGrid floor = behaviours::mapped_floor(localization->map(), 0.8 * options.world.robot_radius_m);
-  const std::string trees = options.trees.empty() ? shipped_config("behaviours.jsonld") : options.trees;
+  const std::string trees = config_file(options.trees.empty() ? "behaviours" : options.trees);
   const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
   behaviours::read_tree(nodes, trees, options.behaviour);  // before anything is written
   if (options.behaviour.empty()) options.behaviour = behaviours::first_tree(trees);
@@ -152,7 +153,8 @@ int drive(DriveVerbOptions options) {
 void opal::add_drive_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DriveVerbOptions>();
   CLI::App* verb = app.add_subcommand("drive", "let a simulated robot find out where it is and drive to a goal");
-  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld); the laser is the simulator's")
+  verb->add_option("CONFIG", options->config,
+                   "deployment document, or the name of one that ships; the laser that it describes is simulated")
       ->required();
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("--goal", options->goal, "X,Y in the map frame [m]; drawn if not given")

@@ -2,6 +2,7 @@
 
 #include "cli/experiment/experiments.hpp"
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include "benchmark/experiments/kit/contender.hpp"
 #include "simulation/buildings/building.hpp"
@@ -11,14 +12,11 @@
 #include <algorithm>
 #include <filesystem>
 
-/// Shipped configurations by name, others by file.
+/// Configurations by file, or by name if they ship.
 inline std::vector<opal::experiments::Contender> contenders(const std::vector<std::string>& configs) {
   std::vector<opal::experiments::Contender> all;
-  for (const std::string& config : configs) {
-    const bool is_file = config.ends_with(".jsonld");
-    all.push_back({is_file ? std::filesystem::path(config).stem().string() : config,
-                   opal::read_deployment(is_file ? config : shipped_config(config + ".jsonld")), ""});
-  }
+  for (const std::string& config : configs)
+    all.push_back({std::filesystem::path(config).stem().string(), opal::read_deployment(config_file(config)), ""});
   return all;
 }
 

@@ -33,7 +33,7 @@ int localize(const LocalizeOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = options.deployment();
   const auto map = load_map(registry, deployment);
-  const auto reader = open_log(registry, options.log);
+  const auto reader = open_log(registry, options.log, deployment, options.log_words);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
   deployment.laser = options.laser_of(records, deployment.laser);
   const std::vector<opal::Query> windows = options.windows();
@@ -44,7 +44,8 @@ int localize(const LocalizeOptions& options) {
   std::ofstream file = event_file(options.out);
   opal::JsonLinesSink recorder(file);
   opal::NullEventSink nobody;
-  EventSplitter events(recorder, live ? live->events() : nobody);
+  EventSplitter listeners(recorder, live ? live->events() : nobody);
+  LastReason events(listeners);
   events.write(opal::run_event({options.log, options.config, deployment.map}, parts.laser));
   events.write(opal::map_event(*parts.map));
 

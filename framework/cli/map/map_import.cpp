@@ -1,6 +1,7 @@
 #include "cli/map/map_import.hpp"
 
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
 #include "common/text_file.hpp"
@@ -24,7 +25,7 @@ nlohmann::json options_for(const opal::RegisteredType& importer, const opal::Plu
                            const ImportOptions& options) {
   nlohmann::json chosen = nlohmann::json::object();
   if (!options.config.empty())
-    chosen = opal::importer_options(opal::read_deployment(options.config), registry, importer.info.name);
+    chosen = opal::importer_options(opal::read_deployment(config_file(options.config)), registry, importer.info.name);
   chosen.merge_patch(opal::parse_options(importer.info.name, importer.options, options.words));
   if (!options.storey.empty()) chosen["storey"] = options.storey;
   if (options.z_m) chosen["z_m"] = *options.z_m;

@@ -15,9 +15,10 @@
 /// The options of every verb that plays a recorded log.
 struct LogRunOptions {
   std::string config, log, out = "out", map, info, queries, truth;
+  std::vector<std::string> log_words;  ///< options of the log's source
   OverlayFiles overlays;
 
-  /// Adds what all these verbs say alike: CONFIG, LOG, --out, --map, --overlay and --info.
+  /// Adds what all these verbs say alike: CONFIG, LOG, --out, --map, --overlay, --log-set and --info.
   /// @param written  what goes into the folder.
   void add_to(CLI::App& verb, const std::string& written);
   /// The deployment with what was said instead or besides. @throws opal::ConfigError if it has no map.

@@ -10,6 +10,9 @@ namespace opal {
 /// contract.
 void add_plugins_verb(CLI::App& app, int& exit_code);
 
+/// `opal demo`: a first run on data that ship with the program.
+void add_demo_verb(CLI::App& app, int& exit_code);
+
 /// `opal map import|check|push|pull|...`: bring a building in, see what it would run, share it. Exit code 1 if the map
 /// has warnings that keep it from being used.
 void add_map_verb(CLI::App& app, int& exit_code);

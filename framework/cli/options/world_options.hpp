@@ -17,6 +17,12 @@ struct WorldOptions {
       world.furniture = opal::simulation::furniture_solids(*load_map(registry, furnished), building);
   }
 
+  /// The laser that a deployment describes; the simulator's, if it describes none or leaves it to the log.
+  void take_laser(const opal::Deployment& deployment) {
+    if (deployment.describes_laser && !deployment.laser.geometry_from_log) world.laser = deployment.laser;
+    world.laser.id = deployment.laser.id;
+  }
+
   void add_to(CLI::App& verb) {
     const auto flag = [&](const char* name, auto& value, const char* help) {
       verb.add_option(name, value, help)->capture_default_str();

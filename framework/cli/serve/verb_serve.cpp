@@ -1,6 +1,7 @@
 #include "cli/options/verbs.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include "ipc/remote/localization_server.hpp"
 
@@ -19,7 +20,7 @@ struct ServeOptions {
 
 int serve(const ServeOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
-  opal::Deployment deployment = opal::read_deployment(options.config);
+  opal::Deployment deployment = opal::read_deployment(config_file(options.config));
   if (!options.map.empty()) deployment.map = options.map;
   const auto map = load_map(registry, deployment);
   opal::build_parts(deployment, registry, map);  // what cannot run is said now, not to the first robot
@@ -41,7 +42,8 @@ void opal::add_serve_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ServeOptions>();
   CLI::App* verb = app.add_subcommand(
       "serve", "localize a robot whose behaviours are another program on this machine: opal drive --localizer");
-  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld); the laser is the robot's")
+  verb->add_option("CONFIG", options->config,
+                   "deployment document, or the name of one that ships; the laser is the robot's")
       ->required();
   verb->add_option("--map", options->map, "map document, or a source to import, instead of the deployment's");
   verb->add_option("--port", options->port, "0: any free one")->check(CLI::Range(0, 65535))->capture_default_str();

@@ -2,6 +2,7 @@
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include "simulation/beam_statistics.hpp"
 #include "simulation/recording.hpp"
@@ -19,7 +20,7 @@ namespace {
 namespace sim = opal::simulation;
 
 struct SimulateOptions : WorldOptions {
-  std::string map, out, along;
+  std::string map, out, along, config;
   sim::DriveOptions drives;
   double fov_deg = 270, mount_x_m = 0.2;
   DamageOptions damage;
@@ -29,6 +30,12 @@ void set_laser(SimulateOptions& options) {
   if (!options.along.empty()) {
     options.world.laser = opal::read_site_laser(options.along + ".info.json");
     return;
+  }
+  if (!options.config.empty()) {
+    const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+    if (!deployment.describes_laser || deployment.laser.geometry_from_log)
+      throw opal::ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
+    return options.take_laser(deployment);
   }
   opal::LaserModel& laser = options.world.laser;
   constexpr double kDegree = std::numbers::pi / 180;
@@ -103,6 +110,13 @@ void add_sensing(CLI::App& verb, SimulateOptions& o) {
   flag("--heading-sigma", o.world.odometry_errors.sigma_rad_per_sqrt_m, "[rad per square root of m]");
 }
 
+void add_config(CLI::App& verb, SimulateOptions& o) {
+  CLI::Option* config =
+      verb.add_option("--config", o.config, "deployment, or the name of one that ships: its laser is simulated");
+  for (const char* other : {"--along", "--fov", "--beams", "--range", "--mount-x"})
+    config->excludes(verb.get_option(other));
+}
+
 }  // namespace
 
 void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
@@ -122,5 +136,6 @@ void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
   options->damage.add_to(*verb);  // of what stands: the map that is written is the undamaged one
   verb->get_option("--seed")->description("of everything: the same seed gives the same files");
   add_sensing(*verb, *options);
+  add_config(*verb, *options);
   verb->callback([options, &exit_code] { exit_code = simulate(*options); });
 }

@@ -46,7 +46,7 @@ int track(const TrackOptions& options) {
   opal::Deployment deployment = deployment_for(options);
   auto map = load_map(registry, deployment);
   if (options.damage.any()) map = opal::damaged_map(*map, options.damage.damage());
-  const auto reader = open_log(registry, options.log);
+  const auto reader = open_log(registry, options.log, deployment, options.log_words);
   const std::vector<opal::LogRecord> records = opal::read_all(*reader);
   deployment.laser = options.laser_of(records, deployment.laser);
   std::optional<opal::GroundTruth> truth;

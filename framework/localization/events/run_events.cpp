@@ -11,6 +11,13 @@ using nlohmann::ordered_json;
 
 constexpr int kFormat = 3;
 
+/// With the name that people gave it, if they did.
+ordered_json object_json(const MapObject& object) {
+  ordered_json json{object.id, object.type};
+  if (!object.notes.name.empty()) json.push_back(object.notes.name);
+  return json;
+}
+
 ordered_json feature_json(const MapFeature& feature, bool perceivable) {
   ordered_json json{
       {"id", feature.id}, {"object", feature.object}, {"type", feature.type}, {"perceivable", perceivable}};
@@ -45,7 +52,7 @@ ordered_json map_event(const MapView& view) {
                  {"objects", ordered_json::array()},
                  {"features", ordered_json::array()},
                  {"patterns", ordered_json::array()}};
-  for (const MapObject& object : map.objects()) e["objects"].push_back({object.id, object.type});
+  for (const MapObject& object : map.objects()) e["objects"].push_back(object_json(object));
   std::vector<bool> perceivable(map.features().size(), false);
   for (int number : view.features()) perceivable[number] = true;
   for (std::size_t k = 0; k < map.features().size(); ++k)

@@ -94,16 +94,23 @@ void warn_about_geometry(const SemanticMap& map, MapCheck& check) {
     check.warnings.push_back(count_of(names.size(), "feature") + " with no other within 15 m: " + examples(names));
 }
 
+/// Doors and windows are openings, leaves and panes: no feature, or one that no sensor perceives, is as it should be.
+/// What an importer made of a source with classes is meant so, too: it reports what is hidden, and what is glass.
+bool stands_in_the_way(const MapObject& object) {
+  return object.type != "opal:Door" && object.type != "opal:Window" && object.notes.source_class.empty();
+}
+
 void warn_about_reach(const SemanticMap& map, MapCheck& check) {
   if (map.features().empty()) check.warnings.push_back("no feature at all: nothing to localize by");
   std::vector<std::string> names;
   for (const MapObject& object : map.objects())
-    if (object.features.empty()) names.push_back(in_quotes(object.id));
+    if (object.features.empty() && stands_in_the_way(object)) names.push_back(in_quotes(object.id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "object") + " that nothing represents: " + examples(names));
   names.clear();
   for (const MapFeature& feature : map.features())
-    if (feature.sensor.empty()) names.push_back(in_quotes(feature.id));
+    if (feature.sensor.empty() && stands_in_the_way(map.objects()[feature.object]))
+      names.push_back(in_quotes(feature.id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "feature") + " that no sensor perceives: " + examples(names));
 }

@@ -58,6 +58,10 @@ bool has_topology(const Geometry& geometry) {
   return kind_of(geometry) == GeometryKind::segment || kind_of(geometry) == GeometryKind::oriented_point;
 }
 
+/// Where a map is not surer than that, or where no sensor looks, near points need not be one: the two sides of a thin
+/// wall in a grid end side by side.
+bool is_exact(const MapFeature& feature) { return !feature.sensor.empty() && feature.position_sigma_m <= kSamePoint_m; }
+
 /// What tells geometries of one kind and place apart.
 std::array<double, 2> own_numbers(const Geometry& geometry) {
   if (const auto* circle = std::get_if<Circle>(&geometry)) return {circle->radius_m, 0};
@@ -95,7 +99,7 @@ struct Occupants {
 std::vector<PointPair> unshared_points(const SemanticMap& map) {
   std::map<std::string, Point> points;
   for (const MapFeature& feature : map.features())
-    if (has_topology(feature.geometry)) {
+    if (has_topology(feature.geometry) && is_exact(feature)) {
       const std::vector<Point> positions = points_of(feature.geometry);
       for (std::size_t k = 0; k < positions.size(); ++k) points[feature.points[k]] = positions[k];
     }

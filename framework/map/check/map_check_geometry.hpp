@@ -17,6 +17,7 @@ struct PointPair {
   std::string point, near_point;
 };
 /// Ends of segments and corners that lie within kSamePoint_m of another such point of another id: each point once.
+/// Features that no sensor perceives do not count, nor those that are less sure than kSamePoint_m.
 std::vector<PointPair> unshared_points(const SemanticMap& map);
 /// Features of one sensor, kind and place, but for kSamePoint_m: pairs of positions, each later feature once.
 std::vector<std::pair<int, int>> duplicate_features(const SemanticMap& map);

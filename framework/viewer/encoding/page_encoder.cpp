@@ -49,7 +49,11 @@ std::string PageEncoder::map_record(const RunHeader& header) const {
   RecordText record;
   record.open('{').key("r").text("map").key("name").text(header.map_name);
   record.key("objects").open('[');
-  for (const auto& object : header.objects) record.open('[').text(object.id).text(object.type).close(']');
+  for (const auto& object : header.objects) {
+    record.open('[').text(object.id).text(object.type);
+    if (!object.name.empty()) record.text(object.name);
+    record.close(']');
+  }
   record.close(']').key("features").open('[');
   for (const auto& feature : header.features) write_mapped_feature(feature, record);
   record.close(']').key("patterns").open('[');

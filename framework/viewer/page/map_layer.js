@@ -130,7 +130,7 @@ export class MapLayer {
       const cell = `${Math.floor(x / (2 * kNames_px))},${Math.floor(y / 16)}`;
       if (x < 0 || y < 0 || x > view.width || y > view.height || taken.has(cell)) continue;
       taken.add(cell);
-      label(context, shorten(object.id), x, y - 3, palette.text, palette.plot);
+      label(context, shorten(object.name || object.id), x, y - 3, palette.text, palette.plot);
     }
   }
 
@@ -168,7 +168,7 @@ const shorten = (name) => (name.length > kLongestName ? `${name.slice(0, kLonges
 export function featureWords(map, number) {
   const feature = map.features[number],
     object = map.objects[feature.object];
-  const parts = object ? [`${object.id} · ${shortName(object.type)}`] : [];
+  const parts = object ? [`${object.name ? `${object.name} · ` : ''}${object.id} · ${shortName(object.type)}`] : [];
   parts.push(`${feature.id} · ${shortName(feature.type)}${feature.perceivable ? '' : ' · not seen by this sensor'}`);
   return parts.join('\n');
 }

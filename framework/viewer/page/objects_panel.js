@@ -25,7 +25,7 @@ export class ObjectsPanel {
     );
     this.search = element('input', {
       type: 'search',
-      placeholder: 'Search: id or type',
+      placeholder: 'Search: name, id or type',
       'aria-label': 'Search the map',
       oninput: () => this.refresh(),
     });
@@ -53,19 +53,20 @@ export class ObjectsPanel {
 
   itemOf(feature, key) {
     const object = this.map.objects[feature.object];
-    const type = shortName(object?.type ?? feature.type);
+    const kind = shortName(object?.type ?? feature.type),
+      type = feature.perceivable ? kind : `${kind}, unseen`;
     return {
       key,
       id: feature.id,
-      type: feature.perceivable ? type : `${type}, unseen`,
-      text: `${feature.id} ${object?.id ?? ''} ${type}`,
+      name: object?.name ? `${object.name} · ${type}` : type,
+      text: `${feature.id} ${object?.name ?? ''} ${object?.id ?? ''} ${type}`,
     };
   }
 
   fillRow(node, item) {
     if (node.childElementCount === 0) node.append(element('span', { class: 'grow' }), element('span', { class: 'quiet' }));
     setText(node.children[0], item.id);
-    setText(node.children[1], item.type);
+    setText(node.children[1], item.name);
     node.title = item.text;
     node.setAttribute('aria-selected', String(item.key === this.state.object));
   }

@@ -6,8 +6,13 @@ export class RunMap {
   constructor(record) {
     this.name = text(record.name ?? '', 'name');
     this.objects = list(record.objects, 'objects').map((entry, k) => {
-      const [id, type] = list(entry, `objects[${k}]`);
-      return { id: text(id, `objects[${k}]`), type: text(type, `objects[${k}]`), features: [] };
+      const [id, type, name = ''] = list(entry, `objects[${k}]`);
+      return {
+        id: text(id, `objects[${k}]`),
+        type: text(type, `objects[${k}]`),
+        name: text(name, `objects[${k}]`),
+        features: [],
+      };
     });
     this.features = list(record.features, 'features').map((entry, k) => this.featureOf(entry, `features[${k}]`, k));
     const numbers = new Map(this.features.map((feature, k) => [feature.id, k]));

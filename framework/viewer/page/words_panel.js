@@ -25,7 +25,7 @@ export class WordsPanel {
       p = recording.probability.values[frame];
     setText(this.status, status);
     this.status.dataset.status = status;
-    setText(this.probability, Number.isNaN(p) ? '' : `probability ${probabilityWords(p)}`);
+    setText(this.probability, Number.isNaN(p) ? '' : `probability ${probabilityWords(p)}${unproven(status, p)}`);
     const words = recording.wordsAt(frame);
     if (words === this.shown) return;
     this.shown = words;
@@ -43,6 +43,9 @@ export class WordsPanel {
     this.body.replaceChildren(element('p', { class: 'quiet', text: words }));
   }
 }
+
+/// `searching` with a probability of 1.000 reads like a contradiction (report/status_text.hpp).
+const unproven = (status, probability) => (status === 'searching' && probability > 0.5 ? ' (found, not proven yet)' : '');
 
 function paragraphs(words) {
   let before = '';

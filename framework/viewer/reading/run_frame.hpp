@@ -17,6 +17,8 @@ struct RunHeader {
 
   struct Object {
     std::string id, type;
+    std::string name = {};        ///< that people gave it; may be empty
+    bool name_is_shared = false;  ///< another object of its type has the same name
   };
   struct Feature {
     std::string id;

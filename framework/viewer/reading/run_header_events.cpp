@@ -1,6 +1,7 @@
 #include "viewer/reading/run_header_events.hpp"
 
 #include <limits>
+#include <map>
 #include <unordered_set>
 
 namespace opal {
@@ -13,6 +14,12 @@ std::string optional_sentence(const EventPlace& event, const char* name) {
   return found ? found->sentence() : "";
 }
 
+void find_shared_names(std::vector<RunHeader::Object>& objects) {
+  std::map<std::pair<std::string, std::string>, int> counts;
+  for (const RunHeader::Object& object : objects) ++counts[{object.type, object.name}];
+  for (RunHeader::Object& object : objects) object.name_is_shared = counts[{object.type, object.name}] > 1;
+}
+
 std::vector<RunHeader::Object> read_objects(const EventPlace& array) {
   std::vector<RunHeader::Object> objects(array.elements());
   std::unordered_set<std::string> ids;
@@ -20,7 +27,9 @@ std::vector<RunHeader::Object> read_objects(const EventPlace& array) {
     const EventPlace object = array.element(k), id = object.element(0);
     if (!ids.insert(id.name()).second) id.fail("an id that no other object has");
     objects[k] = {id.name(), object.element(1).name()};
+    if (object.elements() > 2) objects[k].name = object.element(2).sentence();
   }
+  find_shared_names(objects);
   return objects;
 }
 

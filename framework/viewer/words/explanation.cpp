@@ -39,6 +39,7 @@ std::vector<Sentence> Explainer::explanation() const {
   add_alternatives(*moment_, sentences);
   add_fallen(*moment_, sentences);
   add_search(*moment_, sentences);
+  add_unmapped(*moment_, sentences);
   return sentences;
 }
 

@@ -1,6 +1,8 @@
 #include "report/quantity_text.hpp"
+#include "report/status_text.hpp"
 #include "viewer/words/sentences.hpp"
 
+#include <opal/map/object_words.hpp>
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>
@@ -18,16 +20,10 @@ struct SeenObject {
   double off_m = 0;
 };
 
-/// Types of Opal's own vocabulary are said without its prefix.
-std::string type_text(const std::string& type) {
-  const std::string own = "opal:";
-  return type.starts_with(own) ? type.substr(own.size()) : type;
-}
-
 std::string name_of_object(const RunHeader& header, const RunHeader::Feature& feature) {
-  if (feature.object < 0) return type_text(feature.type) + " " + feature.id;
+  if (feature.object < 0) return object_words(feature.type, feature.id, "", false);
   const RunHeader::Object& object = header.objects[feature.object];
-  return type_text(object.type) + " " + object.id;
+  return object_words(object.type, object.id, object.name, object.name_is_shared);
 }
 
 std::vector<std::string> numbers(const std::set<int>& ids) {
@@ -62,11 +58,12 @@ class Support {
     if (pairs_ > 0)
       sentences.push_back({SentenceKind::support, "rests on " + count_text(pairs_, "association") + " with " +
                                                       count_text(nearest_m_.size(), "object") + ": " + objects()});
-    if (!not_on_map_.empty())
-      sentences.push_back(
-          {SentenceKind::support, "says of " + count_text(not_on_map_.size(), "local feature") +
-                                      (not_on_map_.size() == 1 ? " that it is" : " that they are") +
-                                      " not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
+  }
+
+  void add_unmapped_to(std::vector<Sentence>& sentences) const {
+    if (not_on_map_.empty()) return;
+    sentences.push_back({SentenceKind::note, "takes " + count_text(not_on_map_.size(), "local feature") +
+                                                 " for not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
   }
 
  private:
@@ -109,8 +106,9 @@ std::string origin_text(const TracedHypothesis& hypothesis) {
 
 void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
   const RunFrame& frame = moment.state.frame();
-  std::string text = frame.status + " since " + seconds_text(moment.status_since_s) + ": ";
   const TracedHypothesis* best = moment.state.best();
+  std::string text =
+      status_text(frame.status, best ? frame.probability : 0) + " since " + seconds_text(moment.status_since_s) + ": ";
   if (best)
     text += "at " + pose_text(best->T_map_base) + ", with probability " + probability_text(frame.probability) +
             " (hypothesis " + std::to_string(best->id) + ", " + std::to_string(frame.hypotheses.size()) + " alive)";
@@ -118,6 +116,10 @@ void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
     text += "no hypothesis is alive";
   text += "; \"none of these\" has " + probability_text(frame.none);
   sentences.push_back({SentenceKind::answer, text});
+  if (best && frame.status != "localized" && !frame.why.empty())
+    sentences.push_back(
+        {SentenceKind::answer,
+         (frame.status == "lost" ? "lost: " : "not localized yet, it waits for more evidence: ") + frame.why});
 }
 
 void add_support(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
@@ -126,6 +128,10 @@ void add_support(const ExplainedMoment& moment, std::vector<Sentence>& sentences
   Support(moment, *best).add_to(sentences);
   if (const std::string origin = origin_text(*best); !origin.empty())
     sentences.push_back({SentenceKind::support, origin});
+}
+
+void add_unmapped(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
+  if (const TracedHypothesis* best = moment.state.best()) Support(moment, *best).add_unmapped_to(sentences);
 }
 
 void add_findings(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {

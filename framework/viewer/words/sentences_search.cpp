@@ -68,7 +68,6 @@ void add_search(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
   const TracedHypothesis* best = moment.state.best();
   const auto note = [&](std::string text) { sentences.push_back({SentenceKind::note, std::move(text)}); };
   if (best && frame.none > frame.probability) note("\"none of these\" is more probable than the best hypothesis");
-  if (frame.status != "localized" && !frame.why.empty()) note(frame.status + ": " + frame.why);
   for (const std::string& finding : frame.sensor)
     if (finding != frame.why) note("sensor: " + finding);
   if (frame.status == "searching" || frame.status == "lost") {

@@ -64,6 +64,20 @@ TEST_CASE("success is to come within 1 m and to stay there") {
   CHECK(lost.false_rows == 1);
 }
 
+TEST_CASE("a robot that believes to look the other way is wrong, however near it is") {
+  ChallengeRun run;
+  for (int k = 0; k < 3; ++k) {
+    Moment moment;
+    moment.has_pose = true;
+    moment.status = Status::localized;
+    moment.estimate = Pose2(0, 0, 3.1);
+    run.moments.push_back(moment);
+  }
+  judge(run);
+  CHECK(!run.success);
+  CHECK(run.false_rows == 3);
+}
+
 TEST_CASE("the table has what was published beside what was measured") {
   const std::vector<ChallengeRun> runs{synthetic({{0.1, true}}), synthetic({{3, true}})};
   const std::string text = text_of(challenge_table(runs));

@@ -100,7 +100,28 @@ TEST_CASE("a check counts what the example room holds and finds only its door un
   CHECK(check.wall_length_m == Approx(8 + 5 + 2.6 + 4.5 + 5));
   CHECK(check.shared_points == 4);
   CHECK(check.bounds[1] == Point(8, 5));
-  CHECK(check.warnings == Names{"1 object that nothing represents: 'door'"});
+  CHECK(check.warnings.empty());
+}
+
+TEST_CASE("a wall that nothing represents or nobody perceives is warned about, a door or an imported pane is not") {
+  MapObject pane{"pane", "Wall"};
+  pane.notes.source_class = "IfcCurtainWall";
+  std::vector<MapFeature> features{feature("seen", kWall), feature("unseen", Segment{{0, 3}, {4, 3}}, ""),
+                                   feature("leaf", Segment{{0, 2}, {1, 2}}, ""),
+                                   feature("glass", Segment{{2, 2}, {3, 2}}, "")};
+  features[2].object = 2;
+  features[3].object = 3;
+  const auto map = SemanticMap::make(
+      "test", {{"wall", "Wall"}, {"ghost", "Wall"}, {"door", "Door"}, pane, {"opening", "Door"}}, features, {});
+  CHECK(check_map(*map).warnings ==
+        Names{"1 object that nothing represents: 'ghost'", "1 feature that no sensor perceives: 'unseen'"});
+}
+
+TEST_CASE("ends of walls that were measured, and are not sure to a centimetre, may lie side by side") {
+  std::vector<MapFeature> sides{feature("front", kWall), feature("back", Segment{{4, 0.001}, {0, 0.001}})};
+  CHECK(check_map(*map_of(sides)).warnings.size() == 1);
+  for (MapFeature& side : sides) side.position_sigma_m = 0.03;
+  CHECK(check_map(*map_of(sides)).warnings.empty());
 }
 
 TEST_CASE("repeated geometry, unshared ends and lonely features are warned about") {

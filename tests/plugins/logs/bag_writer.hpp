@@ -83,10 +83,10 @@ struct Link {
   std::vector<double> pose;
 };
 
-inline std::string transforms_bytes(const std::vector<Link>& links) {
+inline std::string transforms_bytes(const std::vector<Link>& links, double stamp_s = 0) {
   CdrWriter cdr;
   cdr.number(static_cast<std::uint32_t>(links.size()));
-  for (const Link& link : links) cdr.header(0, link.parent).text(link.child).pose(link.pose);
+  for (const Link& link : links) cdr.header(stamp_s, link.parent).text(link.child).pose(link.pose);
   return cdr.bytes();
 }
 
@@ -115,6 +115,7 @@ class BagWriter {
   }
   int scans(const std::string& name = "/scan") { return topic(name, "sensor_msgs/msg/LaserScan"); }
   int odometry(const std::string& name = "/odom") { return topic(name, "nav_msgs/msg/Odometry"); }
+  int transforms() { return topic("/tf", "tf2_msgs/msg/TFMessage"); }
   int static_transforms() { return topic("/tf_static", "tf2_msgs/msg/TFMessage"); }
 
   void message(int topic, double recorded_s, const std::string& data) {

@@ -192,7 +192,7 @@ TEST_CASE("of several topics the usual one is read, or the one that is asked for
   }
   CHECK_THROWS_WITH(walk_bag(path), path +
                                         ": several topics of type nav_msgs/msg/Odometry (/fused, /wheels), expected an "
-                                        "option to choose one");
+                                        "option to choose one: odometry_topic=/fused");
   const WalkedBag usual = walk_bag(path, {"", "/wheels"});
   REQUIRE(usual.records.size() == 2);
   CHECK(std::get<RawScan>(usual.records[0]).stamp_s == 1);

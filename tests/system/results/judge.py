@@ -7,7 +7,7 @@ success         From some row on, every row has a position error below 1 m and a
 strict          The same with 0.5 m and 5 degrees.
 distance        Metres driven from the start of the window until then.
 localized       The same as success, but only rows count whose status is `localized`.
-false positive  A row whose status is `localized` with an error above 1 m or 10 degrees.
+false positive  A row whose status is `localized` that is not within 1 m and 10 degrees.
 """
 
 import bisect
@@ -148,7 +148,7 @@ def judge_query(query, rows, truth):
     verdict.strict = kept_from(stamps, strict, truth, end_s) is not None
     verdict.localized = kept_from([stamps[i] for i in flagged], [loose[i] for i in flagged], truth, end_s) is not None
     verdict.localized_rows = len(flagged)
-    verdict.false_rows = sum(errors[i][0] > LOOSE[0] or errors[i][1] > LOOSE[1] for i in flagged)
+    verdict.false_rows = sum(not loose[i] for i in flagged)
     return verdict
 
 

@@ -56,11 +56,36 @@ TEST_CASE("without a hypothesis the answer says so") {
 TEST_CASE("objects that the best hypothesis rests on are named, the nearest first, with their distances now") {
   CHECK(said(SentenceKind::support, {first_frame()}) ==
         Texts{"rests on 2 associations with 2 objects: Wall wall-1 (0.03 m), Column A.008 (0.10 m)",
-              "says of 1 local feature that it is not on the map: 3", "spawned at 0.0 s from opal:LinePair"});
+              "spawned at 0.0 s from opal:LinePair"});
   RunFrame moved = later(1);
   moved.hypotheses.front().T_map_base = Pose2(0, 0.13, 0) * kHere;
   CHECK(said(SentenceKind::support, {first_frame(), moved}).front() ==
         "rests on 2 associations with 2 objects: Wall wall-1 (0.10 m), Column A.008 (0.16 m)");
+}
+
+TEST_CASE("what is not on the map neither supports a hypothesis nor speaks against it: it is noted") {
+  CHECK(said(SentenceKind::note, {first_frame(), later(1)}) == Texts{"takes 1 local feature for not on the map: 3"});
+}
+
+TEST_CASE("objects have the names that people gave them, and their ids if a name is not the only one") {
+  RunHeader header = hall();
+  header.objects[0].name = "Hall, north";
+  header.objects[1].name = "Column";
+  header.objects[1].name_is_shared = true;
+  Explainer explainer(header);
+  explainer.take(first_frame());
+  CHECK_THAT(explainer.explanation()[1].text,
+             Catch::Contains("Wall \"Hall, north\" (0.03 m), Column \"Column\" (A.008) (0.10 m)"));
+}
+
+TEST_CASE("a place that is found and not proven yet is said to be so, and what it waits for") {
+  RunFrame frame = with(frame_at(0, "searching", 1, 0), {hypothesis(7, kHere, 1, 9)});
+  frame.why = "the best place has just changed";
+  const Texts answer = said(SentenceKind::answer, {frame});
+  REQUIRE(answer.size() == 2);
+  CHECK_THAT(answer[0], Catch::StartsWith("searching (a place is found, but not proven yet) since 0.0 s: at (4.00"));
+  CHECK(answer[1] == "not localized yet, it waits for more evidence: the best place has just changed");
+  CHECK(said(SentenceKind::answer, {first_frame(), later(1)}).size() == 1);
 }
 
 TEST_CASE("an association that ended is not what it rests on, a new one of the same local feature is") {

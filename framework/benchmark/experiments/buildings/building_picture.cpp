@@ -70,7 +70,7 @@ std::string wrong_claims(const ChallengeRun& run) {
   std::optional<Point> last;
   for (const Moment& moment : run.moments) {
     const Point at = moment.estimate.position();
-    if (!moment.localized() || moment.error_m() <= kRight_m || (last && (at - *last).norm() < kEvery_m)) continue;
+    if (!moment.localized() || moment.right() || (last && (at - *last).norm() < kEvery_m)) continue;
     dots += dot(at, kDot_m, "claim");
     last = at;
   }

@@ -59,7 +59,7 @@ double localized_after_s(const ChallengeRun& run) {
 }
 
 double wrong_after_s(const ChallengeRun& run) {
-  return first_time_s(run, [](const Moment& moment) { return moment.localized() && moment.error_m() > kRight_m; });
+  return first_time_s(run, [](const Moment& moment) { return moment.localized() && !moment.right(); });
 }
 
 BuildingRuns run_building(const simulation::SuiteBuilding& building, const PluginRegistry& registry,

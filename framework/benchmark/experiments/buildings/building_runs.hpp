@@ -15,7 +15,7 @@ enum class Outcome {
   unsure,     ///< it is right up to the end, and never was
   unknown,    ///< it is not right at the end, and no wrong one was called localized: honest, as it must be where
               ///< places are alike
-  wrong       ///< a pose more than 1 m off was called localized at some time
+  wrong       ///< a wrong pose was called localized at some time
 };
 const char* name_of(Outcome outcome);
 Outcome outcome_of(const ChallengeRun& run);

@@ -30,11 +30,12 @@ i.localized{background:#009e73}i.unsure{background:#0072b2}i.unknown{background:
 )";
 
 constexpr const char* kMeaning =
-    "<p><i class=localized></i>localized: the best hypothesis is right (within 1 m) up to the end, and was "
+    "<p><i class=localized></i>localized: the best hypothesis is right (within 1 m and 10 degrees) up to the end, and "
+    "was "
     "called localized"
     "<i class=unsure></i>unsure: right up to the end, never called localized"
     "<i class=unknown></i>unknown: not right at the end, and nothing wrong was called localized"
-    "<i class=wrong></i>wrong: a pose more than 1 m off was called localized at some time</p>\n";
+    "<i class=wrong></i>wrong: a wrong pose was called localized at some time</p>\n";
 
 using Shares = std::array<std::size_t, kOutcomes.size()>;
 

@@ -10,8 +10,7 @@ namespace {
 void judge_success(ChallengeRun& run) {
   const std::vector<Moment>& moments = run.moments;
   std::size_t right_from = moments.size();
-  while (right_from > 0 && moments[right_from - 1].has_pose && moments[right_from - 1].error_m() < kRight_m)
-    --right_from;
+  while (right_from > 0 && moments[right_from - 1].right()) --right_from;
   run.success = right_from < moments.size();
   if (!run.success) return;
   run.right_after_m = moments[right_from].driven_m;
@@ -20,11 +19,11 @@ void judge_success(ChallengeRun& run) {
   run.error_m = sum / static_cast<double>(moments.size() - right_from);
 }
 
-/// Of the best hypothesis at a place.
-double probability_of(const PoseEstimate& said, const Pose2& place) {
-  if (said.has_pose && distance_m(said.T_map_base, place) < kRight_m) return said.probability;
+/// Of the best hypothesis that is right.
+double probability_of(const PoseEstimate& said, const Pose2& truth) {
+  if (said.has_pose && kRightPose.holds(said.T_map_base, truth)) return said.probability;
   for (const PoseEstimate::Alternative& alternative : said.alternatives)
-    if (distance_m(alternative.T_map_base, place) < kRight_m) return alternative.probability;
+    if (kRightPose.holds(alternative.T_map_base, truth)) return alternative.probability;
   return 0;
 }
 
@@ -40,7 +39,7 @@ void judge(ChallengeRun& run) {
     if (!moment.localized()) continue;
     if (run.localized_after_m < 0) run.localized_after_m = moment.driven_m;
     ++run.localized_rows;
-    run.false_rows += moment.error_m() > kRight_m;
+    run.false_rows += !moment.right();
   }
   if (run.updates > 0) run.cpu_ms /= run.updates;
 }

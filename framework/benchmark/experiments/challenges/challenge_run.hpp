@@ -16,13 +16,13 @@ namespace opal::experiments {
 struct ChallengeRun {
   std::string contender, challenge;
   std::uint64_t seed = 0;
-  std::optional<simulation::StartRegion> region;    ///< that the robot was told
-  bool success = false;                             ///< the best hypothesis comes within 1 m and stays there to the end
-  double right_after_m = -1;                        ///< until it was so
-  double localized_after_m = -1;                    ///< until the first `localized`
-  double error_m = -1;                              ///< of the best hypothesis, mean from there on
-  int hypotheses_before = 0, hypotheses_after = 0;  ///< most, before and after the first `localized`
-  int updates = 0, localized_rows = 0, false_rows = 0;  ///< `localized` and more than 1 m off
+  std::optional<simulation::StartRegion> region;        ///< that the robot was told
+  bool success = false;                                 ///< the best hypothesis becomes right and stays so to the end
+  double right_after_m = -1;                            ///< until it was so
+  double localized_after_m = -1;                        ///< until the first `localized`
+  double error_m = -1;                                  ///< of the best hypothesis, mean from there on
+  int hypotheses_before = 0, hypotheses_after = 0;      ///< most, before and after the first `localized`
+  int updates = 0, localized_rows = 0, false_rows = 0;  ///< `localized` and wrong
   double cpu_ms = 0;                                    ///< per update
   double truth_probability = 0;  ///< at the end, of the hypothesis that is right; 0: there is none
   std::vector<Moment> moments;   ///< by scan

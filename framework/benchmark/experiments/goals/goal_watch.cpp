@@ -49,16 +49,11 @@ class LookedOn : public Node {
   std::function<void(const Blackboard&)> look_;
 };
 
-bool is_right(const Pose2& said, const Pose2& truth) {
-  constexpr double kRight_rad = 0.5;
-  return distance_m(said, truth) < kRight_m && angle_between_rad(said, truth) < kRight_rad;
-}
-
 bool some_is_right(const PoseEstimate& estimate, const Pose2& truth) {
-  if (is_right(estimate.T_map_base, truth)) return true;
+  if (kRightPose.holds(estimate.T_map_base, truth)) return true;
   return std::any_of(
       estimate.alternatives.begin(), estimate.alternatives.end(),
-      [&](const PoseEstimate::Alternative& alternative) { return is_right(alternative.T_map_base, truth); });
+      [&](const PoseEstimate::Alternative& alternative) { return kRightPose.holds(alternative.T_map_base, truth); });
 }
 
 /// The first columns of what a hypothesis rests on, at most so many.

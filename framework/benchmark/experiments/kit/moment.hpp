@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/localization/localizer.hpp>
+#include "evaluation/pose_tolerance.hpp"
 
 #include <vector>
 
@@ -17,10 +18,8 @@ struct Moment {
   bool under_way = false;  ///< to the goal, where there is one
 
   double error_m() const { return distance_m(truth, estimate); }
+  bool right() const { return has_pose && kRightPose.holds(estimate, truth); }
   bool localized() const { return has_pose && status == Status::localized; }
 };
-
-/// An estimate farther off is another place [m] (Hendrikx 2023, 3.5.5).
-constexpr double kRight_m = 1;
 
 }  // namespace opal::experiments

@@ -35,8 +35,7 @@ std::string status_legend() {
   return "<p>Bar below each plot:<i class=box style='background:#d5d5d5'></i>no hypothesis<i class=box "
          "style='background:#e8c04a'></i>hypotheses, not "
          "called localized<i class=box style='background:#2e9e5b'></i>localized, and right<i class=box "
-         "style='background:#d01c1c'></i>localized, and more than "
-         "1 m off</p>\n";
+         "style='background:#d01c1c'></i>localized, and wrong</p>\n";
 }
 
 }  // namespace opal::experiments

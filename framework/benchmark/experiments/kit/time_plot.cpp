@@ -82,7 +82,7 @@ class Plot {
 };
 
 const char* colour_of(const Moment& moment) {
-  if (moment.localized()) return moment.error_m() < kRight_m ? "#2e9e5b" : "#d01c1c";
+  if (moment.localized()) return moment.right() ? "#2e9e5b" : "#d01c1c";
   return moment.has_pose ? "#e8c04a" : "#d5d5d5";
 }
 

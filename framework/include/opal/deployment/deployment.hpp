@@ -35,19 +35,21 @@ struct Deployment {
   std::string file;  ///< path of the document, for messages
   std::string map;   ///< path of the map, resolved against the document's folder; empty: the caller says
   std::vector<std::string>
-      overlays;               ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
-  LaserModel laser;           ///< the sensor
-  OdometryScale odometry;     ///< by which odometry is corrected
-  KeyframeOptions keyframes;  ///< how densely scans are taken
-  LocalMapOptions local_map;  ///< how features of several scans are put together
+      overlays;                  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
+  LaserModel laser;              ///< the sensor
+  bool describes_laser = false;  ///< the document says more of the sensor than its id
+  OdometryScale odometry;        ///< by which odometry is corrected
+  KeyframeOptions keyframes;     ///< how densely scans are taken
+  LocalMapOptions local_map;     ///< how features of several scans are put together
   std::optional<PartConfig> matcher;  ///< none: odometry as it is
   /// Absent: all that the map calls for (see plan_pipeline). Present: of these, the ones the map calls for.
   std::optional<std::vector<PartConfig>> detectors;
   /// The same for pattern templates.
   std::optional<std::vector<PartConfig>> patterns;
-  std::vector<ScorerConfig> scorers;  ///< at least one; in the order of the document
-  LocalizerOptions stages = {};       ///< options of everything behind the local map
-  std::vector<PartConfig> importers;  ///< options for those that make the map, if it is made of a source
+  std::vector<ScorerConfig> scorers;    ///< at least one; in the order of the document
+  LocalizerOptions stages = {};         ///< options of everything behind the local map
+  std::vector<PartConfig> importers;    ///< options for those that make the map, if it is made of a source
+  std::vector<PartConfig> log_sources;  ///< options for those that read a recorded log: topics, frames
 };
 
 /// Reads a deployment strictly: unknown keys, wrong types and values out of range are errors, and lists keep
@@ -67,6 +69,10 @@ OPAL_EXPORT Deployment with_laser(Deployment deployment, const LaserModel& laser
 /// @throws ConfigError as `build_parts` does, for any of its importers.
 OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
                                             const std::string& importer);
+
+/// The options that a deployment gives to a log source, likewise.
+OPAL_EXPORT nlohmann::json log_source_options(const Deployment& deployment, const PluginRegistry& registry,
+                                              const std::string& log_source);
 
 /// What `build_parts` checks before it makes anything: types that no plugin offers, types of another kind, and options
 /// that the plugin does not accept. @throws ConfigError naming file and JSON pointer.

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace opal {
+
+/// A status for people. Where a place is found and must still prove itself, this says so: `searching` with a
+/// probability of 1.000 reads like a contradiction.
+/// @param probability  of the best place; 0 if there is none.
+std::string status_text(const std::string& status, double probability);
+
+}  // namespace opal

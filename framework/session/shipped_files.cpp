@@ -1,0 +1,42 @@
+#include "session/shipped_files.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string shipped_configs() {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(shipped_file("configs")))
+    if (entry.path().extension() == ".jsonld") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+std::string shipped_file(const std::string& name) {
+  const fs::path program = fs::canonical("/proc/self/exe").parent_path();
+  for (const char* folder : {"../../..", "../share/opal"})
+    if (const fs::path file = program / folder / name; fs::exists(file)) return fs::canonical(file).string();
+  throw opal::ConfigError(name + ": is neither beside the sources nor installed");
+}
+
+std::string shipped_config(const std::string& name) { return shipped_file("configs/" + name); }
+
+std::string config_file(const std::string& name) {
+  if (fs::exists(name) && !fs::is_directory(name)) return name;
+  if (name.find('/') == std::string::npos)
+    for (const std::string& ending : {std::string(), std::string(".jsonld")}) {
+      const fs::path file = fs::path(shipped_file("configs")) / (name + ending);
+      if (fs::is_regular_file(file)) return file.string();
+    }
+  throw opal::ConfigError(name + ": does not exist, and is none of the configurations that ship: " + shipped_configs());
+}

@@ -1,0 +1,115 @@
+"""What the commands print first, and that options, names and documents reach them. OPAL_PROGRAM is the program."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+DEMO = ROOT / "maps" / "malaga" / "malaga-demo"
+MAP = f"{DEMO}.map.yaml"
+LOG = f"{DEMO}.log.gz"
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def opal(self, *words, exit_code=0):
+        """@return what was printed, errors included. Runs in a folder of its own."""
+        done = subprocess.run([os.environ["OPAL_PROGRAM"], *map(str, words)], cwd=self.folder, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(done.returncode, exit_code, done.stdout)
+        return done.stdout
+
+    def deployment(self, **members):
+        document = {"@context": "urn:opal:v1", "@type": "opal:Deployment", "scorers": [{"@type": "opal:Beams"}], **members}
+        file = self.folder / "deployment.jsonld"
+        file.write_text(json.dumps(document))
+        return file
+
+    def localize(self, *words, config="malaga", exit_code=0):
+        return self.opal("localize", config, LOG, "--map", MAP, "-o", "out", *words, exit_code=exit_code)
+
+
+class DidItWork(Commands):
+    def test_localize_says_first_when_and_after_how_many_metres_it_was_localized(self):
+        self.assertRegex(self.localize().splitlines()[0], r"^localized after \d+\.\d m and \d+\.\d s$")
+
+    def test_localize_has_one_line_for_every_query(self):
+        lines = self.localize("--queries", f"{DEMO}.queries.json", "--truth", f"{DEMO}.gt.csv").splitlines()
+        queries = [query["id"] for query in json.loads(pathlib.Path(f"{DEMO}.queries.json").read_text())["queries"]]
+        self.assertRegex(lines[0], rf"^\d of {len(queries)} queries localized, after \d+\.\d m \(median\)$")
+        for line, query in zip(lines[1:], queries):
+            self.assertRegex(line, rf"^{query}: (localized after|never localized in) .* at the end .* off the truth$")
+
+    def test_bench_says_first_whether_it_worked_then_what_was_false_then_the_costs(self):
+        lines = self.opal("bench", DEMO, "-o", "out").splitlines()
+        self.assertRegex(lines[0], r"^success in 5 of 5 queries \(strict: 5\), after \d+\.\d m \(median\)$")
+        self.assertRegex(lines[1], r"^localized in \d of 5 queries")
+        self.assertRegex(lines[2], r"^wrongly localized: 0 of \d+ localized rows, in 0 queries$")
+        self.assertRegex(lines[3], r"^CPU per update ")
+        verdict = json.loads((self.folder / "out" / "summary.json").read_text())["verdict"]
+        self.assertEqual((verdict["success"], verdict["false_rows"], verdict["failed"]), (5, 0, []))
+
+    def test_map_check_finds_nothing_to_warn_about_in_maps_of_our_own(self):
+        self.opal("map", "import", MAP, "-o", "demo.jsonld")
+        for file in ["demo.jsonld", *sorted((ROOT / "maps").glob("*.jsonld"))]:
+            self.assertNotIn("warning", self.opal("map", "check", file), file)
+
+    def test_explain_says_what_a_found_place_waits_for(self):
+        self.localize()
+        words = dict(json.loads(self.opal("explain", "out", "--at", "0", "--json"))["words"][::-1])
+        self.assertIn("searching (a place is found, but not proven yet)", words["answer"])
+        self.assertIn("not localized yet, it waits for more evidence: ", self.opal("explain", "out", "--at", "0"))
+
+
+class OptionsReachEverything(Commands):
+    def test_the_version_is_told(self):
+        self.assertRegex(self.opal("--version"), r"^opal \d+\.\d+\.\d+$")
+
+    def test_shipped_configurations_are_found_by_name_and_an_unknown_name_gets_the_list(self):
+        self.assertIn("localized", self.localize(config="malaga"))
+        self.assertIn("behaviours, default, malaga", self.localize(config="nowhere", exit_code=3))
+
+    def test_a_file_that_nobody_recognizes_gets_the_list_of_what_is_read(self):
+        (self.folder / "odd.txt").write_text("odd")
+        maps = self.opal("map", "import", "odd.txt", "-o", "map.jsonld", exit_code=3)
+        self.assertIn("opal:GridImporter", maps)
+        self.assertIn("opal:IfcImporter", maps)
+        logs = self.opal("localize", "malaga", "odd.txt", "--map", MAP, exit_code=3)
+        self.assertIn("opal:CarmenLog", logs)
+        self.assertIn("opal:Ros2Bag", logs)
+
+    def test_log_sources_take_options_from_the_command_line_and_from_the_deployment(self):
+        self.assertIn("localized", self.localize("--log-set", "laser_message=FLASER"))
+        self.assertIn("laser_message", self.localize("--log-set", "topic=/scan", exit_code=3))
+        sensor = json.loads((ROOT / "configs" / "malaga.jsonld").read_text())["sensor"]
+        for message, exit_code in (("FLASER", 0), ("RAWLASER1", 1)):
+            sources = [{"@type": "opal:CarmenLog", "options": {"laser_message": message}}]
+            config = self.deployment(log_sources=sources, sensor=sensor)
+            self.localize(config=config, exit_code=exit_code)
+
+    def test_deployments_define_prefixes(self):
+        context = ["urn:opal:v1", {"acme": "https://acme.example/opal#"}]
+        self.assertIn("localized", self.localize(config=self.deployment(**{"@context": context})))
+        for wrong in ([{"acme": "https://acme.example/"}], ["urn:opal:v1", {"opal": "https://acme.example/"}]):
+            config = self.deployment(**{"@context": wrong})
+            self.assertIn("/@context", self.localize(config=config, exit_code=3))
+
+    def test_simulate_takes_the_laser_of_a_deployment(self):
+        room = ROOT / "maps" / "example_room.jsonld"
+        self.opal("simulate", room, "-o", "drive", "--config", "malaga", "--drives", "1", "--distance", "2")
+        laser = json.loads((self.folder / "drive.info.json").read_text())["laser"]
+        self.assertEqual((laser["n_beams"], laser["offset_x_m"]), (361, 0.78))
+        self.assertIn("/sensor", self.opal("simulate", room, "-o", "drive", "--config", "default", exit_code=3))
+
+    def test_drive_takes_the_laser_of_a_deployment(self):
+        room = ROOT / "maps" / "example_room.jsonld"
+        self.opal("drive", "malaga", room, "--goal", "1,4", "--most", "1", "--record", "drive", exit_code=1)
+        laser = json.loads((self.folder / "drive.info.json").read_text())["laser"]
+        self.assertEqual((laser["n_beams"], laser["offset_x_m"]), (361, 0.78))
