@@ -1,6 +1,9 @@
 #include <opal/common/strict_json.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 #include <vector>
@@ -139,7 +142,8 @@ Json parse_json(const std::string& text, const std::string& name, const JsonLimi
 
 Json read_json(const std::string& path, const JsonLimits& limits) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw JsonError(path + ": cannot be opened, expected a readable JSON file");
+  if (!file) throw JsonError(path + ": cannot be opened: " + std::strerror(errno) + ", expected a readable JSON file");
+  if (std::filesystem::is_directory(path)) throw JsonError(path + ": is a folder, expected a JSON file");
   // Read at most one byte too many: the size of a pipe or device is not known beforehand.
   std::string text;
   std::vector<char> block(1u << 16);

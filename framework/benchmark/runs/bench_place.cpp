@@ -1,6 +1,6 @@
 #include "benchmark/runs/bench_place.hpp"
 
-#include "session/session.hpp"
+#include "benchmark/runs/recorded_log.hpp"
 
 opal::Replay BenchPlace::replay(const opal::Query& window) const {
   opal::ReplayOptions options;
@@ -17,7 +17,13 @@ RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const o
 }
 
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment) {
-  return {site, with_laser(std::move(deployment), opal::read_site_laser(site.prefix + ".info.json")),
-          opal::read_queries(site.prefix + ".queries.json"),
-          opal::read_all(*open_log(registry, site.prefix + ".log.gz"))};
+  const std::string queries = site.prefix + ".queries.json";
+  RecordedLog log = read_recorded_log(registry, site.prefix + ".log.gz");
+  BenchPlace place{site,
+                   with_laser(std::move(deployment), opal::read_site_laser(site.prefix + ".info.json")),
+                   opal::read_queries(queries),
+                   {}};
+  expect_scans(place.queries, log, queries);
+  place.records = std::move(log.records);
+  return place;
 }

@@ -39,9 +39,12 @@ class LocalizeRun {
   void play(const std::vector<opal::LogRecord>& records, const std::vector<opal::Query>& windows,
             const Playing& playing, const std::filesystem::path& out);
 
-  void write(const std::filesystem::path& out) const;  ///< trajectory, results, the last picture
-  void print() const;                                  ///< on stdout
-  bool found() const { return all_.last.has_pose && all_.last.status != opal::Status::lost; }
+  /// Trajectory, results, the last picture. Of several windows, one that was cut is left out of the results.
+  void write(const std::filesystem::path& out) const;
+  void print() const;                                 ///< on stdout
+  std::size_t finished() const { return finished_; }  ///< windows
+  bool complete() const { return unfinished_ == 0; }  ///< no window was cut or left out by a stop
+  bool found() const { return all_.last.has_pose && all_.last.status == opal::Status::localized; }
 
  private:
   void play_window(opal::Replay& replay, const opal::Query& window, const RunObserver& observer);
@@ -55,4 +58,5 @@ class LocalizeRun {
   RunRecord all_, newest_;
   std::map<std::string, int> oddities_;
   bool first_scan_drawn_ = false;
+  std::size_t finished_ = 0, unfinished_ = 0;  // windows
 };

@@ -1,4 +1,5 @@
 #include "cli/map/map_import.hpp"
+#include "cli/options/exit_code.hpp"
 
 #include "session/session.hpp"
 
@@ -59,7 +60,7 @@ int import(const ImportOptions& options) {
   std::cout << text_of(imported.report) << "written: " << options.out << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
   draw(imported, options);
-  return 0;
+  return kDone;
 }
 
 void print(const opal::Storey& storey) {
@@ -78,7 +79,7 @@ int storeys(const std::string& source, const ImportOptions& options) {
   const std::vector<opal::Storey> levels = importer->storeys(source);
   if (levels.empty()) std::cout << source << ": has no storeys\n";
   for (const opal::Storey& level : levels) print(level);
-  return levels.empty() ? 1 : 0;
+  return levels.empty() ? kNo : kDone;
 }
 
 void add_choices(CLI::App& verb, ImportOptions& options) {

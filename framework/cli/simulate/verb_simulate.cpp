@@ -1,6 +1,8 @@
 #include "cli/options/damage_options.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
+#include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
 
 #include "simulation/beam_statistics.hpp"
@@ -71,6 +73,7 @@ int simulate(SimulateOptions options) {
       options.along.empty() ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
                             : record_along(registry, options, *map, simulation);
   const double recorded_s = opal::process_cpu_s();
+  const StopSignals all_or_none;  // Ctrl-C among these files would leave new ones beside old ones
   sim::write_recorded_place(recording, *map, options.out);
   double driven_m = 0;
   for (double distance_m : recording.distances_m) driven_m += distance_m;
@@ -81,7 +84,7 @@ int simulate(SimulateOptions options) {
   std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
   std::cout << "written: " << options.out
             << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
-  return 0;
+  return kDone;
 }
 
 void add_sensing(CLI::App& verb, SimulateOptions& o) {

@@ -1,10 +1,12 @@
 #include "benchmark/ab/execution/claim.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/write_error.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <thread>
 
@@ -26,7 +28,7 @@ Claim::Claim(const std::string& folder, std::size_t first, std::size_t end)
     : folder_(folder), first_(first), end_(end) {
   const std::string path = folder + "/claims";
   file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file_ < 0) throw Error(path + ": cannot be written");
+  if (file_ < 0) throw WriteError(path, errno);
   if (first == end) return;
   // Workers of a run that was killed a moment ago may still be on their way out.
   constexpr int kTries = 100;
