@@ -52,7 +52,14 @@ void draw(const opal::MapImport& imported, const ImportOptions& options) {
   if (!options.png.empty()) opal::write_png(scene, options.png);
 }
 
+void expect_other_file(const std::string& source, const std::string& out) {
+  std::error_code absent;
+  if (std::filesystem::equivalent(source, out, absent))
+    throw opal::ConfigError(out + ": is the source that is imported, expected another file to write (.jsonld)");
+}
+
 int import(const ImportOptions& options) {
+  expect_other_file(options.source, options.out);
   const opal::PluginRegistry registry = load_plugins();
   const opal::RegisteredType& importer = importer_of(registry, options.source);
   const opal::MapImport imported = import_map(registry, options.source, options_for(importer, registry, options));

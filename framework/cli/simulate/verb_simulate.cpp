@@ -14,6 +14,7 @@
 #include "drawing/drawing.hpp"
 #include "evaluation/ground_truth.hpp"
 
+#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -60,7 +61,17 @@ sim::Recording record_along(const opal::PluginRegistry& registry, const Simulate
   return made;
 }
 
+/// The files of a recording are written beside each other: its map must not be the one that is driven in.
+void expect_other_place(const SimulateOptions& options) {
+  std::error_code absent;
+  for (const char* ending : {".map.jsonld", ".map.yaml"})
+    if (std::filesystem::equivalent(options.map, options.out + ending, absent))
+      throw opal::ConfigError(options.out + ending +
+                              ": is the map that is driven in, expected another PREFIX to write");
+}
+
 int simulate(SimulateOptions options) {
+  expect_other_place(options);
   set_laser(options);
   const opal::PluginRegistry registry = load_plugins();
   const auto map = load_map(registry, options.map);
