@@ -85,6 +85,8 @@ class StrictBuilder : public nlohmann::json_sax<Json> {
       const std::size_t index = level.value->size() - (&level == &levels_.back() ? 0 : 1);
       result += '/' + (object ? escape_pointer_step(level.key) : std::to_string(index));
     }
+    constexpr std::size_t kLongest = 200;  // of a place that a person reads
+    if (result.size() > kLongest) result = result.substr(0, kLongest) + "...";
     return result.empty() ? "(root)" : result;
   }
 

@@ -3,7 +3,9 @@
 #include <opal/common/error.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 
 namespace opal {
@@ -18,7 +20,7 @@ void expect_header(const std::string& line, const std::string& path) {
 
 GroundTruth GroundTruth::read(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw LogError(path + ": cannot be read");
+  if (!file) throw LogError(path + ": cannot be read: " + std::strerror(errno) + ", expected recorded truth (.gt.csv)");
   std::vector<StampedPose> poses;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {

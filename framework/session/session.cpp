@@ -35,6 +35,14 @@ std::string recognizing(const opal::PluginRegistry& registry, opal::PluginKind k
   return "";
 }
 
+/// "opal:CarmenLog, opal:Ros2Bag"
+std::string types_of(const opal::PluginRegistry& registry, opal::PluginKind kind) {
+  std::string names;
+  for (const opal::RegisteredType& type : registry.types())
+    if (type.kind == kind) names += (names.empty() ? "" : ", ") + type.info.name;
+  return names.empty() ? "a plugin, of which none is installed" : names;
+}
+
 bool is_document(const std::string& source) {
   const std::string extension = fs::path(source).extension().string();
   return extension == ".jsonld" || extension == ".json";
@@ -61,7 +69,10 @@ const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, co
   const std::string name = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source);
   if (name.empty() && fs::is_directory(source))
     throw opal::MapError(source + ": is a folder, expected a map document or a source to import");
-  if (name.empty()) throw opal::MapError(source + ": no importer recognizes this file");
+  if (name.empty())
+    throw opal::MapError(source +
+                         ": no importer recognizes this file, expected a map document (.jsonld) or a source of " +
+                         types_of(registry, opal::PluginKind::map_importer));
   return registry.type(name);
 }
 
@@ -102,9 +113,13 @@ std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& re
 std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path) {
   if (!fs::exists(path)) throw opal::LogError(path + ": does not exist");
   const std::string source = recognizing<opal::LogSource>(registry, opal::PluginKind::log_source, path);
+  if (source.empty() && fs::is_regular_file(path) && fs::is_empty(path))
+    throw opal::LogError(path + ": is empty, expected a recorded log");
   if (source.empty() && fs::is_directory(path))
     throw opal::LogError(path + ": is a folder, expected a log, or the .db3 file of a ROS 2 bag");
-  if (source.empty()) throw opal::LogError(path + ": no log source recognizes this file");
+  if (source.empty())
+    throw opal::LogError(path + ": no log source recognizes this file, expected a log of " +
+                         types_of(registry, opal::PluginKind::log_source));
   return registry.make<opal::LogSource>(source)->open(path);
 }
 

@@ -2,6 +2,7 @@
 
 import json
 import signal
+import time
 
 from runs import CONFIG, CORRIDOR, MALAGA, RunTest, TREE
 
@@ -100,6 +101,15 @@ class Interruption(RunTest):
         process = self.start("experiment", "thesis3", "-o", "out", "--seeds", "500", "--jobs", "1")
         self.wait_until("it has begun", lambda: self.marker() is not None, process)
         self.expect_interrupted(self.interrupt(process, signal.SIGINT))
+
+    def test_a_second_ctrl_c_ends_a_run_at_once(self):
+        process = self.start("experiment", "thesis3", "-o", "out", "--seeds", "1", "--jobs", "1", "--duration", "36000")
+        self.wait_until("it has begun", lambda: self.marker() is not None, process)
+        while process.poll() is None:  # the first of them waits for the drive that is under way, which takes minutes
+            process.send_signal(signal.SIGINT)
+            time.sleep(0.1)
+        self.assertEqual(process.returncode, -signal.SIGINT)
+        self.assertNotIn("ending", self.marker())
 
     def test_an_interrupted_run_is_finished_by_running_it_again(self):
         self.interrupt(self.begin_long_run(), signal.SIGINT)

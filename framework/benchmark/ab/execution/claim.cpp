@@ -2,6 +2,7 @@
 
 #include <opal/common/error.hpp>
 #include "common/write_error.hpp"
+#include "output/output_folder.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -35,8 +36,8 @@ Claim::Claim(const std::string& folder, std::size_t first, std::size_t end)
   constexpr std::chrono::milliseconds kPause(20);
   for (int k = 0; !lock(F_WRLCK); ++k) {
     if (k == kTries)
-      throw Error(folder_ + ": " + holder() +
-                  " computes these cells already; wait for its end, or give another folder");
+      throw FolderInUse(folder_ + ": " + holder() +
+                        " computes these cells already; wait for its end, or give another folder");
     std::this_thread::sleep_for(kPause);
   }
   lock(F_RDLCK);  // shared with the workers, which lock for themselves: a lock is a process's own
@@ -45,7 +46,7 @@ Claim::Claim(const std::string& folder, std::size_t first, std::size_t end)
 Claim::~Claim() { close(file_); }
 
 void Claim::join() {
-  if (first_ < end_ && !lock(F_RDLCK)) throw Error(folder_ + ": " + holder() + " computes these cells by now");
+  if (first_ < end_ && !lock(F_RDLCK)) throw FolderInUse(folder_ + ": " + holder() + " computes these cells by now");
 }
 
 bool Claim::lock(short kind) const {

@@ -149,7 +149,7 @@ void compute(CellRunner& runner, const CellPlan& plan, const ResultFolder& folde
       }
     }));
   while (!workers.empty()) {
-    std::erase_if(workers, [](const auto& worker) { return has_ended(*worker, shared, 0.1); });
+    std::erase_if(workers, [&](const auto& worker) { return has_ended(*worker, shared, 0.1); });
     made.done = shared.done;
     made.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress(made);
