@@ -82,6 +82,12 @@ class RunTest(unittest.TestCase):
         self.assertTrue(text.endswith("\n"))
         return [json.loads(line) for line in text.splitlines()]
 
+    @staticmethod
+    def computed_s(process):
+        """CPU time that it has used so far."""
+        fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
     def rows(self, out="out"):
         return list(csv.DictReader((self.folder / out / "results.csv").read_text().splitlines()))
 

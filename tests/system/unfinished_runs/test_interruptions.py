@@ -104,8 +104,8 @@ class Interruption(RunTest):
 
     def test_a_second_ctrl_c_ends_a_run_at_once(self):
         process = self.start("experiment", "thesis3", "-o", "out", "--seeds", "1", "--jobs", "1", "--duration", "36000")
-        self.wait_until("it has begun", lambda: self.marker() is not None, process)
-        while process.poll() is None:  # the first of them waits for the drive that is under way, which takes minutes
+        self.wait_until("the first drive is under way", lambda: self.computed_s(process) > 4, process)
+        while process.poll() is None:  # the first of them waits for the drive, which takes minutes
             process.send_signal(signal.SIGINT)
             time.sleep(0.1)
         self.assertEqual(process.returncode, -signal.SIGINT)
