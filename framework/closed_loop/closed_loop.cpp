@@ -29,7 +29,7 @@ class ClosedLoop {
       outcome = localization_.answers() ? decide(blackboard, tree) : wait(blackboard);
       record_.said_so = outcome == behaviours::NodeStatus::success;
       record_.time_s = simulation_.now_s() - start_s;
-      if (record_.time_s >= options_.most_s || record_.said_so) break;
+      if (record_.time_s >= options_.most_s || record_.said_so || options_.stop.stop_requested()) break;
       outcome = behaviours::NodeStatus::running;  // a robot that has failed tries again
       move(localization_.answers() ? blackboard.velocity() : Velocity{});
     }

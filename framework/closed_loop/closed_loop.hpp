@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace opal {
@@ -16,6 +17,7 @@ struct ClosedLoopOptions {
   double reached_m = 0.5;  ///< the robot must really be this near to the goal
   /// Is shown every scan, with T_map_base in truth.
   std::function<void(const RawScan&, const Pose2&)> witness;
+  std::stop_token stop = {};  ///< ends the drive before its end
 };
 
 /// What became of one drive.

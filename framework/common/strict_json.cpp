@@ -1,6 +1,9 @@
 #include <opal/common/strict_json.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 #include <vector>
@@ -82,6 +85,8 @@ class StrictBuilder : public nlohmann::json_sax<Json> {
       const std::size_t index = level.value->size() - (&level == &levels_.back() ? 0 : 1);
       result += '/' + (object ? escape_pointer_step(level.key) : std::to_string(index));
     }
+    constexpr std::size_t kLongest = 200;  // of a place that a person reads
+    if (result.size() > kLongest) result = result.substr(0, kLongest) + "...";
     return result.empty() ? "(root)" : result;
   }
 
@@ -139,7 +144,8 @@ Json parse_json(const std::string& text, const std::string& name, const JsonLimi
 
 Json read_json(const std::string& path, const JsonLimits& limits) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw JsonError(path + ": cannot be opened, expected a readable JSON file");
+  if (!file) throw JsonError(path + ": cannot be opened: " + std::strerror(errno) + ", expected a readable JSON file");
+  if (std::filesystem::is_directory(path)) throw JsonError(path + ": is a folder, expected a JSON file");
   // Read at most one byte too many: the size of a pipe or device is not known beforehand.
   std::string text;
   std::vector<char> block(1u << 16);

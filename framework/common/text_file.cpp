@@ -1,14 +1,13 @@
 #include "common/text_file.hpp"
 
-#include <opal/common/error.hpp>
-
-#include <fstream>
+#include "common/whole_file.hpp"
 
 namespace opal {
 
 void write_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  if (!(file << text << std::flush)) throw Error(path + ": cannot be written");
+  WholeFile file(path);
+  file.write(text);
+  file.finish();
 }
 
 }  // namespace opal

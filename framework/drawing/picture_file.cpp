@@ -1,10 +1,11 @@
 #include "drawing/picture_file.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/text_file.hpp"
 
 #include <cairo-svg.h>
 
-#include <memory>
+#include <string>
 
 namespace opal {
 namespace {
@@ -12,19 +13,26 @@ namespace {
 constexpr double kPngScale = 1.5;
 
 void expect_success(cairo_status_t status, const std::string& path) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw Error(path + ": picture cannot be written: " + cairo_status_to_string(status));
+  if (status != CAIRO_STATUS_SUCCESS) throw Error(path + ": cannot be drawn: " + cairo_status_to_string(status));
+}
+
+/// Cairo writes into a text first: the file appears when the picture is whole.
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
 }
 
 }  // namespace
 
 void write_svg_picture(const std::string& path, const Point& size_px, const DrawPicture& draw) {
-  const Surface surface(cairo_svg_surface_create(path.c_str(), size_px.x(), size_px.y()));
+  std::string picture;
+  const Surface surface(cairo_svg_surface_create_for_stream(append, &picture, size_px.x(), size_px.y()));
   expect_success(cairo_surface_status(surface.get()), path);
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
   draw(surface.get());
   cairo_surface_finish(surface.get());
   expect_success(cairo_surface_status(surface.get()), path);
+  write_text(path, picture);
 }
 
 void write_png_picture(const std::string& path, const Point& size_px, const DrawPicture& draw) {
@@ -33,7 +41,9 @@ void write_png_picture(const std::string& path, const Point& size_px, const Draw
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(pixels.x()), static_cast<int>(pixels.y())));
   cairo_surface_set_device_scale(surface.get(), kPngScale, kPngScale);
   draw(surface.get());
-  expect_success(cairo_surface_write_to_png(surface.get(), path.c_str()), path);
+  std::string picture;
+  expect_success(cairo_surface_write_to_png_stream(surface.get(), append, &picture), path);
+  write_text(path, picture);
 }
 
 }  // namespace opal

@@ -3,18 +3,29 @@
 #include <opal/common/error.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 
 namespace opal {
+namespace {
+
+void expect_header(const std::string& line, const std::string& path) {
+  if (!line.starts_with("timestamp,x,y,theta"))
+    throw LogError(path + ": line 1: '" + line + "', expected the header timestamp,x,y,theta,is_scan");
+}
+
+}  // namespace
 
 GroundTruth GroundTruth::read(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw LogError(path + ": cannot be read");
+  if (!file) throw LogError(path + ": cannot be read: " + std::strerror(errno) + ", expected recorded truth (.gt.csv)");
   std::vector<StampedPose> poses;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
-    if (number == 1 || line.empty()) continue;  // the header
+    if (number == 1) expect_header(line, path);
+    if (number == 1 || line.empty()) continue;
     double stamp = 0, x = 0, y = 0, heading = 0;
     if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &stamp, &x, &y, &heading) != 4)
       throw LogError(path + ": line " + std::to_string(number) + ": '" + line +
@@ -24,6 +35,7 @@ GroundTruth GroundTruth::read(const std::string& path) {
     else
       poses.back().pose = {x, y, heading};  // the scan's own pose follows and wins
   }
+  if (poses.empty()) throw LogError(path + ": holds no pose, expected lines of timestamp,x,y,theta,is_scan");
   return GroundTruth(std::move(poses));
 }
 

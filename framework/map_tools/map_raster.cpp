@@ -1,13 +1,14 @@
 #include "map_tools/map_raster.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/text_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <optional>
+#include <ostream>
 #include <sstream>
 
 namespace opal {
@@ -125,16 +126,16 @@ class Rasterization {
   MapRaster raster_;
 };
 
-std::ofstream writable(const std::string& path) {
-  std::ofstream file(path, std::ios::binary);
-  if (!file) throw Error(path + ": cannot be written");
-  return file;
-}
-
 /// The brightness by which map_server knows them.
 char brightness(Cell cell) {
   constexpr unsigned char kUnknown = 205, kFree = 254, kOccupied = 0;
   return static_cast<char>(cell == Cell::occupied ? kOccupied : cell == Cell::free ? kFree : kUnknown);
+}
+
+void write_pixels(const MapRaster& raster, std::ostream& out) {
+  out << "P5\n" << raster.columns << ' ' << raster.rows << "\n255\n";
+  for (int row = raster.rows - 1; row >= 0; --row)
+    for (int column = 0; column < raster.columns; ++column) out.put(brightness(raster.at(column, row)));
 }
 
 }  // namespace
@@ -155,18 +156,14 @@ MapRaster rasterized(const SemanticMap& map, const RasterOptions& options) {
 
 void write_raster(const MapRaster& raster, const std::string& yaml_path) {
   const std::filesystem::path yaml(yaml_path), image = std::filesystem::path(yaml).replace_extension(".pgm");
-  auto pixels = writable(image.string());
-  pixels << "P5\n" << raster.columns << ' ' << raster.rows << "\n255\n";
-  for (int row = raster.rows - 1; row >= 0; --row)
-    for (int column = 0; column < raster.columns; ++column) pixels.put(brightness(raster.at(column, row)));
+  write_with(image.string(), [&](std::ostream& pixels) { write_pixels(raster, pixels); });
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(10);
   text << "image: " << image.filename().string() << "\nresolution: " << raster.resolution_m << "\norigin: ["
        << raster.origin.x() << ", " << raster.origin.y()
        << ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  writable(yaml.string()) << text.str();
-  if (!pixels.flush()) throw Error(image.string() + ": cannot be written");
+  write_text(yaml.string(), text.str());
 }
 
 }  // namespace opal

@@ -2,12 +2,12 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
+#include "common/text_file.hpp"
+#include "common/whole_file.hpp"
 
-#include <unistd.h>
 #include <cctype>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 
 namespace {
 
@@ -55,15 +55,6 @@ opal::StoredVersion version_of(const json& object) {
           object.at("objects"),   object.at("features"), object.at("patterns")};
 }
 
-/// Beside the file first, then in its place: whoever reads it sees the old or the new one, also after a power cut.
-void write_whole(const fs::path& file, const std::string& text) {
-  const fs::path beside = file.string() + "." + std::to_string(getpid());
-  std::ofstream out(beside, std::ios::binary);
-  if (!(out << text << std::flush)) throw opal::Error(beside.string() + ": cannot be written");
-  out.close();
-  fs::rename(beside, file);
-}
-
 }  // namespace
 
 MapCache MapCache::usual() { return MapCache(usual_folder()); }
@@ -91,14 +82,9 @@ std::string MapCache::keep(const std::string& where, const opal::StoreSource& so
                            const opal::StoredMap& map) const {
   if (folder_.empty()) return {};
   const fs::path file = file_of(where, source);
-  try {
-    fs::create_directories(file.parent_path());
-    write_whole(
-        file,
-        json{{"where", where}, {"version", to_json(map.version)}, {"pulled_at", now_utc()}, {"document", map.document}}
-            .dump(1));
-  } catch (const fs::filesystem_error& error) {
-    throw opal::Error(file.string() + ": cannot be written: " + error.code().message());
-  }
+  opal::make_folder(file.parent_path().string());
+  const json cached{
+      {"where", where}, {"version", to_json(map.version)}, {"pulled_at", now_utc()}, {"document", map.document}};
+  opal::write_text(file.string(), cached.dump(1));
   return file.string();
 }

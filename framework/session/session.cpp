@@ -68,6 +68,8 @@ opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folder
 const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source) {
   if (!fs::exists(source)) throw opal::MapError(source + ": does not exist");
   const std::string name = recognizing<opal::MapImporter>(registry, opal::PluginKind::map_importer, source);
+  if (name.empty() && fs::is_directory(source))
+    throw opal::MapError(source + ": is a folder, expected a map document or a source to import");
   if (name.empty())
     throw opal::MapError(source +
                          ": no importer recognizes this file; maps are read from\n  documents of Opal (.jsonld)" +
@@ -113,6 +115,10 @@ std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, 
                                           const opal::Deployment& deployment, const std::vector<std::string>& words) {
   if (!fs::exists(path)) throw opal::LogError(path + ": does not exist");
   const std::string source = recognizing<opal::LogSource>(registry, opal::PluginKind::log_source, path);
+  if (source.empty() && fs::is_regular_file(path) && fs::is_empty(path))
+    throw opal::LogError(path + ": is empty, expected a recorded log");
+  if (source.empty() && fs::is_directory(path))
+    throw opal::LogError(path + ": is a folder, expected a log, or the .db3 file of a ROS 2 bag");
   if (source.empty())
     throw opal::LogError(path + ": no log source recognizes this file; logs are read by" +
                          what_is_read(registry, opal::PluginKind::log_source));

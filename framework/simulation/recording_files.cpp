@@ -1,11 +1,14 @@
 #include "simulation/recording.hpp"
 
-#include <opal/common/error.hpp>
 #include "common/text_file.hpp"
+#include "common/whole_file.hpp"
+#include "common/write_error.hpp"
 #include "map/map_file.hpp"
 #include "map_tools/map_raster.hpp"
 
+#include <unistd.h>
 #include <zlib.h>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -29,7 +32,9 @@ std::string line_of_scan(const RecordedScan& recorded) {
 }
 
 void write_log(const Recording& recording, const std::string& path) {
-  const gzFile file = gzopen(path.c_str(), "wb6");
+  WholeFile whole(path);
+  errno = 0;
+  const gzFile file = gzdopen(dup(whole.descriptor()), "wb6");
   bool good = file != nullptr;
   for (const RecordedScan& recorded : recording.scans) {
     if (!good) break;
@@ -37,7 +42,8 @@ void write_log(const Recording& recording, const std::string& path) {
     good = gzwrite(file, line.data(), static_cast<unsigned>(line.size())) == static_cast<int>(line.size());
   }
   if (file != nullptr && gzclose(file) != Z_OK) good = false;
-  if (!good) throw Error(path + ": cannot be written");
+  if (!good) throw WriteError(path, errno);
+  whole.finish();
 }
 
 std::string truth_of(const Recording& recording) {
@@ -98,7 +104,7 @@ void write_recording(const Recording& recording, const std::string& prefix) {
 
 void write_recorded_place(const Recording& recording, const SemanticMap& map, const std::string& prefix) {
   const std::filesystem::path path(prefix);
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+  if (path.has_parent_path()) make_folder(path.parent_path().string());
   write_recording(recording, prefix);
   write_map(map, prefix + ".map.jsonld");
   write_raster(rasterized(map), prefix + ".map.yaml");

@@ -1,5 +1,6 @@
 #include "benchmark/cells/ab_runner.hpp"
 
+#include "benchmark/runs/event_file.hpp"
 #include "benchmark/runs/localize_run.hpp"
 #include "benchmark/runs/quantile.hpp"
 #include "session/session.hpp"
@@ -8,12 +9,11 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/sentence.hpp>
+#include "common/whole_file.hpp"
 #include "evaluation/query_verdict.hpp"
 #include "localization/events/run_events.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <set>
 
@@ -125,9 +125,8 @@ opal::LocalizerParts LocalizingRunner::parts_of(opal::Deployment deployment, std
 }
 
 void LocalizingRunner::record(const ab::Task& task, std::size_t arm, const std::string& folder) const {
-  std::filesystem::create_directories(folder);
-  std::ofstream file(folder + "/events.jsonl");
-  opal::JsonLinesSink events(file);
+  opal::make_folder(folder);
+  EventFile events(folder + "/events.jsonl");
   const opal::LocalizerParts parts = parts_of(experiment_.arms[arm].deployment, arm);
   const opal::Query& query = world_->query(task.query);
   events.write(
@@ -137,7 +136,7 @@ void LocalizingRunner::record(const ab::Task& task, std::size_t arm, const std::
   events.write(truth_event_of(world_->truth, query, parts.laser));
   opal::Localizer localizer(parts, &events);
   run_query(localizer, world_->place, query);
-  if (!file.flush()) throw opal::Error(folder + "/events.jsonl: cannot be written");
+  events.finish();
 }
 
 void LocalizingRunner::run(const ab::Task& task, ab::CellResult& result) {

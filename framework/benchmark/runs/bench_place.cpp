@@ -1,7 +1,7 @@
 #include "benchmark/runs/bench_place.hpp"
 
+#include "benchmark/runs/recorded_log.hpp"
 #include "sensing/log_check.hpp"
-#include "session/session.hpp"
 
 opal::Replay BenchPlace::replay(const opal::Query& window) const {
   opal::ReplayOptions options;
@@ -18,10 +18,12 @@ RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const o
 }
 
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment) {
-  const std::string info = site.prefix + ".info.json", log = site.prefix + ".log.gz";
+  const std::string info = site.prefix + ".info.json", queries = site.prefix + ".queries.json";
+  RecordedLog log = read_recorded_log(registry, site.prefix + ".log.gz", deployment);
   const opal::LaserModel laser = opal::read_site_laser(info);
-  std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, log, deployment));
-  opal::check_log(records, laser, log, info);
-  return {site, with_laser(std::move(deployment), laser), opal::read_queries(site.prefix + ".queries.json"),
-          std::move(records)};
+  opal::check_log(log.records, laser, log.file, info);
+  BenchPlace place{site, with_laser(std::move(deployment), laser), opal::read_queries(queries), {}};
+  expect_scans(place.queries, log, queries);
+  place.records = std::move(log.records);
+  return place;
 }

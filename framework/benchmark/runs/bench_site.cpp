@@ -12,6 +12,9 @@ std::shared_ptr<const opal::SemanticMap> site_map(const opal::PluginRegistry& re
                                                   const opal::MapDamage& damage) {
   const std::string document = prefix + ".map.jsonld";
   if (damage.thick_m == 0 && std::filesystem::exists(document)) return opal::SemanticMap::read(document);
+  if (!std::filesystem::exists(prefix + ".map.yaml"))
+    throw opal::MapError(document + " and " + prefix +
+                         ".map.yaml do not exist, expected the prefix of a recorded place");
   return import_map(registry, prefix + ".map.yaml", import_options(damage)).map;
 }
 

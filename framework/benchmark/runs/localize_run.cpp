@@ -5,22 +5,15 @@
 #include "benchmark/runs/progress_bar.hpp"
 #include "benchmark/runs/run_picture.hpp"
 
-#include <opal/common/error.hpp>
+#include "common/text_file.hpp"
 #include "localization/events/run_events.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::ofstream writable(const fs::path& path) {
-  std::ofstream file(path);
-  if (!file) throw opal::Error(path.string() + ": cannot be written");
-  return file;
-}
 
 void print_errors(const RunRecord& record, const opal::GroundTruth& truth) {
   if (record.rows.empty()) return;
@@ -51,7 +44,11 @@ void LocalizeRun::play(const std::vector<opal::LogRecord>& records, const std::v
   for (std::size_t k = 0; k < windows.size() && !playing.stop.stop_requested(); ++k) {
     Pace pace(playing.speed, playing.stop);
     RunObserver observer;
-    observer.ready = [&](double stamp_s) { return pace.wait_for(stamp_s); };
+    bool is_cut = false;
+    observer.ready = [&](double stamp_s) {
+      is_cut = !pace.wait_for(stamp_s);
+      return !is_cut;
+    };
     observer.progress = [&](double share) { bar.show((double(k) + share) / double(windows.size())); };
     observer.updated = [&](const RunRecord& so_far) {
       if (first_scan_drawn_ || so_far.last.hypotheses == 0) return;
@@ -63,7 +60,11 @@ void LocalizeRun::play(const std::vector<opal::LogRecord>& records, const std::v
     window.to_s = windows[k].end_s;
     opal::Replay replay(records, laser_, window);
     play_window(replay, windows[k], observer);
+    // Half a query would count as a whole one in the results; the events have it.
+    if (!is_cut || windows.size() == 1) all_.append(newest_);
+    finished_ += is_cut ? 0 : 1;
   }
+  unfinished_ = windows.size() - finished_;
 }
 
 void LocalizeRun::play_window(opal::Replay& replay, const opal::Query& window, const RunObserver& observer) {
@@ -73,16 +74,14 @@ void LocalizeRun::play_window(opal::Replay& replay, const opal::Query& window, c
   newest_ = run_log(localizer_, laser_, replay, window.id, observer);
   for (const auto& [cause, count] : replay.counts()) oddities_[cause] += count;
   answers_.push_back(answer_of(window.id, newest_, events_.why(), truth_));
-  all_.append(newest_);
   for (const opal::SensorFinding& finding : localizer_.sensor_findings())
     if (finding.verdict == opal::SensorFinding::Verdict::contradicted) contradictions_.push_back(finding.words);
 }
 
 void LocalizeRun::write(const fs::path& out) const {
-  auto tum = writable(out / "trajectory.tum");
-  opal::write_tum(tum, all_.trajectory);
-  auto results = writable(out / "results.csv");
-  opal::write_results(results, all_.rows);
+  opal::write_with((out / "trajectory.tum").string(),
+                   [&](std::ostream& file) { opal::write_tum(file, all_.trajectory); });
+  opal::write_with((out / "results.csv").string(), [&](std::ostream& file) { opal::write_results(file, all_.rows); });
   draw("at the end", newest_, out / "picture");
 }
 

@@ -42,9 +42,12 @@ class LocalizeRun {
   void play(const std::vector<opal::LogRecord>& records, const std::vector<opal::Query>& windows,
             const Playing& playing, const std::filesystem::path& out);
 
-  void write(const std::filesystem::path& out) const;  ///< trajectory, results, the last picture
-  void print() const;                                  ///< on stdout: when it was localized, then the answer
-  bool found() const { return all_.last.has_pose && all_.last.status != opal::Status::lost && contradictions_.empty(); }
+  /// Trajectory, results, the last picture. Of several windows, one that was cut is left out of the results.
+  void write(const std::filesystem::path& out) const;
+  void print() const;                                 ///< on stdout: when it was localized, then the answer
+  std::size_t finished() const { return finished_; }  ///< windows
+  bool complete() const { return unfinished_ == 0; }  ///< no window was cut or left out by a stop
+  bool found() const { return all_.last.has_pose && all_.last.status == opal::Status::localized && contradictions_.empty(); }
 
  private:
   void play_window(opal::Replay& replay, const opal::Query& window, const RunObserver& observer);
@@ -60,4 +63,5 @@ class LocalizeRun {
   std::map<std::string, int> oddities_;
   std::vector<std::string> contradictions_;  ///< of the sensor description by the drive
   bool first_scan_drawn_ = false;
+  std::size_t finished_ = 0, unfinished_ = 0;  // windows
 };

@@ -1,6 +1,7 @@
 #include "benchmark/cells/ab_manifest.hpp"
 #include "benchmark/cells/ab_report.hpp"
 #include "benchmark/runs/progress_bar.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
@@ -125,24 +126,24 @@ std::size_t jobs_of(const AbOptions& options) {
 int run(const AbOptions& options) {
   AbSession session(options);
   session.work(ab::read_shard(options.shard), jobs_of(options));
-  return session.collect() ? 0 : 1;
+  return session.collect() ? kDone : kNo;
 }
 
 int work(const AbOptions& options) {
   AbSession(options).work(ab::read_shard(options.shard), options.jobs > 0 ? jobs_of(options) : 1);
-  return 0;
+  return kDone;
 }
 
 int submit(const AbOptions& options) {
   const ab::SlurmJob job = AbSession(options).submit(options);
   std::cout << "submitted: job " << job.id << ", an array of " << job.tasks
             << " tasks; opal ab status, then collect, with the same words\n";
-  return 0;
+  return kDone;
 }
 
-int status(const AbOptions& options) { return AbSession(options).status() ? 0 : 1; }
+int status(const AbOptions& options) { return AbSession(options).status() ? kDone : kNo; }
 
-int collect(const AbOptions& options) { return AbSession(options).collect() ? 0 : 1; }
+int collect(const AbOptions& options) { return AbSession(options).collect() ? kDone : kNo; }
 
 void add_experiment(CLI::App& verb, AbOptions& options, bool required) {
   verb.add_option("EXPERIMENT", options.experiment,

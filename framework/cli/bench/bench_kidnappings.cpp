@@ -21,7 +21,7 @@ std::size_t restore_stamps(RunRecord& record, const opal::KidnappingLog& log) {
 }  // namespace
 
 KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const opal::GroundTruth& truth,
-                               const opal::KidnappingSequenceOptions& options) {
+                               const opal::KidnappingSequenceOptions& options, const std::stop_token& stop) {
   KidnappingRuns runs;
   for (const opal::KidnappingSequence& sequence :
        opal::draw_kidnapping_sequences(place.site.name, place.queries, truth, options)) {
@@ -33,7 +33,10 @@ KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& pla
       if (next == log.samples.end()) return std::nullopt;
       return *next++;
     };
-    RunRecord record = run_samples(localizer, place.deployment.laser, source, sequence.id);
+    const RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
+    RunRecord record = run_samples(localizer, place.deployment.laser, source, sequence.id, observer);
+    runs.is_cut = stop.stop_requested();
+    if (runs.is_cut) break;
     const std::size_t cut = restore_stamps(record, log);
     opal::KidnappingVerdict verdict = opal::judge_kidnapping(record.rows, cut, truth);
     verdict.id = sequence.id;

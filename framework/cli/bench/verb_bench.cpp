@@ -1,15 +1,20 @@
 #include "benchmark/runs/quantile.hpp"
 #include "cli/bench/bench_kidnappings.hpp"
 #include "cli/options/damage_options.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/join_options.hpp"
 #include "cli/options/overlay_options.hpp"
+#include "cli/options/run_products.hpp"
 #include "cli/options/verbs.hpp"
+#include "cli/terminal/run_end.hpp"
+#include "cli/terminal/stop_signals.hpp"
 #include "evaluation/place_verdict.hpp"
 #include "session/overlays.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/text_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,7 +22,6 @@
 #include <sys/resource.h>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <numeric>
 
@@ -90,22 +94,31 @@ std::string cost_text(const nlohmann::ordered_json& summary) {
   return text;
 }
 
-std::ofstream writable(const fs::path& path) {
-  std::ofstream file(path);
-  if (!file) throw opal::Error(path.string() + ": cannot be written");
-  return file;
-}
-
-RunRecord run_queries(opal::Localizer& localizer, const BenchPlace& place) {
+/// What was run of a place before a stop was asked for; what had begun then is left out.
+struct PlaceRun {
   RunRecord all;
-  for (const opal::Query& query : place.queries) all.append(run_query(localizer, place, query));
-  return all;
+  std::size_t finished = 0;  ///< queries or kidnappings
+  bool is_cut = false;
+};
+
+PlaceRun run_queries(opal::Localizer& localizer, const BenchPlace& place, const std::stop_token& stop) {
+  const RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
+  PlaceRun run;
+  for (const opal::Query& query : place.queries) {
+    const RunRecord record = run_query(localizer, place, query, observer);
+    run.is_cut = stop.stop_requested();
+    if (run.is_cut) break;
+    run.all.append(record);
+    ++run.finished;
+  }
+  return run;
 }
 
-KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options) {
+KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options,
+                               const std::stop_token& stop) {
   opal::KidnappingSequenceOptions sequences = options.sequences;
   sequences.seed = *options.sequence;
-  return run_kidnappings(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), sequences);
+  return run_kidnappings(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), sequences, stop);
 }
 
 /// Where the results of a place go.
@@ -119,9 +132,9 @@ void write_record(RunRecord& all, const BenchSite& site, const BenchFiles& files
   const opal::Pose2 T_site_map = site.T_map_site.inverse();
   for (opal::ResultRow& row : all.rows) row.T_map_laser = T_site_map * row.T_map_laser;
   for (opal::AlternativeRow& row : all.alternatives) row.T_map_laser = T_site_map * row.T_map_laser;
-  auto results = writable(files.results), alternatives = writable(files.folder / "alternatives.csv");
-  opal::write_results(results, all.rows);
-  opal::write_alternatives(alternatives, all.alternatives);
+  opal::write_with(files.results.string(), [&](std::ostream& out) { opal::write_results(out, all.rows); });
+  opal::write_with((files.folder / "alternatives.csv").string(),
+                   [&](std::ostream& out) { opal::write_alternatives(out, all.alternatives); });
 }
 
 /// Judges the rows of all queries, in the frame of the place's own map, if the place has a recorded truth.
@@ -136,37 +149,45 @@ struct PlaceReport {
   nlohmann::ordered_json summary;
   std::string text;  ///< for people: did it work, then the costs
   std::optional<opal::PlaceVerdict> verdict;
+  bool is_cut = false;  ///< by a stop
 };
 
-/// All queries of a place, or as many kidnappings.
+PlaceRun run_and_judge_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options,
+                                   const BenchFiles& files, const std::stop_token& stop, PlaceReport& report) {
+  KidnappingRuns runs = run_kidnappings(localizer, place, options, stop);
+  opal::write_with((files.folder / "kidnappings.csv").string(),
+                   [&](std::ostream& out) { opal::write_kidnappings(out, runs.verdicts); });
+  report.text = opal::summary_of(runs.verdicts);
+  return {std::move(runs.all), runs.verdicts.size(), runs.is_cut};
+}
+
+/// Says whether queries succeeded, where their truth is recorded.
+void judge(const BenchPlace& place, const PlaceRun& run, PlaceReport& report) {
+  report.verdict = judged(place, run.all);
+  if (!report.verdict) {
+    report.text = "not judged: there is no recorded truth in " + place.site.prefix + ".gt.csv\n";
+    return;
+  }
+  report.text = summary_of(*report.verdict);
+  report.summary["verdict"] = to_json(*report.verdict);
+}
+
+/// All queries of a place, or as many kidnappings, as far as no stop is asked for.
 PlaceReport run_place(const BenchPlace& place, const opal::PluginRegistry& registry, const BenchOptions& options,
-                      const BenchFiles& files) {
+                      const BenchFiles& files, const std::stop_token& stop) {
   const double before_mb = allocated_mb();
   opal::Localizer localizer(opal::build_parts(place.deployment, registry, place.site.map));
-  BenchCost cost{place.queries.size(), place.site.import_s, allocated_mb() - before_mb};
-  RunRecord all;
+  const double localizer_mb = allocated_mb() - before_mb;
   PlaceReport report;
-  if (options.sequence) {
-    KidnappingRuns kidnapped = run_kidnappings(localizer, place, options);
-    auto sequences = writable(files.folder / "kidnappings.csv");
-    opal::write_kidnappings(sequences, kidnapped.verdicts);
-    report.text = opal::summary_of(kidnapped.verdicts);
-    cost.queries = kidnapped.verdicts.size();
-    all = std::move(kidnapped.all);
-  } else {
-    all = run_queries(localizer, place);
-  }
-  write_record(all, place.site, files);
-  report.summary = summarize(all, cost);
+  PlaceRun run = options.sequence ? run_and_judge_kidnappings(localizer, place, options, files, stop, report)
+                                  : run_queries(localizer, place, stop);
+  report.is_cut = run.is_cut;
+  write_record(run.all, place.site, files);
+  report.summary = summarize(run.all, {run.finished, place.site.import_s, localizer_mb});
   report.summary["site"] = fs::absolute(place.site.prefix).lexically_normal().string();
-  if (!options.sequence) report.verdict = judged(place, all);
-  if (report.verdict) {
-    report.text = summary_of(*report.verdict);
-    report.summary["verdict"] = to_json(*report.verdict);
-  } else if (!options.sequence) {
-    report.text = "not judged: there is no recorded truth in " + place.site.prefix + ".gt.csv\n";
-  }
+  if (!options.sequence && !run.is_cut) judge(place, run, report);
   report.text += cost_text(report.summary);
+  opal::write_text((files.folder / "summary.json").string(), report.summary.dump(2) + '\n');
   return report;
 }
 
@@ -183,34 +204,81 @@ void lay_overlays(std::vector<BenchSite>& sites, const std::vector<std::string>&
   sites.front().map = with_overlays(sites.front().map, files);
 }
 
-int bench(const BenchOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+opal::MapJoin join_of(const BenchOptions& options) {
   opal::MapJoin join = options.join.join;
   join.seed = options.damage.seed;
   if (join.copies > 0 && !options.joined) throw opal::ConfigError("bench: --copies without --join");
   if (options.sequence && options.joined) throw opal::ConfigError("bench: --kidnap with --join, expected one of them");
+  return join;
+}
+
+std::vector<BenchSite> sites_of(const BenchOptions& options, const opal::PluginRegistry& registry,
+                                const opal::Deployment& deployment) {
+  const opal::MapJoin join = join_of(options);
   std::vector<BenchSite> sites = load_sites(registry, options.prefixes, options.damage.asked());
   std::vector<std::string> overlays = deployment.overlays;
   overlays.insert(overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
   lay_overlays(sites, overlays, options.damage);
   if (options.joined) join_sites(sites, join);
+  return sites;
+}
+
+/// Of all places; each has a folder of its own if there are several.
+std::vector<std::string> products_of(const std::vector<BenchSite>& sites) {
+  std::vector<std::string> names = run_products();
+  for (const BenchSite& site : sites) names.push_back(site.name + ".csv");
+  return names;
+}
+
+/// One of several places.
+PlaceReport run_in_own_folder(const BenchPlace& place, const opal::PluginRegistry& registry, const BenchOptions& options,
+                       const StopSignals& signals) {
   const fs::path out = options.out;
-  const bool single = sites.size() == 1;
+  opal::OutputFolder folder(out / place.site.name, "opal bench", run_products());
+  const BenchFiles files{out / (place.site.name + ".csv"), folder.path()};
+  PlaceReport report = run_place(place, registry, options, files, signals.token());
+  if (report.is_cut)
+    folder.interrupt(signals.signal());
+  else
+    folder.finish();
+  return report;
+}
+
+/// All places one after the other until a stop is asked for. @return whether one was cut.
+bool run_places(const std::vector<BenchSite>& sites, const opal::Deployment& deployment,
+                const opal::PluginRegistry& registry, const BenchOptions& options, const StopSignals& signals) {
   opal::PlaceVerdict all;
   for (const BenchSite& site : sites) {
-    const fs::path folder = single ? out : out / site.name;
-    fs::create_directories(folder);
-    const BenchFiles files{single ? out / "results.csv" : out / (site.name + ".csv"), folder};
-    const auto report = run_place(read_bench_place(registry, site, deployment), registry, options, files);
-    writable(folder / "summary.json") << report.summary.dump(2) << '\n';
-    std::cout << (single ? "" : site.name + "\n") << report.text << std::flush;
+    const PlaceReport report =
+        run_in_own_folder(read_bench_place(registry, site, deployment), registry, options, signals);
+    std::cout << site.name << '\n' << report.text << std::flush;
+    if (report.is_cut) return true;
     if (report.verdict) all.add(*report.verdict);
   }
   print_totals(all, sites.size());
-  std::cout << "written to " << out.string() << ": " << (single ? "results.csv" : "NAME.csv")
+  return false;
+}
+
+int bench(const BenchOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+  const std::vector<BenchSite> sites = sites_of(options, registry, deployment);
+  std::vector<BenchPlace> places;
+  if (sites.size() == 1) places.push_back(read_bench_place(registry, sites.front(), deployment));
+  const StopSignals signals;
+  opal::OutputFolder folder(options.out, "opal bench", products_of(sites));
+  bool is_cut = false;
+  if (sites.size() == 1) {
+    const BenchFiles files{folder.file("results.csv"), folder.path()};
+    const PlaceReport report = run_place(places.front(), registry, options, files, signals.token());
+    std::cout << report.text << std::flush;
+    is_cut = report.is_cut;
+  } else {
+    is_cut = run_places(sites, deployment, registry, options, signals);
+  }
+  std::cout << "written to " << options.out << ": " << (sites.size() == 1 ? "results.csv" : "NAME.csv")
             << ", alternatives.csv and summary.json\n";
-  return 0;
+  return end_run(folder, is_cut ? signals.signal() : 0, kDone);
 }
 
 }  // namespace

@@ -1,20 +1,20 @@
 #include "cli/calibration/judged_runs.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 
 #include <opal/common/error.hpp>
 #include "common/text_file.hpp"
 #include "drawing/reliability_diagram.hpp"
 #include "evaluation/calibration.hpp"
+#include "output/output_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <iostream>
 #include <numbers>
 
 namespace {
 
-namespace fs = std::filesystem;
 using opal::Weighting;
 constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
 
@@ -68,21 +68,26 @@ void print_flags(const JudgedRuns& runs) {
 
 int calibrate(const CalibrationOptions& options) {
   JudgedRuns runs;
-  for (const std::string& run : options.runs) runs.add(run, options.truth, options.right);
+  for (const std::string& run : options.runs) {
+    if (const std::string note = opal::unfinished_note(run); !note.empty())
+      std::cerr << "opal: " << run << ": " << note << '\n';
+    runs.add(run, options.truth, options.right);
+  }
   print_flags(runs);
   print("the best place is right", runs.best);
   print("a place is right, best or alternative", runs.places);
   print("none of the places is right", runs.none);
-  if (options.out.empty()) return 0;
-  const fs::path out(options.out);
-  fs::create_directories(out);
-  opal::write_text((out / "calibration.json").string(), json_of(runs).dump(2) + '\n');
+  if (options.out.empty()) return kDone;
+  opal::OutputFolder folder(options.out, "opal calibration",
+                            {"calibration.json", "reliability.svg", "reliability.png"});
+  opal::write_text(folder.file("calibration.json"), json_of(runs).dump(2) + '\n');
   const opal::Calibration best = calibration_of(runs.best, Weighting::per_statement);
   const std::string title = "The best place is right: said and come true";
-  write_reliability_svg(best, title, (out / "reliability.svg").string());
-  write_reliability_png(best, title, (out / "reliability.png").string());
-  std::cout << "written: calibration.json, reliability.svg and reliability.png in " << out.string() << '\n';
-  return 0;
+  write_reliability_svg(best, title, folder.file("reliability.svg"));
+  write_reliability_png(best, title, folder.file("reliability.png"));
+  std::cout << "written: calibration.json, reliability.svg and reliability.png in " << options.out << '\n';
+  folder.finish();
+  return kDone;
 }
 
 }  // namespace

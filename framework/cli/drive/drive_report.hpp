@@ -26,6 +26,7 @@ class DriveReport {
 
   void add(const DriveTask& task, const opal::DriveRecord& record);
   void write() const;
+  std::size_t drives() const { return runs_.size(); }
   bool all_reached() const { return reached_ == static_cast<int>(runs_.size()); }
 
  private:

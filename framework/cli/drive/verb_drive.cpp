@@ -1,6 +1,9 @@
 #include "cli/drive/drive_report.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
+#include "cli/terminal/run_end.hpp"
+#include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
@@ -11,7 +14,6 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
 
-#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -93,7 +95,9 @@ class DriveRecording {
     recording_.distances_m.push_back(driven_m);
     begin_s_ = end_s_ + kPause_s;
   }
-  void write(const std::string& prefix, const opal::SemanticMap& map) const {
+  /// Of the drives that ended.
+  void write(const std::string& prefix, const opal::SemanticMap& map) {
+    std::erase_if(recording_.scans, [&](const sim::RecordedScan& scan) { return scan.scan.stamp_s >= begin_s_; });
     sim::write_recorded_place(recording_, map, prefix);
   }
 
@@ -102,50 +106,71 @@ class DriveRecording {
   double begin_s_ = 0, end_s_ = 0;
 };
 
-int drive(DriveVerbOptions options) {
+/// Where a robot drives, and by what.
+struct DriveSetup {
+  opal::PluginRegistry plugins;
+  opal::Deployment deployment;
+  std::shared_ptr<const opal::SemanticMap> map;
+  std::unique_ptr<behaviours::Localization> localization;
+  std::string trees;
+};
+
+DriveSetup set_up(DriveVerbOptions& options) {
   options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
-  const opal::PluginRegistry registry = load_plugins();
-  opal::Deployment deployment = opal::read_deployment(config_file(options.config));
-  options.take_laser(deployment);
-  deployment.laser = options.world.laser;
-  deployment.map = options.map;
-  const auto map = load_map(registry, deployment);
-  options.furnish(registry, *map);
-  std::unique_ptr<behaviours::Localization> localization;
+  DriveSetup setup{load_plugins(), opal::read_deployment(config_file(options.config)), {}, {}, {}};
+  options.take_laser(setup.deployment);
+  setup.deployment.laser = options.world.laser;
+  setup.deployment.map = options.map;
+  setup.map = load_map(setup.plugins, setup.deployment);
+  options.furnish(setup.plugins, *setup.map);
   if (options.localizer.empty())
-    localization = std::make_unique<OwnLocalization>(
-        std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.laser);
+    setup.localization = std::make_unique<OwnLocalization>(
+        std::make_unique<opal::Localizer>(opal::build_parts(setup.deployment, setup.plugins, setup.map)),
+        setup.deployment.laser);
   else
-    localization = connected(options.localizer, deployment.laser, *map);
-  const opal::FloorGrid floor = behaviours::mapped_floor(localization->map(), 0.8 * options.world.robot_radius_m);
-  const std::string trees = config_file(options.trees.empty() ? "behaviours" : options.trees);
-  const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
-  behaviours::read_tree(nodes, trees, options.behaviour);  // before anything is written
-  if (options.behaviour.empty()) options.behaviour = behaviours::first_tree(trees);
+    setup.localization = connected(options.localizer, setup.deployment.laser, *setup.map);
+  setup.trees = config_file(options.trees.empty() ? "behaviours" : options.trees);
+  behaviours::read_tree(behaviours::standard_nodes(), setup.trees, options.behaviour);  // before anything is written
+  if (options.behaviour.empty()) options.behaviour = behaviours::first_tree(setup.trees);
+  return setup;
+}
 
-  std::filesystem::create_directories(options.out);
-  DriveReport report(map, options.behaviour, options.out);
-  DriveRecording recording(deployment.laser);
-  if (!options.record.empty())
-    options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) {
-      recording.witness(scan, T_map_base);
-    };
+/// Drives one after the other until a stop is asked for; a drive that it cuts is left out.
+void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report, DriveRecording& recording) {
+  const opal::FloorGrid floor = behaviours::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m);
+  const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
-    sim::Simulation simulation(map, options.world, seed);
+    sim::Simulation simulation(setup.map, options.world, seed);
     const DriveTask task = task_of(options, simulation, floor, seed);
-    const auto tree = behaviours::read_tree(nodes, trees, options.behaviour);
+    const auto tree = behaviours::read_tree(nodes, setup.trees, options.behaviour);
     const opal::DriveRecord record =
-        opal::drive_to_goal(simulation, *localization, floor, *tree, task.goal, options.loop);
+        opal::drive_to_goal(simulation, *setup.localization, floor, *tree, task.goal, options.loop);
+    if (options.loop.stop.stop_requested()) return;
     report.add(task, record);
     if (!options.record.empty()) recording.end_drive(seed, record.driven_m);
     if (record.unanswered_scans > 0)
       std::cerr << "localization did not answer for " << record.unanswered_scans << " scans; the robot stood still\n";
   }
+}
+
+int drive(DriveVerbOptions options) {
+  DriveSetup setup = set_up(options);
+  const StopSignals signals;
+  options.loop.stop = signals.token();
+  opal::OutputFolder folder(options.out, "opal drive", {"summary.json", "drive_*.svg", "drive_*.png"});
+  DriveReport report(setup.map, options.behaviour, folder.path());
+  DriveRecording recording(setup.deployment.laser);
+  if (!options.record.empty())
+    options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) {
+      recording.witness(scan, T_map_base);
+    };
+  drive_all(options, setup, report, recording);
   report.write();
-  if (!options.record.empty()) recording.write(options.record, *map);
-  return report.all_reached() ? 0 : 1;
+  if (!options.record.empty() && report.drives() > 0) recording.write(options.record, *setup.map);
+  const bool is_cut = report.drives() < static_cast<std::size_t>(options.runs);
+  return end_run(folder, is_cut ? signals.signal() : 0, report.all_reached() ? kDone : kNo);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include "benchmark/runs/progress_bar.hpp"
 #include "cli/experiment/experiment_contenders.hpp"
 #include "cli/experiment/experiment_output.hpp"
+#include "cli/options/exit_code.hpp"
+#include "cli/terminal/run_end.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
 
@@ -10,6 +12,7 @@
 #include "benchmark/experiments/kit/in_parallel.hpp"
 
 #include "common/text_file.hpp"
+#include "common/whole_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -66,14 +69,13 @@ std::string command_of(const BuildingsVerbOptions& o, bool with_choice) {
   return command.str();
 }
 
-std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options,
-                                           const std::vector<SuiteBuilding>& suite) {
+std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, const std::vector<SuiteBuilding>& suite,
+                                           const std::stop_token& stop) {
   const opal::PluginRegistry registry = load_plugins();
   experiments::BuildingsOptions runs = options.runs;
   runs.contenders = contenders(options.configs);
-  if (options.record) fs::create_directories(runs.recordings = (fs::path(options.out) / "recordings").string());
+  if (options.record) opal::make_folder(runs.recordings = (fs::path(options.out) / "recordings").string());
   std::vector<std::vector<experiments::BuildingRuns>> parts(suite.size());
-  const StopSignals signals;  // before other threads
   ProgressBar bar;
   std::mutex counting;
   double finished = 0;
@@ -82,7 +84,7 @@ std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options,
     const std::lock_guard lock(counting);
     bar.show(++finished / static_cast<double>(suite.size()));
   };
-  experiments::in_parallel(suite.size(), options.jobs, run, signals.token());
+  experiments::in_parallel(suite.size(), options.jobs, run, stop);
   return done(std::move(parts));
 }
 
@@ -98,14 +100,17 @@ void write(const experiments::BuildingsExperiment& experiment, const fs::path& o
 int buildings(const BuildingsVerbOptions& options) {
   const std::vector<SuiteBuilding> suite = chosen(building_suite(options.suite), options.only);
   chosen(opal::simulation::thesis3_challenges(), options.runs.challenges);  // all of them are there
-  fs::create_directories(options.out);
+  const StopSignals signals;                                                // before other threads
+  opal::OutputFolder folder(options.out, "opal experiment buildings", {"buildings.json", "table.txt", "report.html"});
   experiments::BuildingsExperiment experiment;
   experiment.command = command_of(options, true);
   experiment.run_command = command_of(options, false);
-  experiment.buildings = run(options, suite);
+  experiment.buildings = run(options, suite, signals.token());
+  const int signal = experiment.buildings.size() < suite.size() ? signals.signal() : 0;
+  if (experiment.buildings.empty()) return end_run(folder, signal, kDone);
   experiment.groups = groups_of(experiment.buildings);
   write(experiment, options.out);
-  return 0;
+  return end_run(folder, signal, kDone);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "benchmark/experiments/kit/table.hpp"
+#include "cli/terminal/stop_signals.hpp"
 
-#include <opal/common/error.hpp>
 #include "common/text_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,19 @@
 #include <sstream>
 #include <vector>
 
-/// All that was done. @throws opal::Error if nothing was.
+/// What the experiments of the thesis leave in their folder.
+inline std::vector<std::string> experiment_products() {
+  return {"runs.csv", "table.txt", "summary.json", "report.html"};
+}
+
+/// The signal that has left some part undone; 0 if all are done.
+template <class Run>
+int cut_by(const StopSignals& signals, const std::vector<std::vector<Run>>& parts) {
+  const bool is_whole = std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
+  return is_whole ? 0 : signals.signal();
+}
+
+/// All that was done; says so if a stop has left some undone.
 template <class Run>
 std::vector<Run> done(std::vector<std::vector<Run>> parts) {
   std::vector<Run> runs;
@@ -22,7 +34,6 @@ std::vector<Run> done(std::vector<std::vector<Run>> parts) {
     std::cerr << "stopped: " << undone << " of " << parts.size()
               << " runs were not done, what follows is of the others\n";
   for (std::vector<Run>& part : parts) std::move(part.begin(), part.end(), std::back_inserter(runs));
-  if (runs.empty()) throw opal::Error("experiment: stopped before the first run was done");
   return runs;
 }
 

@@ -1,5 +1,7 @@
 #include "cli/experiment/experiment_contenders.hpp"
 #include "cli/experiment/experiment_output.hpp"
+#include "cli/options/exit_code.hpp"
+#include "cli/terminal/run_end.hpp"
 #include "cli/terminal/stop_signals.hpp"
 
 #include "benchmark/experiments/challenges/baseline.hpp"
@@ -7,6 +9,7 @@
 #include "benchmark/experiments/kit/in_parallel.hpp"
 #include "benchmark/experiments/kit/thesis_robot.hpp"
 
+#include "common/whole_file.hpp"
 #include "map_tools/map_raster.hpp"
 
 namespace {
@@ -28,7 +31,7 @@ class Challenges {
     for (const std::string& program : options.baselines)
       baselines_.push_back({program, fs::path(program).stem().string()});
     if (!keeps_logs()) return;
-    fs::create_directories(logs_);
+    opal::make_folder(logs_.string());
     opal::write_raster(opal::rasterized(*map_), grid());
   }
 
@@ -66,9 +69,9 @@ class Challenges {
 
 int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegistry& registry) {
   const std::vector<sim::Challenge> challenges = chosen(sim::thesis3_challenges(), options.only);
-  fs::create_directories(options.out);
-  const Challenges experiment(options, registry);
   const StopSignals signals;
+  opal::OutputFolder folder(options.out, "opal experiment thesis3", experiment_products());
+  const Challenges experiment(options, registry);
   const std::size_t each = challenges.size();
   std::vector<std::vector<ChallengeRun>> parts(each * static_cast<std::size_t>(options.seeds));
   const auto run = [&](std::size_t k) {
@@ -76,8 +79,10 @@ int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegis
     std::cerr << challenges[k % each].id + " seed " + std::to_string(k / each + 1) + " done\n";
   };
   in_parallel(parts.size(), options.jobs, run, signals.token());
+  const int signal = cut_by(signals, parts);
   const std::vector<ChallengeRun> runs = done(std::move(parts));
+  if (runs.empty()) return end_run(folder, signal, kDone);
   write_experiment(options.out, std::span<const ChallengeRun>(runs), challenge_table(runs), challenge_summary(runs),
                    challenge_page(experiment.map(), runs));
-  return 0;
+  return end_run(folder, signal, kDone);
 }

@@ -1,5 +1,7 @@
 #include "cli/experiment/experiment_contenders.hpp"
 #include "cli/experiment/experiment_output.hpp"
+#include "cli/options/exit_code.hpp"
+#include "cli/terminal/run_end.hpp"
 #include "cli/terminal/stop_signals.hpp"
 
 #include "benchmark/experiments/goals/goal_report.hpp"
@@ -49,8 +51,8 @@ int experiment_thesis4(const ExperimentOptions& options, const opal::PluginRegis
   const GoalExperiment experiment = setting(options, registry);
   const std::vector<Contender> all = drivers(options, experiment.trees);
   const std::vector<GoalTask> tasks = chosen(thesis4_tasks(), options.only);
-  std::filesystem::create_directories(options.out);
   const StopSignals signals;
+  opal::OutputFolder folder(options.out, "opal experiment thesis4", experiment_products());
   const std::size_t each = all.size() * tasks.size();
   std::vector<std::vector<GoalRun>> parts(each * static_cast<std::size_t>(options.seeds));
   const auto run = [&](std::size_t k) {
@@ -58,8 +60,10 @@ int experiment_thesis4(const ExperimentOptions& options, const opal::PluginRegis
     std::cerr << line_of(parts[k].front());
   };
   in_parallel(parts.size(), options.jobs, run, signals.token());
+  const int signal = cut_by(signals, parts);
   const std::vector<GoalRun> runs = done(std::move(parts));
+  if (runs.empty()) return end_run(folder, signal, kDone);
   write_experiment(options.out, std::span<const GoalRun>(runs), goal_table(runs), goal_summary(runs),
                    goal_page(*experiment.map, runs));
-  return 0;
+  return end_run(folder, signal, kDone);
 }

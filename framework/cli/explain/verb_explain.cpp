@@ -1,3 +1,4 @@
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 
 #include "report/quantity_text.hpp"
@@ -66,7 +67,7 @@ int explain(const ExplainOptions& options) {
   const auto sentences = explainer->explanation();
   options.as_json ? print_json(newest, sentences) : print_text(newest, sentences);
   for (const std::string& note : reading.notes) std::cerr << "opal: " << options.out << ": " << note << '\n';
-  return 0;
+  return kDone;
 }
 
 }  // namespace

@@ -1,15 +1,19 @@
+#include "benchmark/runs/event_file.hpp"
 #include "benchmark/runs/localize_run.hpp"
+#include "benchmark/runs/recorded_log.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/log_run_options.hpp"
+#include "cli/options/run_products.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/terminal/live_view.hpp"
+#include "cli/terminal/run_end.hpp"
+#include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
 
-#include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
 #include "localization/events/run_events.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
 namespace {
@@ -22,45 +26,62 @@ struct LocalizeOptions : LogRunOptions {
   double speed = 0;
 };
 
-std::ofstream event_file(const fs::path& out) {
-  fs::create_directories(out);
-  std::ofstream file(out / "events.jsonl");
-  if (!file) throw opal::Error((out / "events.jsonl").string() + ": cannot be written");
-  return file;
+/// What was asked for, ready to run.
+struct LocalizeSetup {
+  opal::PluginRegistry plugins;
+  opal::Deployment deployment;
+  RecordedLog log;
+  std::vector<opal::Query> windows;
+  std::optional<opal::GroundTruth> truth;
+  opal::LocalizerParts parts;
+};
+
+LocalizeSetup set_up(const LocalizeOptions& options) {
+  LocalizeSetup setup{load_plugins(), options.deployment(), {}, {}, {}, {}};
+  const auto map = load_map(setup.plugins, setup.deployment);
+  setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
+  setup.deployment.laser = options.laser_of(setup.log.records, setup.deployment.laser);
+  setup.windows = options.windows();
+  if (!options.queries.empty()) expect_scans(setup.windows, setup.log, options.queries);
+  if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
+  if (setup.truth) expect_overlap(*setup.truth, setup.log, options.truth);
+  setup.parts = opal::build_parts(setup.deployment, setup.plugins, map);
+  return setup;
+}
+
+void tell(const LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
+  run.print();
+  for (const auto& [cause, count] : setup.log.defects) std::printf("log: %s: %d times\n", cause.c_str(), count);
+  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.laser)) std::printf("log: %s\n", doubt.c_str());
+  std::printf("written to %s: trajectory.tum, results.csv, events.jsonl, first_scan and picture as .svg and .png\n",
+              out.c_str());
+  if (!run.complete() && setup.windows.size() > 1)
+    std::printf("%zu of %zu queries were finished; results.csv holds these\n", run.finished(), setup.windows.size());
 }
 
 int localize(const LocalizeOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  opal::Deployment deployment = options.deployment();
-  const auto map = load_map(registry, deployment);
-  const auto reader = open_log(registry, options.log, deployment, options.log_words);
-  const std::vector<opal::LogRecord> records = opal::read_all(*reader);
-  deployment.laser = options.laser_of(records, deployment.laser);
-  const std::vector<opal::Query> windows = options.windows();
-  const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
-
+  const LocalizeSetup setup = set_up(options);
+  const StopSignals signals;  // before other threads
   std::optional<LiveView> live;
-  if (options.serve) live.emplace(options.port);
-  std::ofstream file = event_file(options.out);
-  opal::JsonLinesSink recorder(file);
+  if (options.serve) live.emplace(options.port, signals.token());
+  opal::OutputFolder folder(options.out, "opal localize", run_products());
+  EventFile recorder(folder.file("events.jsonl"));
   opal::NullEventSink nobody;
   EventSplitter listeners(recorder, live ? live->events() : nobody);
   LastReason events(listeners);
-  events.write(opal::run_event({options.log, options.config, deployment.map}, parts.laser));
-  events.write(opal::map_event(*parts.map));
+  events.write(opal::run_event({options.log, options.config, setup.deployment.map}, setup.parts.laser));
+  events.write(opal::map_event(*setup.parts.map));
 
-  opal::Localizer localizer(parts, &events);
-  LocalizeRun run(localizer, deployment.laser, events, fs::path(options.log).filename().string());
-  if (!options.truth.empty()) run.set_truth(opal::GroundTruth::read(options.truth));
-  run.play(records, windows, {options.speed, live ? live->stop() : std::stop_token()}, options.out);
-  file.close();
-  run.write(options.out);
-  run.print();
-  for (const auto& [cause, count] : reader->defects()) std::printf("log: %s: %d times\n", cause.c_str(), count);
-  std::printf("written to %s: trajectory.tum, results.csv, events.jsonl, first_scan and picture as .svg and .png\n",
-              options.out.c_str());
+  opal::Localizer localizer(setup.parts, &events);
+  LocalizeRun run(localizer, setup.deployment.laser, events, fs::path(options.log).filename().string());
+  if (setup.truth) run.set_truth(*setup.truth);
+  run.play(setup.log.records, setup.windows, {options.speed, signals.token()}, folder.path());
+  recorder.finish();
+  run.write(folder.path());
+  tell(run, setup, options.out);
+  const int exit_code = end_run(folder, run.complete() ? 0 : signals.signal(), run.found() ? kDone : kNo);
   if (live) live->end();
-  return run.found() ? 0 : 1;
+  return exit_code;
 }
 
 void add_live_options(CLI::App& verb, const std::shared_ptr<LocalizeOptions>& options) {

@@ -1,4 +1,5 @@
 #include "cli/map/map_fleet.hpp"
+#include "cli/options/exit_code.hpp"
 #include "session/session.hpp"
 
 #include "map/check/map_diff.hpp"
@@ -20,7 +21,7 @@ int diff(const DiffOptions& options) {
   const std::size_t shown = options.summary ? sentences.size() - diff.changes.size() : sentences.size();
   for (std::size_t k = 0; k < shown; ++k) std::cout << sentences[k] << '\n';
   if (diff.empty()) std::cout << "no difference\n";
-  return diff.empty() ? 0 : 1;
+  return diff.empty() ? kDone : kNo;
 }
 
 }  // namespace

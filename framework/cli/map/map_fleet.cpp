@@ -1,4 +1,5 @@
 #include "cli/map/map_fleet.hpp"
+#include "cli/options/exit_code.hpp"
 
 #include "session/session.hpp"
 #include "session/stored_maps.hpp"
@@ -25,10 +26,10 @@ int push(const PushOptions& options) {
     const opal::StoredVersion version = store->push(*map, options.push);
     std::cout << "pushed: " << described(version) << "; " << version.features << " features, to " << store->where()
               << '\n';
-    return 0;
+    return kDone;
   } catch (const opal::StoreConflict& conflict) {
     std::cerr << "opal: " << conflict.what() << '\n';
-    return 1;
+    return kNo;
   }
 }
 
@@ -57,7 +58,7 @@ int pull(const PullOptions& options) {
   opal::write_map(*map, options.out);
   std::cout << "pulled: " << described(stored.version) << "; " << stored.version.features << " features, from "
             << store->where() << "\nwritten: " << options.out << '\n';
-  return 0;
+  return kDone;
 }
 
 void add_pull(CLI::App& map, int& exit_code) {
@@ -97,7 +98,7 @@ int list(const std::string& building) {
   const std::vector<opal::StoredVersion> versions = store->list(building);
   if (versions.empty()) {
     std::cout << store->where() << ": no map" << (building.empty() ? "" : " of building '" + building + "'") << '\n';
-    return 1;
+    return kNo;
   }
   std::vector<std::vector<std::string>> rows{
       {"building", "version", "pushed at", "by", "objects", "features", "patterns", "message"}};
@@ -106,7 +107,7 @@ int list(const std::string& building) {
                     std::to_string(version.objects), std::to_string(version.features), std::to_string(version.patterns),
                     first_line(version.message)});
   print_table(rows);
-  return 0;
+  return kDone;
 }
 
 void add_list(CLI::App& map, int& exit_code) {

@@ -1,4 +1,5 @@
 #include "cli/map/map_frame.hpp"
+#include "cli/options/exit_code.hpp"
 
 #include "session/session.hpp"
 
@@ -34,7 +35,7 @@ int frame(const FrameVerbOptions& options) {
     opal::write_text(options.out, framed.dump(1) + '\n');
     std::cout << "written: " << options.out << ", " << matches << (matches == 1 ? " match\n" : " matches\n");
   }
-  return matches == 0 ? 1 : 0;
+  return matches == 0 ? kNo : kDone;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "cli/map/map_generate.hpp"
+#include "cli/options/exit_code.hpp"
 
 #include <opal/common/error.hpp>
 #include "drawing/drawing.hpp"
@@ -48,7 +49,7 @@ int generate(const GenerateOptions& options) {
   scene.map = building.map;
   if (!options.svg.empty()) opal::write_svg(scene, options.svg);
   if (!options.png.empty()) opal::write_png(scene, options.png);
-  return 0;
+  return kDone;
 }
 
 }  // namespace

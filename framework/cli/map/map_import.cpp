@@ -1,4 +1,5 @@
 #include "cli/map/map_import.hpp"
+#include "cli/options/exit_code.hpp"
 
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
@@ -52,7 +53,14 @@ void draw(const opal::MapImport& imported, const ImportOptions& options) {
   if (!options.png.empty()) opal::write_png(scene, options.png);
 }
 
+void expect_other_file(const std::string& source, const std::string& out) {
+  std::error_code absent;
+  if (std::filesystem::equivalent(source, out, absent))
+    throw opal::ConfigError(out + ": is the source that is imported, expected another file to write (.jsonld)");
+}
+
 int import(const ImportOptions& options) {
+  expect_other_file(options.source, options.out);
   const opal::PluginRegistry registry = load_plugins();
   const opal::RegisteredType& importer = importer_of(registry, options.source);
   const opal::MapImport imported = import_map(registry, options.source, options_for(importer, registry, options));
@@ -60,7 +68,7 @@ int import(const ImportOptions& options) {
   std::cout << text_of(imported.report) << "written: " << options.out << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
   draw(imported, options);
-  return 0;
+  return kDone;
 }
 
 void print(const opal::Storey& storey) {
@@ -79,7 +87,7 @@ int storeys(const std::string& source, const ImportOptions& options) {
   const std::vector<opal::Storey> levels = importer->storeys(source);
   if (levels.empty()) std::cout << source << ": has no storeys\n";
   for (const opal::Storey& level : levels) print(level);
-  return levels.empty() ? 1 : 0;
+  return levels.empty() ? kNo : kDone;
 }
 
 void add_choices(CLI::App& verb, ImportOptions& options) {

@@ -1,4 +1,5 @@
 #include "cli/map/map_overlay.hpp"
+#include "cli/options/exit_code.hpp"
 
 #include "session/session.hpp"
 
@@ -36,7 +37,7 @@ int overlay(const OverlayVerbOptions& options) {
   opal::write_map(*overlaid.map, options.out);
   std::cout << "written: " << options.out << '\n';
   draw(overlaid.map, options);
-  return overlaid.doubts.empty() ? 0 : 1;
+  return overlaid.doubts.empty() ? kDone : kNo;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "cli/map/map_patterns.hpp"
+#include "cli/options/exit_code.hpp"
 
 #include "session/session.hpp"
 
@@ -90,7 +91,7 @@ int patterns(const PatternsOptions& options) {
     opal::write_map(*map->with_patterns(layer.patterns), options.out);
     std::cout << "written: " << options.out << '\n';
   }
-  return layer.patterns.empty() ? 1 : 0;
+  return layer.patterns.empty() ? kNo : kDone;
 }
 
 }  // namespace

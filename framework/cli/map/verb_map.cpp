@@ -5,6 +5,7 @@
 #include "cli/map/map_overlay.hpp"
 #include "cli/map/map_patterns.hpp"
 #include "cli/options/damage_options.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/join_options.hpp"
 #include "cli/options/overlay_options.hpp"
 #include "cli/options/verbs.hpp"
@@ -35,7 +36,7 @@ int check(const CheckOptions& options) {
   const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
   for (const std::string& reason : plan.reasons) std::cout << reason << '\n';
   check_layer(registry, map, options.sensor);
-  return plan.detectors.empty() || plan.patterns.empty() ? 1 : 0;
+  return plan.detectors.empty() || plan.patterns.empty() ? kNo : kDone;
 }
 
 void add_check(CLI::App& map, int& exit_code) {
@@ -58,7 +59,7 @@ int damage(const DamageVerbOptions& options) {
   opal::write_map(*worse, options.out);
   std::cout << "written: " << options.out << ", " << worse->features().size() << " features of "
             << load_map(registry, options.map)->features().size() << '\n';
-  return 0;
+  return kDone;
 }
 
 void add_damage(CLI::App& map, int& exit_code) {
@@ -97,7 +98,7 @@ int join(const JoinVerbOptions& options) {
       std::printf("left out of %s: what other vocabularies say about %zu things\n", source.prefix.c_str(),
                   source.map->unused().size());
   std::cout << "written: " << options.out << ", " << joined->features().size() << " features\n";
-  return 0;
+  return kDone;
 }
 
 void add_join(CLI::App& map, int& exit_code) {
@@ -117,12 +118,15 @@ struct RasterVerbOptions {
 };
 
 int raster(const RasterVerbOptions& options) {
+  const std::string extension = std::filesystem::path(options.out).extension().string();
+  if (extension != ".yaml" && extension != ".yml")
+    throw opal::ConfigError(options.out + ": expected a name that ends with .yaml; the image goes beside it (.pgm)");
   const auto map = load_map(load_plugins(), options.map);
   const opal::MapRaster raster = opal::rasterized(*map, options.raster);
   opal::write_raster(raster, options.out);
   std::cout << "written: " << options.out << ", " << raster.columns << " x " << raster.rows << " cells of "
             << raster.resolution_m << " m\n";
-  return 0;
+  return kDone;
 }
 
 void add_raster(CLI::App& map, int& exit_code) {

@@ -17,7 +17,7 @@ void add_demo_verb(CLI::App& app, int& exit_code);
 /// has warnings that keep it from being used.
 void add_map_verb(CLI::App& app, int& exit_code);
 
-/// `opal localize CONFIG LOG`: the pose along a recorded log. Exit code 1 if there is none at the end.
+/// `opal localize CONFIG LOG`: the pose along a recorded log. Exit code 1 unless localized at the end.
 void add_localize_verb(CLI::App& app, int& exit_code);
 
 /// `opal track CONFIG LOG --pose X,Y,THETA`: the pose along a recorded log from a known start, and where the building

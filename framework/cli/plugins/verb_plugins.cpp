@@ -1,3 +1,4 @@
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 #include "deployment/localizer_options.hpp"
 
@@ -163,7 +164,7 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
   verb->callback([request, &exit_code] {
     const Inventory inventory = look_into(*request);
     request->as_json ? print_json(std::cout, inventory) : print_text(std::cout, inventory);
-    exit_code = inventory.refused.empty() && inventory.violations.empty() ? 0 : 1;
+    exit_code = inventory.refused.empty() && inventory.violations.empty() ? kDone : kNo;
   });
 }
 

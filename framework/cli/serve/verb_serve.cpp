@@ -1,3 +1,4 @@
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
@@ -33,7 +34,7 @@ int serve(const ServeOptions& options) {
   std::mutex mutex;
   std::unique_lock lock(mutex);
   std::condition_variable_any().wait(lock, signals.token(), [] { return false; });
-  return 0;
+  return kDone;
 }
 
 }  // namespace

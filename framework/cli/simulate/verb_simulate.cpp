@@ -1,6 +1,8 @@
 #include "cli/options/damage_options.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
+#include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
@@ -13,6 +15,7 @@
 #include "drawing/drawing.hpp"
 #include "evaluation/ground_truth.hpp"
 
+#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -65,7 +68,17 @@ sim::Recording record_along(const opal::PluginRegistry& registry, const Simulate
   return made;
 }
 
+/// The files of a recording are written beside each other: its map must not be the one that is driven in.
+void expect_other_place(const SimulateOptions& options) {
+  std::error_code absent;
+  for (const char* ending : {".map.jsonld", ".map.yaml"})
+    if (std::filesystem::equivalent(options.map, options.out + ending, absent))
+      throw opal::ConfigError(options.out + ending +
+                              ": is the map that is driven in, expected another PREFIX to write");
+}
+
 int simulate(SimulateOptions options) {
+  expect_other_place(options);
   set_laser(options);
   const opal::PluginRegistry registry = load_plugins();
   const auto map = load_map(registry, options.map);
@@ -78,6 +91,7 @@ int simulate(SimulateOptions options) {
       options.along.empty() ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
                             : record_along(registry, options, *map, simulation);
   const double recorded_s = opal::process_cpu_s();
+  const StopSignals all_or_none;  // Ctrl-C among these files would leave new ones beside old ones
   sim::write_recorded_place(recording, *map, options.out);
   double driven_m = 0;
   for (double distance_m : recording.distances_m) driven_m += distance_m;
@@ -88,7 +102,7 @@ int simulate(SimulateOptions options) {
   std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
   std::cout << "written: " << options.out
             << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
-  return 0;
+  return kDone;
 }
 
 void add_sensing(CLI::App& verb, SimulateOptions& o) {

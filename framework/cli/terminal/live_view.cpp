@@ -6,15 +6,16 @@
 #include <iostream>
 #include <mutex>
 
-LiveView::LiveView(int port) : server_(opal::live_page("/events"), records_, port) {
+LiveView::LiveView(int port, std::stop_token stop)
+    : stop_(std::move(stop)), server_(opal::live_page("/events"), records_, port) {
   std::cout << "watch it at " << url() << " (on this machine only; Ctrl-C ends the run)" << std::endl;
 }
 
 void LiveView::end() {
   feed_.end();
-  if (stop().stop_requested()) return;
+  if (stop_.stop_requested()) return;
   std::cout << "the log is over; " << url() << " stays until Ctrl-C" << std::endl;
   std::mutex mutex;
   std::unique_lock lock(mutex);
-  std::condition_variable_any().wait(lock, stop(), [] { return false; });
+  std::condition_variable_any().wait(lock, stop_, [] { return false; });
 }

@@ -1,27 +1,26 @@
 #pragma once
 
-#include "cli/terminal/stop_signals.hpp"
-
 #include "viewer/serving/live_feed.hpp"
 #include "viewer/serving/live_server.hpp"
 
+#include <stop_token>
 #include <string>
 
 /// A run that people watch in a browser while it goes on, until Ctrl-C.
 class LiveView {
  public:
-  /// Serves at once. @throws opal::Error if the port cannot be had.
-  explicit LiveView(int port);
+  /// Serves at once. @param stop  Ctrl-C; whoever waits for it was made first, so that threads leave signals to it.
+  /// @throws opal::Error if the port cannot be had.
+  LiveView(int port, std::stop_token stop);
 
   opal::EventSink& events() { return feed_; }
-  std::stop_token stop() const { return signals_.token(); }  ///< Ctrl-C
   std::string url() const { return server_.url(); }
 
   /// No more events come: the page is told, and stays until Ctrl-C.
   void end();
 
  private:
-  StopSignals signals_;  // first: all threads leave the signals to it
+  std::stop_token stop_;
   opal::RecordLog records_;
   opal::LiveFeed feed_{records_};
   opal::LiveServer server_;

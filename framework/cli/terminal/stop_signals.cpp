@@ -20,7 +20,9 @@ StopSignals::~StopSignals() {
 void StopSignals::wait(std::stop_token over) {
   constexpr timespec kPatience{0, 100'000'000};  // how long the program's end may take longer for this thread
   while (!over.stop_requested()) {
-    if (sigtimedwait(&signals_, nullptr, &kPatience) < 0) continue;
+    const int signal = sigtimedwait(&signals_, nullptr, &kPatience);
+    if (signal < 0) continue;
+    signal_ = signal;
     requested_.request_stop();
     break;
   }

@@ -2,6 +2,7 @@
 
 #include <signal.h>
 
+#include <atomic>
 #include <stop_token>
 #include <thread>
 
@@ -15,11 +16,13 @@ class StopSignals {
   StopSignals& operator=(const StopSignals&) = delete;
 
   std::stop_token token() const { return requested_.get_token(); }
+  int signal() const { return signal_; }  ///< that asked to stop; 0: none has
 
  private:
   void wait(std::stop_token over);
 
   std::stop_source requested_;
+  std::atomic<int> signal_{0};
   sigset_t signals_{}, before_{};
   std::jthread thread_;
 };

@@ -4,12 +4,11 @@
 
 #include "benchmark/runs/run_picture.hpp"
 
-#include <opal/common/error.hpp>
+#include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <numeric>
 
@@ -62,19 +61,9 @@ opal::DrawingScene deviation_scene(std::shared_ptr<const opal::SemanticMap> map,
 
 }  // namespace
 
-TrackOutput::TrackOutput(const fs::path& folder, const opal::LaserModel& laser,
-                         std::shared_ptr<const opal::SemanticMap> map, std::optional<opal::GroundTruth> truth)
-    : folder_(folder), laser_(laser), map_(std::move(map)), truth_(std::move(truth)) {
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) throw opal::Error(folder_.string() + ": cannot be made: " + error.message());
-}
-
-std::ofstream TrackOutput::file(const std::string& name) const {
-  std::ofstream file(folder_ / name);
-  if (!file) throw opal::Error((folder_ / name).string() + ": cannot be written");
-  return file;
-}
+TrackOutput::TrackOutput(fs::path folder, const opal::LaserModel& laser, std::shared_ptr<const opal::SemanticMap> map,
+                         std::optional<opal::GroundTruth> truth)
+    : folder_(std::move(folder)), laser_(laser), map_(std::move(map)), truth_(std::move(truth)) {}
 
 void TrackOutput::add(const TrackedWindow& window) {
   rows_.insert(rows_.end(), window.rows.begin(), window.rows.end());
@@ -97,10 +86,8 @@ void TrackOutput::add(const TrackedWindow& window) {
 }
 
 void TrackOutput::write() const {
-  auto tum = file("trajectory.tum");
-  opal::write_tum(tum, trajectory_);
-  auto results = file("results.csv");
-  opal::write_results(results, rows_);
+  opal::write_with(file("trajectory.tum"), [&](std::ostream& out) { opal::write_tum(out, trajectory_); });
+  opal::write_with(file("results.csv"), [&](std::ostream& out) { opal::write_results(out, rows_); });
   std::vector<double> cpu = update_cpu_ms_;
   std::sort(cpu.begin(), cpu.end());
   const double mean =
@@ -110,7 +97,7 @@ void TrackOutput::write() const {
                                           {"cpu_ms_p99", quantile(cpu, 0.99)},
                                           {"cpu_ms_max", quantile(cpu, 1)},
                                           {"windows", windows_}};
-  file("summary.json") << summary.dump(2) << '\n';
+  opal::write_text(file("summary.json"), summary.dump(2) + '\n');
   std::printf("CPU per update: mean %.2f ms, 99 %% %.2f ms over %zu updates\n", mean, quantile(cpu, 0.99), cpu.size());
   opal::DrawingScene scene;
   scene.title = worst_.id + (truth_ ? ", the window tracked worst" : "");
@@ -124,8 +111,8 @@ void TrackOutput::write() const {
 
 void TrackOutput::write_deviations(const opal::MapBelief& belief) const {
   const std::vector<opal::Deviation> deviations = opal::deviations_of(*map_, belief);
-  file("deviations.json") << opal::to_json(*map_, deviations).dump(1) << '\n';
-  file("deviations.txt") << opal::to_table(deviations);
+  opal::write_text(file("deviations.json"), opal::to_json(*map_, deviations).dump(1) + '\n');
+  opal::write_text(file("deviations.txt"), opal::to_table(deviations));
   opal::write_svg(deviation_scene(map_, belief, deviations), (folder_ / "deviations.svg").string());
   const auto count = [&](opal::DeviationVerdict verdict) {
     return std::count_if(deviations.begin(), deviations.end(), [&](const auto& d) { return d.verdict == verdict; });
@@ -138,14 +125,14 @@ void TrackOutput::write_deviations(const opal::MapBelief& belief) const {
 
 void TrackOutput::write_smoothed(const TrackedWindow& window, const opal::SmoothedTrack& smoothed) const {
   const auto trajectory = opal::corrected_trajectory(window.trajectory, window.track, smoothed);
-  auto csv = file("truth.csv");
-  csv << "timestamp,x,y,theta,is_scan\n" << std::fixed;
+  std::string csv = "timestamp,x,y,theta,is_scan\n";
   const auto rows = laser_rows(window.id, trajectory, laser_.T_base_laser);
   for (const opal::ResultRow& row : rows) {
     char line[128];
     std::snprintf(line, sizeof line, "%.6f,%.5f,%.5f,%.6f,1\n", row.stamp_s, row.T_map_laser.x(), row.T_map_laser.y(),
                   row.T_map_laser.heading_rad());
-    csv << line;
+    csv += line;
   }
+  opal::write_text(file("truth.csv"), csv);
   if (truth_) print("smoothed", errors_of(rows, *truth_));
 }

@@ -15,9 +15,8 @@
 /// What `opal track` leaves behind in its folder.
 class TrackOutput {
  public:
-  /// @throws opal::Error if the folder cannot be made.
-  TrackOutput(const std::filesystem::path& folder, const opal::LaserModel& laser,
-              std::shared_ptr<const opal::SemanticMap> map, std::optional<opal::GroundTruth> truth);
+  TrackOutput(std::filesystem::path folder, const opal::LaserModel& laser, std::shared_ptr<const opal::SemanticMap> map,
+              std::optional<opal::GroundTruth> truth);
 
   /// Adds a window's rows and errors, and prints the errors.
   void add(const TrackedWindow& window);
@@ -29,7 +28,7 @@ class TrackOutput {
   void write_smoothed(const TrackedWindow& window, const opal::SmoothedTrack& smoothed) const;
 
  private:
-  std::ofstream file(const std::string& name) const;
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
   std::filesystem::path folder_;
   opal::LaserModel laser_;

@@ -7,12 +7,14 @@
 #include <algorithm>
 
 TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& laser, opal::Replay& replay,
-                           const std::string& id, const StartAt& start_at) {
+                           const std::string& id, const StartAt& start_at, const std::stop_token& stop) {
   TrackedWindow window;
   window.id = id;
   std::optional<opal::Pose2> T_map_odom;
   double before_s = opal::thread_cpu_s();
   while (const auto sample = replay.next()) {
+    window.is_cut = stop.stop_requested();
+    if (window.is_cut) break;
     const double stamp_s = sample->scan.stamp_s;
     if (!T_map_odom) {
       const auto start = start_at(stamp_s);

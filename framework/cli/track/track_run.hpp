@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,12 @@ struct TrackedWindow {
   std::vector<opal::TrackedKeyframe> track;
   std::vector<opal::Point> last_points;  ///< of the last scan, map frame [m]
   opal::TrackedPose last;
+  bool is_cut = false;  ///< a stop was asked for before its end
 };
 
-/// Plays a window through a tracker that starts anew.
+/// Plays a window through a tracker that starts anew. @param stop  ends it before its end.
 TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& laser, opal::Replay& replay,
-                           const std::string& id, const StartAt& start_at);
+                           const std::string& id, const StartAt& start_at, const std::stop_token& stop = {});
 
 /// Position errors against recorded truth [m], over the scans for which there is some.
 struct TrackErrors {

@@ -1,6 +1,11 @@
+#include "benchmark/runs/recorded_log.hpp"
 #include "cli/options/damage_options.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/log_run_options.hpp"
+#include "cli/options/run_products.hpp"
 #include "cli/options/verbs.hpp"
+#include "cli/terminal/run_end.hpp"
+#include "cli/terminal/stop_signals.hpp"
 #include "cli/track/start_poses.hpp"
 #include "cli/track/track_output.hpp"
 #include "session/session.hpp"
@@ -29,6 +34,8 @@ void expect_start(const TrackOptions& options) {
     throw opal::ConfigError("opal track: no start pose, expected --pose X,Y,THETA or --truth SITE.gt.csv");
   if (!options.pose.empty() && !options.queries.empty())
     throw opal::ConfigError("opal track: --pose with --queries, expected --truth: every window starts elsewhere");
+  if (!options.pose.empty()) read_pose(options.pose);
+  if (!options.disturb.empty()) read_disturbance(options.disturb);
 }
 
 /// What a person points out on a map.
@@ -38,36 +45,68 @@ StartAt given_start(const opal::Pose2& T_map_base) {
   return [=](double) { return StartPose{T_map_base, {kGivenSigma_m, kGivenSigma_m, kGivenSigma_rad}}; };
 }
 
-int track(const TrackOptions& options) {
-  expect_start(options);
+/// What was asked for, ready to run.
+struct TrackSetup {
+  opal::PluginRegistry plugins;
+  opal::Deployment deployment;
+  std::shared_ptr<const opal::SemanticMap> map;
+  RecordedLog log;
+  std::optional<opal::GroundTruth> truth;
+  opal::LocalizerParts parts;
+};
+
+TrackSetup set_up(const TrackOptions& options) {
+  TrackSetup setup{load_plugins(), deployment_for(options), {}, {}, {}, {}};
+  setup.map = load_map(setup.plugins, setup.deployment);
+  if (options.damage.any()) setup.map = opal::damaged_map(*setup.map, options.damage.damage());
+  setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
+  setup.deployment.laser = options.laser_of(setup.log.records, setup.deployment.laser);
+  if (!options.queries.empty()) expect_scans(options.windows(), setup.log, options.queries);
+  if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
+  if (setup.truth) expect_overlap(*setup.truth, setup.log, options.truth);
+  setup.parts = opal::build_parts(setup.deployment, setup.plugins, setup.map);
+  return setup;
+}
+
+std::vector<std::string> products(const TrackOptions& options) {
+  std::vector<std::string> names = run_products();
+  if (options.offline) names.emplace_back("truth.csv");
+  return names;
+}
+
+/// Tracks one window after the other. @return the last one, which may be cut.
+TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup, opal::PoseTracker& tracker,
+                            TrackOutput& output, const std::stop_token& stop) {
   const auto pose = options.pose.empty() ? std::nullopt : std::make_optional(read_pose(options.pose));
   const Disturbance disturbance = options.disturb.empty() ? Disturbance{} : read_disturbance(options.disturb);
-  const opal::PluginRegistry registry = load_plugins();
-  opal::Deployment deployment = deployment_for(options);
-  auto map = load_map(registry, deployment);
-  if (options.damage.any()) map = opal::damaged_map(*map, options.damage.damage());
-  const auto reader = open_log(registry, options.log, deployment, options.log_words);
-  const std::vector<opal::LogRecord> records = opal::read_all(*reader);
-  deployment.laser = options.laser_of(records, deployment.laser);
-  std::optional<opal::GroundTruth> truth;
-  if (!options.truth.empty()) truth = opal::GroundTruth::read(options.truth);
+  const opal::LaserModel& laser = setup.deployment.laser;
   std::optional<StartPoses> starts;
-  if (truth) starts.emplace(*truth, deployment.laser.T_base_laser, disturbance, options.disturb_seed);
-
-  opal::PoseTracker tracker(opal::build_parts(deployment, registry, map));
-  TrackOutput output(options.out, deployment.laser, map, truth);
+  if (setup.truth) starts.emplace(*setup.truth, laser.T_base_laser, disturbance, options.disturb_seed);
   TrackedWindow window;
-  for (const opal::Query& query : options.windows()) {
+  const std::vector<opal::Query> windows = options.windows();
+  for (const opal::Query& query : windows) {
     if (!options.keep_offsets) tracker.forget_offsets();
     opal::ReplayOptions cut;
     cut.from_s = query.start_s;
     cut.to_s = query.end_s;
-    opal::Replay replay(records, deployment.laser, cut);
-    window = track_window(tracker, deployment.laser, replay, query.id, pose ? given_start(*pose) : starts->next());
-    output.add(window);
+    opal::Replay replay(setup.log.records, laser, cut);
+    window = track_window(tracker, laser, replay, query.id, pose ? given_start(*pose) : starts->next(), stop);
+    if (!window.is_cut || windows.size() == 1) output.add(window);
+    if (window.is_cut) break;
   }
+  return window;
+}
+
+int track(const TrackOptions& options) {
+  expect_start(options);
+  const TrackSetup setup = set_up(options);
+  opal::PoseTracker tracker(setup.parts);
+  const StopSignals signals;
+  opal::OutputFolder folder(options.out, "opal track", products(options));
+  TrackOutput output(folder.path(), setup.deployment.laser, setup.map, setup.truth);
+  const TrackedWindow window = track_windows(options, setup, tracker, output, signals.token());
   opal::MapBelief belief = tracker.belief();
-  if (options.offline) {
+  if (options.offline && !window.is_cut) {
     const opal::SmoothedTrack smoothed =
         opal::smooth_track(tracker.map(), window.track, {kGivenSigma_m, kGivenSigma_m, kGivenSigma_rad}, belief);
     output.write_smoothed(window, smoothed);
@@ -75,9 +114,12 @@ int track(const TrackOptions& options) {
   }
   output.write();
   output.write_deviations(belief);
-  if (window.rows.empty())
-    throw opal::LogError(options.log + ": no scan with odometry to track" + (truth ? " that the truth covers" : ""));
-  return window.last.lost ? 1 : 0;
+  if (window.rows.empty() && !window.is_cut)
+    throw opal::LogError(options.log + ": no scan with odometry to track" +
+                         (setup.truth ? " that the truth covers" : ""));
+  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.laser)) std::printf("log: %s\n", doubt.c_str());
+  if (window.last.lost) std::printf("lost: at the end the scans do not fit the map where the track is\n");
+  return end_run(folder, window.is_cut ? signals.signal() : 0, window.last.lost ? kNo : kDone);
 }
 
 }  // namespace

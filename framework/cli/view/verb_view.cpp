@@ -1,4 +1,5 @@
 #include "benchmark/runs/view_page.hpp"
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 
 #include "viewer/scene/frame_scene.hpp"
@@ -40,7 +41,7 @@ int write_page(const ViewOptions& options) {
   const std::string file = page_file(options).string();
   for (const std::string& note : write_view_page(runs, file)) std::cerr << "opal: " << note << '\n';
   std::cout << "written: " << file << '\n';
-  return 0;
+  return kDone;
 }
 
 int draw_moment(const ViewOptions& options) {
@@ -62,7 +63,7 @@ int draw_moment(const ViewOptions& options) {
   if (!options.png.empty()) opal::write_png(scene, options.png);
   for (const std::string& file : {options.svg, options.png})
     if (!file.empty()) std::cout << "written: " << file << '\n';
-  return 0;
+  return kDone;
 }
 
 int view(const ViewOptions& options) {

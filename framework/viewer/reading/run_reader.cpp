@@ -5,6 +5,7 @@
 #include "viewer/reading/line_reader.hpp"
 
 #include <opal/common/error.hpp>
+#include "output/unfinished_run.hpp"
 
 #include <filesystem>
 
@@ -74,6 +75,8 @@ RunReading read_run(const std::string& out, const FrameVisitor& visit) {
     throw EventError(path + ":" + std::to_string(reader.number()) + ": the stream ends before its 'map' event, " +
                      "expected 'run' and 'map' first");
   if (go_on) note_open_keyframe(builder, reading);
+  const std::string unfinished = unfinished_note(std::filesystem::absolute(path).parent_path().string());
+  if (!unfinished.empty()) reading.notes.push_back(unfinished);
   return reading;
 }
 

@@ -215,6 +215,6 @@ TEST_CASE("a second run of the same cells is refused, and says who is at work") 
   for (int k = 0; k < 500 && !fs::exists(out + "/journals/1-of-1.0.jsonl"); ++k)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const Finished second = opal_run({"ab", experiment, "-o", out});
-  CHECK(second.exit_code == 3);
+  CHECK(second.exit_code == 5);
   CHECK_THAT(second.said, Catch::Contains("computes these cells already"));
 }

@@ -1,10 +1,13 @@
 #include "benchmark/ab/execution/claim.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/write_error.hpp"
+#include "output/output_folder.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <thread>
 
@@ -26,15 +29,15 @@ Claim::Claim(const std::string& folder, std::size_t first, std::size_t end)
     : folder_(folder), first_(first), end_(end) {
   const std::string path = folder + "/claims";
   file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file_ < 0) throw Error(path + ": cannot be written");
+  if (file_ < 0) throw WriteError(path, errno);
   if (first == end) return;
   // Workers of a run that was killed a moment ago may still be on their way out.
   constexpr int kTries = 100;
   constexpr std::chrono::milliseconds kPause(20);
   for (int k = 0; !lock(F_WRLCK); ++k) {
     if (k == kTries)
-      throw Error(folder_ + ": " + holder() +
-                  " computes these cells already; wait for its end, or give another folder");
+      throw FolderInUse(folder_ + ": " + holder() +
+                        " computes these cells already; wait for its end, or give another folder");
     std::this_thread::sleep_for(kPause);
   }
   lock(F_RDLCK);  // shared with the workers, which lock for themselves: a lock is a process's own
@@ -43,7 +46,7 @@ Claim::Claim(const std::string& folder, std::size_t first, std::size_t end)
 Claim::~Claim() { close(file_); }
 
 void Claim::join() {
-  if (first_ < end_ && !lock(F_RDLCK)) throw Error(folder_ + ": " + holder() + " computes these cells by now");
+  if (first_ < end_ && !lock(F_RDLCK)) throw FolderInUse(folder_ + ": " + holder() + " computes these cells by now");
 }
 
 bool Claim::lock(short kind) const {

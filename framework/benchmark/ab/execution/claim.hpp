@@ -9,13 +9,13 @@ namespace opal::ab {
 /// Advisory locks on a file (POSIX fcntl), a byte per task; they hold across machines where the file system says so.
 class Claim {
  public:
-  /// @throws Error naming the folder and who has it, if any of these tasks is claimed.
+  /// @throws FolderInUse naming the folder and who has it, if any of these tasks is claimed.
   Claim(const std::string& folder, std::size_t first, std::size_t end);
   ~Claim();
   Claim(const Claim&) = delete;
   Claim& operator=(const Claim&) = delete;
 
-  /// In a child process: takes part in the claim of its parent. @throws Error if the claim is somebody else's by now.
+  /// In a child process: takes part in the claim of its parent. @throws FolderInUse if the claim is somebody else's.
   void join();
 
  private:

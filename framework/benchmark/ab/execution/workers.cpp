@@ -4,6 +4,7 @@
 #include "benchmark/ab/execution/claim.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/write_error.hpp"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -21,6 +22,7 @@ namespace {
 /// What the workers of one run share: a page of memory.
 struct Shared {
   std::atomic<std::size_t> next_task{0}, done{0};
+  std::atomic<bool> disk_failed{false};
 };
 static_assert(std::atomic<std::size_t>::is_always_lock_free, "processes share it");
 
@@ -43,7 +45,7 @@ class SharedPage {
 /// What plugins print is kept apart from what the program says.
 void print_into(const std::string& path) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
-  if (file < 0) throw Error(path + ": cannot be written");
+  if (file < 0) throw WriteError(path, errno);
   dup2(file, STDERR_FILENO);
   dup2(file, STDOUT_FILENO);
   close(file);
@@ -100,11 +102,12 @@ class Worker {
 };
 
 /// Waits until a process has come to its end. @throws Error with its failure.
-bool has_ended(ChildProcess& child, double patience_s) {
+bool has_ended(ChildProcess& child, const Shared& shared, double patience_s) {
   std::string ignored;
   if (child.hear(ignored, patience_s) != ChildProcess::Heard::end) return false;
   const std::string threw = "threw: ";
   const std::string& failure = child.failure();
+  if (failure.starts_with(threw) && shared.disk_failed) throw WriteError(failure.substr(threw.size()));
   if (failure.starts_with(threw)) throw Error(failure.substr(threw.size()));
   if (!failure.empty()) throw Error("a worker " + failure);
   return true;
@@ -137,11 +140,16 @@ void compute(CellRunner& runner, const CellPlan& plan, const ResultFolder& folde
   for (std::size_t k = 0; k < jobs; ++k)
     workers.push_back(std::make_unique<ChildProcess>([&, k](const ChildProcess::Say&) {
       claim.join();
-      print_into(folder.log(shard, k));
-      Worker(runner, plan, limits, finished, end, shared, folder.journal(shard, k)).work();
+      try {
+        print_into(folder.log(shard, k));
+        Worker(runner, plan, limits, finished, end, shared, folder.journal(shard, k)).work();
+      } catch (const WriteError&) {
+        shared.disk_failed = true;
+        throw;
+      }
     }));
   while (!workers.empty()) {
-    std::erase_if(workers, [](const auto& worker) { return has_ended(*worker, 0.1); });
+    std::erase_if(workers, [&](const auto& worker) { return has_ended(*worker, shared, 0.1); });
     made.done = shared.done;
     made.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress(made);

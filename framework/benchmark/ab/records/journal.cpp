@@ -1,6 +1,7 @@
 #include "benchmark/ab/records/journal.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/write_error.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,6 +9,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <cerrno>
 #include <fstream>
 #include <optional>
 
@@ -85,18 +87,20 @@ void read_journal(const std::string& path, const std::function<void(const CellRe
 }
 
 Journal::Journal(const std::string& path) : path_(path), file_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (file_ < 0) throw Error(path + ": cannot be written");
+  if (file_ < 0) throw WriteError(path, errno);
   const auto whole = for_each_line(path, [](const std::string&, JournalPlace, int) {});
-  if (ftruncate(file_, static_cast<off_t>(whole)) != 0 || lseek(file_, 0, SEEK_END) < 0)
-    throw Error(path + ": cannot be written");
+  if (ftruncate(file_, static_cast<off_t>(whole)) != 0 || lseek(file_, 0, SEEK_END) < 0) throw WriteError(path, errno);
 }
 
 Journal::~Journal() { close(file_); }
 
 void Journal::append(const CellResult& result) {
   const std::string line = journal_line(result) + "\n";
-  if (write(file_, line.data(), line.size()) != static_cast<ssize_t>(line.size()) || fdatasync(file_) != 0)
-    throw Error(path_ + ": cannot be written to the end");
+  errno = 0;
+  const ssize_t count = write(file_, line.data(), line.size());
+  const bool is_cut = count >= 0 && count != static_cast<ssize_t>(line.size());
+  if (is_cut) throw WriteError(path_, ENOSPC);
+  if (count < 0 || fdatasync(file_) != 0) throw WriteError(path_, errno);
 }
 
 }  // namespace opal::ab

@@ -1,8 +1,8 @@
 #include "benchmark/ab/records/merged_results.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/whole_file.hpp"
 
-#include <filesystem>
 #include <fstream>
 
 namespace opal::ab {
@@ -21,23 +21,9 @@ bool same_input(const CellResult& a, const CellResult& b) {
   return a.input.substr(0, known) == b.input.substr(0, known);
 }
 
-/// A file that appears when it is whole.
-class WholeFile {
- public:
-  explicit WholeFile(std::string path) : path_(std::move(path)), draft_(path_ + ".draft"), out_(draft_) {}
-  void write(const ordered_json& line) {
-    out_ << line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << '\n';
-  }
-  void finish() {
-    out_.close();
-    if (!out_) throw Error(path_ + ": cannot be written");
-    std::filesystem::rename(draft_, path_);
-  }
-
- private:
-  std::string path_, draft_;
-  std::ofstream out_;
-};
+void write_line(WholeFile& file, const ordered_json& line) {
+  file.write(line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+}
 
 }  // namespace
 
@@ -106,16 +92,16 @@ void MergedResults::expect_equal_inputs() const {
 void MergedResults::write(const std::vector<std::string>& arm_digests) const {
   WholeFile results(folder_.file("results.jsonl")), times(folder_.file("times.jsonl"));
   for_each([&](const Cell& cell, const CellResult& result) {
-    results.write({{"cell", plan_.name(cell)},
-                   {"scenario", plan_.scenario(cell.task)},
-                   {"query", plan_.query(cell.task)},
-                   {"seed", cell.task.seed},
-                   {"arm", plan_.arm(cell)},
-                   {"arm_digest", arm_digests[cell.arm]},
-                   {"input", result.input},
-                   {"values", result.values},
-                   {"failure", result.failure}});
-    times.write({{"cell", plan_.name(cell)}, {"costs", result.costs}});
+    write_line(results, {{"cell", plan_.name(cell)},
+                         {"scenario", plan_.scenario(cell.task)},
+                         {"query", plan_.query(cell.task)},
+                         {"seed", cell.task.seed},
+                         {"arm", plan_.arm(cell)},
+                         {"arm_digest", arm_digests[cell.arm]},
+                         {"input", result.input},
+                         {"values", result.values},
+                         {"failure", result.failure}});
+    write_line(times, {{"cell", plan_.name(cell)}, {"costs", result.costs}});
   });
   results.finish();
   times.finish();

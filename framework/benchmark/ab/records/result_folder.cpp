@@ -3,8 +3,7 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include "common/text_file.hpp"
-
-#include <unistd.h>
+#include "common/whole_file.hpp"
 
 #include <algorithm>
 
@@ -40,19 +39,12 @@ std::string excerpt(const json& value) {
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
 
-/// Whole or not at all; whoever comes second finds the same.
-void write_whole(const std::string& path, const std::string& text) {
-  const std::string draft = path + "." + std::to_string(getpid());
-  write_text(draft, text);
-  fs::rename(draft, path);
-}
-
 }  // namespace
 
 ResultFolder::ResultFolder(const std::string& path, const nlohmann::ordered_json& manifest) : path_(path) {
-  for (const char* folder : {"journals", "logs"}) fs::create_directories(fs::path(path) / folder);
+  for (const char* folder : {"journals", "logs"}) make_folder((fs::path(path) / folder).string());
   const std::string name = file("manifest.json");
-  if (!fs::exists(name)) write_whole(name, manifest.dump(1) + "\n");
+  if (!fs::exists(name)) write_text(name, manifest.dump(1) + "\n");
   const auto found = difference(read_json(name), json::parse(manifest.dump()), "");
   if (!found) return;
   throw ConfigError(name + ": " + found->pointer + ": was " + excerpt(found->before) +

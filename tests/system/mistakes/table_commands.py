@@ -1,0 +1,84 @@
+"""Mistakes in the command itself."""
+
+import pathlib
+import re
+
+from making import changed_json, config, copy, file
+from mistake import MALAGA, TREE, Mistake
+
+LOCALIZE = "localize {configs}/malaga.jsonld {malaga}/malaga-demo.log.gz --map {malaga}/malaga-demo.map.yaml -o out"
+
+
+def run_of_the_corridor(bench):
+    bench.opal(*(word.format(configs=TREE / "configs", malaga=MALAGA) for word in LOCALIZE.split()))
+
+
+def old_plugin(bench):
+    """A plugin of the tree that says that it was built for plugin API 0."""
+    plugins = pathlib.Path(bench.program).resolve().parents[1] / "plugins"
+    bench.write("here/corners.so", re.sub(rb"opal_v\d", b"opal_v0", (plugins / "corners.so").read_bytes()))
+    bench.write("here/corners.jsonld", (plugins / "corners.jsonld").read_bytes())
+
+
+MISTAKES = [
+    Mistake("no command", "No command is given.", "", 2, ["A subcommand is required", "--help"]),
+    Mistake("unknown command", "The command does not exist.", "locate", 2,
+            ["'locate': no command of opal, expected one of: map, localize"]),
+    Mistake("nothing to read", "`opal localize` without its configuration and log.", "localize", 2,
+            ["CONFIG is required"]),
+    Mistake("unknown option", "An option is misspelled.", LOCALIZE + " --quieries x.json", 2,
+            ["arguments were not expected", "--quieries"]),
+    Mistake("word instead of a number", "A word stands where a number is expected.",
+            "simulate {maps}/gemini.jsonld -o sim --fov wide", 2, ["--fov", "wide"]),
+    Mistake("value out of its range", "A number makes no sense.", "simulate {maps}/gemini.jsonld -o sim --beams 0", 2,
+            ["--beams", "0", "1 to 100000"]),
+    Mistake("swapped arguments", "Log and configuration are swapped.",
+            "localize {malaga}/malaga-demo.log.gz {configs}/malaga.jsonld -o out", 3,
+            ["malaga-demo.log.gz", "expected JSON text"], absent=["out"]),
+    Mistake("start pose of two numbers", "`--pose` has no heading.",
+            "track {configs}/malaga.jsonld {malaga}/malaga.log.gz --pose 0,0 -o out", 3,
+            ["--pose: '0,0'", "expected X,Y,THETA in metres and radians"], absent=["out"]),
+    Mistake("no start pose", "`opal track` is not told where the robot starts.",
+            "track {configs}/malaga.jsonld {malaga}/malaga.log.gz -o out", 3,
+            ["no start pose", "--pose X,Y,THETA or --truth"], absent=["out"]),
+    Mistake("moment that is no time", "`--at` is a word.", "explain out --at soon", 3,
+            ["moment 'soon'", "expected seconds since the start"],
+            make=run_of_the_corridor),
+    Mistake("moment after the end", "`--at` is later than the run.", "explain out --at 1000", 3,
+            ["moment 1000.000 s, expected one in [0.000, 9.283]"],
+            make=run_of_the_corridor),
+    Mistake("query that the run does not have", "`--query` is misspelled.", "explain out --query q77", 3,
+            ["time line 'q77' was asked for, the run has: run"], make=run_of_the_corridor),
+    Mistake("folder of no run", "`opal view` gets a folder that `opal localize` has not written.", "view here", 3,
+            ["here/events.jsonl: does not exist", "opal localize"], make=file("here/readme.txt", "nothing\n")),
+    Mistake("no run of a benchmark", "`opal calibration` gets a folder that `opal bench` has not written.",
+            "calibration out -o calibration", 3, ["out/summary.json: does not exist", "opal bench"],
+            make=run_of_the_corridor, absent=["calibration"]),
+    Mistake("prefix with its ending", "`opal bench` gets a file instead of a prefix.",
+            "bench {malaga}/malaga-demo.log.gz -o out", 3,
+            ["malaga-demo.log.gz.map.yaml do not exist, expected the prefix of a recorded place"], absent=["out"]),
+    Mistake("goal in a wall", "`opal drive` has to go where no room is.",
+            "drive {configs}/default.jsonld {maps}/gemini.jsonld --goal 500,500 -o out", 3,
+            ["--goal", "no room for the robot", "expected a place on the floor"]),
+    Mistake("configuration with an unknown key", "A key of the configuration is misspelled.",
+            "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3, ["config.jsonld: /scorer: unknown key, expected one of: ", "scorers"],
+            make=config(lambda document: document.update({"scorer": []})), absent=["out"]),
+    Mistake("configuration with a wrong type", "A number of the configuration is a text.",
+            "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
+            ["config.jsonld", "/sensor/beams", '"361"', "integer"],
+            make=config(lambda document: document["sensor"].update({"beams": "361"})), absent=["out"]),
+    Mistake("part that is not installed", "The configuration names a plugin that is not there.",
+            "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
+            ["config.jsonld: /scorers/0/@type: \"opal:Beems\", which no plugin offers", "opal:Beams"],
+            make=config(lambda document: document.update({"scorers": [{"@type": "opal:Beems"}]})), absent=["out"]),
+    Mistake("configuration without a map", "The map is named nowhere.",
+            "localize {configs}/default.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
+            ["default.jsonld: /map: missing", "--map"], absent=["out"]),
+    Mistake("old plugin", "A plugin was built for another version of Opal.", "plugins here", 1,
+            ["here/corners.so", "was built for plugin API 0, this is"], make=old_plugin),
+    Mistake("old plugin in use", "A folder of plugins has one that was built for another version of Opal.", LOCALIZE, 0,
+            ["plugin refused: ./here/corners.so: was built for plugin API 0", "status: localized"], make=old_plugin,
+            environment={"OPAL_PLUGIN_PATH": "{here}/here"}),
+    Mistake("file that is no plugin", "Some other file lies in a folder of plugins.", "plugins here", 1,
+            ["here/old.so", "truncated"], make=file("here/old.so", b"\x7fELF old")),
+]
