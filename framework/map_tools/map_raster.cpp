@@ -41,7 +41,7 @@ std::array<Point, 2> extent_of(const SemanticMap& map) {
 
 class Rasterization {
  public:
-  Rasterization(const SemanticMap& map, const RasterOptions& options) : map_(map) {
+  Rasterization(const SemanticMap& map, const RasterOptions& options) : map_(map), doors_open_(options.doors_open) {
     const auto [min, max] = extent_of(map);
     const Point size = (max - min + Point::Constant(2 * options.border_m)) / options.resolution_m;
     if (!(size.x() * size.y() < kMostCells))
@@ -56,13 +56,17 @@ class Rasterization {
 
   MapRaster run() {
     for (const MapFeature& feature : map_.features())
-      if (has_surface(feature.geometry)) draw(feature.geometry);
+      if (stands(feature)) draw(feature.geometry);
     for (const MapFeature& feature : map_.features())
-      if (has_surface(feature.geometry)) look_from(feature.geometry);
+      if (stands(feature)) look_from(feature.geometry);
     return std::move(raster_);
   }
 
  private:
+  bool stands(const MapFeature& feature) const {
+    return has_surface(feature.geometry) && !(doors_open_ && is_door_leaf(map_, feature));
+  }
+
   void occupy(const Point& p) {
     if (const auto index = index_at(p)) raster_.cells[*index] = Cell::occupied;
   }
@@ -122,6 +126,7 @@ class Rasterization {
   }
 
   const SemanticMap& map_;
+  bool doors_open_;
   MapRaster raster_;
 };
 
@@ -138,6 +143,10 @@ char brightness(Cell cell) {
 }
 
 }  // namespace
+
+bool is_door_leaf(const SemanticMap& map, const MapFeature& feature) {
+  return feature.sensor.empty() && feature.object >= 0 && map.objects()[feature.object].type == "opal:Door";
+}
 
 MapRaster::Cell MapRaster::at(const Point& p) const {
   const Point cell = (p - origin) / resolution_m;

@@ -86,7 +86,7 @@ class Leaf {
     const Segment longest = *std::max_element(
         outline.begin(), outline.end(), [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
     const Point hinge = random.chance(0.5) ? longest.begin : longest.end;
-    const double angle = (random.chance(0.5) ? 1 : -1) * random.uniform(1.2, 1.7);
+    const double angle = (random.chance(0.5) ? 1 : -1) * random.uniform(std::numbers::pi / 2, 1.9);
     moved_ = Pose2(hinge, 0) * Pose2(0, 0, angle) * Pose2(-hinge, 0);
   }
   Segment moved(const Segment& piece) const { return transformed(moved_, piece); }
@@ -112,12 +112,14 @@ int count_of(double expected, Random& random) {
 
 }  // namespace
 
-std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random) {
+std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random,
+                                   const std::function<bool(const MapObject&)>& stays_shut) {
   std::vector<Solid> solids;
   for (const MapObject& object : map.objects()) {
     const bool is_door = object.type == "opal:Door";
     const std::vector<Segment> outline = is_door ? unperceived(map, object) : std::vector<Segment>();
-    const Leaf leaf(outline, is_door && random.chance(doors_open_share), random);
+    const bool open = is_door && random.chance(doors_open_share);
+    const Leaf leaf(outline, open && !(stays_shut && stays_shut(object)), random);
     for (const Segment& piece : outline) solids.push_back({leaf.moved(piece), false});
     for (int number : object.features) {
       const MapFeature& feature = map.features()[number];
