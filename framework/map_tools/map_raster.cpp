@@ -111,9 +111,14 @@ class Rasterization {
   void look_along(const Point& from, const Point& direction) {
     constexpr double kView_m = 15;
     const double step_m = raster_.resolution_m / 2;
+    bool leaves_line = true;  // a wall that is drawn as one line stands in the cells on both sides of it
     for (double range_m = step_m; range_m < kView_m; range_m += step_m) {
       const auto index = index_at(from + range_m * direction);
-      if (!index || raster_.cells[*index] == Cell::occupied) return;
+      if (!index) return;
+      const bool occupied = raster_.cells[*index] == Cell::occupied;
+      if (occupied && leaves_line && range_m < 2 * raster_.resolution_m) continue;
+      if (occupied) return;
+      leaves_line = false;
       raster_.cells[*index] = Cell::free;
     }
   }

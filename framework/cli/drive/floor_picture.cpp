@@ -18,7 +18,7 @@ std::string draw_floor(const opal::simulation::Simulation& simulation, const opa
       {opal::Point(refused + opal::Point(-0.3, 0.3)), opal::Point(refused + opal::Point(0.3, -0.3))}};
   scene.notes = {"The numbers are coordinates of the map [m].",
                  "Green is floor where the robot has room, and which doors that stand open connect.",
-                 "The red cross is the place that was refused."};
+                 "The red cross (\"speaks against it\") is the place that was refused."};
   std::filesystem::create_directories(folder);
   opal::write_svg(scene, (folder / "floor.svg").string());
   opal::write_png(scene, (folder / "floor.png").string());
