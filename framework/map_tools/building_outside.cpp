@@ -118,24 +118,27 @@ class OpenGround {
     return true;
   }
 
+  int inside_cells() const {
+    int inside = 0;
+    for (std::size_t cell = 0; cell < outside_.size(); ++cell)
+      inside += raster_.cells[cell] == MapRaster::Cell::free && !outside_[cell];
+    return inside;
+  }
+
   bool is_no_building() const {
-    int free = 0, inside = 0;
-    for (std::size_t cell = 0; cell < outside_.size(); ++cell) {
-      const bool is_free = raster_.cells[cell] == MapRaster::Cell::free;
-      free += is_free;
-      inside += is_free && !outside_[cell];
-    }
-    return 3 * inside < free;
+    return 3 * inside_cells() < std::count(raster_.cells.begin(), raster_.cells.end(), MapRaster::Cell::free);
   }
 
   /// What the open leads into by no door, and what is hardly deeper than its mouth is wide: a porch, a carport.
   void take_recesses() {
+    constexpr int kLeastShare = 5;  // a larger part than this of the building is the building
     std::vector<char> seen = outside_;
+    const int inside = inside_cells();
     for (std::size_t k = 0; k < open_.size(); ++k)
       each_neighbour(open_[k], [&](int cell) {
         if (seen[cell] || walls_[cell]) return;
         const std::vector<int> ground = ground_from(cell, seen);
-        if (is_recess(ground))
+        if (kLeastShare * static_cast<int>(ground.size()) < inside && is_recess(ground))
           for (const int inner : ground) outside_[inner] = 1;
       });
   }

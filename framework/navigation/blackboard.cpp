@@ -17,6 +17,27 @@ FloorGrid mapped_floor(const MapView& map, double radius_m, bool outdoors) {
   return floor;
 }
 
+namespace {
+
+FloorGrid::Surcharge price_of_tight_floor(const FloorGrid& floor, const MapView& map, double needed_m) {
+  constexpr float kTight = 25;  // as beside what is not mapped
+  FloorGrid::Surcharge prices = floor.no_surcharge();
+  for (const int cell : floor.cells())
+    if (map.clearance_m(floor.center_of(cell)) < needed_m) prices[static_cast<std::size_t>(cell)] = kTight;
+  return prices;
+}
+
+}  // namespace
+
+Blackboard::Blackboard(const LocalizationQueries& queries, const MotionPrimitives& primitives,
+                       const FloorGrid& mapped_floor, const Point& wanted)
+    : localization(queries),
+      motion(primitives),
+      floor(mapped_floor),
+      goal(wanted),
+      tight(price_of_tight_floor(mapped_floor, queries.map(),
+                                 primitives.options().radius_m + primitives.options().margin_m)) {}
+
 void Blackboard::look() {
   before_ = velocity_;
   estimate_ = localization.estimate();

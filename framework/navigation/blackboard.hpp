@@ -22,13 +22,14 @@ class Blackboard {
  public:
   /// What is given must outlive this.
   Blackboard(const LocalizationQueries& queries, const MotionPrimitives& primitives, const FloorGrid& mapped_floor,
-             const Point& wanted)
-      : localization(queries), motion(primitives), floor(mapped_floor), goal(wanted) {}
+             const Point& wanted);
 
   const LocalizationQueries& localization;
   const MotionPrimitives& motion;
   const FloorGrid& floor;  ///< frame `map`
   const Point goal;        ///< frame `map`
+  /// Mapped floor where the robot and its margin do not fit is dear: the map may be wrong there, the robot is not.
+  const FloorGrid::Surcharge tight;
 
   /// Takes what localization now answers; to be called once before every tick.
   void look();

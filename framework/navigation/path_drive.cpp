@@ -15,7 +15,7 @@ FloorGrid::Surcharge unmapped_surcharge(const Blackboard& blackboard) {
   for (const Point& p : blackboard.impasses()) unmapped.push_back(T_map_odom * p);
   const MotionOptions& motion = blackboard.motion.options();
   const double keep_m = motion.radius_m + motion.margin_m;
-  FloorGrid::Surcharge prices = blackboard.floor.no_surcharge();
+  FloorGrid::Surcharge prices = blackboard.tight;
   blackboard.floor.raise(prices, unmapped, keep_m + kBeside_m, kBeside);
   blackboard.floor.raise(prices, unmapped, keep_m, kBlocked);
   blackboard.floor.raise(prices, all, motion.radius_m, kBlocked);

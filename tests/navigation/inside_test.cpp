@@ -57,9 +57,12 @@ TEST_CASE("a map of walls that enclose nothing is inside between them, and outsi
 
 TEST_CASE("a porch between two wings of a house is outside") {
   // clang-format off
-  const auto map = map_of(room_of({{-0.2, -0.2}, {-0.2, 8.2}, {10.2, 8.2}, {10.2, -0.2}, {6.2, -0.2}, {6.2, 3}, {3.8, 3},
-                                   {3.8, -0.2}}));
+  std::vector<Segment> faces = room_of({{-0.2, -0.2}, {-0.2, 8.2}, {10.2, 8.2}, {10.2, -0.2}, {6.2, -0.2}, {6.2, 3},
+                                        {3.8, 3}, {3.8, -0.2}});
+  for (const Segment& face : room_of({{0, 0}, {3.6, 0}, {3.6, 3.2}, {6.4, 3.2}, {6.4, 0}, {10, 0}, {10, 8}, {0, 8}}))
+    faces.push_back(face);
   // clang-format on
+  const auto map = map_of(faces);
   const MapRaster raster = floor_raster(*map);
   const std::vector<char> outside = outside_cells(*map, raster);
   CHECK(outside_of(outside, raster, {5, 2.5}));

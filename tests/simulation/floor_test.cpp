@@ -61,6 +61,18 @@ TEST_CASE("an open door is floor that leads into the next room, a shut one is no
   CHECK_FALSE(shut.floor().way(kFirst, kSecond));
 }
 
+TEST_CASE("open leaves stand in the rooms and leave the corridor free") {
+  Plan plan;
+  plan.wall({-0.2, -0.2}, {8.2, 0}).wall({-0.2, 5.2}, {8.2, 5.4}).wall({-0.2, 0}, {0, 5.2}).wall({8, 0}, {8.2, 5.2});
+  plan.wall({0, 3}, {3, 3.2}).wall({4.2, 3}, {8, 3.2}).door({{3, 3.1}, {4.2, 3.1}});  // a corridor of 1.5 m below
+  plan.wall({0, 1.3}, {8, 1.5});
+  const std::uint64_t seed = GENERATE(range(1, 9));
+  CAPTURE(seed);
+  const Simulation simulation(plan.map(), empty_world(1), seed);
+  CHECK(simulation.floor().holds({1, 2.25}, {7, 2.25}));
+  CHECK(simulation.floor().way({1, 2.25}, {1, 4.2}));
+}
+
 TEST_CASE("an outer door stays shut, and nobody is outdoors, unless robots may be there") {
   SimulationOptions options = empty_world(1);
   const Simulation inside(two_rooms().map(), options, 3);
