@@ -49,10 +49,11 @@ void check_place(const DriveVerbOptions& options, const sim::Simulation& simulat
 /// Goals beside something are for the nearest place where the robot has room.
 opal::Point given_goal(const DriveVerbOptions& options, const sim::Simulation& simulation) {
   const opal::Point goal(options.goal[0], options.goal[1]);
-  if (!simulation.floor().nearest(goal))
+  const auto near = simulation.floor().nearest(goal);
+  if (!near)
     check_place(options, simulation, "--goal: no way from " + text_of(simulation.T_map_base().position()) + " to ",
                 goal);
-  return goal;
+  return near.value_or(goal);
 }
 
 /// Draws what was not given, the same way for every behaviour.
