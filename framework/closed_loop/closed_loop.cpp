@@ -35,10 +35,20 @@ class ClosedLoop {
     }
     record_.off_goal_m = (simulation_.T_map_base().position() - goal).norm();
     record_.reached = record_.said_so && record_.off_goal_m < options_.reached_m;
+    if (!record_.reached) record_.why = why_not(blackboard.estimate());
     return std::move(record_);
   }
 
  private:
+  std::string why_not(const PoseEstimate& estimate) const {
+    if (record_.said_so) return "it took another place for the goal";
+    if (estimate.status == Status::localized) return "it knew where it was, and the time was up before it was there";
+    if (!estimate.has_pose) return "it had no idea where it was when the time was up";
+    if (estimate.alternatives.empty()) return "it was not sure of its pose when the time was up";
+    return "nothing that it saw told " + std::to_string(estimate.alternatives.size() + 1) +
+           " places apart, at each of which it could be, before the time was up";
+  }
+
   behaviours::NodeStatus decide(behaviours::Blackboard& blackboard, behaviours::Node& tree) {
     blackboard.look();
     const behaviours::NodeStatus outcome = tree.tick(blackboard);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace opal {
@@ -26,6 +27,7 @@ struct DriveRecord {
   bool said_so = false;  ///< the tree has succeeded
   double time_s = 0, driven_m = 0;
   double off_goal_m = 0;  ///< in truth, at the end
+  std::string why;        ///< it did not reach the goal, in words; empty: it did
   /// A step that would have touched something, and was not taken.
   struct Collision {
     double stamp_s;

@@ -15,8 +15,10 @@ struct DrawingScene {
   std::string title;
   std::vector<std::string> notes;  ///< sentences below the legend, of any length
 
-  std::shared_ptr<const SemanticMap> map;  ///< objects are coloured by type
-  std::vector<Geometry> unmapped;          ///< what stands there besides
+  std::shared_ptr<const SemanticMap> map;   ///< objects are coloured by type
+  std::vector<std::array<Point, 2>> floor;  ///< where a robot can be: rectangles (corners min, max)
+  bool coordinates = false;                 ///< a grid of metres, where there is room for it, with its coordinates
+  std::vector<Geometry> unmapped;           ///< what stands there besides
   std::vector<Point> scan_points;
   std::vector<Point> free_space;  ///< outline of what the laser sees to be empty, in order
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace opal {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 constexpr double kWall_px = 1.5;
 /// The side of a face that cannot be seen is shaded this deep.
 constexpr double kBody_m = 0.12;
-constexpr double kMost_grid_lines = 14;
+constexpr double kMost_grid_lines = 14, kMost_coordinates = 40;
 
 Color color_of(const std::string& type, std::size_t others) {
   if (type == "opal:Wall") return {0.22, 0.27, 0.34};
@@ -25,22 +26,42 @@ const std::string& type_of(const SemanticMap& map, const MapFeature& feature) {
 }
 
 /// The distance between grid lines: 1, 2 or 5 times a power of ten.
-double grid_step_m(double extent_m) {
-  const double least = extent_m / kMost_grid_lines;
+double grid_step_m(double extent_m, double most_lines) {
+  const double least = extent_m / most_lines;
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * power >= least) return factor * power;
   return 10 * power;
 }
 
-void draw_grid(DrawingCanvas& canvas) {
+/// Multiples of a step within a range.
+std::vector<double> ticks(double from, double to, double step) {
+  std::vector<double> values;
+  for (double k = std::ceil(from / step); k * step < to; ++k) values.push_back(k * step);
+  return values;
+}
+
+void draw_grid(DrawingCanvas& canvas, bool coordinates) {
+  constexpr double kText_px = 10;
   const PageFrame& frame = canvas.frame();
-  const Point size_m = frame.plot_size_px / frame.px_per_m, max = frame.map_min + size_m;
-  const double step_m = grid_step_m(size_m.maxCoeff());
-  for (double x = std::ceil(frame.map_min.x() / step_m) * step_m; x < max.x(); x += step_m)
-    canvas.line(std::array{Point(x, frame.map_min.y()), Point(x, max.y())}, ink::kGrid, 0.6);
-  for (double y = std::ceil(frame.map_min.y() / step_m) * step_m; y < max.y(); y += step_m)
-    canvas.line(std::array{Point(frame.map_min.x(), y), Point(max.x(), y)}, ink::kGrid, 0.6);
+  const Point size_m = frame.plot_size_px / frame.px_per_m, min = frame.map_min, max = min + size_m;
+  const double most = coordinates ? kMost_coordinates : kMost_grid_lines;
+  const double step_m = std::max(coordinates ? 1.0 : 0.0, grid_step_m(size_m.maxCoeff(), most));
+  for (const double x : ticks(min.x(), max.x(), step_m)) {
+    canvas.line(std::array{Point(x, min.y()), Point(x, max.y())}, ink::kGrid, 0.6);
+    if (coordinates)
+      canvas.text(frame.to_page({x, min.y()}) + Point(2, -3), std::to_string(std::lround(x)), kText_px, ink::kText);
+  }
+  for (const double y : ticks(min.y(), max.y(), step_m)) {
+    canvas.line(std::array{Point(min.x(), y), Point(max.x(), y)}, ink::kGrid, 0.6);
+    if (coordinates)
+      canvas.text(frame.to_page({min.x(), y}) + Point(2, -2), std::to_string(std::lround(y)), kText_px, ink::kText);
+  }
+}
+
+void draw_floor(DrawingCanvas& canvas, const DrawingScene& scene) {
+  for (const auto& [min, max] : scene.floor)
+    canvas.polygon(std::array{min, Point(max.x(), min.y()), max, Point(min.x(), max.y())}, ink::kFloor);
 }
 
 void draw_body(DrawingCanvas& canvas, const Segment& face, const Color& color) {
@@ -167,7 +188,8 @@ Color alternative_color(double probability) {
 
 void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {
   canvas.clip_to_plot();
-  draw_grid(canvas);
+  draw_floor(canvas, scene);
+  draw_grid(canvas, scene.coordinates);
   if (!scene.free_space.empty()) canvas.polygon(scene.free_space, ink::kFreeSpace);
   draw_associations(canvas, scene);
   if (scene.map) draw_map(canvas, *scene.map);

@@ -16,6 +16,7 @@ inline constexpr Color kPlot{1, 1, 1};
 inline constexpr Color kText{0.16, 0.18, 0.22};
 inline constexpr Color kFaintText{0.42, 0.45, 0.50};
 inline constexpr Color kGrid{0.90, 0.91, 0.92};
+inline constexpr Color kFloor{0.84, 0.93, 0.84};
 inline constexpr Color kFreeSpace{0.36, 0.66, 0.93, 0.13};
 inline constexpr Color kScan{0.88, 0.26, 0.16, 0.85};
 inline constexpr Color kUnmapped{0.72, 0.55, 0.38};

@@ -49,6 +49,11 @@ void area_symbol(DrawingCanvas& canvas, const Point& middle_px) {
   canvas.page_rectangle(middle_px - size / 2, size, ink::kFreeSpace.with_opacity(0.3));
 }
 
+void floor_symbol(DrawingCanvas& canvas, const Point& middle_px) {
+  const Point size(kSymbol_px - 4, 12);
+  canvas.page_rectangle(middle_px - size / 2, size, ink::kFloor);
+}
+
 std::string short_name(const std::string& type) { return type.rfind("opal:", 0) == 0 ? type.substr(5) : type; }
 
 void ended_symbol(DrawingCanvas& canvas, const Point& middle_px) {
@@ -80,6 +85,7 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
   const auto add = [&](bool present, std::string label, auto symbol) {
     if (present) rows.push_back({std::move(label), std::move(symbol)});
   };
+  add(!scene.floor.empty(), "where a robot can be", floor_symbol);
   add(!scene.unmapped.empty(), "stands there, not in the map", stroke_symbol(ink::kUnmapped, kUnmapped_px));
   add(!scene.free_space.empty(), "seen to be free", area_symbol);
   add(!scene.scan_points.empty(), "scan", dots_symbol);

@@ -6,10 +6,42 @@
 namespace opal {
 namespace {
 
+std::vector<Point> ends_of(const SemanticMap& map) {
+  std::vector<Point> ends;
+  for (const MapFeature& feature : map.features()) {
+    if (const auto* face = std::get_if<Segment>(&feature.geometry)) ends.insert(ends.end(), {face->begin, face->end});
+    if (const auto* column = std::get_if<Circle>(&feature.geometry)) ends.push_back(column->center);
+  }
+  return ends;
+}
+
+/// The convex hull of what is mapped, counter-clockwise (Andrew 1979).
+std::vector<Point> hull_of(const SemanticMap& map) {
+  std::vector<Point> ends = ends_of(map), hull;
+  std::sort(ends.begin(), ends.end(),
+            [](const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  for (int half = 0; half < 2; ++half, std::reverse(ends.begin(), ends.end())) {
+    const std::size_t first = hull.size();
+    for (const Point& p : ends) {
+      while (hull.size() >= first + 2 && cross(Point(hull.back() - hull[hull.size() - 2]), Point(p - hull.back())) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    if (!hull.empty()) hull.pop_back();
+  }
+  return hull;
+}
+
+bool is_in(const std::vector<Point>& hull, const Point& p) {
+  for (std::size_t k = 0; k < hull.size(); ++k)
+    if (cross(Point(hull[(k + 1) % hull.size()] - hull[k]), Point(p - hull[k])) < 0) return false;
+  return !hull.empty();
+}
+
 class OpenGround {
  public:
   OpenGround(const SemanticMap& map, const MapRaster& raster)
-      : raster_(raster), walls_(raster.cells.size(), 0), outside_(raster.cells.size(), 0) {
+      : map_(map), raster_(raster), walls_(raster.cells.size(), 0), outside_(raster.cells.size(), 0) {
     for (const MapFeature& feature : map.features()) {
       if (const auto* face = std::get_if<Segment>(&feature.geometry)) draw(*face);
       if (const auto* column = std::get_if<Circle>(&feature.geometry)) draw(*column);
@@ -26,7 +58,10 @@ class OpenGround {
       for (const auto& [i, j] : std::array<std::array<int, 2>, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}})
         enter(column + i, row + j);
     }
-    if (is_no_building()) std::fill(outside_.begin(), outside_.end(), 0);
+    if (is_no_building())
+      leave_hull(map_);
+    else
+      take_recesses();
     return std::move(outside_);
   }
 
@@ -83,16 +118,73 @@ class OpenGround {
     return true;
   }
 
-  bool is_no_building() const {
-    int free = 0, inside = 0;
-    for (std::size_t cell = 0; cell < outside_.size(); ++cell) {
-      const bool is_free = raster_.cells[cell] == MapRaster::Cell::free;
-      free += is_free;
-      inside += is_free && !outside_[cell];
-    }
-    return 3 * inside < free;
+  int inside_cells() const {
+    int inside = 0;
+    for (std::size_t cell = 0; cell < outside_.size(); ++cell)
+      inside += raster_.cells[cell] == MapRaster::Cell::free && !outside_[cell];
+    return inside;
   }
 
+  bool is_no_building() const {
+    return 3 * inside_cells() < std::count(raster_.cells.begin(), raster_.cells.end(), MapRaster::Cell::free);
+  }
+
+  /// What the open leads into by no door, and what is hardly deeper than its mouth is wide: a porch, a carport.
+  void take_recesses() {
+    constexpr int kLeastShare = 5;  // a larger part than this of the building is the building
+    std::vector<char> seen = outside_;
+    const int inside = inside_cells();
+    for (std::size_t k = 0; k < open_.size(); ++k)
+      each_neighbour(open_[k], [&](int cell) {
+        if (seen[cell] || walls_[cell]) return;
+        const std::vector<int> ground = ground_from(cell, seen);
+        if (kLeastShare * static_cast<int>(ground.size()) < inside && is_recess(ground))
+          for (const int inner : ground) outside_[inner] = 1;
+      });
+  }
+
+  std::vector<int> ground_from(int start, std::vector<char>& seen) const {
+    std::vector<int> ground{start};
+    seen[start] = 1;
+    for (std::size_t k = 0; k < ground.size(); ++k)
+      each_neighbour(ground[k], [&](int cell) {
+        if (seen[cell] || walls_[cell]) return;
+        seen[cell] = 1;
+        ground.push_back(cell);
+      });
+    return ground;
+  }
+
+  bool is_recess(const std::vector<int>& ground) const {
+    constexpr double kDepth = 2;
+    double mouth = 0;
+    for (const int cell : ground) {
+      bool at_mouth = false;
+      each_neighbour(cell, [&](int next) { at_mouth = at_mouth || outside_[next]; });
+      mouth += at_mouth;
+    }
+    return static_cast<double>(ground.size()) < kDepth * mouth * mouth;
+  }
+
+  template <class Visit>
+  void each_neighbour(int cell, const Visit& visit) const {
+    const int column = cell % raster_.columns, row = cell / raster_.columns;
+    if (column > 0) visit(cell - 1);
+    if (row > 0) visit(cell - raster_.columns);
+    if (column + 1 < raster_.columns) visit(cell + 1);
+    if (row + 1 < raster_.rows) visit(cell + raster_.columns);
+  }
+
+  /// Where walls enclose nothing, what lies around everything mapped is outside.
+  void leave_hull(const SemanticMap& map) {
+    const std::vector<Point> hull = hull_of(map);
+    for (std::size_t cell = 0; cell < outside_.size(); ++cell) {
+      const int column = static_cast<int>(cell) % raster_.columns, row = static_cast<int>(cell) / raster_.columns;
+      outside_[cell] = !is_in(hull, raster_.origin + raster_.resolution_m * Point(column + 0.5, row + 0.5));
+    }
+  }
+
+  const SemanticMap& map_;
   const MapRaster& raster_;
   std::vector<char> walls_, outside_;
   std::vector<int> open_;  ///< outside, in the order in which they were found

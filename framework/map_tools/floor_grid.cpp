@@ -113,6 +113,21 @@ bool FloorGrid::holds(const Point& from, const Point& to) const {
   return true;
 }
 
+std::vector<std::array<Point, 2>> FloorGrid::rectangles() const {
+  std::vector<std::array<Point, 2>> runs;
+  int before = -2;
+  for (int cell = 0; cell < columns_ * rows_; ++cell) {
+    if (clearance_m_[cell] == 0) continue;
+    const Point half = Point::Constant(cell_m_ / 2), center = center_of(cell);
+    if (cell != before + 1)  // cells at the border are not free, so that a run ends with its row
+      runs.push_back({center - half, center + half});
+    else
+      runs.back()[1] = center + half;
+    before = cell;
+  }
+  return runs;
+}
+
 std::optional<Point> FloorGrid::nearest(const Point& p) const {
   if (holds(p)) return p;
   const int reach = static_cast<int>(0.5 / cell_m_ + 1e-9);
@@ -238,6 +253,7 @@ std::vector<Point> FloorGrid::along(const FloorWays& ways, int cell) const {
 MapRaster floor_raster(const SemanticMap& map) {
   RasterOptions options;
   options.resolution_m = 0.1;
+  options.doors_open = true;
   return rasterized(map, options);
 }
 

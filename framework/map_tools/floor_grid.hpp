@@ -39,6 +39,8 @@ class OPAL_EXPORT FloorGrid {
   /// -1: outside the grid.
   int cell_at(const Point& p) const;
   bool holds(const Point& p) const;
+  /// The same cells as rectangles (corners min, max), one for each run of cells along x: for pictures.
+  std::vector<std::array<Point, 2>> rectangles() const;
   /// Whether the straight way between two places stays on the floor.
   bool holds(const Point& from, const Point& to) const;
   /// The place on it next to p, no farther than 0.5 m; p itself if it is on the floor.
@@ -90,7 +92,7 @@ OPAL_EXPORT FloorGrid seen_floor(const SemanticMap& map, const std::function<boo
 /// The same from a raster of the map in cells of any size, which takes longer to make than all that follows from it.
 OPAL_EXPORT FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Point&)>& has_room,
                                  FloorGrid::Parts parts = FloorGrid::Parts::largest);
-/// The raster of which `seen_floor` makes the floor of a map: cells of 0.1 m.
+/// The raster of which `seen_floor` makes the floor of a map: cells of 0.1 m, all doors open.
 OPAL_EXPORT MapRaster floor_raster(const SemanticMap& map);
 
 }  // namespace opal

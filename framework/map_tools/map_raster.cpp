@@ -42,7 +42,7 @@ std::array<Point, 2> extent_of(const SemanticMap& map) {
 
 class Rasterization {
  public:
-  Rasterization(const SemanticMap& map, const RasterOptions& options) : map_(map) {
+  Rasterization(const SemanticMap& map, const RasterOptions& options) : map_(map), doors_open_(options.doors_open) {
     const auto [min, max] = extent_of(map);
     const Point size = (max - min + Point::Constant(2 * options.border_m)) / options.resolution_m;
     if (!(size.x() * size.y() < kMostCells))
@@ -57,13 +57,17 @@ class Rasterization {
 
   MapRaster run() {
     for (const MapFeature& feature : map_.features())
-      if (has_surface(feature.geometry)) draw(feature.geometry);
+      if (stands(feature)) draw(feature.geometry);
     for (const MapFeature& feature : map_.features())
-      if (has_surface(feature.geometry)) look_from(feature.geometry);
+      if (stands(feature)) look_from(feature.geometry);
     return std::move(raster_);
   }
 
  private:
+  bool stands(const MapFeature& feature) const {
+    return has_surface(feature.geometry) && !(doors_open_ && is_door_leaf(map_, feature));
+  }
+
   void occupy(const Point& p) {
     if (const auto index = index_at(p)) raster_.cells[*index] = Cell::occupied;
   }
@@ -108,9 +112,14 @@ class Rasterization {
   void look_along(const Point& from, const Point& direction) {
     constexpr double kView_m = 15;
     const double step_m = raster_.resolution_m / 2;
+    bool leaves_line = true;  // a wall that is drawn as one line stands in the cells on both sides of it
     for (double range_m = step_m; range_m < kView_m; range_m += step_m) {
       const auto index = index_at(from + range_m * direction);
-      if (!index || raster_.cells[*index] == Cell::occupied) return;
+      if (!index) return;
+      const bool occupied = raster_.cells[*index] == Cell::occupied;
+      if (occupied && leaves_line && range_m < 2 * raster_.resolution_m) continue;
+      if (occupied) return;
+      leaves_line = false;
       raster_.cells[*index] = Cell::free;
     }
   }
@@ -123,6 +132,7 @@ class Rasterization {
   }
 
   const SemanticMap& map_;
+  bool doors_open_;
   MapRaster raster_;
 };
 
@@ -139,6 +149,10 @@ void write_pixels(const MapRaster& raster, std::ostream& out) {
 }
 
 }  // namespace
+
+bool is_door_leaf(const SemanticMap& map, const MapFeature& feature) {
+  return feature.sensor.empty() && feature.object >= 0 && map.objects()[feature.object].type == "opal:Door";
+}
 
 MapRaster::Cell MapRaster::at(const Point& p) const {
   const Point cell = (p - origin) / resolution_m;

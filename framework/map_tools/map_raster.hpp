@@ -25,8 +25,12 @@ struct MapRaster {
 
 struct RasterOptions {
   double resolution_m = 0.05;
-  double border_m = 1;  ///< around everything that is mapped
+  double border_m = 1;      ///< around everything that is mapped
+  bool doors_open = false;  ///< leaves of doors, which no sensor perceives, are not drawn
 };
+
+/// Whether a feature is of a door's leaf: a door's frame can be perceived, its leaf cannot.
+OPAL_EXPORT bool is_door_leaf(const SemanticMap& map, const MapFeature& feature);
 
 /// Cells just behind a face, and those of a round column, are occupied. Others are free if some surface can be seen
 /// from there, within 15 m, and unknown if not.

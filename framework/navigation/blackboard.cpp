@@ -3,21 +3,40 @@
 #include "navigation/path.hpp"
 
 #include <opal/common/error.hpp>
-#include "map_tools/building_outside.hpp"
+#include "map_tools/building_ground.hpp"
 
 #include <algorithm>
 
 namespace opal::behaviours {
 
-FloorGrid mapped_floor(const MapView& map, double radius_m) {
-  const MapRaster raster = floor_raster(map.map());
-  FloorGrid floor = seen_floor(
-      raster, [&](const Point& p) { return map.clearance_m(p) > radius_m; }, FloorGrid::Parts::all);
+FloorGrid mapped_floor(const MapView& map, double radius_m, bool outdoors) {
+  const BuildingGround ground(map.map(), outdoors);
+  FloorGrid floor = ground.floor_with_outside([&](const Point& p) { return map.clearance_m(p) > radius_m; });
   if (floor.cells().empty())
     throw MapError(map.map().name() + ": has no floor for a robot of " + std::to_string(radius_m) + " m radius");
-  floor.close_off(outside_cells(map.map(), raster));
   return floor;
 }
+
+namespace {
+
+FloorGrid::Surcharge price_of_tight_floor(const FloorGrid& floor, const MapView& map, double needed_m) {
+  constexpr float kTight = 25;  // as beside what is not mapped
+  FloorGrid::Surcharge prices = floor.no_surcharge();
+  for (const int cell : floor.cells())
+    if (map.clearance_m(floor.center_of(cell)) < needed_m) prices[static_cast<std::size_t>(cell)] = kTight;
+  return prices;
+}
+
+}  // namespace
+
+Blackboard::Blackboard(const LocalizationQueries& queries, const MotionPrimitives& primitives,
+                       const FloorGrid& mapped_floor, const Point& wanted)
+    : localization(queries),
+      motion(primitives),
+      floor(mapped_floor),
+      goal(wanted),
+      tight(price_of_tight_floor(mapped_floor, queries.map(),
+                                 primitives.options().radius_m + primitives.options().margin_m)) {}
 
 void Blackboard::look() {
   before_ = velocity_;
@@ -25,6 +44,7 @@ void Blackboard::look() {
   obstacles_.add(localization.newest_scan(), T_odom_base(), localization.laser().T_base_laser);
   near_ = obstacles_.near(motion.reach_m());
   notice_progress();
+  notice_unmapped();
   velocity_ = {};
   wants_pattern_alone_ = false;
 }
@@ -60,6 +80,29 @@ void Blackboard::notice_impasse() {
     return;
   }
   impasses_.push_back({p, now_s() + kOnce_s});
+}
+
+void Blackboard::notice_unmapped() {
+  constexpr double kEvery_s = 0.5, kReach_m = 10, kMapped_m = 0.25, kKept_s = 300, kSamePlace_m = 0.5;
+  if (!estimate_.has_pose || now_s() - noticed_at_s_ < kEvery_s) return;
+  noticed_at_s_ = now_s();
+  const Point here = estimate_.T_map_base.position();
+  const bool elsewhere = (T_map_odom_noticed_ * T_odom_base().position() - here).norm() > kSamePlace_m;
+  if (elsewhere) unmapped_.clear();  // another hypothesis is best
+  T_map_odom_noticed_ = T_map_odom();
+  std::erase_if(unmapped_, [&](const Unmapped& seen) {
+    return (seen.p_map - here).norm() <= kReach_m || now_s() - seen.stamp_s > kKept_s;
+  });
+  for (const Point& p_odom : obstacles_.lately(kReach_m)) {
+    const Point p = T_map_odom_noticed_ * p_odom;
+    if (localization.map().clearance_m(p) > kMapped_m) unmapped_.push_back({p, now_s()});
+  }
+}
+
+std::vector<Point> Blackboard::unmapped() const {
+  std::vector<Point> points;
+  for (const Unmapped& seen : unmapped_) points.push_back(seen.p_map);
+  return points;
 }
 
 std::vector<Point> Blackboard::impasses() const {

@@ -12,22 +12,24 @@
 
 namespace opal::behaviours {
 
-/// Where the map has room for a disc; no way leads out of the building (outside_cells). Frame: `map`.
+/// Where the map has room for a disc (BuildingGround::floor_with_outside). Frame: `map`.
+/// @param outdoors  ways may lead out of the building.
 /// @throws MapError if there is no such place.
-FloorGrid mapped_floor(const MapView& map, double radius_m);
+FloorGrid mapped_floor(const MapView& map, double radius_m, bool outdoors = false);
 
 /// What the nodes of a tree know and decide: one moment of a robot with a goal.
 class Blackboard {
  public:
   /// What is given must outlive this.
   Blackboard(const LocalizationQueries& queries, const MotionPrimitives& primitives, const FloorGrid& mapped_floor,
-             const Point& wanted)
-      : localization(queries), motion(primitives), floor(mapped_floor), goal(wanted) {}
+             const Point& wanted);
 
   const LocalizationQueries& localization;
   const MotionPrimitives& motion;
   const FloorGrid& floor;  ///< frame `map`
   const Point goal;        ///< frame `map`
+  /// Mapped floor where the robot and its margin do not fit is dear: the map may be wrong there, the robot is not.
+  const FloorGrid::Surcharge tight;
 
   /// Takes what localization now answers; to be called once before every tick.
   void look();
@@ -61,6 +63,9 @@ class Blackboard {
 
   /// Whether the robot has wanted to get somewhere for some seconds, and has not moved.
   bool is_stuck() const { return now_s() - moved_at_s_ > kPatience_s; }
+  /// What stands where the map has nothing, frame `map`: near the robot as it is seen now, farther away as it was seen
+  /// last, so that a plan does not forget on its way round a thing what the way round is for.
+  std::vector<Point> unmapped() const;
   /// Where it got stuck not long ago, a little way ahead, frame odom: whatever the plan says, there is no way through.
   std::vector<Point> impasses() const;
   void forget_being_stuck() { moved_at_s_ = now_s(); }
@@ -72,8 +77,13 @@ class Blackboard {
     Point p_odom;
     double until_s;  ///< it may have been somebody who has gone on since
   };
+  struct Unmapped {
+    Point p_map;
+    double stamp_s;
+  };
   void notice_progress();
   void notice_impasse();
+  void notice_unmapped();
 
   PoseEstimate estimate_;
   SeenObstacles obstacles_;
@@ -82,6 +92,9 @@ class Blackboard {
   Velocity velocity_, before_;
   bool wants_pattern_alone_ = false;
   std::vector<Impasse> impasses_;
+  std::vector<Unmapped> unmapped_;
+  Pose2 T_map_odom_noticed_;  ///< by which unmapped_ lies in the map
+  double noticed_at_s_ = -1e9;
   std::optional<Point> wanted_odom_;  ///< where some node wanted to get at the tick before
   Point moved_from_ = Point::Zero();
   double moved_at_s_ = 0;  ///< or did not want to get anywhere

@@ -7,18 +7,15 @@
 namespace opal::behaviours {
 
 FloorGrid::Surcharge unmapped_surcharge(const Blackboard& blackboard) {
-  constexpr double kReach_m = 10, kMapped_m = 0.25, kBeside_m = 0.04;
+  constexpr double kReach_m = 10, kBeside_m = 0.04;
   constexpr float kBeside = 25, kBlocked = 300;  // per metre: a detour of 100 m is better than to try what is blocked
   const Pose2 T_map_odom = blackboard.T_map_odom();
-  std::vector<Point> all, unmapped;
-  for (const Point& p : blackboard.obstacles().lately(kReach_m)) {
-    all.push_back(T_map_odom * p);
-    if (blackboard.localization.map().clearance_m(all.back()) > kMapped_m) unmapped.push_back(all.back());
-  }
+  std::vector<Point> all, unmapped = blackboard.unmapped();
+  for (const Point& p : blackboard.obstacles().lately(kReach_m)) all.push_back(T_map_odom * p);
   for (const Point& p : blackboard.impasses()) unmapped.push_back(T_map_odom * p);
   const MotionOptions& motion = blackboard.motion.options();
   const double keep_m = motion.radius_m + motion.margin_m;
-  FloorGrid::Surcharge prices = blackboard.floor.no_surcharge();
+  FloorGrid::Surcharge prices = blackboard.tight;
   blackboard.floor.raise(prices, unmapped, keep_m + kBeside_m, kBeside);
   blackboard.floor.raise(prices, unmapped, keep_m, kBlocked);
   blackboard.floor.raise(prices, all, motion.radius_m, kBlocked);

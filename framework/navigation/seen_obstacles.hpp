@@ -30,7 +30,8 @@ class SeenObstacles {
 
   /// What the next motion must not touch, frame base_link at the newest scan.
   std::vector<Obstacle> near(double reach_m) const;
-  /// Everything not forgotten within reach of the robot, frame odom: for planning.
+  /// Everything not forgotten within reach of the robot, frame odom: for planning. What moved when it was seen last is
+  /// elsewhere by now, if that is some seconds ago.
   std::vector<Point> lately(double reach_m) const;
 
  private:

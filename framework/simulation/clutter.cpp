@@ -81,17 +81,27 @@ bool is_glass(const std::string& type) {
 class Leaf {
  public:
   /// @param outline  of one door; the hinge is one end of its longest straight piece.
-  Leaf(std::span<const Segment> outline, bool open, Random& random) {
+  /// @param walls  an open leaf stands on the side where they leave more room: in the room, not across the corridor.
+  Leaf(std::span<const Segment> outline, bool open, const RayCaster& walls, Random& random) {
     if (!open || outline.empty()) return;
     const Segment longest = *std::max_element(
         outline.begin(), outline.end(), [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
-    const Point hinge = random.chance(0.5) ? longest.begin : longest.end;
-    const double angle = (random.chance(0.5) ? 1 : -1) * random.uniform(1.2, 1.7);
+    const bool at_begin = random.chance(0.5), either = random.chance(0.5);
+    const double left_m = room_m(walls, longest, 1), right_m = room_m(walls, longest, -1);
+    const bool to_left = left_m == right_m ? either : left_m > right_m;
+    const double angle = (to_left == at_begin ? 1 : -1) * random.uniform(std::numbers::pi / 2, 1.9);
+    const Point hinge = at_begin ? longest.begin : longest.end;
     moved_ = Pose2(hinge, 0) * Pose2(0, 0, angle) * Pose2(-hinge, 0);
   }
   Segment moved(const Segment& piece) const { return transformed(moved_, piece); }
 
  private:
+  static double room_m(const RayCaster& walls, const Segment& leaf, double side) {
+    constexpr double kReach_m = 10;
+    const RayHit hit = walls.cast(0.5 * (leaf.begin + leaf.end), side * left_of(leaf.direction()), kReach_m);
+    return hit.solid < 0 ? kReach_m : hit.range_m;
+  }
+
   Pose2 moved_;
 };
 
@@ -105,6 +115,13 @@ std::vector<Segment> unperceived(const SemanticMap& map, const MapObject& object
   return pieces;
 }
 
+std::vector<Solid> perceived_solids(const SemanticMap& map) {
+  std::vector<Solid> solids;
+  for (const MapFeature& feature : map.features())
+    if (!feature.sensor.empty()) solids.push_back({feature.geometry, false});
+  return solids;
+}
+
 /// As many as there should be on average.
 int count_of(double expected, Random& random) {
   return static_cast<int>(expected) + (random.chance(expected - std::floor(expected)) ? 1 : 0);
@@ -112,12 +129,15 @@ int count_of(double expected, Random& random) {
 
 }  // namespace
 
-std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random) {
+std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random,
+                                   const std::function<bool(const MapObject&)>& stays_shut) {
   std::vector<Solid> solids;
+  const RayCaster walls(perceived_solids(map));
   for (const MapObject& object : map.objects()) {
     const bool is_door = object.type == "opal:Door";
     const std::vector<Segment> outline = is_door ? unperceived(map, object) : std::vector<Segment>();
-    const Leaf leaf(outline, is_door && random.chance(doors_open_share), random);
+    const bool open = is_door && random.chance(doors_open_share);
+    const Leaf leaf(outline, open && !(stays_shut && stays_shut(object)), walls, random);
     for (const Segment& piece : outline) solids.push_back({leaf.moved(piece), false});
     for (int number : object.features) {
       const MapFeature& feature = map.features()[number];

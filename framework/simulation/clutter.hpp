@@ -24,8 +24,10 @@ struct ClutterOptions {
 };
 
 /// The building itself: every face and column; glass where no sensor perceives a window or a panel; doors as leaves
-/// that are open (turned about one end) or closed.
-std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random);
+/// that are open (turned about one end, out of the way) or closed.
+/// @param stays_shut  which doors are never open; may be empty.
+std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random,
+                                   const std::function<bool(const MapObject&)>& stays_shut = {});
 
 /// The features of objects that only the furnished one of two maps of a building has, known by their ids.
 std::vector<Solid> furniture_solids(const SemanticMap& furnished, const SemanticMap& building);

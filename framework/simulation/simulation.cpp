@@ -16,33 +16,6 @@ std::vector<Solid> with(std::vector<Solid> solids, const std::vector<Solid>& mor
   return solids;
 }
 
-/// The building with clutter that leaves most of its floor to drive on: if it does not, half of the pieces go, and so
-/// on.
-std::unique_ptr<const RayCaster> furnished(const SemanticMap& map, const SimulationOptions& options, Random& random,
-                                           std::unique_ptr<const Floor>& floor, std::vector<Solid>& clutter) {
-  constexpr double kLeast = 0.6;
-  constexpr double kMargin_m = 0.1;  // so that a way along the centres of cells is a way
-  const double wide_m = options.robot_radius_m + kMargin_m;
-  Random doors = random.branch(), furniture = random.branch();
-  const std::vector<Solid> building = building_solids(map, options.doors_open_share, doors);
-  auto solids = std::make_unique<const RayCaster>(building);
-  const MapRaster seen = floor_raster(map);
-  const Floor empty(map, seen, *solids, wide_m);
-  auto pieces = clutter_pieces(
-      map, empty.area_m2(), options.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
-  for (;; pieces.resize(pieces.size() / 2)) {
-    clutter = with(options.furniture, joined(pieces));
-    solids = std::make_unique<const RayCaster>(with(building, clutter));
-    try {
-      floor = std::make_unique<const Floor>(map, seen, *solids, wide_m);
-    } catch (const MapError&) {
-      if (pieces.empty()) throw;
-      continue;
-    }
-    if (pieces.empty() || floor->area_m2() > kLeast * empty.area_m2()) return solids;
-  }
-}
-
 }  // namespace
 
 LaserModel SimulationOptions::default_laser() {
@@ -59,10 +32,35 @@ Simulation::Simulation(std::shared_ptr<const SemanticMap> building, const Simula
     : building_(std::move(building)),
       options_(options),
       random_(seed),
-      solids_(furnished(*building_, options_, random_, floor_, clutter_)),
+      ground_(std::make_unique<const BuildingGround>(*building_, options_.outdoors)),
+      solids_(furnished()),
       odometry_(options.drive, options.odometry_errors, random_.branch()) {
   for (int k = 0; k < options_.people; ++k) people_.emplace_back(*floor_, random_.branch());
   T_map_base_ = {floor_->anywhere(random_), random_.uniform(-std::numbers::pi, std::numbers::pi)};
+}
+
+/// The building with clutter that leaves most of its floor to drive on: if it does not, half of the pieces go, and so
+/// on.
+std::unique_ptr<const RayCaster> Simulation::furnished() {
+  constexpr double kLeast = 0.6;
+  Random doors = random_.branch(), furniture = random_.branch();
+  const auto stays_shut = [&](const MapObject& object) { return ground_->is_shut_outer_door(*building_, object); };
+  const std::vector<Solid> building = building_solids(*building_, options_.doors_open_share, doors, stays_shut);
+  auto solids = std::make_unique<const RayCaster>(building);
+  const Floor empty(*building_, *ground_, *solids, clearance_m());
+  auto pieces = clutter_pieces(
+      *building_, empty.area_m2(), options_.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
+  for (;; pieces.resize(pieces.size() / 2)) {
+    clutter_ = with(options_.furniture, joined(pieces));
+    solids = std::make_unique<const RayCaster>(with(building, clutter_));
+    try {
+      floor_ = std::make_unique<const Floor>(*building_, *ground_, *solids, clearance_m());
+    } catch (const MapError&) {
+      if (pieces.empty()) throw;
+      continue;
+    }
+    if (pieces.empty() || floor_->area_m2() > kLeast * empty.area_m2()) return solids;
+  }
 }
 
 std::optional<Contact> Simulation::contact(const Pose2& T_map_base) const {

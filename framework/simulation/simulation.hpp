@@ -21,6 +21,7 @@ struct SimulationOptions {
   int people = 4;
   double doors_open_share = 0.7;
   double robot_radius_m = 0.3;
+  bool outdoors = false;  ///< robots can be outdoors; outer doors may be open, too
 
   /// 270 degrees in steps of half a degree, up to 30 m, 0.2 m before the robot's centre.
   static LaserModel default_laser();
@@ -43,6 +44,10 @@ class Simulation {
   const SimulationOptions& options() const { return options_; }
   /// Where the robot can be.
   const Floor& floor() const { return *floor_; }
+  /// What of the building's ground robots can be on, if nothing stands there.
+  const BuildingGround& ground() const { return *ground_; }
+  /// From the centre of a robot on the floor to the nearest solid thing, at least.
+  double clearance_m() const { return options_.robot_radius_m + kMargin_m; }
   const RayCaster& solids() const { return *solids_; }
   /// Those that the map does not hold.
   const std::vector<Solid>& clutter() const { return clutter_; }
@@ -64,12 +69,16 @@ class Simulation {
   RawScan scan();
 
  private:
+  static constexpr double kMargin_m = 0.1;  ///< so that a way along the centres of cells is a way
+
+  std::unique_ptr<const RayCaster> furnished();
   std::optional<Contact> contact(const Pose2& T_map_base) const;
   bool nears(const Geometry& touched, const Point& next) const;
 
   std::shared_ptr<const SemanticMap> building_;
   SimulationOptions options_;
   Random random_;
+  std::unique_ptr<const BuildingGround> ground_;
   std::unique_ptr<const Floor> floor_;  // found while solids_ are put up
   std::vector<Solid> clutter_;          // likewise
   std::unique_ptr<const RayCaster> solids_;

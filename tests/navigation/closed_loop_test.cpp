@@ -29,7 +29,8 @@ DriveRecord driven(const char* behaviour, std::uint64_t seed) {
   options.most_s = 300;
   const auto tree =
       behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
-  return drive_to_goal(simulation, localizer, behaviours::mapped_floor(*parts.map, 0.2), *tree, kGoal, options);
+  const Point goal = simulation.floor().nearest(kGoal).value();  // clutter may stand on the goal itself
+  return drive_to_goal(simulation, localizer, behaviours::mapped_floor(*parts.map, 0.2), *tree, goal, options);
 }
 
 }  // namespace

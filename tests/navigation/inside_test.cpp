@@ -47,10 +47,26 @@ TEST_CASE("what lies before the outer walls is outside, whatever the doors do") 
   for (const Point& p : {Point(8.8, 3), Point(4, -0.8), Point(-0.8, 6.8)}) CHECK(outside_of(outside, raster, p));
 }
 
-TEST_CASE("a map of walls that enclose nothing has no outside") {
+TEST_CASE("a map of walls that enclose nothing is inside between them, and outside around them") {
   const auto map = map_of({{{0, 0}, {8, 0}}, {{9, 3}, {9, 9}}});
-  const std::vector<char> outside = outside_cells(*map, floor_raster(*map));
-  CHECK(std::count(outside.begin(), outside.end(), 1) == 0);
+  const MapRaster raster = floor_raster(*map);
+  const std::vector<char> outside = outside_cells(*map, raster);
+  for (const Point& p : {Point(4, 1), Point(8, 3), Point(8.8, 6)}) CHECK_FALSE(outside_of(outside, raster, p));
+  for (const Point& p : {Point(4, -0.5), Point(9.5, 6), Point(1, 7)}) CHECK(outside_of(outside, raster, p));
+}
+
+TEST_CASE("a porch between two wings of a house is outside") {
+  // clang-format off
+  std::vector<Segment> faces = room_of({{-0.2, -0.2}, {-0.2, 8.2}, {10.2, 8.2}, {10.2, -0.2}, {6.2, -0.2}, {6.2, 3},
+                                        {3.8, 3}, {3.8, -0.2}});
+  for (const Segment& face : room_of({{0, 0}, {3.6, 0}, {3.6, 3.2}, {6.4, 3.2}, {6.4, 0}, {10, 0}, {10, 8}, {0, 8}}))
+    faces.push_back(face);
+  // clang-format on
+  const auto map = map_of(faces);
+  const MapRaster raster = floor_raster(*map);
+  const std::vector<char> outside = outside_cells(*map, raster);
+  CHECK(outside_of(outside, raster, {5, 2.5}));
+  CHECK_FALSE(outside_of(outside, raster, {5, 5}));
 }
 
 TEST_CASE("no way leads out of the building, and one from outside leads in") {
@@ -112,4 +128,34 @@ TEST_CASE("a robot that searches keeps away from where its hypotheses have the b
   moment.blackboard.look();
   REQUIRE(drive.tick(moment.blackboard) == NodeStatus::running);
   CHECK(moment.blackboard.velocity().linear_mps.x() < 0.3);  // not on through the doorway ahead
+}
+
+TEST_CASE("a plan remembers what stands in the way when the robot is far from it again") {
+  const auto map = map_of(room_of({{0, 0}, {30, 0}, {30, 3}, {0, 3}}));
+  MadeUpMoment moment(map);
+  const auto look_from = [&](double x, bool barred, double now_s) {
+    moment.queries.stand(Pose2(x, 1.5, 0), {Pose2(x, 1.5, 0)}, now_s);
+    if (barred) moment.queries.scan.points.push_back({{4, 0}, 4, 0, 270});
+    moment.blackboard.look();
+  };
+  look_from(2, true, 1);
+  REQUIRE(moment.blackboard.unmapped().size() == 1);
+  look_from(20, false, 40);
+  CHECK(moment.blackboard.unmapped().size() == 1);
+}
+
+TEST_CASE("somebody who walked by is not planned around a minute later") {
+  SeenObstacles seen;
+  const auto look = [&](double ahead_m, double stamp_s) {
+    Scan scan{stamp_s, 0.01, 30, {}, {}};
+    for (int k = -5; k <= 5; ++k) scan.points.push_back({ahead_m * unit_vector(0.01 * k), ahead_m, 0.01 * k, k + 5});
+    seen.add(scan, Pose2(), Pose2());
+  };
+  look(3, 0);
+  look(1.5, 0.6);  // nearer than what was behind
+  CHECK(seen.lately(10).size() > 0);
+  const Scan nothing{60, 0.01, 30, {}, {}};
+  seen.add(nothing, Pose2(0, 0, 3), Pose2());  // the laser looks the other way
+  const std::vector<Point> later = seen.lately(10);
+  CHECK(std::none_of(later.begin(), later.end(), [](const Point& p) { return p.norm() < 2; }));
 }

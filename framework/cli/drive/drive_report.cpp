@@ -37,6 +37,7 @@ nlohmann::ordered_json summary_of(const DriveTask& task, const opal::DriveRecord
                                 {"goal", {task.goal.x(), task.goal.y()}},
                                 {"reached", record.reached},
                                 {"said_so", record.said_so},
+                                {"why", nullptr},
                                 {"time_s", record.time_s},
                                 {"driven_m", record.driven_m},
                                 {"off_goal_m", record.off_goal_m},
@@ -46,6 +47,7 @@ nlohmann::ordered_json summary_of(const DriveTask& task, const opal::DriveRecord
                                 {"scans", record.scans},
                                 {"localized_scans", record.localized_scans},
                                 {"falsely_localized_scans", record.falsely_localized_scans}};
+  if (!record.why.empty()) run["why"] = record.why;
   if (record.localized_after_m) run["localized_after_m"] = *record.localized_after_m;
   if (record.localized_after_s) run["localized_after_s"] = *record.localized_after_s;
   return run;
@@ -69,8 +71,8 @@ void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
     std::printf("localized after %.1f m", *record.localized_after_m);
   else
     std::printf("never localized");
-  std::printf("; %zu collisions, %d of %d scans falsely localized\n", record.collisions.size(),
-              record.falsely_localized_scans, record.scans);
+  std::printf("; %zu collisions, %d of %d scans falsely localized%s%s\n", record.collisions.size(),
+              record.falsely_localized_scans, record.scans, record.why.empty() ? "" : ": ", record.why.c_str());
   std::fflush(stdout);
   if (runs_.size() <= kPictures || !record.reached) draw(task, record);
 }
@@ -92,6 +94,7 @@ void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) c
   std::snprintf(note, sizeof note, "From (%.1f, %.1f) to the goal (%.1f, %.1f): %.0f s, %.1f m.", task.start.x(),
                 task.start.y(), task.goal.x(), task.goal.y(), record.time_s, record.driven_m);
   scene.notes.emplace_back(note);
+  if (!record.why.empty()) scene.notes.emplace_back("Not reached: " + record.why + ".");
   scene.notes.emplace_back("The circle is the goal; the estimated trajectory is drawn where it was called localized.");
   const std::string name = (out_ / ("drive_" + std::to_string(task.seed))).string();
   opal::write_svg(scene, name + ".svg");

@@ -1,4 +1,5 @@
 #include "cli/drive/drive_report.hpp"
+#include "cli/drive/floor_picture.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
@@ -7,6 +8,7 @@
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
+#include "closed_loop/no_way.hpp"
 #include "ipc/remote/remote_localization.hpp"
 #include "navigation/node_registry.hpp"
 #include "simulation/recording.hpp"
@@ -14,6 +16,9 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
 
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -29,7 +34,34 @@ struct DriveVerbOptions : WorldOptions {
   opal::ClosedLoopOptions loop;
 };
 
+std::string text_of(const opal::Point& p) {
+  char text[64];
+  std::snprintf(text, sizeof text, "(%.2f, %.2f)", p.x(), p.y());
+  return text;
+}
+
+/// @throws ConfigError if the robot cannot be there, or cannot get there: why, and the name of a picture that shows
+/// where it can be.
+void check_place(const DriveVerbOptions& options, const sim::Simulation& simulation, const std::string& what,
+                 const opal::Point& place) {
+  const std::string why = opal::why_not_at(simulation, place);
+  if (why.empty()) return;
+  const std::string picture = draw_floor(simulation, place, options.out);
+  throw opal::ConfigError(what + text_of(place) + ": " + why + "; expected a place on the green floor of " + picture);
+}
+
+/// Goals beside something are for the nearest place where the robot has room.
+opal::Point given_goal(const DriveVerbOptions& options, const sim::Simulation& simulation) {
+  const opal::Point goal(options.goal[0], options.goal[1]);
+  const auto near = simulation.floor().nearest(goal);
+  if (!near)
+    check_place(options, simulation, "--goal: no way from " + text_of(simulation.T_map_base().position()) + " to ",
+                goal);
+  return near.value_or(goal);
+}
+
 /// Draws what was not given, the same way for every behaviour.
+/// @param floor  by which the robot plans.
 DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor,
                   std::uint64_t seed) {
   constexpr double kLeast_m = 3;
@@ -37,25 +69,25 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
   sim::Random random(seed ^ 0x9e3779b97f4a7c15u);
   if (!options.start.empty()) {
     const opal::Pose2 start(options.start[0], options.start[1], options.start[2]);
-    if (!simulation.floor().holds(start.position()))
-      throw opal::ConfigError("--start: there is no room for the robot there, expected a place on the floor");
+    check_place(options, simulation, "--start: no robot can drive from ", start.position());
     simulation.place(start);
   }
   DriveTask task{seed, simulation.T_map_base(), opal::Point::Zero()};
   for (const sim::Solid& solid : simulation.clutter()) task.clutter.push_back(solid.shape);
   if (!options.goal.empty()) {
-    task.goal = {options.goal[0], options.goal[1]};
-    if (!simulation.floor().nearest(task.goal))
-      throw opal::ConfigError("--goal: there is no room for the robot within 0.5 m, expected a place on the floor");
+    task.goal = given_goal(options, simulation);
     return task;
   }
   const bool is_large = simulation.floor().area_m2() > 40;
+  const auto ways = floor.ways(task.start.position());
   for (int draw = 0; draw < kMostDraws; ++draw) {
     task.goal = simulation.floor().anywhere(random);
     const bool is_far = !is_large || (task.goal - task.start.position()).norm() >= kLeast_m;
-    if (is_far && !floor.is_outside(task.goal)) return task;
+    const int cell = floor.cell_at(task.goal);
+    if (is_far && ways && cell >= 0 && std::isfinite(ways->cost[cell])) return task;
   }
-  throw opal::ConfigError("the simulated robot's floor lies outside the building, expected --goal, and --start inside");
+  throw opal::ConfigError(simulation.building().name() + ": no goal to draw: by the map, no way leads from the start " +
+                          "to any other place, expected --start and --goal, or another --robot-radius");
 }
 
 /// Another program that localizes, in the building that is driven in.
@@ -78,6 +110,15 @@ class OwnLocalization : public behaviours::LocalizerQueries {
  private:
   std::unique_ptr<opal::Localizer> localizer_;
 };
+
+std::unique_ptr<behaviours::Localization> localization_of(const DriveVerbOptions& options,
+                                                          const opal::Deployment& deployment,
+                                                          const opal::PluginRegistry& registry,
+                                                          const std::shared_ptr<const opal::SemanticMap>& map) {
+  if (!options.localizer.empty()) return connected(options.localizer, deployment.laser, *map);
+  return std::make_unique<OwnLocalization>(
+      std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.laser);
+}
 
 /// Drives one after the other, as a recording: each begins a while after the one before.
 class DriveRecording {
@@ -124,12 +165,7 @@ DriveSetup set_up(DriveVerbOptions& options) {
   setup.deployment.map = options.map;
   setup.map = load_map(setup.plugins, setup.deployment);
   options.furnish(setup.plugins, *setup.map);
-  if (options.localizer.empty())
-    setup.localization = std::make_unique<OwnLocalization>(
-        std::make_unique<opal::Localizer>(opal::build_parts(setup.deployment, setup.plugins, setup.map)),
-        setup.deployment.laser);
-  else
-    setup.localization = connected(options.localizer, setup.deployment.laser, *setup.map);
+  setup.localization = localization_of(options, setup.deployment, setup.plugins, setup.map);
   setup.trees = config_file(options.trees.empty() ? "behaviours" : options.trees);
   behaviours::read_tree(behaviours::standard_nodes(), setup.trees, options.behaviour);  // before anything is written
   if (options.behaviour.empty()) options.behaviour = behaviours::first_tree(setup.trees);
@@ -138,7 +174,8 @@ DriveSetup set_up(DriveVerbOptions& options) {
 
 /// Drives one after the other until a stop is asked for; a drive that it cuts is left out.
 void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report, DriveRecording& recording) {
-  const opal::FloorGrid floor = behaviours::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m);
+  const opal::FloorGrid floor = behaviours::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m,
+                                                         options.world.outdoors);
   const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);

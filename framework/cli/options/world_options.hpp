@@ -36,6 +36,7 @@ struct WorldOptions {
     flag("--people", world.people, "who walk about");
     flag("--doors-open", world.doors_open_share, "share of doors that are open");
     flag("--robot-radius", world.robot_radius_m, "[m]");
+    verb.add_flag("--outdoors", world.outdoors, "robots can be outdoors, too, and outer doors may be open");
     verb.add_flag_callback(
         "--omnidirectional", [this] { world.drive = opal::simulation::Drive::omnidirectional; },
         "mecanum wheels instead of two wheels");

@@ -2,7 +2,8 @@
 """Makes the tables of docs/results.md again, and tells every number that changed.
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
-A name is a table (full, stages, calibration, damage, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu) or a kind of map
+A name is a table (full, stages, calibration, damage, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives,
+drives-models) or a kind of map
 (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then only the rows of that kind are made.
 """
 
@@ -14,6 +15,7 @@ import pathlib
 import subprocess
 import sys
 
+import drives
 import judge
 import tables
 
@@ -33,6 +35,7 @@ JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies"
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = {"detect": "detect", "local_map": "local map", "track": "track", "associate": "associate", "verify": "verify"}
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
+DRIVEN = ("drives", "drives-models")
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS = range(1, 21)
 CUT_SEEDS = range(1, 5)
@@ -274,7 +277,7 @@ class Selection:
 
     TABLES = {"full": ["full"], "stages": ["full"], "calibration": ["full"], "damage": DAMAGED, "sites": list(KINDS),
               "seeds": list(SEEDED), "ten-maps": list(SEEDED), "kidnapping": ["kidnapping"], "cuts": ["kidnapping"], "large": list(JOINED),
-              "large-cpu": ["copies"]}
+              "large-cpu": ["copies"], "drives": ["driven"], "drives-models": ["driven"]}
 
     def __init__(self, names):
         known = {*self.TABLES, *KINDS, *JOINED, "kidnapping"}
@@ -289,6 +292,8 @@ class Selection:
         """What has to run: (kind, seed, site) on a site's own map, and kinds of joined maps."""
         single, joined = set(), set()
         for table, kinds in self.kinds.items():
+            if table in DRIVEN:
+                continue  # makes its runs itself
             if table in ("large", "large-cpu"):
                 joined |= set(kinds) if complete else set()
                 single |= {("full", 1, site) for site in sites if table == "large-cpu" and complete}
@@ -314,7 +319,7 @@ def run_all(bench, selection, seeds, jobs):
             raise
 
 
-def make_tables(bench, selection, seeds, page):
+def make_tables(bench, driven, selection, seeds, page):
     kinds = selection.kinds
     makers = {
         "full": lambda: full_table(bench),
@@ -328,6 +333,8 @@ def make_tables(bench, selection, seeds, page):
         "cuts": lambda: cuts_table(bench, seeds),
         "large": lambda: large_table(bench, kinds["large"]),
         "large-cpu": lambda: large_cpu_table(bench),
+        "drives": driven.buildings_table,
+        "drives-models": driven.models_table,
     }
     return {table: makers[table]() for table in kinds}
 
@@ -338,6 +345,8 @@ def parse(arguments):
     parser.add_argument("--opal", type=pathlib.Path, default=pathlib.Path("build/release/bin/opal"), help="Opal's program")
     parser.add_argument("--sites-folder", type=pathlib.Path, default=pathlib.Path("../shared/data/sites"),
                         help="folder of SITE.queries.json, SITE.gt.csv and the recordings")
+    parser.add_argument("--models-folder", type=pathlib.Path, default=pathlib.Path("../shared/data/ifc"),
+                        help="folder of building models, *.ifc")
     parser.add_argument("--sites", nargs="+", choices=SITES, help="only these; sums over all sites then stay as they are")
     parser.add_argument("--page", type=pathlib.Path, default=pathlib.Path("docs/results.md"))
     parser.add_argument("-o", "--out", type=pathlib.Path, default=pathlib.Path("out/results"), help="folder for the runs")
@@ -353,7 +362,7 @@ def main(arguments=None):
     options = parse(arguments)
     selection = Selection(options.names)
     bench = Bench(options)
-    if not bench.sites:
+    if not bench.sites and not set(selection.kinds) <= set(DRIVEN):
         print(f"no recorded sites in {options.sites_folder}: nothing to do")
         return 0
     if not os.access(bench.opal, os.X_OK):
@@ -362,7 +371,7 @@ def main(arguments=None):
     for table in selection.kinds:
         tables.table_in(page, table)  # better refused before hours of runs than after
     run_all(bench, selection, options.seeds, options.jobs)
-    new, changes = tables.rewritten(page, make_tables(bench, selection, options.seeds, page), options.keep_cost)
+    new, changes = tables.rewritten(page, make_tables(bench, drives.Drives(options), selection, options.seeds, page), options.keep_cost)
     for change in changes:
         print(change)
     results = [change for change in changes if not change.is_cost]

@@ -8,6 +8,7 @@ import tempfile
 import types
 import unittest
 
+import drives
 import judge
 import make_results
 import tables
@@ -231,6 +232,22 @@ class Choosing(unittest.TestCase):
         self.assertEqual(make_results.with_means({"seed 1": {"drop=0.3: success": "91"}}, table)["mean"], {})
 
 
+class Drives(unittest.TestCase):
+    def test_drives_that_fail_for_one_reason_are_counted_together(self):
+        def run(why, driven_m):
+            return {"reached": why is None, "why": why, "driven_m": driven_m, "localized_after_m": 0.5, "collisions": []}
+        cells = drives.drive_cells([run(None, 4.0), run("nothing told 2 places apart", 50.0),
+                                    run("nothing told 3 places apart", 60.0), run(None, 6.0)])
+        self.assertEqual(cells["reached"], "2")
+        self.assertEqual(cells["median m of the reached"], "5.0")
+        self.assertEqual(cells["most m"], "60")
+        self.assertEqual(cells["why not reached"], "2 x nothing told several places apart")
+
+    def test_a_map_without_floor_is_told_in_its_own_words(self):
+        cells = drives.refused_cells("warning\nopal: roof: has no floor\n")
+        self.assertEqual((cells["drives"], cells["why not reached"]), ("0", "roof: has no floor"))
+
+
 class Page(unittest.TestCase):
     """docs/results.md has a row and a column for everything that the command makes."""
 
@@ -248,8 +265,13 @@ class Page(unittest.TestCase):
             kidnappings=lambda *_: dict.fromkeys(make_results.SITES, sums), all_kidnappings=lambda *_: sums)
         selection = make_results.Selection([])
         selection.kinds.pop("calibration")  # runs a program
+        runs = [{"reached": True, "driven_m": 2.0, "localized_after_m": 1.0, "collisions": [], "why": None}]
+        cells = drives.drive_cells(runs)
+        driven = types.SimpleNamespace(
+            buildings_table=lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
+            models_table=lambda: {"Duplex, Level 1": cells})
         for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):
-            tables.rewritten(page, make_results.make_tables(bench, selection, seeds, page))
+            tables.rewritten(page, make_results.make_tables(bench, driven, selection, seeds, page))
         self.assertTrue(tables.table_in(page, "calibration"))
 
 

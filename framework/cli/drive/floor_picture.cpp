@@ -1,0 +1,26 @@
+#include "cli/drive/floor_picture.hpp"
+
+#include "drawing/drawing.hpp"
+
+#include <algorithm>
+
+std::string draw_floor(const opal::simulation::Simulation& simulation, const opal::Point& refused,
+                       const std::filesystem::path& folder) {
+  opal::DrawingScene scene;
+  const opal::SemanticMap& map = simulation.building();
+  scene.map = {std::shared_ptr<const void>(), &map};  // the simulation's own
+  scene.title = map.name() + ": where a start or a goal can be";
+  scene.floor = simulation.floor().rectangles();
+  scene.coordinates = true;
+  for (const opal::simulation::Solid& solid : simulation.clutter()) scene.unmapped.push_back(solid.shape);
+  scene.contradictions = {
+      {opal::Point(refused + opal::Point(-0.3, -0.3)), opal::Point(refused + opal::Point(0.3, 0.3))},
+      {opal::Point(refused + opal::Point(-0.3, 0.3)), opal::Point(refused + opal::Point(0.3, -0.3))}};
+  scene.notes = {"The numbers are coordinates of the map [m].",
+                 "Green is floor where the robot has room, and which doors that stand open connect.",
+                 "The red cross (\"speaks against it\") is the place that was refused."};
+  std::filesystem::create_directories(folder);
+  opal::write_svg(scene, (folder / "floor.svg").string());
+  opal::write_png(scene, (folder / "floor.png").string());
+  return (folder / "floor.svg").string();
+}
