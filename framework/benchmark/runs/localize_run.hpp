@@ -47,7 +47,9 @@ class LocalizeRun {
   void print() const;                                 ///< on stdout: when it was localized, then the answer
   std::size_t finished() const { return finished_; }  ///< windows
   bool complete() const { return unfinished_ == 0; }  ///< no window was cut or left out by a stop
-  bool found() const { return all_.last.has_pose && all_.last.status == opal::Status::localized && contradictions_.empty(); }
+  bool found() const {
+    return all_.last.has_pose && all_.last.status == opal::Status::localized && contradictions_.empty();
+  }
 
  private:
   void play_window(opal::Replay& replay, const opal::Query& window, const RunObserver& observer);

@@ -174,8 +174,8 @@ DriveSetup set_up(DriveVerbOptions& options) {
 
 /// Drives one after the other until a stop is asked for; a drive that it cuts is left out.
 void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report, DriveRecording& recording) {
-  const opal::FloorGrid floor = behaviours::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m,
-                                                         options.world.outdoors);
+  const opal::FloorGrid floor =
+      behaviours::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m, options.world.outdoors);
   const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);

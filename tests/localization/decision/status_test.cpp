@@ -289,21 +289,3 @@ TEST_CASE("an estimator that is reset has forgotten what was") {
   CHECK(anew.status != Status::localized);
   CHECK(anew.none == Answer().to({hypothesis(1, kHere, 3)}).none);
 }
-
-TEST_CASE("while the sensor description is contradicted nothing is called localized") {
-  Answer answer;
-  answer.estimator.contradict("scans move backwards");
-  PoseEstimate estimate;
-  for (int k = 0; k < 20; ++k) estimate = answer.to({hypothesis(1, kHere, 50)});
-  CHECK(estimate.status == Status::searching);
-  CHECK(answer.estimator.belief().why == "scans move backwards");
-  answer.estimator.contradict("");
-  CHECK(answer.to({hypothesis(1, kHere, 50)}).status == Status::localized);
-}
-
-TEST_CASE("a robot that is localized is lost once the sensor description is contradicted, between scans, too") {
-  Answer answer = localized_here();
-  answer.estimator.contradict("scans move backwards");
-  CHECK(answer.estimator.at(100, Pose2()).status == Status::lost);
-  CHECK(answer.to({hypothesis(1, kHere, 20)}).status == Status::lost);
-}

@@ -1,0 +1,38 @@
+// What the drive says against the sensor description decides over the status.
+#include "localization/decision/status.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+
+namespace {
+
+/// One place that explains everything, for as many scans.
+PoseEstimate sure_of_one_place(StatusEstimator& estimator, int scans) {
+  Live live;
+  live.hypothesis.id = 1;
+  live.hypothesis.log_likelihood = 50;
+  live.scan_nat = 1;
+  PoseEstimate estimate;
+  for (int k = 0; k < scans; ++k) estimate = estimator.estimate({live}, Pose2(), k, {});
+  return estimate;
+}
+
+}  // namespace
+
+TEST_CASE("while the sensor description is contradicted nothing is called localized") {
+  StatusEstimator estimator({}, 0.99);
+  estimator.contradict("scans move backwards");
+  CHECK(sure_of_one_place(estimator, 20).status == Status::searching);
+  CHECK(estimator.belief().why == "scans move backwards");
+  estimator.contradict("");
+  CHECK(sure_of_one_place(estimator, 1).status == Status::localized);
+}
+
+TEST_CASE("a robot that is localized is lost once the sensor description is contradicted, between scans, too") {
+  StatusEstimator estimator({}, 0.99);
+  REQUIRE(sure_of_one_place(estimator, 20).status == Status::localized);
+  estimator.contradict("scans move backwards");
+  CHECK(estimator.at(100, Pose2()).status == Status::lost);
+  CHECK(sure_of_one_place(estimator, 1).status == Status::lost);
+}
