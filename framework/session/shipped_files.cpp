@@ -33,6 +33,8 @@ std::string shipped_config(const std::string& name) { return shipped_file("confi
 
 std::string config_file(const std::string& name) {
   if (fs::exists(name) && !fs::is_directory(name)) return name;
+  if (fs::is_directory(name) && name.find('/') != std::string::npos)
+    throw opal::ConfigError(name + ": is a folder, expected a JSON file");
   if (name.find('/') == std::string::npos)
     for (const std::string& ending : {std::string(), std::string(".jsonld")}) {
       const fs::path file = fs::path(shipped_file("configs")) / (name + ending);

@@ -68,7 +68,8 @@ void check_contract(Localization& localization) {
 
 DriveRecord driven(Localization& localization, std::uint64_t seed, const char* behaviour) {
   simulation::Simulation simulation(room(), world(), seed);
-  const Point goal(1, 4);  // in the room: what is behind its door is not mapped
+  // In the room: what is behind its door is not mapped. Clutter may stand there.
+  const Point goal = simulation.floor().nearest({1, 4}).value_or(Point(1, 4));
   ClosedLoopOptions options;
   options.motion.radius_m = world().robot_radius_m;
   options.most_s = 240;
@@ -104,7 +105,7 @@ TEST_CASE("another program answers the same to the last digit") {
 
 TEST_CASE("a local map is reduced to the pattern on request, wherever localization runs") {
   Both both;
-  simulation::Simulation simulation(room(), world(), 5);
+  simulation::Simulation simulation(room(), world(), 3);
   for (Localization* localization : {static_cast<Localization*>(&both.here), static_cast<Localization*>(&both.there)})
     localization->begin();
   const auto take = [&](const Velocity& velocity) {

@@ -89,7 +89,7 @@ class OptionsReachEverything(Commands):
         self.assertIn("localized", self.localize("--log-set", "laser_message=FLASER"))
         self.assertIn("laser_message", self.localize("--log-set", "topic=/scan", exit_code=3))
         sensor = json.loads((ROOT / "configs" / "malaga.jsonld").read_text())["sensor"]
-        for message, exit_code in (("FLASER", 0), ("RAWLASER1", 1)):
+        for message, exit_code in (("FLASER", 0), ("RAWLASER1", 3)):
             sources = [{"@type": "opal:CarmenLog", "options": {"laser_message": message}}]
             config = self.deployment(log_sources=sources, sensor=sensor)
             self.localize(config=config, exit_code=exit_code)

@@ -4,7 +4,7 @@ from making import file, log, only, poses, ranges, stamps
 from mistake import Mistake, log_lines
 
 RUN = "localize {configs}/malaga.jsonld wrong.log --map {malaga}/malaga-demo.map.yaml -o out"
-NONSENSE = ["status: localized"]
+NONSENSE = ["at the end: localized"]
 
 
 def mixed(log):
@@ -23,11 +23,11 @@ MISTAKES = [
     Mistake("log without odometry", "Wheel odometry was not recorded: every pose is zero.", RUN, 1,
             ["log: odometry never moves in 37 scans"], make=log(poses(lambda x, y, heading: (0, 0, 0))), never=NONSENSE),
     Mistake("ranges in millimetres", "The ranges are in millimetres.", RUN, 1,
-            ["status: searching", "no beam of 37 scans returns", "expected ranges in metres"],
+            ["at the end: searching", "no beam of 37 scans returns", "expected ranges in metres"],
             make=log(ranges(lambda words: [f"{1000 * float(word):.0f}" for word in words])), never=NONSENSE),
-    Mistake("ranges in centimetres", "The ranges are in centimetres.", RUN, 1, ["status: "],
+    Mistake("ranges in centimetres", "The ranges are in centimetres.", RUN, 1, ["at the end: "],
             make=log(ranges(lambda words: [f"{100 * float(word):.0f}" for word in words])), never=NONSENSE),
-    Mistake("headings in degrees", "The headings of odometry are in degrees.", RUN, 1, ["status: "],
+    Mistake("headings in degrees", "The headings of odometry are in degrees.", RUN, 1, ["at the end: "],
             make=log(poses(lambda x, y, heading: (x, y, 57.29578 * heading))), never=NONSENSE),
     Mistake("swapped axes", "x and y of odometry are swapped.", RUN, 1, ["odometry"],
             make=log(poses(lambda x, y, heading: (y, x, heading))), never=NONSENSE),
@@ -44,13 +44,13 @@ MISTAKES = [
             ["wrong.log: no scan that can be read", "74 times 'malformed line'"],
             make=file("wrong.log", "\n".join(line.replace(".", ",") for line in log_lines()) + "\n"), never=NONSENSE),
     Mistake("ends of lines of Windows", "The log went through an editor under Windows: no mistake.", RUN, 0,
-            ["status: localized"], make=file("wrong.log", "\r\n".join(log_lines()) + "\r\n")),
+            ["at the end: localized"], make=file("wrong.log", "\r\n".join(log_lines()) + "\r\n")),
     Mistake("beams left out", "Lines have fewer ranges than they say.", RUN, 3,
             ["wrong.log: no scan that can be read", "37 times 'malformed line'"],
             make=file("wrong.log", "\n".join(" ".join(line.split()[:200]) for line in log_lines()) + "\n"),
             never=NONSENSE),
     Mistake("laser that sees nothing", "All ranges are zero: the laser was covered.", RUN, 1,
-            ["status: searching", "no beam of 37 scans returns"],
+            ["at the end: searching", "no beam of 37 scans returns"],
             make=log(ranges(lambda words: ["0"] * len(words))), never=NONSENSE),
     Mistake("queries of another log", "The queries are those of another recording.",
             "localize {configs}/malaga.jsonld {malaga}/malaga-demo.log.gz --map {malaga}/malaga-demo.map.yaml "

@@ -4,8 +4,8 @@ from making import both, copy, file, grid
 from mistake import TREE, Mistake
 
 RUN = "localize {configs}/malaga.jsonld {malaga}/malaga.log.gz -o out --map %s"
-LOST = ["status: "]
-NONSENSE = ["status: localized"]
+LOST = ["at the end: "]
+NONSENSE = ["at the end: localized"]
 
 
 MISTAKES = [
