@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using opal::experiments::in_parallel;
@@ -36,6 +38,7 @@ TEST_CASE("what is thrown on a thread comes out, and no more work is begun") {
   CHECK_THROWS_AS(in_parallel(done.size(), jobs,
                               [&](std::size_t k) {
                                 if (k == 5) throw std::runtime_error("five");
+                                std::this_thread::sleep_for(std::chrono::milliseconds(1));  // or all is over before
                                 done[k] = 1;
                               }),
                   std::runtime_error);
