@@ -1,21 +1,16 @@
 #include "closed_loop/no_way.hpp"
 
+#include <opal/common/sentence.hpp>
+#include "map_tools/building_ground.hpp"
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <queue>
 
 namespace opal {
 namespace {
-
-template <class... Values>
-std::string text_of(const char* format, Values... values) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 struct NearObject {
   const MapObject* object = nullptr;
@@ -42,12 +37,8 @@ std::string name_of(const MapObject& object) {
 }
 
 double width_m(const SemanticMap& map, const MapObject& door) {
-  double longest = 0;
-  for (const int number : door.features)
-    if (const auto* piece = std::get_if<Segment>(&map.features()[number].geometry);
-        piece && is_door_leaf(map, map.features()[number]))
-      longest = std::max(longest, piece->length_m());
-  return longest;
+  const auto leaf = leaf_of(map, door);
+  return leaf ? leaf->length_m() : 0;
 }
 
 /// Looks for the way that meets least, through things, and says what it meets.
@@ -66,13 +57,13 @@ class Barrier {
       const double wide_m = width_m(map_, *door.object);
       if (simulation_.ground().is_shut_outer_door(map_, *door.object)) return name + ", an outer one, is shut";
       if (wide_m < needed_m)
-        return name + text_of(", %.2f m wide, is narrower than the robot with its margin, %.2f m", wide_m, needed_m);
+        return name + sentence(", %.2f m wide, is narrower than the robot with its margin, %.2f m", wide_m, needed_m);
       return name + " is shut";
     }
     if (any.object && any.distance_m < simulation_.clearance_m())
-      return text_of("at (%.1f, %.1f) ", at.x(), at.y()) + name_of(*any.object) +
-             text_of(" leaves less room than the robot needs with its margin, %.2f m", needed_m);
-    return text_of("what stands at (%.1f, %.1f) and is not on the map bars the way", at.x(), at.y());
+      return sentence("at (%.1f, %.1f) ", at.x(), at.y()) + name_of(*any.object) +
+             sentence(" leaves less room than the robot needs with its margin, %.2f m", needed_m);
+    return sentence("what stands at (%.1f, %.1f) and is not on the map bars the way", at.x(), at.y());
   }
 
  private:
@@ -147,16 +138,16 @@ std::string why_not_at(const simulation::Simulation& simulation, const Point& pl
   if (simulation.floor().holds(place)) return "";
   const auto [low, high] = simulation.solids().bounds();
   if (!((place - low).minCoeff() >= 0 && (high - place).minCoeff() >= 0))
-    return text_of("it lies beyond the building, which reaches from (%.1f, %.1f) to (%.1f, %.1f)", low.x(), low.y(),
-                   high.x(), high.y());
+    return sentence("it lies beyond the building, which reaches from (%.1f, %.1f) to (%.1f, %.1f)", low.x(), low.y(),
+                    high.x(), high.y());
   if (simulation.ground().is_outside(place)) return "it lies outdoors, and robots stay inside without --outdoors";
   if (simulation.solids().touches(place, simulation.clearance_m())) {
     const NearObject near = nearest_object(simulation.building(), place);
     const double needed_m = simulation.clearance_m();
     if (near.object && near.distance_m <= needed_m)
       return name_of(*near.object) +
-             text_of(" is %.2f m away, and the robot needs %.2f m with its margin", near.distance_m, needed_m);
-    return text_of("something that is not on the map stands nearer than the %.2f m that the robot needs", needed_m);
+             sentence(" is %.2f m away, and the robot needs %.2f m with its margin", near.distance_m, needed_m);
+    return sentence("something that is not on the map stands nearer than the %.2f m that the robot needs", needed_m);
   }
   return Barrier(simulation).between_floor_and(place);
 }

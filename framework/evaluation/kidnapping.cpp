@@ -1,6 +1,7 @@
 #include "evaluation/kidnapping.hpp"
 
 #include "common/csv_table.hpp"
+#include "evaluation/median.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -36,12 +37,6 @@ template <class Wanted>
 double driven_until(const std::vector<RowBesideTruth>& rows, Wanted&& wanted) {
   const auto found = std::find_if(rows.begin(), rows.end(), wanted);
   return found == rows.end() ? -1 : found->driven_m;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return -1;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 }  // namespace
@@ -110,8 +105,9 @@ std::string summary_of(std::span<const KidnappingVerdict> verdicts, const Recove
                 "localized again: %zu, median after %.1f m\n"
                 "never called a wrong pose localized after the cut: %d; said lost: %d\n"
                 "called the old place localized right after the cut: %d; in all %d rows, %.1f m\n",
-                verdicts.size(), knew, options.recover_within_m, recovered_m.size(), median(recovered_m),
-                localized_m.size(), median(localized_m), honest, lost, once, false_rows, false_m);
+                verdicts.size(), knew, options.recover_within_m, recovered_m.size(),
+                median_of(recovered_m).value_or(-1), localized_m.size(), median_of(localized_m).value_or(-1), honest,
+                lost, once, false_rows, false_m);
   return text;
 }
 

@@ -1,5 +1,7 @@
 #include "evaluation/place_verdict.hpp"
 
+#include "evaluation/median.hpp"
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -7,13 +9,6 @@
 
 namespace opal {
 namespace {
-
-std::optional<double> median_of(std::vector<double> values) {
-  if (values.empty()) return std::nullopt;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::string after_text(const std::vector<double>& driven_m) {
   const auto median = median_of(driven_m);

@@ -3,6 +3,7 @@
 #include "import_kit/plan_faces.hpp"
 #include "import_kit/plan_nodes.hpp"
 #include "import_kit/plan_pairs.hpp"
+#include "import_kit/plan_sides.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -17,7 +18,6 @@ namespace {
 constexpr double kMinCornerSine = 0.4;
 // Around a round column, beside its rim.
 constexpr int kRimProbes = 16;
-constexpr double kProbe_m = 0.003;
 
 /// What goes into the map, object by object.
 class PlanObjects {

@@ -8,7 +8,6 @@ namespace opal {
 namespace {
 
 // Beside an edge, nearer than any wall is thick.
-constexpr double kBeside_m = 0.003;
 constexpr double kSideProbes[] = {0.1, 0.3, 0.5, 0.7, 0.9};
 // At the outer side of a corner the other face is shorter by the thickness, so not all of a short face has one.
 constexpr int kMinMassive = 2;
@@ -22,7 +21,7 @@ Side probe(const Segment& edge, const Point& towards, const PlanMaterial& materi
   int massive = 0;
   Side side;
   for (const double share : kSideProbes) {
-    const unsigned reasons = material.at(edge.begin + share * (edge.end - edge.begin) + kBeside_m * towards);
+    const unsigned reasons = material.at(edge.begin + share * (edge.end - edge.begin) + kProbe_m * towards);
     massive += reasons != PlanMaterial::none;
     side.reasons |= reasons;
   }

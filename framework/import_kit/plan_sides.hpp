@@ -7,6 +7,9 @@
 
 namespace opal {
 
+/// So far beside a line is asked what lies there.
+inline constexpr double kProbe_m = 0.003;
+
 /// From where an edge is seen, going from `from` to `to`; neither: it is hidden.
 struct EdgeSides {
   bool left = true;

@@ -19,11 +19,6 @@
 #include <utility>
 
 namespace opal {
-namespace {
-
-constexpr std::size_t kCoarsePoints = 40;  // of the alignment search after odometry has failed
-
-}  // namespace
 
 struct Localizer::State {
   State(LocalizerParts parts_given, EventSink* sink)
@@ -171,6 +166,7 @@ void Localizer::State::track(const Observation& observation, const Scan& scan) {
   Eigen::Vector2d window(0, 0);
   if (started && !local_map.last_match().converged && (step_m > 0.2 || turn_rad > 0.1))
     window = {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
+  constexpr std::size_t kCoarsePoints = 40;  // of the alignment search after odometry has failed
   const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints).points;
   hypotheses.track(observation, tempering_weight(), coarse, window);
 }
@@ -294,6 +290,7 @@ std::map<std::string, Score> Localizer::scores_of(int hypothesis) const {
 }
 
 const std::vector<SensorFinding>& Localizer::sensor_findings() const { return state_->sensor.findings(); }
+const std::string& Localizer::why() const { return state_->status.belief().why; }
 const StageTimes& Localizer::last_times() const { return state_->times; }
 const std::map<std::string, int>& Localizer::plugin_failures() const { return state_->failures.counts(); }
 

@@ -3,9 +3,7 @@
 #include "map_tools/building_outside.hpp"
 
 namespace opal {
-namespace {
 
-/// The longest piece of a door's leaf; none: it has no leaf.
 std::optional<Segment> leaf_of(const SemanticMap& map, const MapObject& object) {
   std::optional<Segment> longest;
   for (const int number : object.features) {
@@ -16,8 +14,6 @@ std::optional<Segment> leaf_of(const SemanticMap& map, const MapObject& object) 
   }
   return longest;
 }
-
-}  // namespace
 
 BuildingGround::BuildingGround(const SemanticMap& map, bool outdoors)
     : raster_(floor_raster(map)),

@@ -3,9 +3,13 @@
 #include "map_tools/floor_grid.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace opal {
+
+/// The longest piece of a door's leaf; none: the object has no leaf.
+OPAL_EXPORT std::optional<Segment> leaf_of(const SemanticMap& map, const MapObject& object);
 
 /// The ground of a building as its map has it, in cells of 0.1 m: the one answer to where robots can be, for simulated
 /// drives, for plans and for pictures. Doors inside stand open. Outer doors lead nowhere. Frame: `map`.

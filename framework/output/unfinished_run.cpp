@@ -1,27 +1,19 @@
 #include "output/unfinished_run.hpp"
 
+#include "common/utc_time.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <filesystem>
 
 namespace opal {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::string now_utc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
 
 std::string host_name() {
   char name[256] = {};

@@ -8,4 +8,9 @@ std::string status_text(const std::string& status, double probability) {
   return status + " (a place is found, but not proven yet)";
 }
 
+std::string reason_text(const std::string& status, const std::string& why) {
+  if (status == "localized" || why.empty()) return "";
+  return (status == "lost" ? "lost: " : "not localized yet, it waits for more evidence: ") + why;
+}
+
 }  // namespace opal

@@ -9,4 +9,8 @@ namespace opal {
 /// @param probability  of the best place; 0 if there is none.
 std::string status_text(const std::string& status, double probability);
 
+/// Why it is no other status, for people; empty if it is `localized`, or nothing is known.
+/// @param why  as the estimate says it.
+std::string reason_text(const std::string& status, const std::string& why);
+
 }  // namespace opal

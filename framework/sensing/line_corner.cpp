@@ -5,8 +5,6 @@
 namespace opal {
 namespace {
 
-constexpr double kFullTurn = 2 * std::numbers::pi;
-
 /// Covariance of (offset, heading) of a line, with the offset taken at `at` instead of the midpoint: an
 /// offset grows by heading error times the distance along the line.
 Eigen::Matrix2d covariance_at(const Line& line, const Point& at) {
@@ -39,7 +37,8 @@ LineCorner corner_at(const Junction& junction, std::span<const Line> lines) {
   // Both faces are seen from their left: the open angle runs counter-clockwise from `after` to `before`
   // reversed.
   const double from = after.segment.heading_rad();
-  const double opening = std::fmod(before.segment.heading_rad() + std::numbers::pi - from + 2 * kFullTurn, kFullTurn);
+  const double two_pi = 2 * std::numbers::pi;
+  const double opening = std::fmod(before.segment.heading_rad() + std::numbers::pi - from + 2 * two_pi, two_pi);
   LineCorner corner;
   corner.geometry = {junction.position, wrap_angle(from + opening / 2), opening};
   corner.covariance = corner_covariance(before, after, junction.position);

@@ -2,6 +2,7 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/sentence.hpp>
+#include <opal/sensing/replay.hpp>
 
 #include <algorithm>
 #include <map>
@@ -21,14 +22,14 @@ int usual_beams(std::span<const LogRecord> records) {
   return most == scans_by_beams.end() ? 0 : most->first;
 }
 
+}  // namespace
+
 const RawScan* first_with_geometry(std::span<const LogRecord> records) {
   for (const LogRecord& record : records)
     if (const auto* raw = std::get_if<RawScan>(&record); raw && raw->angle_min_rad && raw->angle_increment_rad)
       return raw;
   return nullptr;
 }
-
-}  // namespace
 
 void check_log(std::span<const LogRecord> records, const LaserModel& laser, const std::string& log,
                const std::string& described_in) {
@@ -51,6 +52,12 @@ void check_log(std::span<const LogRecord> records, const LaserModel& laser, cons
                "correct them, or set geometry_from_log",
                described_in.c_str(), laser.angle_min_rad * kDegrees, laser.angle_increment_rad * kDegrees, log.c_str(),
                *stated->angle_min_rad * kDegrees, *stated->angle_increment_rad * kDegrees));
+}
+
+LaserModel laser_of_log(std::span<const LogRecord> records, const LaserModel& described, const std::string& log,
+                        const std::string& described_in) {
+  check_log(records, described, log, described_in);
+  return with_log_geometry(described, records);
 }
 
 }  // namespace opal

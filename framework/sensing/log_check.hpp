@@ -7,6 +7,9 @@
 
 namespace opal {
 
+/// The first scan that states its beam geometry; null if none does.
+const RawScan* first_with_geometry(std::span<const LogRecord> records);
+
 /// Holds what a log states of its laser against the description: the number of beams, their first angle and
 /// increment. A description that takes its geometry from the log agrees with any log that states one.
 /// @param described_in  what messages call the description: a file, and the place in it.
@@ -14,5 +17,9 @@ namespace opal {
 /// @throws ConfigError that gives both numbers.
 OPAL_EXPORT void check_log(std::span<const LogRecord> records, const LaserModel& laser, const std::string& log,
                            const std::string& described_in);
+
+/// `described` with what the log states (with_log_geometry), after check_log. @throws ConfigError likewise.
+OPAL_EXPORT LaserModel laser_of_log(std::span<const LogRecord> records, const LaserModel& described,
+                                    const std::string& log, const std::string& described_in);
 
 }  // namespace opal

@@ -1,5 +1,6 @@
 #include <opal/sensing/replay.hpp>
 
+#include "sensing/log_check.hpp"
 #include "sensing/odometry_track.hpp"
 
 #include <algorithm>
@@ -197,14 +198,7 @@ std::vector<LogRecord> read_all(LogReader& reader) {
 LaserModel with_log_geometry(const LaserModel& laser, std::span<const LogRecord> records) {
   LaserModel model = laser;
   if (!laser.geometry_from_log) return model;
-  const RawScan* first = nullptr;
-  for (const LogRecord& record : records) {
-    const auto* raw = std::get_if<RawScan>(&record);
-    if (raw && raw->angle_min_rad && raw->angle_increment_rad) {
-      first = raw;
-      break;
-    }
-  }
+  const RawScan* first = first_with_geometry(records);
   if (!first) return model;
   model.angle_min_rad = *first->angle_min_rad;
   model.angle_increment_rad = *first->angle_increment_rad;

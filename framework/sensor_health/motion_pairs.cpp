@@ -1,8 +1,5 @@
 #include "sensor_health/motion_pairs.hpp"
 
-#include <tuple>
-#include <utility>
-
 namespace opal {
 namespace {
 
@@ -53,8 +50,8 @@ std::optional<MotionPair> MotionPairs::laid_over(const std::vector<Point>& point
   const double described_share = match.converged ? match.inlier_share : 0;
   if (described_share < kPlainInliers) {
     const ScanMatch other = any_way(points, T_odometry);
-    if (other.converged && other.inlier_share > described_share + kClearlyMore)
-      std::tie(match, is_as_described) = std::pair(other, false);
+    is_as_described = !other.converged || other.inlier_share <= described_share + kClearlyMore;
+    if (!is_as_described) match = other;
   }
   if (!match.converged || match.inlier_share < kFewestInliers || !match.covariance.allFinite()) return std::nullopt;
   return MotionPair{T_odometry, match.T_reference_scan, match.covariance, is_as_described};

@@ -18,12 +18,10 @@ bool stands(const MotionPair& pair) {
   return pair.T_odometry.position().norm() < kStands_m && std::abs(pair.T_odometry.heading_rad()) < kStands_rad;
 }
 
-void keep(std::deque<MotionPair>& newest, const MotionPair& pair, std::size_t most) {
+void keep(std::vector<MotionPair>& newest, const MotionPair& pair, std::size_t most) {
   newest.push_back(pair);
-  if (newest.size() > most) newest.pop_front();
+  if (newest.size() > most) newest.erase(newest.begin());
 }
-
-std::vector<MotionPair> listed(const std::deque<MotionPair>& pairs) { return {pairs.begin(), pairs.end()}; }
 
 bool same_verdicts(const std::vector<SensorFinding>& a, const std::vector<SensorFinding>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const SensorFinding& x, const SensorFinding& y) {
@@ -44,6 +42,7 @@ void SensorMonitor::clear() {
   standing_.clear();
   ranges_.clear();
   T_odom_ranges_.reset();
+  of_motions_.clear();
   findings_.clear();
 }
 
@@ -51,11 +50,16 @@ bool SensorMonitor::add(const Scan& scan, const Pose2& T_odom_base) {
   const int ranges_before = ranges_.scans();
   look_at_ranges(scan, T_odom_base);
   const auto pair = motions_ ? motions_->add(scan, T_odom_base) : std::nullopt;
-  if (pair) take(*pair);
+  if (pair) {
+    take(*pair);
+    judge_motions();
+  }
   if (!pair && ranges_.scans() == ranges_before) return false;
-  const std::vector<SensorFinding> before = std::move(findings_);
-  judge();
-  return !same_verdicts(before, findings_);
+  std::vector<SensorFinding> now = judge_ranges(ranges_, described_);  // first: wrong ranges tell nothing of motions
+  now.insert(now.end(), of_motions_.begin(), of_motions_.end());
+  const bool changed = !same_verdicts(findings_, now);
+  findings_ = std::move(now);
+  return changed;
 }
 
 void SensorMonitor::take(const MotionPair& pair) {
@@ -76,18 +80,13 @@ void SensorMonitor::look_at_ranges(const Scan& scan, const Pose2& T_odom_base) {
   ranges_.add(scan);
 }
 
-std::optional<MotionCalibration> SensorMonitor::calibration() const {
-  return calibrate_motion(listed(newest_), described_.T_base_laser);
-}
-
-void SensorMonitor::judge() {
-  findings_.clear();
-  const auto append = [&](std::vector<SensorFinding> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(findings_));
-  };
-  append(judge_ranges(ranges_, described_));  // first: scans with wrong ranges tell nothing of motions
-  append(judge_standing(listed(standing_)));
-  if (const auto drive = calibration()) append(judge_motion(*drive, described_.T_base_laser));
+/// The fit costs more than everything else here: it is made when there is a new motion.
+void SensorMonitor::judge_motions() {
+  of_motions_ = judge_standing(standing_);
+  if (const auto drive = calibrate_motion(newest_, described_.T_base_laser)) {
+    const std::vector<SensorFinding> found = judge_motion(*drive, described_.T_base_laser);
+    of_motions_.insert(of_motions_.end(), found.begin(), found.end());
+  }
 }
 
 std::string SensorMonitor::contradiction() const {

@@ -5,7 +5,8 @@
 
 #include <opal/sensor_health/sensor_finding.hpp>
 
-#include <deque>
+#include <optional>
+#include <vector>
 
 namespace opal {
 
@@ -27,20 +28,19 @@ class OPAL_EXPORT SensorMonitor {
   const std::vector<SensorFinding>& findings() const { return findings_; }
   /// Words of the first finding that contradicts the description; empty if none does.
   std::string contradiction() const;
-  /// What the drive says so far, if it says enough.
-  std::optional<MotionCalibration> calibration() const;
 
  private:
   void take(const MotionPair& pair);
   void look_at_ranges(const Scan& scan, const Pose2& T_odom_base);
-  void judge();
+  void judge_motions();
 
   LaserModel described_;
   std::optional<MotionPairs> motions_;
-  std::deque<MotionPair> newest_;    ///< motions of the odometry
-  std::deque<MotionPair> standing_;  ///< motions that odometry has none of
+  std::vector<MotionPair> newest_;    ///< motions of the odometry
+  std::vector<MotionPair> standing_;  ///< motions that odometry has none of
   RangeHabits ranges_;
-  std::optional<Pose2> T_odom_ranges_;  ///< where ranges were looked at last
+  std::optional<Pose2> T_odom_ranges_;     ///< where ranges were looked at last
+  std::vector<SensorFinding> of_motions_;  ///< as the newest motion left them
   std::vector<SensorFinding> findings_;
 };
 

@@ -3,25 +3,16 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include "common/text_file.hpp"
+#include "common/utc_time.hpp"
 #include "common/whole_file.hpp"
 
 #include <cctype>
 #include <cstdlib>
-#include <ctime>
 
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::string now_utc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
 
 /// A file name that no two texts share: all but letters, digits, '-' and '_' as %XX.
 std::string as_file_name(const std::string& text) {
@@ -84,7 +75,7 @@ std::string MapCache::keep(const std::string& where, const opal::StoreSource& so
   const fs::path file = file_of(where, source);
   opal::make_folder(file.parent_path().string());
   const json cached{
-      {"where", where}, {"version", to_json(map.version)}, {"pulled_at", now_utc()}, {"document", map.document}};
+      {"where", where}, {"version", to_json(map.version)}, {"pulled_at", opal::now_utc()}, {"document", map.document}};
   opal::write_text(file.string(), cached.dump(1));
   return file.string();
 }

@@ -24,6 +24,9 @@ struct SurfaceOffset {
 };
 SurfaceOffset offset_from(const Surface& surface, const Point& p);
 
+/// Points so near lie on a surface.
+inline constexpr double kOnSurface_m = 0.15;
+
 /// The map's answer to "what may the laser see from here" (Hendrikx 2023, 2.4: the map is queried first), by bearing.
 class ExpectedFeatures {
  public:

@@ -10,7 +10,6 @@ namespace {
 constexpr double kPointSigma_m = 0.1;
 constexpr double kReach_m = 0.8;
 constexpr double kRobust_m = 0.12;
-constexpr double kOn_m = 0.15;
 constexpr int kIterations = 5;
 
 }  // namespace
@@ -49,7 +48,7 @@ double share_on(const ExpectedFeatures& expected, std::span<const Point> points,
                 const Pose2& T_map_base) {
   const Point eye = T_map_base * laser;
   int on = 0;
-  for (const Point& point : points) on += expected.nearest(eye, T_map_base * point, kOn_m) >= 0;
+  for (const Point& point : points) on += expected.nearest(eye, T_map_base * point, kOnSurface_m) >= 0;
   return points.empty() ? 0 : on / static_cast<double>(points.size());
 }
 

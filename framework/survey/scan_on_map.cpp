@@ -9,7 +9,6 @@
 namespace opal {
 namespace {
 
-constexpr double kOnSurface_m = 0.15;  ///< points so near lie on a surface
 constexpr std::size_t kFewestPoints = 5, kFewestPointsOfMoved = 8;
 constexpr double kShortestFace_m = 0.25;    ///< covered; shorter pieces have no direction of their own
 constexpr double kShortestMoved_m = 0.6;    ///< of a face that is taken for one elsewhere

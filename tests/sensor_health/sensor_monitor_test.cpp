@@ -46,6 +46,14 @@ std::vector<Reading> driven(const LaserModel& laser, const std::string& kind, st
   return readings;
 }
 
+/// Half a minute whose readings were changed on the way, each by the same mistake.
+template <class Change>
+std::vector<Reading> driven_with(const std::string& kind, const Change& change) {
+  std::vector<Reading> readings = driven(simulation::SimulationOptions::default_laser(), kind, 1);
+  for (Reading& reading : readings) change(reading);
+  return readings;
+}
+
 SensorMonitor watched(const std::vector<Reading>& readings, const LaserModel& described) {
   SensorMonitor monitor(described, matcher());
   for (const Reading& reading : readings) monitor.add(make_scan(reading.scan, described), reading.T_odom_base);
@@ -97,34 +105,33 @@ TEST_CASE("a laser that is turned by 30 degrees is noticed") {
 }
 
 TEST_CASE("beams that turn the other way are noticed") {
-  std::vector<Reading> readings = driven(true_laser(), "office", 1);
-  for (Reading& reading : readings) std::reverse(reading.scan.ranges_m.begin(), reading.scan.ranges_m.end());
+  const auto readings = driven_with(
+      "office", [](Reading& reading) { std::reverse(reading.scan.ranges_m.begin(), reading.scan.ranges_m.end()); });
   const SensorMonitor monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::mirroring));
 }
 
 TEST_CASE("odometry in other units is noticed") {
-  std::vector<Reading> readings = driven(true_laser(), "office", 1);
-  for (Reading& reading : readings)
+  const auto readings = driven_with("office", [](Reading& reading) {
     reading.T_odom_base = Pose2(3.28 * reading.T_odom_base.position(), reading.T_odom_base.heading_rad());
+  });
   const SensorMonitor monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::odometry_distance));
 }
 
 TEST_CASE("odometry that never comes is noticed") {
-  std::vector<Reading> readings = driven(true_laser(), "office", 1);
-  for (Reading& reading : readings) reading.T_odom_base = Pose2();
+  const auto readings = driven_with("office", [](Reading& reading) { reading.T_odom_base = Pose2(); });
   const SensorMonitor monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::standing_odometry));
 }
 
 TEST_CASE("a range that stands for no return, and is described as a hit, is noticed") {
-  std::vector<Reading> readings = driven(true_laser(), "hall", 1);
-  for (Reading& reading : readings)
+  const auto readings = driven_with("hall", [](Reading& reading) {
     for (float& range_m : reading.scan.ranges_m) range_m = std::min(range_m, 5.6f);
+  });
   const SensorMonitor monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::no_return));
@@ -135,9 +142,9 @@ TEST_CASE("a range that stands for no return, and is described as a hit, is noti
 }
 
 TEST_CASE("ranges in millimetres are noticed") {
-  std::vector<Reading> readings = driven(true_laser(), "hall", 1);
-  for (Reading& reading : readings)
+  const auto readings = driven_with("hall", [](Reading& reading) {
     for (float& range_m : reading.scan.ranges_m) range_m *= 1000;
+  });
   CHECK(contradicts(watched(readings, true_laser()), Subject::usable_beams));
 }
 

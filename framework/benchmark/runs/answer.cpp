@@ -52,9 +52,8 @@ void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& an
   } else {
     std::printf("\nno pose\n");
   }
-  const bool is_lost = answer.status == opal::Status::lost;
-  if (answer.status != opal::Status::localized && !why.empty())
-    std::printf("%s: %s\n", is_lost ? "lost" : "not localized yet, it waits for more evidence", why.c_str());
+  if (const std::string reason = opal::reason_text(name_of(answer.status), why); !reason.empty())
+    std::printf("%s\n", reason.c_str());
   for (const auto& alternative : answer.alternatives)
     std::printf("alternative:  %s, probability %.3f\n", pose_words(alternative.T_map_base).c_str(),
                 alternative.probability);

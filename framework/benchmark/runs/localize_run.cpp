@@ -73,7 +73,7 @@ void LocalizeRun::play_window(opal::Replay& replay, const opal::Query& window, c
   if (truth_) events_.write(truth_event_of(*truth_, window, laser_));
   newest_ = run_log(localizer_, laser_, replay, window.id, observer);
   for (const auto& [cause, count] : replay.counts()) oddities_[cause] += count;
-  answers_.push_back(answer_of(window.id, newest_, events_.why(), truth_));
+  answers_.push_back(answer_of(window.id, newest_, localizer_.why(), truth_));
   for (const opal::SensorFinding& finding : localizer_.sensor_findings())
     if (finding.verdict == opal::SensorFinding::Verdict::contradicted) contradictions_.push_back(finding.words);
 }

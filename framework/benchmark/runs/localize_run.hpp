@@ -1,6 +1,5 @@
 #pragma once
 
-#include "benchmark/runs/last_reason.hpp"
 #include "benchmark/runs/run_record.hpp"
 #include "benchmark/runs/window_answer.hpp"
 
@@ -32,7 +31,8 @@ class LocalizeRun {
   /// says
   ///                why it is not localized yet.
   /// @param log  name for the pictures.
-  LocalizeRun(opal::Localizer& localizer, const opal::LaserModel& laser, LastReason& events, const std::string& log)
+  LocalizeRun(opal::Localizer& localizer, const opal::LaserModel& laser, opal::EventSink& events,
+              const std::string& log)
       : localizer_(localizer), laser_(laser), events_(events), log_(log) {}
 
   /// Truth as poses of the laser; drawn, recorded and compared with.
@@ -57,7 +57,7 @@ class LocalizeRun {
 
   opal::Localizer& localizer_;
   const opal::LaserModel& laser_;
-  LastReason& events_;
+  opal::EventSink& events_;
   const std::string log_;
   std::optional<opal::GroundTruth> truth_;
   RunRecord all_, newest_;

@@ -1,9 +1,8 @@
 #include "benchmark/runs/window_answer.hpp"
 
+#include "evaluation/median.hpp"
 #include "report/quantity_text.hpp"
 #include "report/status_text.hpp"
-
-#include <algorithm>
 
 namespace {
 
@@ -41,8 +40,6 @@ std::string summary_of(const std::vector<WindowAnswer>& answers) {
   for (const WindowAnswer& answer : answers)
     if (answer.localized_after) driven_m.push_back(answer.localized_after->driven_m);
   std::string text = std::to_string(driven_m.size()) + " of " + std::to_string(answers.size()) + " queries localized";
-  if (driven_m.empty()) return text;
-  const auto middle = driven_m.begin() + static_cast<std::ptrdiff_t>(driven_m.size() / 2);
-  std::nth_element(driven_m.begin(), middle, driven_m.end());
-  return text + ", after " + opal::fixed_text(*middle, 1) + " m (median)";
+  const auto middle_m = opal::median_of(driven_m);
+  return middle_m ? text + ", after " + opal::fixed_text(*middle_m, 1) + " m (median)" : text;
 }

@@ -1,4 +1,5 @@
 #include "cli/options/verbs.hpp"
+#include "common/text_file.hpp"
 #include "evaluation/site.hpp"
 #include "sensing/log_check.hpp"
 #include "sensor_health/motion_pairs.hpp"
@@ -62,14 +63,13 @@ void print(const opal::MotionCalibration& drive, const opal::Pose2& T_base_laser
 }
 
 void write_motions(const std::vector<Timed>& motions, const std::string& path) {
-  std::ofstream file(path);
-  file << "end_s,odometry_x_m,odometry_y_m,odometry_heading_rad,scans_x_m,scans_y_m,scans_heading_rad\n";
+  std::string text = "end_s,odometry_x_m,odometry_y_m,odometry_heading_rad,scans_x_m,scans_y_m,scans_heading_rad\n";
   for (const Timed& motion : motions) {
     const opal::Pose2 &a = motion.pair.T_odometry, &b = motion.pair.T_scans;
-    file << opal::sentence("%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", motion.end_s, a.x(), a.y(), a.heading_rad(), b.x(),
+    text += opal::sentence("%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", motion.end_s, a.x(), a.y(), a.heading_rad(), b.x(),
                            b.y(), b.heading_rad());
   }
-  if (!file) throw opal::Error(path + ": cannot be written");
+  opal::write_text(path, text);
 }
 
 void write_deployment(const opal::MotionCalibration& drive, const CalibrateOptions& options) {
@@ -78,9 +78,7 @@ void write_deployment(const opal::MotionCalibration& drive, const CalibrateOptio
                                         {"y_m", drive.mount_position_m.y()},
                                         {"heading_rad", drive.mount_heading_rad.value}};
   document["odometry"] = {{"distance_scale", drive.distance_scale.value}, {"turn_scale", drive.turn_scale.value}};
-  std::ofstream file(options.out);
-  file << document.dump(2) << '\n';
-  if (!file) throw opal::Error(options.out + ": cannot be written");
+  opal::write_text(options.out, document.dump(2) + '\n');
   std::printf("written: %s\n", options.out.c_str());
 }
 
@@ -89,8 +87,8 @@ int calibrate(const CalibrateOptions& options) {
   const opal::Deployment deployment = opal::read_deployment(options.config);
   opal::LaserModel laser = options.info.empty() ? deployment.laser : opal::read_site_laser(options.info);
   const std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, options.log));
-  opal::check_log(records, laser, options.log, options.info.empty() ? options.config + ": /sensor" : options.info);
-  laser = opal::with_log_geometry(laser, records);
+  laser = opal::laser_of_log(records, laser, options.log,
+                             options.info.empty() ? options.config + ": /sensor" : options.info);
   const auto motions = motions_of(records, laser, matcher_of(registry, deployment));
   if (!options.motions.empty()) write_motions(motions, options.motions);
   std::vector<opal::MotionPair> pairs;

@@ -11,13 +11,13 @@
 #include "closed_loop/no_way.hpp"
 #include "ipc/remote/remote_localization.hpp"
 #include "navigation/node_registry.hpp"
+#include "report/quantity_text.hpp"
 #include "simulation/recording.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 
@@ -34,12 +34,6 @@ struct DriveVerbOptions : WorldOptions {
   opal::ClosedLoopOptions loop;
 };
 
-std::string text_of(const opal::Point& p) {
-  char text[64];
-  std::snprintf(text, sizeof text, "(%.2f, %.2f)", p.x(), p.y());
-  return text;
-}
-
 /// @throws ConfigError if the robot cannot be there, or cannot get there: why, and the name of a picture that shows
 /// where it can be.
 void check_place(const DriveVerbOptions& options, const sim::Simulation& simulation, const std::string& what,
@@ -47,7 +41,8 @@ void check_place(const DriveVerbOptions& options, const sim::Simulation& simulat
   const std::string why = opal::why_not_at(simulation, place);
   if (why.empty()) return;
   const std::string picture = draw_floor(simulation, place, options.out);
-  throw opal::ConfigError(what + text_of(place) + ": " + why + "; expected a place on the green floor of " + picture);
+  throw opal::ConfigError(what + opal::place_text(place) + ": " + why + "; expected a place on the green floor of " +
+                          picture);
 }
 
 /// Goals beside something are for the nearest place where the robot has room.
@@ -55,8 +50,8 @@ opal::Point given_goal(const DriveVerbOptions& options, const sim::Simulation& s
   const opal::Point goal(options.goal[0], options.goal[1]);
   const auto near = simulation.floor().nearest(goal);
   if (!near)
-    check_place(options, simulation, "--goal: no way from " + text_of(simulation.T_map_base().position()) + " to ",
-                goal);
+    check_place(options, simulation,
+                "--goal: no way from " + opal::place_text(simulation.T_map_base().position()) + " to ", goal);
   return near.value_or(goal);
 }
 

@@ -67,8 +67,7 @@ int localize(const LocalizeOptions& options) {
   opal::OutputFolder folder(options.out, "opal localize", run_products());
   EventFile recorder(folder.file("events.jsonl"));
   opal::NullEventSink nobody;
-  EventSplitter listeners(recorder, live ? live->events() : nobody);
-  LastReason events(listeners);
+  EventSplitter events(recorder, live ? live->events() : nobody);
   events.write(opal::run_event({options.log, options.config, setup.deployment.map}, setup.parts.laser));
   events.write(opal::map_event(*setup.parts.map));
 

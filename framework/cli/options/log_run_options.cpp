@@ -4,7 +4,6 @@
 #include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/sensing/replay.hpp>
 
 #include <limits>
 
@@ -26,18 +25,13 @@ opal::Deployment LogRunOptions::deployment() const {
   if (!map.empty()) deployment.map = map;
   deployment.overlays.insert(deployment.overlays.end(), overlays.files.begin(), overlays.files.end());
   if (deployment.map.empty()) throw opal::ConfigError(config + ": /map: missing; name a map here or with --map");
-  if (!info.empty()) {
-    const std::string sensor = deployment.laser.id;
-    deployment.laser = opal::read_site_laser(info);
-    deployment.laser.id = sensor;
-  }
+  if (!info.empty()) deployment = opal::with_laser(std::move(deployment), opal::read_site_laser(info));
   return deployment;
 }
 
 opal::LaserModel LogRunOptions::laser_of(const std::vector<opal::LogRecord>& records,
                                          const opal::LaserModel& described) const {
-  opal::check_log(records, described, log, info.empty() ? config + ": /sensor" : info);
-  return opal::with_log_geometry(described, records);
+  return opal::laser_of_log(records, described, log, info.empty() ? config + ": /sensor" : info);
 }
 
 std::vector<opal::Query> LogRunOptions::windows() const {

@@ -116,10 +116,8 @@ void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
     text += "no hypothesis is alive";
   text += "; \"none of these\" has " + probability_text(frame.none);
   sentences.push_back({SentenceKind::answer, text});
-  if (best && frame.status != "localized" && !frame.why.empty())
-    sentences.push_back(
-        {SentenceKind::answer,
-         (frame.status == "lost" ? "lost: " : "not localized yet, it waits for more evidence: ") + frame.why});
+  if (const std::string reason = reason_text(frame.status, frame.why); best && !reason.empty())
+    sentences.push_back({SentenceKind::answer, reason});
 }
 
 void add_support(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {

@@ -79,6 +79,8 @@ class OPAL_EXPORT Localizer {
   /// What the drive says of the sensor description, of all of which it has told enough. While one of them contradicts
   /// it, no estimate is called localized.
   const std::vector<SensorFinding>& sensor_findings() const;
+  /// Why the newest status is what it is, in words; empty before the first update.
+  const std::string& why() const;
   /// CPU time of the newest keyframe, by stage.
   const StageTimes& last_times() const;
   /// Calls into plugins that threw and were skipped, by type name.
