@@ -1,6 +1,7 @@
 #include "benchmark/verdict/verdict_sentence.hpp"
 
 #include "benchmark/verdict/quantity_words.hpp"
+#include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ std::string distance_clause(const MetricResult& result, double level) {
   const std::size_t sooner = result.metric.higher_is_better ? result.worse : result.better;
   const std::size_t later = result.metric.higher_is_better ? result.better : result.worse;
   return prefix + "sooner in " + std::to_string(sooner) + " and later in " + std::to_string(later) + " of " +
-         count_text(result.pairs, "pair");
+         count_of(result.pairs, "pair");
 }
 
 std::string cost_clause(const MetricResult& result, double level) {
@@ -118,8 +119,7 @@ std::string open_sentence(const MetricResult& result, double level) {
 
 std::string scope_sentence(const Verdict& verdict) {
   if (verdict.clusters >= kFewestClusters) return "";
-  return "Said of " +
-         std::string(verdict.clusters == 1 ? "this site" : "these " + count_text(verdict.clusters, "site")) +
+  return "Said of " + std::string(verdict.clusters == 1 ? "this site" : "these " + count_of(verdict.clusters, "site")) +
          " only, with their queries taken as independent.";
 }
 
@@ -148,7 +148,7 @@ std::string left_out_note(const Verdict& verdict, const MetricResult& result) {
   const std::string note = std::to_string(result.left_out) + " queries have no " + name_in_words(result.metric) +
                            " of both arms and are left out of it.";
   if (result.between_clusters || verdict.clusters < kFewestClusters) return note;
-  return note + " It is said of " + count_text(result.clusters.size(), "site") +
+  return note + " It is said of " + count_of(result.clusters.size(), "site") +
          " only, with their queries taken as independent.";
 }
 

@@ -1,3 +1,4 @@
+#include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 #include "viewer/words/score_comparison.hpp"
 #include "viewer/words/sentences.hpp"
@@ -59,7 +60,7 @@ std::string fallen_text(const EndedHypothesis& fallen) {
 std::string findings_text(const std::vector<RecordedFinding>& findings, std::size_t most) {
   std::string text;
   for (std::size_t k = 0; k < std::min(most, findings.size()); ++k) text += (k ? "; " : "") + findings[k].words;
-  if (findings.size() > most) text += "; and " + count_text(findings.size() - most, "more finding");
+  if (findings.size() > most) text += "; and " + count_of(findings.size() - most, "more finding");
   return text;
 }
 
@@ -71,7 +72,7 @@ void add_alternatives(const ExplainedMoment& moment, std::vector<Sentence>& sent
     sentences.push_back({SentenceKind::alternative, alternative_text(*alternatives[k], *best)});
   if (alternatives.size() > kNamedAlternatives)
     sentences.push_back(
-        {SentenceKind::alternative, count_text(alternatives.size() - kNamedAlternatives, "more alternative") +
+        {SentenceKind::alternative, count_of(alternatives.size() - kNamedAlternatives, "more alternative") +
                                         " with at least " + probability_text(kLeastProbability)});
 }
 

@@ -1,3 +1,4 @@
+#include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 #include "viewer/words/sentences.hpp"
 
@@ -30,19 +31,6 @@ std::string name_of_object(const RunHeader& header, const RunHeader::Feature& fe
   return type_text(object.type) + " " + object.id;
 }
 
-std::vector<std::string> numbers(const std::set<int>& ids) {
-  std::vector<std::string> texts;
-  for (int id : ids) texts.push_back(std::to_string(id));
-  return texts;
-}
-
-std::string listed(const std::vector<std::string>& names, std::size_t most) {
-  std::string list;
-  for (std::size_t k = 0; k < std::min(most, names.size()); ++k) list += (k ? ", " : "") + names[k];
-  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
-  return list;
-}
-
 class Support {
  public:
   Support(const ExplainedMoment& moment, const TracedHypothesis& best)
@@ -60,13 +48,12 @@ class Support {
 
   void add_to(std::vector<Sentence>& sentences) const {
     if (pairs_ > 0)
-      sentences.push_back({SentenceKind::support, "rests on " + count_text(pairs_, "association") + " with " +
-                                                      count_text(nearest_m_.size(), "object") + ": " + objects()});
+      sentences.push_back({SentenceKind::support, "rests on " + count_of(pairs_, "association") + " with " +
+                                                      count_of(nearest_m_.size(), "object") + ": " + objects()});
     if (!not_on_map_.empty())
-      sentences.push_back(
-          {SentenceKind::support, "says of " + count_text(not_on_map_.size(), "local feature") +
-                                      (not_on_map_.size() == 1 ? " that it is" : " that they are") +
-                                      " not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
+      sentences.push_back({SentenceKind::support, "says of " + count_of(not_on_map_.size(), "local feature") +
+                                                      (not_on_map_.size() == 1 ? " that it is" : " that they are") +
+                                                      " not on the map: " + listed(not_on_map_, "", kNamedLocals)});
   }
 
  private:
@@ -86,7 +73,7 @@ class Support {
     std::sort(order.begin(), order.end());
     std::vector<std::string> names;
     for (const auto& [off_m, name] : order) names.push_back(name + " (" + metres_text(off_m) + ")");
-    return listed(names, kNamedObjects);
+    return listed(names, "", kNamedObjects);
   }
 
   const RunHeader& header_;

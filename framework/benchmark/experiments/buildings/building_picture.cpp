@@ -78,7 +78,8 @@ std::string wrong_claims(const ChallengeRun& run) {
 }
 
 std::string picture(const BuildingRuns& building, const std::string& content) {
-  return "<svg " + view_box_of(*building.map) + "><use href=\"#" + building.building.id + "\"/>" + content + "</svg>";
+  return "<svg class=\"building\" " + view_box_of(*building.map) + "><use href=\"#" + building.building.id + "\"/>" +
+         content + "</svg>";
 }
 
 }  // namespace
