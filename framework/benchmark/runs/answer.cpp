@@ -2,6 +2,8 @@
 
 #include "localization/alignment/registration.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
@@ -33,10 +35,8 @@ std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer) 
 }
 
 std::string pose_text(const opal::Pose2& pose) {
-  char text[96];
-  std::snprintf(text, sizeof text, "x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(),
-                pose.heading_rad() * 180 / std::numbers::pi);
-  return text;
+  return fmt::format("x {:.2f} m, y {:.2f} m, heading {:.1f} deg", pose.x(), pose.y(),
+                     pose.heading_rad() * 180 / std::numbers::pi);
 }
 
 void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer) {

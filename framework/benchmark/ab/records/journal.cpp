@@ -2,6 +2,7 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
@@ -20,10 +21,8 @@ const std::string kBegin = R"({"crc32":")", kMiddle = R"(","cell":)", kEnd = "}"
 constexpr std::size_t kDigits = 8;
 
 std::string checksum(std::string_view text) {
-  char digits[kDigits + 1];
   const auto crc = crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
-  std::snprintf(digits, sizeof digits, "%08lx", static_cast<unsigned long>(crc));
-  return digits;
+  return fmt::format("{:08x}", crc);
 }
 
 /// What stands between checksum and end, if the checksum is right.
