@@ -3,6 +3,8 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace opal {
@@ -29,11 +31,7 @@ bool is_integer(const Event& value, int least) {
   return value.is_number_integer() && value.get<double>() >= least && value.get<double>() <= kLargest;
 }
 
-std::string plain(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
-  return text;
-}
+std::string plain(double number) { return fmt::format("{:.6g}", number); }
 
 }  // namespace
 
