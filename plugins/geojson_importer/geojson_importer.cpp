@@ -6,9 +6,10 @@
 #include <opal/common/error.hpp>
 #include <opal/import_kit/class_tally.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -159,11 +160,8 @@ std::vector<std::string> GeoJsonImporter::project(const std::string& path, Featu
       p = projection.to_map(p);
       error_m = std::max(error_m, projection.error_m(p));
     });
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(),
-                "longitude and latitude (WGS 84) around %.8f, %.8f: x east, y north; off by %.3f m at most", origin.x(),
-                origin.y(), error_m);
-  return {text.data()};
+  return {fmt::format("longitude and latitude (WGS 84) around {:.8f}, {:.8f}: x east, y north; off by {:.3f} m at most",
+                      origin.x(), origin.y(), error_m)};
 }
 
 std::vector<std::string> GeoJsonImporter::place(const std::string& path, FeatureCollection& collection) const {

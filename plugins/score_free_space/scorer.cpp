@@ -1,7 +1,8 @@
 #include "scorer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 using opal::Point;
@@ -29,11 +30,7 @@ std::vector<Point> outline_of(const opal::Observation& seen, const opal::FreeSpa
   return free_space_outline(scan, Pose2(seen.laser_position, 0), options);
 }
 
-std::string metres(double length_m) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f m", length_m);
-  return text;
-}
+std::string metres(double length_m) { return fmt::format("{:.1f} m", length_m); }
 
 }  // namespace
 

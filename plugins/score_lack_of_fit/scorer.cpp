@@ -1,7 +1,8 @@
 #include "scorer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace {
 
@@ -84,8 +85,7 @@ std::vector<opal::Finding> LackOfFitScorer::explain(const opal::Hypothesis& hypo
   const opal::MapObject& object = map.map().objects()[mapped.object];
   const opal::LocalFeature* local = find(observation.local_map, fit.worst.local_feature);
   const opal::Geometry placed = transformed(hypothesis.T_map_local, local->feature.geometry);
-  char off[32];
-  std::snprintf(off, sizeof off, "%.2f m", fit.worst_m);
+  const std::string off = fmt::format("{:.2f} m", fit.worst_m);
   return {{"local feature " + std::to_string(fit.worst.local_feature) + " is " + off + " off " + object.type + " " +
                object.id + ", more than any other",
            fit.worst.map_feature,
