@@ -1,8 +1,7 @@
 #include "scorer.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cstdio>
 #include <map>
 
 using opal::Point;
@@ -54,7 +53,8 @@ class Passages {
  private:
   std::string words(const Passage& passage) const {
     const opal::MapObject& object = map_.map().objects()[map_.feature(passage.map_feature).object];
-    const std::string depth = fmt::format("{:.1f} m", passage.depth_m);
+    char depth[32];
+    std::snprintf(depth, sizeof depth, "%.1f m", passage.depth_m);
     std::string words = passage.beam + " passes " + depth + " through " + object.type + " " + object.id;
     if (passage.beams > 1)
       words += "; " + std::to_string(passage.beams) + " of the " + std::to_string(judged_) + " judged do";
@@ -68,7 +68,9 @@ class Passages {
 };
 
 std::string beam_without_return(double bearing_rad) {
-  return fmt::format("the beam at {:.0f} deg, which met nothing,", bearing_rad * 180 / std::numbers::pi);
+  char text[64];
+  std::snprintf(text, sizeof text, "the beam at %.0f deg, which met nothing,", bearing_rad * 180 / std::numbers::pi);
+  return text;
 }
 
 }  // namespace
