@@ -32,17 +32,21 @@ std::vector<Cells> all_rows(const Table& table) {
   return rows;
 }
 
-/// What Markdown takes for more than text, and what would end a cell, is escaped.
-std::string markdown_text(const Cell& cell) {
-  const auto escaped = [](const std::string& text) {
-    std::string words;
-    for (const char c : text) {
-      if (std::string_view("\\|<[]*`").find(c) != std::string_view::npos) words += '\\';
-      words += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-    return words;
-  };
-  return cell.link.empty() ? escaped(cell.text) : fmt::format("[{}](<{}>)", escaped(cell.text), escaped(cell.link));
+/// What Markdown takes for more than text, and what would end a cell, is escaped; brackets only where they make a link.
+std::string markdown_text(const std::string& text, bool in_link) {
+  std::string escaped;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k], next = k + 1 < text.size() ? text[k + 1] : ' ';
+    const bool bracket = (c == '[' || c == ']') && (in_link || next == '(' || next == '[');
+    if (bracket || std::string_view("\\|<>*`").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return escaped;
+}
+
+std::string markdown_of(const Cell& cell) {
+  if (cell.link.empty()) return markdown_text(cell.text, false);
+  return fmt::format("[{}](<{}>)", markdown_text(cell.text, true), markdown_text(cell.link, true));
 }
 
 /// Of UTF-8, in characters.
@@ -81,7 +85,7 @@ std::string markdown_of(const Table& table) {
   for (const Cells& row : all_rows(table)) {
     rows.emplace_back();
     for (std::size_t k = 0; k < row.size(); ++k) {
-      rows.back().push_back(markdown_text(row[k]));
+      rows.back().push_back(markdown_of(row[k]));
       widths[k] = std::max(widths[k], width_of(rows.back().back()));
     }
   }

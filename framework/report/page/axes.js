@@ -22,8 +22,8 @@ export function scaleOf(axis, values, range) {
   const shown = [...values.map(number), number(axis.from), number(axis.to)];
   let [low, high] = extent(shown.filter((v) => Number.isFinite(v) && (!axis.logarithmic || v > 0)));
   if (low === undefined) [low, high] = axis.logarithmic ? [1, 10] : [0, 1];
-  const factor = Math.max(high / low, 1.1) ** 0.04,
-    room = 0.04 * (high - low || Math.abs(low) || 1);
+  const factor = Math.max(high / low, 1.1) ** 0.06,
+    room = 0.06 * (high - low || Math.abs(low) || 1);
   const from = low === number(axis.from) ? low : axis.logarithmic ? low / factor : low - room;
   const to = high === number(axis.to) ? high : axis.logarithmic ? high * factor : high + room;
   return (axis.logarithmic ? scaleLog() : scaleLinear()).domain([from, to]).range(range).clamp(true);

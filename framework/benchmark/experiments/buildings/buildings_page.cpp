@@ -26,7 +26,7 @@ std::string key_html() {
 std::string shares_html(const BuildingsExperiment& experiment, const std::string& contender, const std::string& title,
                         const char* tone, BuildingShare BuildingGroup::*share) {
   IntervalPlot plot{
-      {title, "%", false, 0.0, 100.0}, 0, {{{"buildings", "", false}, {"runs"}, {title + " (95 %)", "%"}}, {}}, {}};
+      {title, "%", false, 0.0, 100.0}, 0, {{{"group", "", false}, {"runs"}, {title + " (95 %)", "%"}}, {}}, {}};
   for (const BuildingGroup& group : experiment.groups) {
     if (group.contender != contender) continue;
     const BuildingShare& all = group.*share;

@@ -84,7 +84,7 @@ ordered_json to_json(const BuildingRuns& done) {
 
 Table buildings_table(const BuildingsExperiment& experiment) {
   Table table{{{"", "", false},
-               {"buildings", "", false},
+               {"group", "", false},
                {"buildings"},
                {"runs"},
                {"success", "%"},
