@@ -79,7 +79,7 @@ CellResult parse_journal_line(const std::string& line, const std::string& place)
 
 void read_journal(const std::string& path, const std::function<void(const CellResult&, JournalPlace)>& take) {
   for_each_line(path, [&](const std::string& line, JournalPlace place, int number) {
-    take(parse_journal_line(line, path + ": line " + std::to_string(number)), place);
+    take(parse_journal_line(line, fmt::format("{}: line {}", path, number)), place);
   });
 }
 

@@ -4,6 +4,8 @@
 #include <opal/common/strict_json.hpp>
 #include "common/text_file.hpp"
 
+#include <fmt/format.h>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,7 +44,7 @@ std::string excerpt(const json& value) {
 
 /// Whole or not at all; whoever comes second finds the same.
 void write_whole(const std::string& path, const std::string& text) {
-  const std::string draft = path + "." + std::to_string(getpid());
+  const std::string draft = fmt::format("{}.{}", path, getpid());
   write_text(draft, text);
   fs::rename(draft, path);
 }
@@ -69,10 +71,10 @@ std::vector<std::string> ResultFolder::journals() const {
 }
 
 std::string ResultFolder::journal(const Shard& shard, std::size_t worker) const {
-  return file("journals/" + shard.name() + "." + std::to_string(worker) + ".jsonl");
+  return file(fmt::format("journals/{}.{}.jsonl", shard.name(), worker));
 }
 std::string ResultFolder::log(const Shard& shard, std::size_t worker) const {
-  return file("logs/" + shard.name() + "." + std::to_string(worker) + ".log");
+  return file(fmt::format("logs/{}.{}.log", shard.name(), worker));
 }
 
 std::vector<bool> finished_cells(const ResultFolder& folder, const CellPlan& plan) {
@@ -80,7 +82,7 @@ std::vector<bool> finished_cells(const ResultFolder& folder, const CellPlan& pla
   for (const std::string& journal : folder.journals())
     read_journal(journal, [&](const CellResult& result, JournalPlace) {
       if (result.number >= finished.size())
-        throw Error(journal + ": holds cell " + std::to_string(result.number) + ", which the experiment does not have");
+        throw Error(fmt::format("{}: holds cell {}, which the experiment does not have", journal, result.number));
       finished[result.number] = true;
     });
   return finished;

@@ -53,11 +53,11 @@ std::string one_way(const SemanticMap& map, const Run& run) {
 }
 
 std::string caption_of(const Run& run) {
-  return run.task + ", seed " + std::to_string(run.seed) + ": " + drive_ending(run.reached, run.said_so) + " after " +
-         minutes(run.time_s) + ", " + number(run.driven_m, 1) + " m; " +
-         (run.localized_after_m == kNever ? "never localized"
-                                          : "localized after " + number(run.localized_after_m, 1) + " m") +
-         (run.collisions > 0 ? "; touched something in " + std::to_string(run.collisions) + " steps" : "");
+  return fmt::format("{}, seed {}: {} after {}, {} m; {}{}", run.task, run.seed, drive_ending(run.reached, run.said_so),
+                     minutes(run.time_s), number(run.driven_m, 1),
+                     run.localized_after_m == kNever ? "never localized"
+                                                     : "localized after " + number(run.localized_after_m, 1) + " m",
+                     run.collisions > 0 ? "; touched something in " + std::to_string(run.collisions) + " steps" : "");
 }
 
 std::string close_up(const SemanticMap& map, const std::vector<const Run*>& runs) {
