@@ -25,8 +25,8 @@ std::vector<const TracedHypothesis*> alternatives_of(const TracedHypothesis& bes
 }
 
 std::string alternative_text(const TracedHypothesis& alternative, const TracedHypothesis& best) {
-  return "hypothesis " + std::to_string(alternative.id) + " at " + pose_text(alternative.T_map_base) +
-         " has probability " + probability_text(alternative.probability) + ": " + comparison_text(alternative, best);
+  return fmt::format("hypothesis {} at {} has probability {}: {}", alternative.id, pose_text(alternative.T_map_base),
+                     probability_text(alternative.probability), comparison_text(alternative, best));
 }
 
 auto rank_of(const EndedHypothesis& ended) {
@@ -46,9 +46,9 @@ std::vector<const EndedHypothesis*> fallen_of(const RunState& state) {
 
 std::string fallen_text(const EndedHypothesis& fallen) {
   const TracedHypothesis& life = fallen.life;
-  std::string text = "hypothesis " + std::to_string(fallen.end.id) + " at " +
-                     place_text(fallen.end.T_map_base.position()) + " fell at " + seconds_text(fallen.end_s) + ": " +
-                     fallen.end.reason;
+  std::string text =
+      fmt::format("hypothesis {} at {} fell at {}: {}", fallen.end.id, place_text(fallen.end.T_map_base.position()),
+                  seconds_text(fallen.end_s), fallen.end.reason);
   if (const std::string findings = findings_text(fallen.end.findings, kNamedFindings); !findings.empty())
     text += "; " + findings;
   text += "; it had " + probability_text(life.highest_probability) + " at " + seconds_text(life.highest_s);

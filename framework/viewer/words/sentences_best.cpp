@@ -86,8 +86,7 @@ class Support {
 /// Empty if its spawn is not recorded.
 std::string origin_text(const TracedHypothesis& hypothesis) {
   if (hypothesis.parent < 0 && hypothesis.pattern_template.empty()) return {};
-  std::string text =
-      hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "spawned";
+  std::string text = hypothesis.parent >= 0 ? fmt::format("branched from hypothesis {}", hypothesis.parent) : "spawned";
   text += " at " + seconds_text(hypothesis.spawned_s);
   return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
 }
@@ -99,8 +98,8 @@ void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
   std::string text = frame.status + " since " + seconds_text(moment.status_since_s) + ": ";
   const TracedHypothesis* best = moment.state.best();
   if (best)
-    text += "at " + pose_text(best->T_map_base) + ", with probability " + probability_text(frame.probability) +
-            " (hypothesis " + std::to_string(best->id) + ", " + std::to_string(frame.hypotheses.size()) + " alive)";
+    text += fmt::format("at {}, with probability {} (hypothesis {}, {} alive)", pose_text(best->T_map_base),
+                        probability_text(frame.probability), best->id, frame.hypotheses.size());
   else
     text += "no hypothesis is alive";
   text += "; \"none of these\" has " + probability_text(frame.none);

@@ -52,8 +52,8 @@ std::string senses_text(const ExplainedMoment& moment) {
   const auto& locals = moment.state.local_features();
   const auto stable =
       std::count_if(locals.begin(), locals.end(), [](const auto& entry) { return entry.second.stable; });
-  return "the scan has " + count_of(moment.state.frame().scan.size(), "point") + " (thinned), the local map " +
-         count_of(locals.size(), "feature") + ", " + std::to_string(stable) + " of them stable";
+  return fmt::format("the scan has {} (thinned), the local map {}, {} of them stable",
+                     count_of(moment.state.frame().scan.size(), "point"), count_of(locals.size(), "feature"), stable);
 }
 
 std::string truth_text(const Pose2& truth, const TracedHypothesis& best) {
