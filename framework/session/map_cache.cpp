@@ -58,7 +58,7 @@ opal::StoredVersion version_of(const json& object) {
 
 /// Beside the file first, then in its place: whoever reads it sees the old or the new one, also after a power cut.
 void write_whole(const fs::path& file, const std::string& text) {
-  const fs::path beside = file.string() + "." + std::to_string(getpid());
+  const fs::path beside = fmt::format("{}.{}", file.string(), getpid());
   std::ofstream out(beside, std::ios::binary);
   if (!(out << text << std::flush)) throw opal::Error(beside.string() + ": cannot be written");
   out.close();
