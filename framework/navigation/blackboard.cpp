@@ -5,6 +5,8 @@
 #include <opal/common/error.hpp>
 #include "map_tools/building_outside.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace opal::behaviours {
@@ -14,7 +16,7 @@ FloorGrid mapped_floor(const MapView& map, double radius_m) {
   FloorGrid floor = seen_floor(
       raster, [&](const Point& p) { return map.clearance_m(p) > radius_m; }, FloorGrid::Parts::all);
   if (floor.cells().empty())
-    throw MapError(map.map().name() + ": has no floor for a robot of " + std::to_string(radius_m) + " m radius");
+    throw MapError(fmt::format("{}: has no floor for a robot of {:f} m radius", map.map().name(), radius_m));
   floor.close_off(outside_cells(map.map(), raster));
   return floor;
 }
