@@ -25,7 +25,7 @@ std::string reliability_html(const Calibration& calibration, double from) {
   for (const ReliabilityBin& bin : bins) lowest = std::min(lowest, std::floor(10 * bin.came_true_within.low) / 10);
   const PlotAxis said{"said (probability)", "", false, from, 1.0};
   ScatterPlot plot{said, {"came true (share)", "", false, lowest, 1.0}, {}};
-  BarPlot counts{said, {"statements", "", true, 1.0}, {}};
+  BarPlot counts{said, {"statements", "", true, 0.5}, {}};
   for (const ReliabilityBin& bin : bins) {
     const Interval& within = bin.came_true_within;
     plot.points.push_back({bin.said, bin.came_true, bin_text(bin), {{within.low, within.high}}, {}});

@@ -26,7 +26,7 @@ struct ScatterPlot {
   PlotAxis across, upwards;
   std::vector<Point> points;
   std::string beyond = "never";  ///< the name of infinity
-  bool diagonal = true;          ///< both axes show the same, with a line where they are equal
+  bool diagonal = true;          ///< a line where both are equal; both axes show the same, unless they have ends
 };
 
 /// Intervals in rows, beside a table that says the same in numbers (Lewis & Clarke 2001).

@@ -46,7 +46,7 @@ export function drawScatter(place, plot, available_px) {
   const beyond = plot.points.some((p) => Math.abs(number(p.x)) === Infinity || Math.abs(number(p.y)) === Infinity);
   const lane = beyond ? kLane_px : 0;
   const ends = plot.points.flatMap((p) => [p.y, ...(p.within ?? [])]);
-  const both = plot.diagonal ? [...plot.points.map((p) => p.x), ...ends] : null;
+  const both = plot.diagonal && plot.across.from === undefined ? [...plot.points.map((p) => p.x), ...ends] : null;
   const x = scaleOf(plot.across, both ?? plot.points.map((p) => p.x), [box.left, box.right - lane]);
   const y = scaleOf(plot.upwards, both ?? ends, [box.bottom, box.top + lane]);
   drawFrame(svg, plot, x, y, box);
