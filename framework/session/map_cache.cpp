@@ -4,7 +4,6 @@
 #include <opal/common/strict_json.hpp>
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 #include <cctype>
 #include <cstdlib>

@@ -1,8 +1,7 @@
 #include "survey/deviation_report.hpp"
 
-#include <Eigen/Dense>
-
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 

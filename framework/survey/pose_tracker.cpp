@@ -13,8 +13,6 @@
 
 #include <Eigen/Dense>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace opal {
@@ -242,10 +240,10 @@ void PoseTracker::start(const Pose2& T_map_base, const Eigen::Vector3d& sigma) {
     throw ConfigError("start pose: not finite, expected numbers");
   if (s.parts.map->within(T_map_base.position(), kFarthestFromMap_m).empty()) {
     const auto [low, high] = s.parts.map->bounds();
-    throw ConfigError(
-        fmt::format("start pose: x {:f}, y {:f} is farther than 30 m from everything on the map, which reaches from x "
-                    "{:f}, y {:f} to x {:f}, y {:f}",
-                    T_map_base.x(), T_map_base.y(), low.x(), low.y(), high.x(), high.y()));
+    throw ConfigError("start pose: x " + std::to_string(T_map_base.x()) + ", y " + std::to_string(T_map_base.y()) +
+                      " is farther than 30 m from everything on the map, which reaches from x " +
+                      std::to_string(low.x()) + ", y " + std::to_string(low.y()) + " to x " + std::to_string(high.x()) +
+                      ", y " + std::to_string(high.y()));
   }
   s.local_map.clear();
   s.start_sigma = sigma.cwiseMax(Eigen::Vector3d(0.01, 0.01, 0.005));

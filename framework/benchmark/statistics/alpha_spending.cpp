@@ -2,9 +2,8 @@
 
 #include <opal/common/error.hpp>
 
-#include <boost/math/distributions/normal.hpp>
-
 #include <fmt/format.h>
+#include <boost/math/distributions/normal.hpp>
 
 #include <cmath>
 #include <string>

@@ -5,7 +5,6 @@
 #include "common/text_file.hpp"
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <algorithm>
