@@ -4,6 +4,8 @@
 
 #include <sqlite3.h>
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 namespace opal::ros2_bag {
@@ -74,7 +76,7 @@ BagFile::Messages BagFile::prepare(const std::string& query) const {
 
 BagFile::Messages BagFile::messages(const std::vector<std::int64_t>& topics) const {
   std::string ids;  // numbers: nothing of the file's own text gets into the query
-  for (const std::int64_t id : topics) ids += (ids.empty() ? "" : ",") + std::to_string(id);
+  for (const std::int64_t id : topics) ids += fmt::format("{}{}", ids.empty() ? "" : ",", id);
   return prepare("SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN (" + ids +
                  ") ORDER BY timestamp, id");
 }
