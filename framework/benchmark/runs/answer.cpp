@@ -58,7 +58,8 @@ void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& an
   } else {
     std::printf("\nno pose\n");
   }
-  if (const std::string reason = opal::reason_text(name_of(answer.status), why, words_of(localizer.sensor_findings())); !reason.empty())
+  if (const std::string reason = opal::reason_text(name_of(answer.status), why, words_of(localizer.sensor_findings()));
+      !reason.empty())
     std::printf("%s\n", reason.c_str());
   for (const auto& alternative : answer.alternatives)
     std::printf("alternative:  %s, probability %.3f\n", pose_words(alternative.T_map_base).c_str(),
