@@ -38,6 +38,7 @@ LaserModel read_sensor(ConfigObject sensor) {
   laser.no_return_m = sensor.number("no_return_m", laser.no_return_m, {1e-4, 1e9});
   laser.range_sigma_m = sensor.number("range_sigma_m", laser.range_sigma_m, {1e-4, 10});
   laser.geometry_from_log = sensor.boolean("geometry_from_log", laser.geometry_from_log);
+  if (!sensor.any("sweep_s").is_null()) laser.sweep_s = sensor.number("sweep_s", 0, {0, 10});
   if (auto mount = sensor.object("T_base_laser")) laser.T_base_laser = read_mount(*mount);
   sensor.expect_no_more();
   if (laser.range_max_m <= laser.range_min_m) sensor.refuse("range_max_m", "more than range_min_m");

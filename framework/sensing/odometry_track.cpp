@@ -4,14 +4,10 @@
 #include <cmath>
 
 namespace opal {
-namespace {
-
 Pose2 interpolated(const Pose2& a, const Pose2& b, double share) {
   return {a.position() + share * (b.position() - a.position()),
           a.heading_rad() + share * wrap_angle(b.heading_rad() - a.heading_rad())};
 }
-
-}  // namespace
 
 bool OdometryTrack::is_jump(double stamp_s, const Pose2& T_track_base) const {
   if (!last_) return false;

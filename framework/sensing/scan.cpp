@@ -1,5 +1,7 @@
 #include <opal/sensing/scan.hpp>
 
+#include "sensing/beam_order.hpp"
+
 #include <algorithm>
 
 namespace opal {
@@ -20,14 +22,15 @@ Beams beams_of(const RawScan& raw, const LaserModel& laser) {
 
 enum class Reading { invalid, hit, free };
 
-/// Logs hold ranges in single precision, or as text of a few digits: a limit holds for what rounds to it.
 constexpr double kRounding_m = 5e-4;
 
 Reading classify(double range_m, const LaserModel& laser) {
   if (std::isnan(range_m) || range_m <= 0 || range_m < laser.range_min_m - kRounding_m) return Reading::invalid;
-  const bool is_hit = range_m <= laser.range_max_m + kRounding_m && range_m < laser.no_return_m - kRounding_m;
+  const bool is_hit = range_m <= laser.range_max_m + kRounding_m && is_below(range_m, laser.no_return_m);
   return is_hit ? Reading::hit : Reading::free;
 }
+
+}  // namespace
 
 void sort_by_bearing(Scan& scan) {
   const auto nearer_right = [](const ScanPoint& a, const ScanPoint& b) { return a.bearing_rad < b.bearing_rad; };
@@ -38,7 +41,7 @@ void sort_by_bearing(Scan& scan) {
     std::sort(scan.free_bearings_rad.begin(), scan.free_bearings_rad.end());
 }
 
-}  // namespace
+bool is_below(double range_m, double limit_m) { return range_m < limit_m - kRounding_m; }
 
 Scan make_scan(const RawScan& raw, const LaserModel& laser) {
   const Beams beams = beams_of(raw, laser);

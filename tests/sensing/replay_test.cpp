@@ -103,7 +103,8 @@ TEST_CASE("each fault of a log is survived, counted under its name, and harms no
       {"odometry steps back", {odometry(4.5, 4.5)}, {{"odometry stamp steps back", 1}}, 21},
       {"a scan steps back", {scan_at(4.4)}, {{"scan stamp steps back", 1}}, 21},
       {"odometry repeats its stamp", {odometry(5.0, 5.0)}, {{"repeated odometry stamp", 1}}, 21},
-      {"a scan repeats its stamp", {scan_at(5.0)}, {{"repeated scan stamp", 1}}, 22},
+      {"a scan repeats its stamp", {scan_at(5.0, 3)}, {{"repeated scan stamp", 1}}, 22},
+      {"a scan comes twice", {scan_at(5.0)}, {{"doubled scan", 1}}, 21},
       {"odometry jumps away and back", {odometry(5.05, 90)}, {{"odometry jump", 2}}, 21},
       {"odometry is NaN", {odometry(5.05, kNan)}, {{"odometry that is not finite", 1}}, 21},
       {"odometry has no stamp", {odometry(kNan, 5)}, {{"odometry that is not finite", 1}}, 21},
@@ -112,7 +113,7 @@ TEST_CASE("each fault of a log is survived, counted under its name, and harms no
       {"a scan is all NaN", {scan_at(4.9f, NAN)}, {{"scan without a valid beam", 1}}, 22},
       {"a scan is all negative", {scan_at(4.9f, -1)}, {{"scan without a valid beam", 1}}, 22},
       {"a scan is all maximum", {scan_at(4.9f, 81.91f)}, {}, 22},
-      {"a scan is empty", {RawScan{4.9, {}, {}, {}, {}, {}}}, {{"scan without a valid beam", 1}}, 22},
+      {"a scan is empty", {RawScan{4.9, {}, {}, {}, {}, {}, 0}}, {{"scan without a valid beam", 1}}, 22},
       {"one stamp is far in the past", {odometry(-900, 5)}, {{"clock reset", 1}, {"gap", 1}}, 21},
       {"one stamp is far in the future", {odometry(9000, 5)}, {{"clock reset", 1}, {"gap", 1}}, 21},
   }));
@@ -139,7 +140,7 @@ TEST_CASE("a jump of the odometry is a new frame, in which the robot goes on fro
     CHECK(step_m(bridged, i) <= 0.5 + 1e-9);
   }
   ReplayOptions as_recorded;
-  as_recorded.bridge_jumps = false;
+  as_recorded.pairing.bridge_jumps = false;
   const auto raw = play(records, as_recorded);
   CHECK(raw.counts == Counts{{"odometry jump", 1}});
   CHECK(raw.samples.back().T_odom_base.y() == Approx(30));

@@ -60,7 +60,7 @@ std::size_t returns_in(const RecordedLog& log, double no_return_m) {
   std::size_t count = 0;
   for_each_scan(log, [&](const opal::RawScan& scan) {
     count += static_cast<std::size_t>(std::count_if(scan.ranges_m.begin(), scan.ranges_m.end(), [&](float range_m) {
-      return range_m > 0 && static_cast<double>(range_m) < no_return_m;
+      return range_m > 0 && opal::is_below(range_m, no_return_m);
     }));
   });
   return count;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/sensing/log_source.hpp>
+#include <opal/sensing/scan_pairing.hpp>
 
 #include <limits>
 #include <map>
@@ -12,26 +12,12 @@
 
 namespace opal {
 
-/// What the localizer takes: one scan with the odometry at its stamp.
-struct Sample {
-  Scan scan;          ///< in the sensor frame
-  Pose2 T_odom_base;  ///< free of the jumps of the recorded odometry if ReplayOptions::bridge_jumps
-};
-
 /// Which part of a log is played, and what counts as odd in it.
 struct ReplayOptions {
   double from_s = -std::numeric_limits<double>::infinity();  ///< records outside [from_s, to_s] are not looked at
   /// The end of the window, by the clock of the log.
   double to_s = std::numeric_limits<double>::infinity();
-  double gap_s = 2.0;            ///< records farther apart than this are counted as a gap
-  double odometry_wait_s = 1.0;  ///< a scan takes odometry that is at most this much older or newer, if it is
-                                 ///< not between two odometry records of the log
-  double clock_reset_s = 1.0;    ///< a stamp that steps back by more than this starts a new timeline
-  double max_speed_mps = 3.0;    ///< odometry that moves farther than this speed makes plausible,
-  double max_turn_radps = 6.0;   ///< or turns more,
-  double jump_m = 1.0;           ///< by more than this, has jumped. Lost records and coarse stamps look like jumps:
-  double jump_rad = 1.5;         ///< in the csail and belgioioso logs true motion exceeds the speeds by 0.4 m, 0.6 rad
-  bool bridge_jumps = true;      ///< a jump is taken for a new odometry frame in which the robot stands still
+  PairingOptions pairing{};  ///< of scans with odometry
 };
 
 /// Turns the records of a log into samples, by increasing stamp within a timeline. Nothing in a log makes it fail:
@@ -51,9 +37,7 @@ class OPAL_EXPORT Replay {
   /// @return the next sample, or nullopt at the end. A scan waits until the odometry has passed it.
   std::optional<Sample> next();
 
-  /// How often something odd was met so far, by cause, the reader's own defects included: "clock reset",
-  /// "odometry stamp steps back", "scan stamp steps back", "repeated odometry stamp", "repeated scan stamp", "gap",
-  /// "odometry jump", "scan without odometry" (left out), "scan without a valid beam" (passed on).
+  /// How often something odd was met so far, by cause: as ScanPairing::counts(), and the reader's own defects.
   std::map<std::string, int> counts() const;
   /// Share of the log already walked, in [0, 1].
   double progress() const;

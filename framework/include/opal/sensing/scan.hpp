@@ -19,6 +19,8 @@ struct LaserModel {
   double no_return_m = 80.0;                            ///< a range at or above this means that nothing was hit
   double range_sigma_m = 0.02;                          ///< one-sigma noise of a range
   Pose2 T_base_laser;                                   ///< where the sensor sits on the robot
+  /// From the first beam of a sweep to the last [s]; 0: all at once. Not given: as the log states it, if it does.
+  std::optional<double> sweep_s;
   /// Beam geometry and mount are those that the log states (ROS bags do); what is above holds where it states none.
   bool geometry_from_log = false;
 };
@@ -31,6 +33,7 @@ struct RawScan {
   std::optional<Pose2> T_odom_base;           ///< odometry recorded with the scan, if the log has it
   std::optional<double> angle_min_rad;        ///< beam geometry stated by the log itself, if it does
   std::optional<double> angle_increment_rad;  ///< negative: the beams turn clockwise
+  double time_increment_s = 0;                ///< from one beam to the next, as the log states it; 0: not stated
 };
 
 /// One beam that hit something.
@@ -51,6 +54,10 @@ struct Scan {
   std::vector<double> free_bearings_rad;  ///< beams that hit nothing up to range_max_m, increasing
   int invalid = 0;                        ///< NaN, zero, negative or too near: neither hit nor free
 };
+
+/// Whether a recorded range lies below a limit. Logs hold ranges in single precision, or as text of a few digits: what
+/// rounds to the limit, to the millimetre, is not below it.
+OPAL_EXPORT bool is_below(double range_m, double limit_m);
 
 /// Cleans one reading. A return farther than range_max_m leaves the beam free up to there, as no return does.
 /// Beams that the model does not describe are ignored and counted as invalid.

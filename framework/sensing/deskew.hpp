@@ -1,0 +1,33 @@
+#pragma once
+
+#include <opal/sensing/scan.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace opal {
+
+/// When the beams of one scan were measured, after its stamp.
+struct Sweep {
+  double angle_min_rad = 0, angle_increment_rad = 0;  ///< of the beams as recorded
+  int beams = 0;
+  double beam_s = 0;  ///< from one beam to the next; 0: all at once
+
+  bool takes_time() const { return beam_s > 0 && beams > 1; }
+  double duration_s() const { return takes_time() ? beam_s * (beams - 1) : 0; }
+  /// Of a beam in this direction, after the scan's stamp [s].
+  double time_of(double bearing_rad) const;
+};
+
+/// @return the sweep as the laser's description has it, or as the record states it.
+Sweep sweep_of(const RawScan& raw, const LaserModel& laser);
+
+/// The pose of base_link in a fixed frame, so many seconds after the scan's stamp; none if it is not known.
+using MotionInSweep = std::function<std::optional<Pose2>(double later_s)>;
+
+/// Moves every return to where it is seen from the laser's place at the scan's stamp. A robot that turns 1 rad/s smears
+/// a sweep of 0.1 s over 6 degrees (Zhang and Singh 2014, "LOAM", section V). Beams that met nothing are turned.
+/// Nothing changes if the sweep takes no time, or the motion is not known.
+void deskew(Scan& scan, const Sweep& sweep, const Pose2& T_base_laser, const MotionInSweep& T_fixed_base);
+
+}  // namespace opal
