@@ -7,10 +7,11 @@
 namespace opal {
 namespace {
 
-constexpr std::size_t kMotions = 40;  // 10 m of driving, or 80 once all is known
+constexpr std::size_t kMotions = 40;  // 10 m of driving, or 130 once all is known
 constexpr std::size_t kStandingMotions = 10;
-constexpr std::size_t kKnownAfter = 12;  // motions: if they say that all is fine,
-constexpr int kSkipped = 7;              // every eighth of those that follow will do
+constexpr std::size_t kKnownAfter = 8;    // motions, if they tell of the mount too, or
+constexpr std::size_t kEnoughAfter = 24;  // if they do not: if they say that all is fine,
+constexpr int kSkipped = 15;              // one of sixteen that follow will do
 constexpr double kStands_m = 0.02, kStands_rad = 0.02;
 constexpr double kOtherView_m = 0.1, kOtherView_rad = 0.1;
 
@@ -67,7 +68,10 @@ void SensorMonitor::take(const MotionPair& pair) {
   standing_.clear();
   keep(newest_, pair, kMotions);
   const auto is_fine = [](const SensorFinding& f) { return f.verdict == SensorFinding::Verdict::fine; };
-  if (newest_.size() >= kKnownAfter && pair.as_described && std::all_of(findings_.begin(), findings_.end(), is_fine))
+  const auto tells_mount = [](const SensorFinding& f) { return f.subject == SensorFinding::Subject::mount_heading; };
+  const bool is_told = std::any_of(findings_.begin(), findings_.end(), tells_mount);
+  if (newest_.size() >= (is_told ? kKnownAfter : kEnoughAfter) && pair.as_described &&
+      std::all_of(findings_.begin(), findings_.end(), is_fine))
     motions_->skip(kSkipped);
 }
 
