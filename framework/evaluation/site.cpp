@@ -35,6 +35,7 @@ class Place {
     if (found == value_.end()) refuse(path_, pointer_ + "/" + name, "missing", expected);
     return {path_, pointer_ + "/" + name, *found};
   }
+  bool has(const std::string& name) const { return value_.is_object() && value_.contains(name); }
   std::vector<Place> elements() const {
     if (!value_.is_array()) fail("an array");
     std::vector<Place> places;
@@ -83,6 +84,7 @@ LaserModel read_site_laser(const std::string& path) {
   model.angle_increment_rad = radians(number_in(laser, "angle_increment_deg", 1e-6, 90, "degrees in (0, 90]"));
   model.no_return_m = number_in(laser, "no_return_at_or_above_m", model.range_min_m, 1e6, "metres, more than 0.05");
   model.range_max_m = std::min(model.no_return_m, kUsableRangeM);
+  if (laser.has("sweep_s")) model.sweep_s = number_in(laser, "sweep_s", 0, 10, "seconds in [0, 10]");
   const std::string offset = "metres in [-100, 100]";
   model.T_base_laser =
       Pose2(number_in(laser, "offset_x_m", -100, 100, offset), number_in(laser, "offset_y_m", -100, 100, offset),

@@ -1,7 +1,6 @@
 #include "sensing/deskew.hpp"
 
 #include "sensing/beam_order.hpp"
-#include "sensing/odometry_track.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +61,7 @@ double Sweep::time_of(double bearing_rad) const {
 Sweep sweep_of(const RawScan& raw, const LaserModel& laser) {
   const bool of_log = laser.geometry_from_log && raw.angle_min_rad && raw.angle_increment_rad;
   Sweep sweep{of_log ? *raw.angle_min_rad : laser.angle_min_rad,
-              of_log ? *raw.angle_increment_rad : laser.angle_increment_rad,
-              static_cast<int>(raw.ranges_m.size()), 0};
+              of_log ? *raw.angle_increment_rad : laser.angle_increment_rad, static_cast<int>(raw.ranges_m.size()), 0};
   if (sweep.angle_increment_rad == 0 || sweep.beams < 2) return sweep;
   sweep.beam_s = laser.sweep_s ? *laser.sweep_s / (sweep.beams - 1) : std::max(0.0, raw.time_increment_s);
   return sweep;

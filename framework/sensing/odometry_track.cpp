@@ -4,11 +4,6 @@
 #include <cmath>
 
 namespace opal {
-Pose2 interpolated(const Pose2& a, const Pose2& b, double share) {
-  return {a.position() + share * (b.position() - a.position()),
-          a.heading_rad() + share * wrap_angle(b.heading_rad() - a.heading_rad())};
-}
-
 bool OdometryTrack::is_jump(double stamp_s, const Pose2& T_track_base) const {
   if (!last_) return false;
   const double elapsed_s = clock_restarted_ ? 0 : std::max(stamp_s - last_->stamp_s, 0.0);

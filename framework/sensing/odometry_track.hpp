@@ -7,9 +7,6 @@
 
 namespace opal {
 
-/// Between two poses: a at share 0, b at share 1; the short way round.
-Pose2 interpolated(const Pose2& a, const Pose2& b, double share);
-
 /// The last stretch of odometry, made continuous, to be read at the stamps of scans.
 class OdometryTrack {
  public:

@@ -6,11 +6,12 @@ namespace opal::simulation {
 namespace {
 
 /// True ranges, glass decided on; reach where nothing is.
-std::vector<double> true_ranges(const RayCaster& solids, const Pose2& T_map_laser, const LaserModel& laser,
+std::vector<double> true_ranges(const RayCaster& solids, const LaserPath& path, const LaserModel& laser,
                                 const LaserErrors& errors, Random& random) {
   std::vector<double> ranges(static_cast<std::size_t>(laser.beams));
   for (int beam = 0; beam < laser.beams; ++beam) {
     const double bearing = laser.angle_min_rad + beam * laser.angle_increment_rad;
+    const Pose2 T_map_laser = path(beam);
     const Point direction = T_map_laser.rotate(unit_vector(bearing));
     RayHit hit = solids.cast(T_map_laser.position(), direction, laser.range_max_m);
     while (hit.solid >= 0 && solids.solids()[hit.solid].glass && !random.chance(errors.glass_share)) {
@@ -22,6 +23,7 @@ std::vector<double> true_ranges(const RayCaster& solids, const Pose2& T_map_lase
   return ranges;
 }
 
+/// @param T_map_laser  about when the laser looks at the disc.
 void put_before(std::vector<double>& ranges, const Circle& disc, const Pose2& T_map_laser, const LaserModel& laser) {
   const Point center = T_map_laser.inverse() * disc.center;
   const double distance = center.norm();
@@ -40,6 +42,14 @@ void put_before(std::vector<double>& ranges, const Circle& disc, const Pose2& T_
   }
 }
 
+/// The beam that looks at a point, as seen from the middle of the sweep.
+int beam_at(const Point& point, const LaserPath& path, const LaserModel& laser) {
+  const Point seen = path(laser.beams / 2).inverse() * point;
+  double along_rad = std::fmod(std::atan2(seen.y(), seen.x()) - laser.angle_min_rad, 2 * std::numbers::pi);
+  if (along_rad < 0) along_rad += 2 * std::numbers::pi;
+  return std::min(static_cast<int>(along_rad / laser.angle_increment_rad), laser.beams - 1);
+}
+
 /// A beam has a width: at an edge, part of it meets what is in front and part what is behind.
 void mix(std::vector<double>& ranges, const LaserErrors& errors, Random& random) {
   const std::vector<double> clean = ranges;
@@ -51,10 +61,11 @@ void mix(std::vector<double>& ranges, const LaserErrors& errors, Random& random)
 
 }  // namespace
 
-RawScan swept(const RayCaster& solids, std::span<const Circle> discs, const Pose2& T_map_laser, const LaserModel& laser,
-              const LaserErrors& errors, Random& random) {
+RawScan swept(const RayCaster& solids, std::span<const Circle> discs, const LaserPath& T_map_laser,
+              const LaserModel& laser, const LaserErrors& errors, Random& random) {
   std::vector<double> ranges = true_ranges(solids, T_map_laser, laser, errors, random);
-  for (const Circle& disc : discs) put_before(ranges, disc, T_map_laser, laser);
+  for (const Circle& disc : discs)
+    put_before(ranges, disc, T_map_laser(beam_at(disc.center, T_map_laser, laser)), laser);
   mix(ranges, errors, random);
   RawScan scan;
   scan.ranges_m.reserve(ranges.size());

@@ -5,6 +5,7 @@
 
 #include <opal/sensing/scan.hpp>
 
+#include <functional>
 #include <span>
 
 namespace opal::simulation {
@@ -19,8 +20,11 @@ struct LaserErrors {
   double glass_share = 0.1;          ///< beams that come back from glass; the others go through
 };
 
-/// One sweep from `T_map_laser`; discs are what moves. Ranges beyond `laser.range_max_m` are `no_return_m`.
-RawScan swept(const RayCaster& solids, std::span<const Circle> discs, const Pose2& T_map_laser, const LaserModel& laser,
-              const LaserErrors& errors, Random& random);
+/// Where the laser is when it measures one beam; frame `map`.
+using LaserPath = std::function<Pose2(int beam)>;
+
+/// One sweep along a path; discs are what moves. Ranges beyond `laser.range_max_m` are `no_return_m`.
+RawScan swept(const RayCaster& solids, std::span<const Circle> discs, const LaserPath& T_map_laser,
+              const LaserModel& laser, const LaserErrors& errors, Random& random);
 
 }  // namespace opal::simulation

@@ -37,7 +37,11 @@ class RecordedDrive {
   }
 
  private:
-  void read() { recording_.scans.push_back({simulation_.scan(), simulation_.T_map_base()}); }
+  void read() {
+    RawScan scan = simulation_.scan();
+    const Pose2 T_map_base = simulation_.T_map_base_at(scan.stamp_s);
+    recording_.scans.push_back({std::move(scan), T_map_base});
+  }
 
   void step() {
     const Pose2 before = simulation_.T_map_base();
@@ -116,7 +120,9 @@ Recording record_along(Simulation& simulation, std::span<const StampedPose> T_ma
     else
       driven_m += distance_m(simulation.T_map_base(), next);
     simulation.follow(next, stamped.stamp_s);
-    recording.scans.push_back({simulation.scan(), next});
+    RawScan scan = simulation.scan();
+    const Pose2 T_map_base = simulation.T_map_base_at(scan.stamp_s);
+    recording.scans.push_back({std::move(scan), T_map_base});
   }
   if (recording.scans.empty()) return recording;
   recording.queries.push_back(

@@ -58,18 +58,22 @@ std::string truth_of(const Recording& recording) {
   return text;
 }
 
-nlohmann::ordered_json info_of(const Recording& recording, const std::string& name) {
-  const LaserModel& laser = recording.laser;
+nlohmann::ordered_json laser_of(const LaserModel& laser) {
   constexpr double kDegree = std::numbers::pi / 180;
+  nlohmann::ordered_json described = {{"n_beams", laser.beams},
+                                      {"angle_min_deg", laser.angle_min_rad / kDegree},
+                                      {"angle_increment_deg", laser.angle_increment_rad / kDegree},
+                                      {"no_return_at_or_above_m", laser.no_return_m},
+                                      {"offset_x_m", laser.T_base_laser.x()},
+                                      {"offset_y_m", laser.T_base_laser.y()},
+                                      {"offset_theta", laser.T_base_laser.heading_rad()}};
+  if (laser.sweep_s) described["sweep_s"] = *laser.sweep_s;
+  return described;
+}
+
+nlohmann::ordered_json info_of(const Recording& recording, const std::string& name) {
   return {{"site", name},
-          {"laser",
-           {{"n_beams", laser.beams},
-            {"angle_min_deg", laser.angle_min_rad / kDegree},
-            {"angle_increment_deg", laser.angle_increment_rad / kDegree},
-            {"no_return_at_or_above_m", laser.no_return_m},
-            {"offset_x_m", laser.T_base_laser.x()},
-            {"offset_y_m", laser.T_base_laser.y()},
-            {"offset_theta", laser.T_base_laser.heading_rad()}}},
+          {"laser", laser_of(recording.laser)},
           {"time", "simulated (start = 0)"},
           {"n_scans", recording.scans.size()},
           {"ground_truth", "simulated"}};

@@ -88,6 +88,7 @@ std::optional<Contact> Simulation::drive(const Velocity& velocity, double durati
     if (auto touched = contact(next); touched && nears(touched->what, next.position())) return touched;
   T_map_base_ = next;
   odometry_.move(step);
+  remember();
   return std::nullopt;
 }
 
@@ -97,15 +98,33 @@ void Simulation::follow(const Pose2& T_map_base, double stamp_s) {
   odometry_.move(T_map_base_.inverse() * T_map_base);
   T_map_base_ = T_map_base;
   now_s_ = stamp_s;
+  remember();
+}
+
+void Simulation::place(const Pose2& T_map_base) {
+  T_map_base_ = T_map_base;
+  moved_.clear();
+  remember();
+}
+
+void Simulation::remember() {
+  if (sweep_s() > 0) moved_.add({now_s_, T_map_base_, T_odom_base()}, sweep_s());
+}
+
+Pose2 Simulation::T_map_base_at(double stamp_s) const {
+  return moved_.empty() ? T_map_base_ : moved_.at(stamp_s).T_map_base;
 }
 
 RawScan Simulation::scan() {
   std::vector<Circle> legs;
   for (const Walker& walker : people_)
     for (const Circle& leg : walker.legs()) legs.push_back(leg);
-  RawScan scan = swept(*solids_, legs, T_map_laser(), options_.laser, options_.laser_errors, random_);
-  scan.stamp_s = now_s_;
-  scan.T_odom_base = T_odom_base();
+  const LaserModel& laser = options_.laser;
+  const double start_s = now_s_ - sweep_s(), beam_s = sweep_s() / std::max(1, laser.beams - 1);
+  const auto path = [&](int beam) { return T_map_base_at(start_s + beam * beam_s) * laser.T_base_laser; };
+  RawScan scan = swept(*solids_, legs, path, laser, options_.laser_errors, random_);
+  scan.stamp_s = start_s;
+  scan.T_odom_base = moved_.empty() ? T_odom_base() : moved_.at(start_s).T_odom_base;
   return scan;
 }
 

@@ -3,6 +3,7 @@
 #include "simulation/clutter.hpp"
 #include "simulation/floor.hpp"
 #include "simulation/laser.hpp"
+#include "simulation/motion_memory.hpp"
 #include "simulation/odometry.hpp"
 #include "simulation/walker.hpp"
 
@@ -59,14 +60,16 @@ class Simulation {
   const Pose2& T_odom_base() const { return odometry_.T_odom_base(); }
 
   /// Carries the robot away; odometry does not notice.
-  void place(const Pose2& T_map_base) { T_map_base_ = T_map_base; }
+  void place(const Pose2& T_map_base);
   /// Time goes on, and people walk; the robot moves unless it would touch something.
   /// @return what it would have touched.
   std::optional<Contact> drive(const Velocity& velocity, double duration_s);
   /// The robot is led to a pose by a time, whatever stands in the way; odometry counts it, people walk.
   void follow(const Pose2& T_map_base, double stamp_s);
-  /// What the laser reads now.
+  /// The sweep that ends now; its stamp and its odometry are those of its first beam.
   RawScan scan();
+  /// Where the robot was, during the sweep that ends now.
+  Pose2 T_map_base_at(double stamp_s) const;
 
  private:
   static constexpr double kMargin_m = 0.1;  ///< so that a way along the centres of cells is a way
@@ -74,6 +77,8 @@ class Simulation {
   std::unique_ptr<const RayCaster> furnished();
   std::optional<Contact> contact(const Pose2& T_map_base) const;
   bool nears(const Geometry& touched, const Point& next) const;
+  double sweep_s() const { return options_.laser.sweep_s.value_or(0); }
+  void remember();
 
   std::shared_ptr<const SemanticMap> building_;
   SimulationOptions options_;
@@ -86,6 +91,7 @@ class Simulation {
   WheelOdometry odometry_;
   Pose2 T_map_base_;
   double now_s_ = 0;
+  MotionMemory moved_;  ///< over a sweep
 };
 
 }  // namespace opal::simulation

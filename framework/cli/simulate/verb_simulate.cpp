@@ -114,6 +114,8 @@ void add_sensing(CLI::App& verb, SimulateOptions& o) {
   verb.get_option("--fov")->check(CLI::Range(1.0, 360.0));
   verb.get_option("--beams")->check(CLI::Range(1, 100000));
   flag("--range", o.world.laser.range_max_m, "of the laser [m]");
+  verb.add_option("--sweep", o.world.laser.sweep_s, "time from the first beam to the last [s] (default: all at once)")
+      ->check(CLI::Range(0.0, 1.0));
   flag("--mount-x", o.mount_x_m, "laser before the robot's centre [m]");
   flag("--range-sigma", o.world.laser_errors.range_sigma_m, "of a reading [m]");
   flag("--missed", o.world.laser_errors.missed_share, "share of beams that are lost");
@@ -145,6 +147,7 @@ void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
                    "PREFIX of a recording (.gt.csv, .info.json, .log.gz): the same laser on the same way, and its "
                    "beams side by side");
   verb->add_option("--speed", options->drives.follower.speed_mps, "[m/s]")->capture_default_str();
+  verb->add_option("--turn", options->drives.follower.turn_radps, "[rad/s]")->capture_default_str();
   verb->add_option("--scan-every", options->drives.scan_every_s, "[s]")->capture_default_str();
   options->add_to(*verb);
   options->damage.add_to(*verb);  // of what stands: the map that is written is the undamaged one

@@ -68,6 +68,12 @@ inline double angle_between_rad(const Pose2& a, const Pose2& b) {
   return std::abs(wrap_angle(a.heading_rad() - b.heading_rad()));
 }
 
+/// Between two poses: `from` at share 0, `to` at share 1; the heading turns the short way round.
+inline Pose2 interpolated(const Pose2& from, const Pose2& to, double share) {
+  return {from.position() + share * (to.position() - from.position()),
+          from.heading_rad() + share * wrap_angle(to.heading_rad() - from.heading_rad())};
+}
+
 /// A point with a direction: a corner, a door post. `heading_rad` is the bisector of the angle that is open to
 /// view; `opening_rad` in (0, 2 pi) is that angle: below pi for a concave corner (seen from inside a room), above
 /// pi for a convex one (a pillar's edge).
