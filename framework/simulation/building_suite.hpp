@@ -1,7 +1,7 @@
 #pragma once
 
 #include "simulation/buildings/building.hpp"
-#include "simulation/challenges.hpp"
+#include "simulation/drives/challenges.hpp"
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "simulation/challenges.hpp"
+#include "simulation/drives/challenges.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "tests/kit/temporary_folder.hpp"
 
-#include "simulation/recording.hpp"
+#include "simulation/drives/recording.hpp"
 
 #include <opal/common/error.hpp>
 

@@ -4,7 +4,7 @@
 
 #include "benchmark/ab/documents/experiment.hpp"
 
-#include "simulation/challenges.hpp"
+#include "simulation/drives/challenges.hpp"
 
 #include "evaluation/ground_truth.hpp"
 

@@ -12,7 +12,7 @@
 #include "ipc/remote/remote_localization.hpp"
 #include "navigation/node_registry.hpp"
 #include "report/quantity_text.hpp"
-#include "simulation/recording.hpp"
+#include "simulation/drives/recording.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>

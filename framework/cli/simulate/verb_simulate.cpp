@@ -7,7 +7,7 @@
 #include "session/shipped_files.hpp"
 
 #include "simulation/beam_statistics.hpp"
-#include "simulation/recording.hpp"
+#include "simulation/drives/recording.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/sensing/replay.hpp>

@@ -4,7 +4,7 @@
 #include "map_tools/map_damage.hpp"
 
 #include "simulation/buildings/building.hpp"
-#include "simulation/recording.hpp"
+#include "simulation/drives/recording.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include <opal/common/error.hpp>
 
-#include "simulation/challenges.hpp"
+#include "simulation/drives/challenges.hpp"
 
 #include <fmt/format.h>
 

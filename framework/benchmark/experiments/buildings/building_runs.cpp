@@ -6,7 +6,7 @@
 #include "common/cpu_clock.hpp"
 #include "map/map_file.hpp"
 
-#include "simulation/recording.hpp"
+#include "simulation/drives/recording.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "benchmark/experiments/kit/contender.hpp"
 #include "benchmark/experiments/kit/moment.hpp"
 
-#include "simulation/challenges.hpp"
+#include "simulation/drives/challenges.hpp"
 
 #include <span>
 #include <string>

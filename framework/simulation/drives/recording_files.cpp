@@ -1,4 +1,4 @@
-#include "simulation/recording.hpp"
+#include "simulation/drives/recording.hpp"
 
 #include "common/text_file.hpp"
 #include "common/whole_file.hpp"

@@ -1,4 +1,4 @@
-#include "simulation/recording.hpp"
+#include "simulation/drives/recording.hpp"
 
 #include <cstdio>
 #include <functional>

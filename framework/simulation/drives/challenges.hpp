@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulation/recording.hpp"
+#include "simulation/drives/recording.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulation/path_follower.hpp"
+#include "simulation/drives/path_follower.hpp"
 #include "simulation/simulation.hpp"
 
 #include "evaluation/site.hpp"

@@ -1,4 +1,4 @@
-#include "simulation/challenges.hpp"
+#include "simulation/drives/challenges.hpp"
 
 namespace opal::simulation {
 namespace {

@@ -1,4 +1,4 @@
-#include "simulation/path_follower.hpp"
+#include "simulation/drives/path_follower.hpp"
 
 #include <algorithm>
 
