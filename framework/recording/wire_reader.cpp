@@ -1,15 +1,21 @@
-#include "cdr_reader.hpp"
+#include "recording/wire_reader.hpp"
 
 #include <algorithm>
 
-namespace opal::ros2_bag {
+namespace opal::recording {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 4;
 
 }  // namespace
 
-CdrReader::CdrReader(std::span<const std::byte> message) {
+WireReader::WireReader(Bytes message, Wire wire) : wire_(wire) {
+  if (wire == Wire::ros1) {
+    body_ = message;
+    swap_ = std::endian::native == std::endian::big;
+    ok_ = true;
+  }
+  if (wire != Wire::cdr) return;
   if (message.size() < kHeaderBytes || message[0] != std::byte{0}) return;
   const bool big_endian = message[1] == std::byte{0};
   if (!big_endian && message[1] != std::byte{1}) return;
@@ -18,9 +24,11 @@ CdrReader::CdrReader(std::span<const std::byte> message) {
   ok_ = true;
 }
 
-void CdrReader::align(std::size_t bytes) { position_ = (position_ + bytes - 1) / bytes * bytes; }
+void WireReader::align(std::size_t bytes) {
+  if (wire_ == Wire::cdr) position_ = (position_ + bytes - 1) / bytes * bytes;
+}
 
-void CdrReader::take(std::byte* to, std::size_t bytes) {
+void WireReader::take(std::byte* to, std::size_t bytes) {
   if (!ok_ || position_ > body_.size() || bytes > body_.size() - position_) {
     ok_ = false;
     return;
@@ -29,16 +37,16 @@ void CdrReader::take(std::byte* to, std::size_t bytes) {
   position_ += bytes;
 }
 
-void CdrReader::reverse(std::byte* bytes, std::size_t count) { std::reverse(bytes, bytes + count); }
+void WireReader::reverse(std::byte* bytes, std::size_t count) { std::reverse(bytes, bytes + count); }
 
-std::size_t CdrReader::length(std::size_t element_bytes) {
+std::size_t WireReader::length(std::size_t element_bytes) {
   const auto count = number<std::uint32_t>();
   if (!ok_ || count > (body_.size() - position_) / element_bytes) ok_ = false;
   return ok_ ? count : 0;
 }
 
-std::string CdrReader::text() {
-  const std::size_t bytes = length(1);  // its closing NUL included
+std::string WireReader::text() {
+  const std::size_t bytes = length(1);  // in CDR its closing NUL included
   std::string text(bytes, '\0');
   take(reinterpret_cast<std::byte*>(text.data()), bytes);
   if (!ok_) return {};
@@ -46,7 +54,7 @@ std::string CdrReader::text() {
   return text;
 }
 
-void CdrReader::skip_numbers(std::size_t count, std::size_t bytes_each) {
+void WireReader::skip_numbers(std::size_t count, std::size_t bytes_each) {
   if (count == 0) return;
   align(bytes_each);
   if (!ok_ || position_ > body_.size() || count > (body_.size() - position_) / bytes_each)
@@ -55,4 +63,4 @@ void CdrReader::skip_numbers(std::size_t count, std::size_t bytes_each) {
     position_ += count * bytes_each;
 }
 
-}  // namespace opal::ros2_bag
+}  // namespace opal::recording

@@ -1,20 +1,18 @@
 #pragma once
 
+#include <opal/recording/recording.hpp>
+
 #include <bit>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <span>
-#include <string>
 #include <type_traits>
 
-namespace opal::ros2_bag {
+namespace opal::recording {
 
-/// Reads plain CDR (OMG DDS-XTypes 1.3, 7.4.1: XCDR version 1) with its encapsulation header, in either byte order.
-/// Reading past the end gives zeros and makes `ok` false for good.
-class CdrReader {
+/// Reads a message: plain CDR (OMG DDS-XTypes 1.3, 7.4.1: XCDR version 1) with its encapsulation header in either byte
+/// order, or the format of ROS 1. Reading past the end gives zeros and makes `ok` false for good.
+class WireReader {
  public:
-  explicit CdrReader(std::span<const std::byte> message);
+  WireReader(Bytes message, Wire wire);
 
   template <class Number>
   Number number() {
@@ -32,6 +30,7 @@ class CdrReader {
   std::size_t length(std::size_t element_bytes);
   void skip_numbers(std::size_t count, std::size_t bytes_each);
 
+  Wire wire() const { return wire_; }
   bool ok() const { return ok_; }
 
  private:
@@ -39,10 +38,11 @@ class CdrReader {
   void take(std::byte* to, std::size_t bytes);
   static void reverse(std::byte* bytes, std::size_t count);
 
-  std::span<const std::byte> body_;  // alignment counts from its start
+  Wire wire_;
+  Bytes body_;  // alignment counts from its start
   std::size_t position_ = 0;
   bool swap_ = false;
   bool ok_ = false;
 };
 
-}  // namespace opal::ros2_bag
+}  // namespace opal::recording
