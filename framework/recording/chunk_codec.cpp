@@ -113,8 +113,8 @@ Unpacked unpack_chunk(const std::string& compression, Bytes packed, std::uint64_
   else
     throw Damage("a chunk packed with '" + compression + "', expected lz4, zstd or nothing");
   if (unpacked.damage.empty() && unpacked.bytes.size() != whole_bytes)
-    unpacked.damage = std::to_string(unpacked.bytes.size()) + " bytes come out of it, expected " +
-                      std::to_string(whole_bytes);
+    unpacked.damage =
+        std::to_string(unpacked.bytes.size()) + " bytes come out of it, expected " + std::to_string(whole_bytes);
   return unpacked;
 }
 

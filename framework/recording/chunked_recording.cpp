@@ -152,8 +152,7 @@ std::pair<std::int64_t, std::int64_t> ChunkedRecording::span_ns() const {
 std::vector<RecordedStamp> ChunkedRecording::stamps() const {
   std::vector<RecordedStamp> stamps;
   stamps.reserve(places_.size());
-  for (const MessagePlace& place : places_)
-    stamps.push_back({topic_by_channel_.at(place.channel), place.recorded_ns});
+  for (const MessagePlace& place : places_) stamps.push_back({topic_by_channel_.at(place.channel), place.recorded_ns});
   return stamps;
 }
 

@@ -36,17 +36,18 @@ bool is_same_place(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
 
 void SeenTransforms::add(const Transform& transform, const std::string& topic, bool is_static) {
   const std::pair<std::string, std::string> link{without_slash(transform.parent), without_slash(transform.child)};
-  auto [seen, is_new] = by_link_.try_emplace(link, Seen{transform, topic, 0, is_static, false});
+  auto [seen, is_new] = by_link_.try_emplace(link, Seen{transform, transform, topic, 0, is_static, false});
   ++seen->second.messages;
   if (!is_new && !is_same_place(seen->second.first.T_parent_child, transform.T_parent_child)) seen->second.moves = true;
+  seen->second.last = transform;
 }
 
 FixedFrames SeenTransforms::fixed_frames() const {
   FixedFrames frames;
   for (const auto& [link, seen] : by_link_)
-    if (seen.is_static) frames.add(seen.first);
+    if (seen.is_static) frames.add(seen.last);
   for (const auto& [link, seen] : by_link_)
-    if (!seen.is_static && !seen.moves) frames.add_unless_known(seen.first);
+    if (!seen.is_static && !seen.moves) frames.add_unless_known(seen.last);
   return frames;
 }
 

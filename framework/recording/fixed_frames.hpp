@@ -31,6 +31,7 @@ class SeenTransforms {
  public:
   struct Seen {
     Transform first;
+    Transform last;  ///< of static ones the one that holds
     std::string topic;
     int messages = 0;
     bool is_static = false;  ///< by its topic

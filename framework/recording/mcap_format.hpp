@@ -28,8 +28,8 @@ enum class McapOp : std::uint8_t {
   data_end = 0x0F,
 };
 
-constexpr std::size_t kMcapRecordStart = 9;     // op and length
-constexpr std::size_t kMcapFooterBytes = 20;    // without op and length
-constexpr std::size_t kMcapMessageStart = 22;   // of a message, before its data
+constexpr std::size_t kMcapRecordStart = 9;    // op and length
+constexpr std::size_t kMcapFooterBytes = 20;   // without op and length
+constexpr std::size_t kMcapMessageStart = 22;  // of a message, before its data
 
 }  // namespace opal::recording

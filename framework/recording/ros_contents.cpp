@@ -164,7 +164,7 @@ std::optional<LogMount> MessageTally::mount_of(const std::string& frame) const {
   mount.tilt_rad = std::acos(std::min(1.0, std::abs(upright)));
   FixedFrames stated;
   for (const auto& [link, seen] : transforms_.by_link())
-    if (seen.is_static) stated.add(seen.first);
+    if (seen.is_static) stated.add(seen.last);
   mount.from_moving_topic = !stated.pose(base, frame);
   return mount;
 }

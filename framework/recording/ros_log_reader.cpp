@@ -86,7 +86,7 @@ void RosLogReader::find_mount() {
   if (!T_base_laser && has_base) {
     const SeenTransforms moving = read_transforms(true);
     for (const auto& [link, seen] : moving.by_link())
-      if (!seen.moves) frames.add_unless_known(seen.first);
+      if (!seen.moves) frames.add_unless_known(seen.last);
     T_base_laser = frames.pose(base, frame);
   }
   const bool stands_alone = !has_base && base == frame;  // nothing carries it

@@ -64,7 +64,8 @@ TopicTest is_named(const std::string& name) {
 ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted) {
   const std::set<std::string> scans = names_where(parts, kScans.test);
   const std::set<std::string> odometry = names_where(parts, kOdometry.test);
-  if (scans.empty() && wanted.scan.empty()) throw LogError(path + ": no topic of type " + kScans.type + " that can be read");
+  if (scans.empty() && wanted.scan.empty())
+    throw LogError(path + ": no topic of type " + kScans.type + " that can be read");
   ChosenTopics chosen{wanted, ""};
   chosen.topics.scan = choose(path, scans, kScans, wanted.scan);
   if (chosen.topics.scan.empty()) chosen.topics.scan = *scans.begin();
@@ -97,10 +98,10 @@ OdometryLink find_odometry_link(const Parts& parts, const TopicChoice& topics) {
       }
   }
   const std::string frames = topics.odom_frame + (topics.base_frame.empty() ? "" : " to " + topics.base_frame);
-  return {false, "",
-          "no odometry: no topic has it, and no transform from " + frames +
-              (others.empty() ? ""
-                              : "; the options odom_frame and base_frame may name one of " + listed_links(others))};
+  return {
+      false, "",
+      "no odometry: no topic has it, and no transform from " + frames +
+          (others.empty() ? "" : "; the options odom_frame and base_frame may name one of " + listed_links(others))};
 }
 
 Span span_of(const Recording& part) {

@@ -15,8 +15,8 @@ TopicTest is_named(const std::string& name);
 
 /// What is read of a recording.
 struct ChosenTopics {
-  TopicChoice topics;   ///< scan is not empty; odometry is if no topic has it
-  std::string remark;   ///< what a user should know of the choice; may be empty
+  TopicChoice topics;  ///< scan is not empty; odometry is if no topic has it
+  std::string remark;  ///< what a user should know of the choice; may be empty
 };
 
 /// @throws LogError if there is no scan, or no topic of a name that was asked for.
@@ -25,8 +25,8 @@ ChosenTopics choose_topics(const std::string& path, const Parts& parts, const To
 /// What transforms are the odometry, where no topic has it.
 struct OdometryLink {
   bool exists = false;
-  std::string base_frame;   ///< if it exists
-  std::string complaint;    ///< if it does not: with the links that options could name
+  std::string base_frame;  ///< if it exists
+  std::string complaint;   ///< if it does not: with the links that options could name
 };
 
 /// Whether a transform leads from the frame of odometry to the robot.

@@ -4,7 +4,8 @@
 
 namespace opal::mcap_log {
 
-/// MCAP files with messages of ROS 2 (CDR) or ROS 1: one file, or the folder of a recording with all of its .mcap files.
+/// MCAP files with messages of ROS 2 (CDR) or ROS 1: one file, or the folder of a recording with all of its .mcap
+/// files.
 class McapLog final : public recording::RosLogSource {
  public:
   using RosLogSource::RosLogSource;

@@ -58,7 +58,8 @@ class SqliteWalk final : public recording::MessageWalk {
   std::optional<Message> next() override {
     while (rows_.next()) {
       const auto id = std::find(ids_.begin(), ids_.end(), rows_.number(0));
-      if (id != ids_.end()) return Message{static_cast<std::size_t>(id - ids_.begin()), rows_.number(1), rows_.bytes(2)};
+      if (id != ids_.end())
+        return Message{static_cast<std::size_t>(id - ids_.begin()), rows_.number(1), rows_.bytes(2)};
     }
     if (rows_.damaged()) defects_["damaged file"] = 1;
     return std::nullopt;
@@ -109,10 +110,10 @@ std::vector<recording::RecordedStamp> SqliteRecording::stamps() const {
 std::unique_ptr<recording::MessageWalk> SqliteRecording::walk(const std::vector<std::size_t>& topics) const {
   std::string ids;  // numbers: nothing of the file's own text gets into the query
   for (const std::size_t topic : topics) ids += (ids.empty() ? "" : ",") + std::to_string(ids_.at(topic));
-  return std::make_unique<SqliteWalk>(Rows(path_, database_.get(),
-                                           "SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN (" + ids +
-                                               ") ORDER BY timestamp, id"),
-                                      ids_);
+  return std::make_unique<SqliteWalk>(
+      Rows(path_, database_.get(),
+           "SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN (" + ids + ") ORDER BY timestamp, id"),
+      ids_);
 }
 
 }  // namespace opal::ros2_bag

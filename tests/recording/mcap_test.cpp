@@ -86,8 +86,7 @@ TEST_CASE("a bit that changed in a chunk costs this chunk, is told, and no wrong
     std::string changed = whole;
     changed[at] = static_cast<char>(changed[at] ^ 0x10);
     const ReadFile read = read_file(changed);
-    for (const std::string& message : read.messages)
-      REQUIRE(std::find(all.begin(), all.end(), message) != all.end());
+    for (const std::string& message : read.messages) REQUIRE(std::find(all.begin(), all.end(), message) != all.end());
     REQUIRE_FALSE((read.defects.empty() && read.messages.size() < all.size()));
     REQUIRE(read.messages.size() + 14 >= all.size());  // a chunk has at most so many
   }
@@ -108,10 +107,10 @@ TEST_CASE("a chunk with a wrong CRC names its place, what was found and what was
 TEST_CASE("what is no MCAP file is refused with its name") {
   for (const std::string& bytes : {std::string(), std::string("\x89MCAP0"), std::string(100, 'x')}) {
     CHECK_THROWS_AS(read_file(bytes), LogError);
-    CHECK_THROWS_WITH(read_file(bytes),
-                      "made.mcap: byte 0: no MCAP magic number, expected an MCAP recording");
+    CHECK_THROWS_WITH(read_file(bytes), "made.mcap: byte 0: no MCAP magic number, expected an MCAP recording");
   }
-  CHECK_THROWS_WITH(recording::read_mcap("/nowhere/a.mcap"), "/nowhere/a.mcap: no such file, expected an MCAP recording");
+  CHECK_THROWS_WITH(recording::read_mcap("/nowhere/a.mcap"),
+                    "/nowhere/a.mcap: no such file, expected an MCAP recording");
 }
 
 TEST_CASE("a writer refuses a compression that MCAP does not have, and tells what cannot be written") {

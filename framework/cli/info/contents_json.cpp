@@ -21,14 +21,10 @@ Json topics_json(const LogContents& contents) {
 }
 
 Json mount_json(const LogMount& mount) {
-  return {{"parent", mount.parent},
-          {"x_m", mount.T_base_laser.x()},
-          {"y_m", mount.T_base_laser.y()},
-          {"heading_rad", mount.T_base_laser.heading_rad()},
-          {"height_m", mount.height_m},
-          {"tilt_rad", mount.tilt_rad},
-          {"upside_down", mount.upside_down},
-          {"from_moving_topic", mount.from_moving_topic}};
+  return {{"parent", mount.parent},           {"x_m", mount.T_base_laser.x()},
+          {"y_m", mount.T_base_laser.y()},    {"heading_rad", mount.T_base_laser.heading_rad()},
+          {"height_m", mount.height_m},       {"tilt_rad", mount.tilt_rad},
+          {"upside_down", mount.upside_down}, {"from_moving_topic", mount.from_moving_topic}};
 }
 
 Json laser_json(const LogLaser& laser) {
@@ -54,14 +50,10 @@ Json laser_json(const LogLaser& laser) {
 }
 
 Json odometry_json(const LogOdometry& odometry) {
-  return {{"topic", odometry.topic},
-          {"odom_frame", odometry.odom_frame},
-          {"base_frame", odometry.base_frame},
-          {"is_read", odometry.is_read},
-          {"poses", odometry.poses},
-          {"driven_m", odometry.driven_m},
-          {"turned_rad", odometry.turned_rad},
-          {"recorded_after_s", odometry.recorded_after_s}};
+  return {{"topic", odometry.topic},           {"odom_frame", odometry.odom_frame},
+          {"base_frame", odometry.base_frame}, {"is_read", odometry.is_read},
+          {"poses", odometry.poses},           {"driven_m", odometry.driven_m},
+          {"turned_rad", odometry.turned_rad}, {"recorded_after_s", odometry.recorded_after_s}};
 }
 
 Json transform_json(const LogTransform& transform) {

@@ -22,6 +22,16 @@ std::string begin_words(const LogContents& contents) {
   return text;
 }
 
+/// Messages that come in bursts have no rate.
+std::string rate_words(const LogTopic& topic) {
+  constexpr double kBurst = 10;
+  const double mean_interval_s =
+      (topic.last_s - topic.first_s) / std::max(1.0, static_cast<double>(topic.messages - 1));
+  if (topic.interval_s <= 0) return sentence("%8s", "");
+  if (topic.gaps == 0 && mean_interval_s > kBurst * topic.interval_s) return sentence("%8s", "bursts");
+  return sentence("%5.1f Hz", 1 / topic.interval_s);
+}
+
 std::string topic_lines(const LogContents& contents) {
   std::size_t width = 5;
   for (const LogTopic& topic : contents.topics) width = std::max(width, topic.name.size());
@@ -29,7 +39,7 @@ std::string topic_lines(const LogContents& contents) {
   std::string text = sentence("\n%-*s  %9s  %8s  %8s  %8s  %s\n", w, "topic", "messages", "rate", "from", "to", "type");
   for (const LogTopic& topic : contents.topics) {
     text += sentence("%-*s  %9lld  ", w, topic.name.c_str(), static_cast<long long>(topic.messages));
-    text += topic.interval_s > 0 ? sentence("%5.1f Hz", 1 / topic.interval_s) : "        ";
+    text += rate_words(topic);
     if (topic.messages > 0)
       text += sentence("  %6.1f s  %6.1f s", topic.first_s - contents.first_s, topic.last_s - contents.first_s);
     else
@@ -58,7 +68,8 @@ std::string beam_words(const LogLaser& laser) {
 }
 
 std::string range_words(const LogLaser& laser) {
-  std::string text = sentence("  returns from %.2f to %.2f m", laser.nearest_m, laser.farthest_m);
+  std::string text = laser.farthest_m > 0 ? sentence("  returns from %.2f to %.2f m", laser.nearest_m, laser.farthest_m)
+                                          : "  no returns";
   if (laser.range_max_m > 0) text += sentence(" (stated: %.2f to %.2f m)", laser.range_min_m, laser.range_max_m);
   text += sentence("; %.0f %% of readings are no return, %.0f %% are invalid", 100 * laser.no_return_share,
                    100 * laser.invalid_share);
@@ -70,19 +81,27 @@ std::string mount_words(const LogLaser& laser) {
   if (!laser.mount) return "  the log does not state where it is mounted\n";
   const LogMount& mount = *laser.mount;
   const Pose2& pose = mount.T_base_laser;
-  std::string text = sentence("  mounted on %s at x %.3f m, y %.3f m, heading %.2f degrees, height %.2f m",
-                              mount.parent.c_str(), pose.x(), pose.y(), pose.heading_rad() * kDegreesPerRad,
-                              mount.height_m);
+  std::string text =
+      sentence("  mounted on %s at x %.3f m, y %.3f m, heading %.2f degrees, height %.2f m", mount.parent.c_str(),
+               pose.x(), pose.y(), pose.heading_rad() * kDegreesPerRad, mount.height_m);
   if (mount.upside_down) text += ", upside down";
   if (mount.tilt_rad > 0.01) text += sentence(", tilted by %.1f degrees", mount.tilt_rad * kDegreesPerRad);
   return text + (mount.from_moving_topic ? "; stated on /tf, where it does not move\n" : "\n");
 }
 
+/// Scans may be stamped at their end or ahead of time, so that they seem to come early.
+std::string delay_words(double recorded_after_s) {
+  constexpr double kSameClockS = 60;
+  if (recorded_after_s == 0) return "";
+  if (std::abs(recorded_after_s) > kSameClockS) return "; stamps and recording go by different clocks";
+  return sentence("; recorded %.0f ms %s its stamp", 1e3 * std::abs(recorded_after_s),
+                  recorded_after_s > 0 ? "after" : "before");
+}
+
 std::string time_words(const LogLaser& laser) {
   std::string text = laser.sweep_s > 0 ? sentence("  a sweep takes %.3f s", laser.sweep_s)
                                        : "  the log does not state how long a sweep takes";
-  if (laser.recorded_after_s != 0) text += sentence("; recorded %.0f ms after its stamp", 1e3 * laser.recorded_after_s);
-  return text + "\n";
+  return text + delay_words(laser.recorded_after_s) + "\n";
 }
 
 std::string laser_lines(const LogContents& contents) {
@@ -98,13 +117,11 @@ std::string laser_lines(const LogContents& contents) {
 std::string odometry_lines(const LogContents& contents) {
   std::string text;
   for (const LogOdometry& odometry : contents.odometries) {
-    text += sentence("\nodometry %s, %s to %s: %s\n  %d poses, %.1f m driven, %.0f degrees turned",
-                     odometry.topic.c_str(), odometry.odom_frame.c_str(), odometry.base_frame.c_str(),
-                     odometry.is_read ? "is read" : "is not read", odometry.poses, odometry.driven_m,
-                     odometry.turned_rad * kDegreesPerRad);
-    if (odometry.recorded_after_s != 0)
-      text += sentence("; recorded %.0f ms after its stamp", 1e3 * odometry.recorded_after_s);
-    text += "\n";
+    text +=
+        sentence("\nodometry %s, %s to %s: %s\n  %d poses, %.1f m driven, %.0f degrees turned", odometry.topic.c_str(),
+                 odometry.odom_frame.c_str(), odometry.base_frame.c_str(), odometry.is_read ? "is read" : "is not read",
+                 odometry.poses, odometry.driven_m, odometry.turned_rad * kDegreesPerRad);
+    text += delay_words(odometry.recorded_after_s) + "\n";
   }
   return contents.odometries.empty() ? "\nno odometry\n" : text;
 }
@@ -113,7 +130,7 @@ std::string frame_lines(const LogContents& contents) {
   std::string text;
   for (const LogTransform& transform : contents.transforms)
     text += sentence("  %s to %s (%s%s)\n", transform.parent.c_str(), transform.child.c_str(), transform.topic.c_str(),
-                     transform.moves ? ", moves" : "");
+                     transform.moves ? (transform.is_static ? ", stated in several ways" : ", moves") : "");
   return text.empty() ? "" : "\nframes\n" + text;
 }
 
@@ -127,8 +144,8 @@ std::string defect_lines(const LogContents& contents) {
 }  // namespace
 
 std::string contents_text(const LogContents& contents) {
-  std::string text = contents.format + ", " + sentence("%.1f s ", contents.last_s - contents.first_s) +
-                     begin_words(contents) + "\n";
+  std::string text =
+      contents.format + ", " + sentence("%.1f s ", contents.last_s - contents.first_s) + begin_words(contents) + "\n";
   if (contents.looked_at_s < contents.last_s)
     text += sentence("lasers, odometry and frames are those of the first %.1f s\n",
                      contents.looked_at_s - contents.first_s);

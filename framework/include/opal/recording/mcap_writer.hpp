@@ -8,15 +8,15 @@ namespace opal::recording {
 
 /// How an MCAP file is written.
 struct McapOptions {
-  std::string profile = "ros2";               ///< what kind of messages the channels have
-  std::string compression = "zstd";           ///< "zstd", "lz4" or "" for none
-  std::uint64_t chunk_bytes = 768 * 1024;     ///< a chunk is written when it has as many
-  std::int64_t chunk_span_ns = 1'000'000'000; ///< or when it spans so much time: what a crash may cost
+  std::string profile = "ros2";                ///< what kind of messages the channels have
+  std::string compression = "zstd";            ///< "zstd", "lz4" or "" for none
+  std::uint64_t chunk_bytes = 768 * 1024;      ///< a chunk is written when it has as many
+  std::int64_t chunk_span_ns = 1'000'000'000;  ///< or when it spans so much time: what a crash may cost
 };
 
-/// Writes an MCAP file (https://mcap.dev/spec) with chunks, indices, statistics and CRCs. Messages are kept as they are.
-/// A file that was not finished, because the program or the power failed, holds all chunks that were written: readers
-/// find them without the summary.
+/// Writes an MCAP file (https://mcap.dev/spec) with chunks, indices, statistics and CRCs. Messages are kept as they
+/// are. A file that was not finished, because the program or the power failed, holds all chunks that were written:
+/// readers find them without the summary.
 class McapWriter {
  public:
   /// @param out  must outlive the writer; positions are counted from here, so it should be at the start of a file.

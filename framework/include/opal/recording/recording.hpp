@@ -26,9 +26,9 @@ enum class Wire {
 
 /// One topic of a recording.
 struct Topic {
-  std::string name;        ///< "/scan"
-  std::string type;        ///< as it was recorded: "sensor_msgs/msg/LaserScan" (ROS 2), "sensor_msgs/LaserScan" (ROS 1)
-  Wire wire = Wire::other; ///< of its messages
+  std::string name;  ///< "/scan"
+  std::string type;  ///< as it was recorded: "sensor_msgs/msg/LaserScan" (ROS 2), "sensor_msgs/LaserScan" (ROS 1)
+  Wire wire = Wire::other;  ///< of its messages
 };
 
 /// When a message was recorded.

@@ -25,10 +25,10 @@ struct OdometryMessage {
 };
 /// geometry_msgs/TransformStamped. A stamp of 0 is one that was never set.
 struct Transform {
-  double stamp_s = 0;                                                    ///< by the clock of the log
-  std::string parent;                                                    ///< frame in which the pose is given
-  std::string child;                                                     ///< frame that is placed
-  Eigen::Isometry3d T_parent_child = Eigen::Isometry3d::Identity();      ///< where it lies
+  double stamp_s = 0;                                                ///< by the clock of the log
+  std::string parent;                                                ///< frame in which the pose is given
+  std::string child;                                                 ///< frame that is placed
+  Eigen::Isometry3d T_parent_child = Eigen::Isometry3d::Identity();  ///< where it lies
 };
 
 /// @return nullopt for a damaged message.

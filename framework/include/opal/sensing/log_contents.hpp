@@ -13,24 +13,24 @@ namespace opal {
 
 /// One stream of messages in a log.
 struct LogTopic {
-  std::string name;           ///< "/scan", or what the format calls such messages
-  std::string type;           ///< of its messages
-  std::int64_t messages = 0;  ///< how many there are
-  double first_s = 0;         ///< when the first one was recorded, by the clock of the log
-  double last_s = 0;          ///< the same of the last one
-  double interval_s = 0;      ///< median time between two messages; 0 for fewer than two
-  int gaps = 0;               ///< pauses of more than half a second and five usual intervals
-  double longest_gap_s = 0;   ///< the longest pause, 0 for fewer than two messages
+  std::string name;             ///< "/scan", or what the format calls such messages
+  std::string type;             ///< of its messages
+  std::int64_t messages = 0;    ///< how many there are
+  double first_s = 0;           ///< when the first one was recorded, by the clock of the log
+  double last_s = 0;            ///< the same of the last one
+  double interval_s = 0;        ///< median time between two messages; 0 for fewer than two
+  int gaps = 0;                 ///< pauses of more than half a second and five usual intervals
+  double longest_gap_s = 0;     ///< the longest pause, 0 for fewer than two messages
   double longest_gap_at_s = 0;  ///< when it began
 };
 
 /// Where a laser is mounted, by the log.
 struct LogMount {
-  std::string parent;         ///< the robot's frame
-  Pose2 T_base_laser;         ///< projected on the floor
-  double height_m = 0;        ///< above the robot's frame
-  double tilt_rad = 0;        ///< of its axis from the vertical, in [0, pi/2]
-  bool upside_down = false;   ///< its axis points down
+  std::string parent;              ///< the robot's frame
+  Pose2 T_base_laser;              ///< projected on the floor
+  double height_m = 0;             ///< above the robot's frame
+  double tilt_rad = 0;             ///< of its axis from the vertical, in [0, pi/2]
+  bool upside_down = false;        ///< its axis points down
   bool from_moving_topic = false;  ///< stated by transforms that could change, though this one does not
 };
 
@@ -80,16 +80,16 @@ struct LogTransform {
 
 /// What a log holds, as far as it can be told without a map.
 struct LogContents {
-  std::string format;                                         ///< what kind of log it is, in words
-  double first_s = 0;                                         ///< when the first message was recorded
-  double last_s = 0;                                          ///< when the last one was
-  double looked_at_s = 0;                                     ///< lasers, odometry and frames are those up to here
-  std::vector<LogTopic> topics;                               ///< by name
-  std::vector<LogLaser> lasers;                               ///< by name of their topics
-  std::vector<LogOdometry> odometries;                        ///< by name of their topics
-  std::vector<LogTransform> transforms;                       ///< by parent, then child
-  std::map<std::string, int> defects;                         ///< what is not whole, and what is odd
-  std::vector<std::pair<std::string, std::string>> options;   ///< of the log source, to read the same again
+  std::string format;                                        ///< what kind of log it is, in words
+  double first_s = 0;                                        ///< when the first message was recorded
+  double last_s = 0;                                         ///< when the last one was
+  double looked_at_s = 0;                                    ///< lasers, odometry and frames are those up to here
+  std::vector<LogTopic> topics;                              ///< by name
+  std::vector<LogLaser> lasers;                              ///< by name of their topics
+  std::vector<LogOdometry> odometries;                       ///< by name of their topics
+  std::vector<LogTransform> transforms;                      ///< by parent, then child
+  std::map<std::string, int> defects;                        ///< what is not whole, and what is odd
+  std::vector<std::pair<std::string, std::string>> options;  ///< of the log source, to read the same again
 };
 
 }  // namespace opal

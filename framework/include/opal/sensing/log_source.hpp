@@ -46,8 +46,8 @@ class OPAL_EXPORT LogSource {
   virtual bool recognizes(const std::string& path) const = 0;
   /// @throws LogError if the file cannot be opened or is no such log.
   virtual std::unique_ptr<LogReader> open(const std::string& path) const = 0;
-  /// What the log holds: all lasers and topics, not only what `open` reads. Unless a source knows more, what the records
-  /// tell. @throws LogError as `open` does.
+  /// What the log holds: all lasers and topics, not only what `open` reads. Unless a source knows more, what the
+  /// records tell. @throws LogError as `open` does.
   virtual LogContents contents(const std::string& path) const;
 };
 

@@ -122,7 +122,8 @@ TEST_CASE("a damaged chunk costs its messages only") {
   recording::Defects defects;
   CHECK(messages_of(bytes, &defects).size() == 16);
   REQUIRE(defects.size() == 1);
-  CHECK_THAT(defects.begin()->first, Catch::StartsWith("message in a damaged chunk at byte ") && Catch::Contains("bz2"));
+  CHECK_THAT(defects.begin()->first,
+             Catch::StartsWith("message in a damaged chunk at byte ") && Catch::Contains("bz2"));
   CHECK(defects.begin()->second == 8);
 }
 
@@ -161,8 +162,8 @@ TEST_CASE("the contents of a bag name all lasers with their mounts, and what is 
   CHECK(contents.odometries[0].is_read);
   CHECK(contents.odometries[0].driven_m == Approx(0.6));
   CHECK(contents.odometries[0].recorded_after_s == Approx(0).margin(1e-6));
-  CHECK(contents.options == std::vector<std::pair<std::string, std::string>>{{"scan_topic", "/front"},
-                                                                            {"odometry_topic", "/odom"}});
+  CHECK(contents.options ==
+        std::vector<std::pair<std::string, std::string>>{{"scan_topic", "/front"}, {"odometry_topic", "/odom"}});
 }
 
 TEST_CASE("what is no bag of ROS 1 is not recognized, and refused by name") {

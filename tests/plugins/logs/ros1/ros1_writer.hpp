@@ -29,7 +29,9 @@ class Ros1Writer {
     const auto seconds = static_cast<std::uint32_t>(stamp_s);
     return number(seconds).number(static_cast<std::uint32_t>((stamp_s - seconds) * 1e9 + 0.5));
   }
-  Ros1Writer& header(double stamp_s, const std::string& frame) { return number(std::uint32_t{7}).stamp(stamp_s).text(frame); }
+  Ros1Writer& header(double stamp_s, const std::string& frame) {
+    return number(std::uint32_t{7}).stamp(stamp_s).text(frame);
+  }
   const std::string& bytes() const { return bytes_; }
 
  private:
@@ -69,7 +71,8 @@ class Ros1BagWriter {
 
   std::uint32_t connection(const std::string& topic, const std::string& type) {
     const auto id = static_cast<std::uint32_t>(connections_.size());
-    connections_.push_back(record({{"op", "\x07"}, {"conn", raw(id)}, {"topic", topic}}, fields({{"topic", topic}, {"type", type}})));
+    connections_.push_back(
+        record({{"op", "\x07"}, {"conn", raw(id)}, {"topic", topic}}, fields({{"topic", topic}, {"type", type}})));
     chunk_ += connections_.back();
     return id;
   }
@@ -83,7 +86,9 @@ class Ros1BagWriter {
     const std::string size = raw(static_cast<std::uint32_t>(chunk_.size()));
     bytes_ += record({{"op", "\x05"}, {"compression", compression_}, {"size", size}}, packed());
     for (const auto& [connection, entries] : index_)
-      bytes_ += record({{"op", "\x04"}, {"ver", raw(std::uint32_t{1})}, {"conn", raw(connection)},
+      bytes_ += record({{"op", "\x04"},
+                        {"ver", raw(std::uint32_t{1})},
+                        {"conn", raw(connection)},
                         {"count", raw(static_cast<std::uint32_t>(entries.size() / 12))}},
                        entries);
     chunk_.clear();
@@ -115,7 +120,8 @@ class Ros1BagWriter {
     if (compression_ == "none") return chunk_;
     auto size = static_cast<unsigned>(chunk_.size() + chunk_.size() / 100 + 600);
     std::string packed(size, '\0');
-    if (BZ2_bzBuffToBuffCompress(packed.data(), &size, chunk_.data(), static_cast<unsigned>(chunk_.size()), 9, 0, 0) != BZ_OK)
+    if (BZ2_bzBuffToBuffCompress(packed.data(), &size, chunk_.data(), static_cast<unsigned>(chunk_.size()), 9, 0, 0) !=
+        BZ_OK)
       throw std::runtime_error("bzip2 refuses");
     packed.resize(size);
     return packed;
