@@ -24,6 +24,7 @@ function(opal_add_plugin name)
     INSTALL_RPATH "$ORIGIN/../.."
     CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   if(TARGET opal_headers)  # in Opal's own tree
+    target_link_libraries(${name}_plugin PRIVATE fmt::fmt)
     target_precompile_headers(${name}_plugin REUSE_FROM opal_headers)
     opal_one_unit_per_folder(${name}_plugin)
   endif()

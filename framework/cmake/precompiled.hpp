@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "deployment/pipeline_plan.hpp"
 
+#include "common/phrases.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -7,12 +9,6 @@ namespace opal {
 namespace {
 
 using Names = std::set<std::string>;
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 /// What the map says, for one sensor.
 struct MapDemand {

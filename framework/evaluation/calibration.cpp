@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,8 +51,8 @@ std::vector<Cluster> clusters_of(std::span<const Statement> statements, Weightin
   std::map<std::string, std::size_t> sizes;
   for (const Statement& statement : statements) {
     if (!(statement.probability >= 0 && statement.probability <= 1))
-      throw ConfigError("calibration: " + statement.cluster + ": probability " + std::to_string(statement.probability) +
-                        ", expected 0 to 1");
+      throw ConfigError(
+          fmt::format("calibration: {}: probability {:f}, expected 0 to 1", statement.cluster, statement.probability));
     ++sizes[statement.cluster];
   }
   std::map<std::string, Cluster> clusters;

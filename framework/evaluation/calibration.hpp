@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/export.hpp>
+#include "report/table.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -64,7 +65,7 @@ OPAL_EXPORT Interval wilson_interval(double share, double trials);
 
 OPAL_EXPORT nlohmann::ordered_json to_json(const Calibration& calibration);
 /// For people: the bins as a table, and the scores in two lines.
-OPAL_EXPORT std::string table_of(const Calibration& calibration);
+OPAL_EXPORT Table table_of(const Calibration& calibration);
 OPAL_EXPORT std::string scores_of(const Calibration& calibration);
 
 }  // namespace opal

@@ -1,6 +1,8 @@
 #include "evaluation/calibration.hpp"
 
-#include <opal/common/sentence.hpp>
+#include "report/quantity_text.hpp"
+
+#include <fmt/format.h>
 
 namespace opal {
 namespace {
@@ -37,21 +39,22 @@ nlohmann::ordered_json to_json(const Calibration& c) {
           {"bins", std::move(bins)}};
 }
 
-std::string table_of(const Calibration& c) {
-  std::string table = "     probability   statements  clusters     said  came true   95 %\n";
+Table table_of(const Calibration& c) {
+  Table table{{{"probability", "", false}, {"statements"}, {"clusters"}, {"said"}, {"came true"}, {"95 %"}}, {}};
   for (const ReliabilityBin& bin : c.bins)
-    table += sentence("  %.3f to %.3f   %10zu  %8zu   %.4f     %.4f   %.4f to %.4f\n", bin.from, bin.to, bin.statements,
-                      bin.clusters, bin.said, bin.came_true, bin.came_true_within.low, bin.came_true_within.high);
+    table.rows.push_back({interval_text(bin.from, bin.to, 3), std::to_string(bin.statements),
+                          std::to_string(bin.clusters), fixed_text(bin.said, 4), fixed_text(bin.came_true, 4),
+                          interval_text(bin.came_true_within.low, bin.came_true_within.high, 4)});
   return table;
 }
 
 std::string scores_of(const Calibration& c) {
-  return sentence("  Brier score %.5f (%.5f to %.5f) = reliability %.5f - resolution %.5f + uncertainty %.5f %+.5f\n",
-                  c.brier, c.brier_within.low, c.brier_within.high, c.reliability, c.resolution, c.uncertainty,
-                  c.within_bins) +
-         sentence("  log loss %.4f nat (%.4f to %.4f), expected calibration error %.4f (%.4f to %.4f)\n", c.log_loss,
-                  c.log_loss_within.low, c.log_loss_within.high, c.expected_error, c.expected_error_within.low,
-                  c.expected_error_within.high);
+  return fmt::format(
+      "  Brier score {} = reliability {:.5f} - resolution {:.5f} + uncertainty {:.5f} {:+.5f}\n"
+      "  log loss {:.4f} nat ({}), expected calibration error {}\n",
+      within_text(c.brier, c.brier_within.low, c.brier_within.high, 5), c.reliability, c.resolution, c.uncertainty,
+      c.within_bins, c.log_loss, interval_text(c.log_loss_within.low, c.log_loss_within.high, 4),
+      within_text(c.expected_error, c.expected_error_within.low, c.expected_error_within.high, 4));
 }
 
 }  // namespace opal

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -28,8 +30,7 @@ GroundTruth GroundTruth::read(const std::string& path) {
     if (number == 1 || line.empty()) continue;
     double stamp = 0, x = 0, y = 0, heading = 0;
     if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &stamp, &x, &y, &heading) != 4)
-      throw LogError(path + ": line " + std::to_string(number) + ": '" + line +
-                     "', expected timestamp,x,y,theta,is_scan");
+      throw LogError(fmt::format("{}: line {}: '{}', expected timestamp,x,y,theta,is_scan", path, number, line));
     if (poses.empty() || stamp > poses.back().stamp_s)
       poses.push_back({stamp, {x, y, heading}});
     else

@@ -3,8 +3,9 @@
 #include "common/csv_table.hpp"
 #include "evaluation/median.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <ostream>
 
 namespace opal {
@@ -76,10 +77,10 @@ void write_kidnappings(std::ostream& out, std::span<const KidnappingVerdict> ver
   out << "sequence,apart_m,driven_m,localized_before,recovered,right_after_m,noticed_after_m,lost_after_m,"
          "localized_after_m,rows,false_rows,false_rows_at_once,false_m\n";
   for (const KidnappingVerdict& v : verdicts) {
-    char numbers[240];
-    std::snprintf(numbers, sizeof numbers, ",%.2f,%.2f,%d,%d,%.2f,%.2f,%.2f,%.2f,%d,%d,%d,%.2f\n", v.apart_m,
-                  v.driven_m, v.localized_before, v.recovered, v.right_after_m, v.noticed_after_m, v.lost_after_m,
-                  v.localized_after_m, v.rows, v.false_rows, v.false_rows_at_once, v.false_m);
+    const std::string numbers =
+        fmt::format(",{:.2f},{:.2f},{:d},{:d},{:.2f},{:.2f},{:.2f},{:.2f},{},{},{},{:.2f}\n", v.apart_m, v.driven_m,
+                    v.localized_before, v.recovered, v.right_after_m, v.noticed_after_m, v.lost_after_m,
+                    v.localized_after_m, v.rows, v.false_rows, v.false_rows_at_once, v.false_m);
     out << csv_field(v.id) << numbers;
   }
 }
@@ -98,17 +99,14 @@ std::string summary_of(std::span<const KidnappingVerdict> verdicts, const Recove
     if (v.recovered) recovered_m.push_back(v.right_after_m);
     if (v.localized_after_m >= 0) localized_m.push_back(v.localized_after_m);
   }
-  char text[700];
-  std::snprintf(text, sizeof text,
-                "%zu kidnappings, %d of them while localized\n"
-                "recovered within %.0f m and to the end: %zu, median after %.1f m\n"
-                "localized again: %zu, median after %.1f m\n"
-                "never called a wrong pose localized after the cut: %d; said lost: %d\n"
-                "called the old place localized right after the cut: %d; in all %d rows, %.1f m\n",
-                verdicts.size(), knew, options.recover_within_m, recovered_m.size(),
-                median_of(recovered_m).value_or(-1), localized_m.size(), median_of(localized_m).value_or(-1), honest,
-                lost, once, false_rows, false_m);
-  return text;
+  return fmt::format(
+      "{} kidnappings, {} of them while localized\n"
+      "recovered within {:.0f} m and to the end: {}, median after {:.1f} m\n"
+      "localized again: {}, median after {:.1f} m\n"
+      "never called a wrong pose localized after the cut: {}; said lost: {}\n"
+      "called the old place localized right after the cut: {}; in all {} rows, {:.1f} m\n",
+      verdicts.size(), knew, options.recover_within_m, recovered_m.size(), median_of(recovered_m).value_or(-1),
+      localized_m.size(), median_of(localized_m).value_or(-1), honest, lost, once, false_rows, false_m);
 }
 
 }  // namespace opal

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <random>
 
@@ -91,9 +93,9 @@ std::vector<KidnappingSequence> draw_kidnapping_sequences(const std::string& nam
   KidnappingDraw draw(queries, truth, options);
   for (std::size_t tries = 0; sequences.size() < count; ++tries) {
     if (tries == count * kTriesPerSequence)
-      throw ConfigError(name + ": " + std::to_string(sequences.size()) + " sequences found in " +
-                        std::to_string(tries) + " tries, expected " + std::to_string(count) +
-                        " with places more than " + std::to_string(options.least_apart_m) + " m apart");
+      throw ConfigError(
+          fmt::format("{}: {} sequences found in {} tries, expected {} with places more than {:f} m apart", name,
+                      sequences.size(), tries, count, options.least_apart_m));
     std::optional<KidnappingSequence> sequence = draw.draw();
     if (!sequence) continue;
     sequence->id = numbered(name, sequences.size() + 1);

@@ -4,6 +4,8 @@
 
 #include "map/semantic_map_draft.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -116,12 +118,12 @@ class Vandal {
       const Segment like = *segment(pick()), where = *segment(pick());
       const Point from = where.midpoint() + Point(uniform(-4, 4), uniform(-4, 4));
       MapFeature feature = map_.features()[pick()];
-      feature.id = "false-" + std::to_string(n + 1) + "/face";
+      feature.id = fmt::format("false-{}/face", n + 1);
       feature.object = static_cast<int>(objects.size());
       feature.geometry = Segment{from, from + (uniform(0, 1) < 0.5 ? 1 : -1) * (like.end - like.begin)};
       feature.points.clear();
       feature.representation.clear();
-      objects.push_back({"false-" + std::to_string(n + 1), "opal:Wall"});
+      objects.push_back({fmt::format("false-{}", n + 1), "opal:Wall"});
       features.push_back(feature);
     }
   }

@@ -4,6 +4,8 @@
 
 #include "map/semantic_map_draft.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -91,7 +93,7 @@ class Join {
     if (!(join_.gap_m >= 0 && join_.gap_m <= 1e4))
       throw ConfigError("join: gap " + text_of(join_.gap_m) + ", expected metres from 0 to 10000");
     if (join_.copies < 0 || join_.copies > 1000)
-      throw ConfigError("join: " + std::to_string(join_.copies) + " copies, expected 0 to 1000");
+      throw ConfigError(fmt::format("join: {} copies, expected 0 to 1000", join_.copies));
     std::set<std::string> prefixes;
     for (const MapSourcePart& source : sources_) {
       if (source.prefix.empty()) throw ConfigError("join: a map without a prefix, expected a name");
@@ -121,7 +123,7 @@ class Join {
       for (std::size_t k = 0; k < sources_.size(); ++k) {
         const Bounds bounds = scaled(bounds_[k], scales[copy]);
         const Point move = rows.next(bounds.size()) - Point(bounds.low.array().floor());
-        const std::string id = (copy > 0 ? "copy-" + std::to_string(copy) + "/" : "") + sources_[k].prefix;
+        const std::string id = (copy > 0 ? fmt::format("copy-{}/", copy) : "") + sources_[k].prefix;
         placements_.push_back({id, Pose2(move, 0), scales[copy]});
       }
   }

@@ -3,6 +3,8 @@
 #include <opal/common/error.hpp>
 #include "common/text_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,8 +48,8 @@ class Rasterization {
     const auto [min, max] = extent_of(map);
     const Point size = (max - min + Point::Constant(2 * options.border_m)) / options.resolution_m;
     if (!(size.x() * size.y() < kMostCells))
-      throw MapError(map.name() + ": a grid of " + std::to_string(size.x()) + " x " + std::to_string(size.y()) +
-                     " cells, expected at most 10^8 in all");
+      throw MapError(
+          fmt::format("{}: a grid of {:f} x {:f} cells, expected at most 10^8 in all", map.name(), size.x(), size.y()));
     raster_.columns = static_cast<int>(std::ceil(size.x()));
     raster_.rows = static_cast<int>(std::ceil(size.y()));
     raster_.resolution_m = options.resolution_m;
@@ -162,9 +164,9 @@ MapRaster::Cell MapRaster::at(const Point& p) const {
 
 MapRaster rasterized(const SemanticMap& map, const RasterOptions& options) {
   if (!(options.resolution_m >= 1e-3 && options.resolution_m <= 10))
-    throw ConfigError("raster: resolution " + std::to_string(options.resolution_m) + " m, expected 0.001 to 10");
+    throw ConfigError(fmt::format("raster: resolution {:f} m, expected 0.001 to 10", options.resolution_m));
   if (!(options.border_m >= 0 && options.border_m <= 1000))
-    throw ConfigError("raster: border " + std::to_string(options.border_m) + " m, expected 0 to 1000");
+    throw ConfigError(fmt::format("raster: border {:f} m, expected 0 to 1000", options.border_m));
   return Rasterization(map, options).run();
 }
 

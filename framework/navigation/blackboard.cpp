@@ -5,6 +5,8 @@
 #include <opal/common/error.hpp>
 #include "map_tools/building_ground.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace opal::behaviours {
@@ -13,7 +15,7 @@ FloorGrid mapped_floor(const MapView& map, double radius_m, bool outdoors) {
   const BuildingGround ground(map.map(), outdoors);
   FloorGrid floor = ground.floor_with_outside([&](const Point& p) { return map.clearance_m(p) > radius_m; });
   if (floor.cells().empty())
-    throw MapError(map.map().name() + ": has no floor for a robot of " + std::to_string(radius_m) + " m radius");
+    throw MapError(fmt::format("{}: has no floor for a robot of {:f} m radius", map.map().name(), radius_m));
   return floor;
 }
 

@@ -2,9 +2,10 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <numeric>
 
 namespace opal {
@@ -12,11 +13,7 @@ namespace {
 
 constexpr std::array<const char*, 4> kShapes{"a point", "a corner", "a segment", "a circle"};
 
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  return text;
-}
+std::string number_text(double value) { return fmt::format("{:.3f}", value); }
 
 /// A pattern of the layer, held against its template.
 class LayerPattern {

@@ -1,5 +1,6 @@
 #include "patterns/pattern_layer.hpp"
 
+#include "common/phrases.hpp"
 #include "patterns/neighbour_sight.hpp"
 
 #include <algorithm>
@@ -109,10 +110,6 @@ void add_uniqueness(const MapView& map, const TemplatePatterns& found, PatternLa
   for (const int number : map.features())
     summary.candidates += found.kinds.contains(kind_of(map.feature(number).geometry));
   layer.summaries.push_back(summary);
-}
-
-std::string count_of(int count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 }  // namespace

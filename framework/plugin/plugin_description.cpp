@@ -1,5 +1,6 @@
 #include <opal/plugin/plugin_description.hpp>
 
+#include "common/phrases.hpp"
 #include "plugin/plugin_options.hpp"
 
 #include <opal/common/strict_json.hpp>
@@ -19,13 +20,6 @@ using nlohmann::json;
 constexpr const char* kContext = "urn:opal:v1";
 constexpr std::array<const char*, 7> kKindNames{"FeatureDetector", "PatternTemplate", "HypothesisScorer", "LogSource",
                                                 "MapImporter",     "ScanMatcher",     "MapStore"};
-
-template <class Texts>
-std::string listed(const Texts& texts) {
-  std::string list;
-  for (const auto& text : texts) list += (list.empty() ? "" : ", ") + std::string(text);
-  return list;
-}
 
 std::string shortened(const json& value) {
   const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);

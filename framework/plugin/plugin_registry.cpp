@@ -1,5 +1,6 @@
 #include <opal/plugin/plugin_registry.hpp>
 
+#include "common/phrases.hpp"
 #include "plugin/plugin_library.hpp"
 #include "plugin/refusal.hpp"
 
@@ -60,12 +61,6 @@ std::string canonical_file(const std::string& path) {
 
 std::string description_path(const std::string& file) { return fs::path(file).replace_extension(".jsonld").string(); }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list.empty() ? "nothing" : list;
-}
-
 void require_same_plugin(const std::string& file, const PluginDescription& promised, const PluginDescriptor& actual) {
   if (promised.name == actual.name && promised.version == actual.version) return;
   refuse_file(file, std::string("calls itself ") + actual.name + " " + actual.version + ", but " +
@@ -86,9 +81,9 @@ void require_as_described(const std::string& file, const DescribedType& promised
   if (kind_of(actual.factory) != promised.kind)
     differ("is registered as", name_of(kind_of(actual.factory)), name_of(promised.kind));
   if (!same_set(actual.info.consumes, promised.info.consumes))
-    differ("consumes", listed(actual.info.consumes), listed(promised.info.consumes));
+    differ("consumes", listed(actual.info.consumes, "nothing"), listed(promised.info.consumes, "nothing"));
   if (!same_set(actual.info.produces, promised.info.produces))
-    differ("produces", listed(actual.info.produces), listed(promised.info.produces));
+    differ("produces", listed(actual.info.produces, "nothing"), listed(promised.info.produces, "nothing"));
   if (std::visit([](const auto& make) { return !make; }, actual.factory))
     refuse_file(file, name + " is registered without a factory");
 }
@@ -214,7 +209,7 @@ struct PluginRegistry::State {
     if (found != entries.end()) return found->second;
     std::vector<std::string> names;
     for (const auto& [known, ignored] : entries) names.push_back(known);
-    throw PluginError("no plugin offers " + name + "; there is: " + listed(names));
+    throw PluginError("no plugin offers " + name + "; there is: " + listed(names, "nothing"));
   }
 };
 

@@ -1,6 +1,7 @@
 #include "recording/ros_topics.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/phrases.hpp"
 
 #include <set>
 
@@ -13,12 +14,6 @@ std::set<std::string> names_where(const Parts& parts, const TopicTest& test) {
     for (const Topic& topic : part->topics())
       if (test(topic)) names.insert(topic.name);
   return names;
-}
-
-std::string listed(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
 }
 
 /// One kind of topic of which one is read.
@@ -35,17 +30,10 @@ std::string choose(const std::string& path, const std::set<std::string>& topics,
                    const std::string& wanted) {
   if (!wanted.empty() && !topics.contains(wanted))
     throw LogError(path + ": no topic " + wanted + " of type " + kind.type + " that can be read, there is " +
-                   listed(topics));
+                   listed(topics, "none"));
   if (!wanted.empty()) return wanted;
   if (topics.contains(kind.usual)) return kind.usual;
   return topics.size() == 1 ? *topics.begin() : "";
-}
-
-/// "odom to base_footprint, map to odom"
-std::string listed_links(const std::set<std::pair<std::string, std::string>>& links) {
-  std::string text;
-  for (const auto& [parent, child] : links) text += (text.empty() ? "" : ", ") + parent + " to " + child;
-  return text;
 }
 
 }  // namespace
@@ -87,21 +75,20 @@ bool is_odometry(const Transform& transform, const TopicChoice& topics) {
 }
 
 OdometryLink find_odometry_link(const Parts& parts, const TopicChoice& topics) {
-  std::set<std::pair<std::string, std::string>> others;
+  std::set<std::string> others;
   for (const auto& part : parts) {
     const auto walk = part->walk(topics_where(*part, [](const Topic& topic) { return has_transforms(topic, false); }));
     while (const auto message = walk->next())
       for (const Transform& transform :
            decode_transforms(message->data, part->topics()[message->topic].wire).value_or(std::vector<Transform>{})) {
         if (is_odometry(transform, topics)) return {true, without_slash(transform.child), ""};
-        others.emplace(without_slash(transform.parent), without_slash(transform.child));
+        others.insert(without_slash(transform.parent) + " to " + without_slash(transform.child));
       }
   }
   const std::string frames = topics.odom_frame + (topics.base_frame.empty() ? "" : " to " + topics.base_frame);
-  return {
-      false, "",
-      "no odometry: no topic has it, and no transform from " + frames +
-          (others.empty() ? "" : "; the options odom_frame and base_frame may name one of " + listed_links(others))};
+  return {false, "",
+          "no odometry: no topic has it, and no transform from " + frames +
+              (others.empty() ? "" : "; the options odom_frame and base_frame may name one of " + listed(others))};
 }
 
 Span span_of(const Recording& part) {

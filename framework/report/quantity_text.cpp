@@ -1,35 +1,42 @@
 #include "report/quantity_text.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace opal {
 
 std::string fixed_text(double value, int decimals) {
   constexpr double kLargestWritten = 1e9;
-  char text[64];
-  if (!(std::abs(value) < kLargestWritten)) {
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-  }
+  if (std::isnan(value)) return "-";
+  if (std::isinf(value)) return value < 0 ? "-∞" : "∞";
+  if (std::abs(value) >= kLargestWritten) return fmt::format("{:g}", value);
   const double scale = std::pow(10.0, decimals);
   const double rounded = std::round(value * scale) / scale;
-  std::snprintf(text, sizeof text, "%.*f", decimals, rounded == 0 ? 0.0 : rounded);
-  return text;
+  return fmt::format("{:.{}f}", rounded == 0 ? 0.0 : rounded, decimals);
+}
+
+std::string interval_text(double low, double high, int decimals) {
+  return fixed_text(low, decimals) + " to " + fixed_text(high, decimals);
+}
+
+std::string within_text(double value, double low, double high, int decimals) {
+  return fmt::format("{} ({})", fixed_text(value, decimals), interval_text(low, high, decimals));
+}
+
+std::string p_text(double p) {
+  constexpr double kSmallest = 1e-4;
+  return p < kSmallest ? "< 0.0001" : fixed_text(p, p < 0.01 ? 4 : 3);
 }
 
 std::string place_text(const Point& place) {
-  return "(" + fixed_text(place.x(), 2) + ", " + fixed_text(place.y(), 2) + ")";
+  return fmt::format("({}, {})", fixed_text(place.x(), 2), fixed_text(place.y(), 2));
 }
 
 std::string pose_text(const Pose2& pose) {
-  return place_text(pose.position()) + ", heading " + fixed_text(pose.heading_rad() * 180 / std::numbers::pi, 1) +
-         " deg";
-}
-
-std::string count_text(std::size_t count, const std::string& singular) {
-  return std::to_string(count) + " " + singular + (count == 1 ? "" : "s");
+  return fmt::format("{}, heading {} deg", place_text(pose.position()),
+                     fixed_text(pose.heading_rad() * 180 / std::numbers::pi, 1));
 }
 
 }  // namespace opal

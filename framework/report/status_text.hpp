@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace opal {
@@ -10,7 +11,8 @@ namespace opal {
 std::string status_text(const std::string& status, double probability);
 
 /// Why it is no other status, for people; empty if it is `localized`, or nothing is known.
-/// @param why  as the estimate says it.
-std::string reason_text(const std::string& status, const std::string& why);
+/// @param why  as the estimate says it. @param of_sensor  what the drive tells of the sensor: where `why` is one of
+/// these, more evidence will not help.
+std::string reason_text(const std::string& status, const std::string& why, std::span<const std::string> of_sensor);
 
 }  // namespace opal

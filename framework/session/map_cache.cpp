@@ -18,9 +18,8 @@ using nlohmann::json;
 std::string as_file_name(const std::string& text) {
   std::string name;
   for (const unsigned char c : text) {
-    char code[4] = {static_cast<char>(c), 0};
-    if (std::isalnum(c) == 0 && c != '-' && c != '_') std::snprintf(code, sizeof code, "%%%02X", c);
-    name += code;
+    const bool plain = std::isalnum(c) != 0 || c == '-' || c == '_';
+    name += plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
   }
   return name;
 }

@@ -4,6 +4,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -40,9 +42,9 @@ std::string age_of(const std::string& utc) {
   const double age_s = std::difftime(std::time(nullptr), timegm(&moment));
   if (age_s < -60) return "in the future, by this machine's clock";
   if (age_s < 120) return "just now";
-  if (age_s < 2 * 3600) return std::to_string(std::lround(age_s / 60)) + " minutes ago";
-  if (age_s < 48 * 3600) return std::to_string(std::lround(age_s / 3600)) + " hours ago";
-  return std::to_string(std::lround(age_s / 86400)) + " days ago";
+  if (age_s < 2 * 3600) return fmt::format("{} minutes ago", std::lround(age_s / 60));
+  if (age_s < 48 * 3600) return fmt::format("{} hours ago", std::lround(age_s / 3600));
+  return fmt::format("{} days ago", std::lround(age_s / 86400));
 }
 
 /// A cache that cannot be written keeps nobody from working.
@@ -87,7 +89,7 @@ std::shared_ptr<const opal::SemanticMap> load_stored_map(const opal::PluginRegis
 }
 
 std::string described(const opal::StoredVersion& version) {
-  const std::string text = "version " + std::to_string(version.version) + " of '" + version.building + "', pushed " +
-                           version.pushed_at + " by " + version.pushed_by;
+  const std::string text = fmt::format("version {} of '{}', pushed {} by {}", version.version, version.building,
+                                       version.pushed_at, version.pushed_by);
   return version.message.empty() ? text : text + ": " + version.message;
 }

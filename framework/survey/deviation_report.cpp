@@ -1,9 +1,9 @@
 #include "survey/deviation_report.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace opal {
 namespace {
@@ -137,10 +137,8 @@ nlohmann::ordered_json to_json(const SemanticMap& map, const std::vector<Deviati
 std::string to_table(const std::vector<Deviation>& deviations) {
   std::string table = "offset m  +-  m  keyframes  seen through  verdict          object\n";
   for (const Deviation& d : deviations) {
-    char line[96];
-    std::snprintf(line, sizeof line, "%8.2f  %5.2f  %9d  %10.0f %%  %-15s  ", d.offset_m, d.sigma_m, d.observations,
-                  100 * d.seen_through_share, name_of(d.verdict));
-    table += line + d.type + ' ' + d.object + '\n';
+    table += fmt::format("{:8.2f}  {:5.2f}  {:9}  {:10.0f} %  {:<15}  {} {}\n", d.offset_m, d.sigma_m, d.observations,
+                         100 * d.seen_through_share, name_of(d.verdict), d.type, d.object);
   }
   return table;
 }

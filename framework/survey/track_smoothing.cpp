@@ -4,6 +4,8 @@
 
 #include "survey/tracking_graph.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace opal {
@@ -23,7 +25,7 @@ SmoothedTrack smooth_track(const MapView& map, std::span<const TrackedKeyframe> 
   const PosePrior start{track.front().T_map_base, start_sigma.cwiseAbs2().asDiagonal()};
   SolvedTrack solved = TrackingGraph(map, options).solve_batch(track, start);
   if (!solved.usable)
-    throw Error("smoothing: the factor graph of " + std::to_string(track.size()) + " poses has no usable solution");
+    throw Error(fmt::format("smoothing: the factor graph of {} poses has no usable solution", track.size()));
   smoothed.T_map_base = std::move(solved.T_map_base);
   for (const auto& [feature, offset] : solved.offsets) smoothed.belief[feature].moved = offset.moved;
   return smoothed;

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace opal::dxf_importer {
@@ -69,7 +71,7 @@ class Expansion {
     PlacedEntity frame = around;
     const bool is_array = insert.rows > 1 || insert.columns > 1;
     frame.insert += (frame.insert.empty() ? "" : "/") + around.entity->id;
-    if (is_array) frame.insert += "[" + std::to_string(column) + "," + std::to_string(row) + "]";
+    if (is_array) frame.insert += fmt::format("[{},{}]", column, row);
     frame.T_drawing_entity = around.T_drawing_entity * Eigen::Translation2d(insert.position) *
                              Eigen::Rotation2Dd(insert.rotation_rad) *
                              Eigen::Translation2d(column * insert.spacing.x(), row * insert.spacing.y()) *

@@ -3,6 +3,8 @@
 #include <opal/common/error.hpp>
 #include <opal/import_kit/class_tally.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -162,8 +164,9 @@ Unit DxfImporter::unit_of(const std::string& path, const DxfDrawing& drawing) co
                    unit_names());
   const std::optional<Unit> unit = unit_of_insunits(*drawing.insunits);
   if (!unit)
-    throw MapError(path + ": is drawn in the unit $INSUNITS " + std::to_string(*drawing.insunits) +
-                   ", expected 1, 2, 4, 5, 6, 10 or 14, or the option unit: one of " + unit_names());
+    throw MapError(fmt::format(
+        "{}: is drawn in the unit $INSUNITS {}, expected 1, 2, 4, 5, 6, 10 or 14, or the option unit: one of {}", path,
+        *drawing.insunits, unit_names()));
   return *unit;
 }
 
@@ -186,19 +189,19 @@ MapImport DxfImporter::import(const std::string& path) const {
   imported.report.push_back("drawing in " + unit.name + (unit_ ? ", as the option unit says" : ", as $INSUNITS says"));
   if (unit_ && drawing.insunits && *drawing.insunits != 0 &&
       unit_of_insunits(*drawing.insunits).value_or(Unit{}).name != unit.name)
-    imported.report.push_back("doubtful: $INSUNITS " + std::to_string(*drawing.insunits) + " says another unit");
+    imported.report.push_back(fmt::format("doubtful: $INSUNITS {} says another unit", *drawing.insunits));
   imported.report.push_back(extent_sentence(*assembly.map));
   for (const std::string& sentence : sorting.tally.sentences()) imported.report.push_back(sentence);
   for (const std::string& pattern : plan_.rules.unused(sorting.tally.classes()))
     imported.report.push_back("doubtful: no layer is called '" + pattern + "', as a rule of the option classes has it");
   if (sorting.refitted > 0)
-    imported.report.push_back("circles that were drawn as closed lines: " + std::to_string(sorting.refitted));
+    imported.report.push_back(fmt::format("circles that were drawn as closed lines: {}", sorting.refitted));
   if (sorting.chorded > 0)
-    imported.report.push_back("curved lines that became short straight ones, at most 5 mm off: " +
-                              std::to_string(sorting.chorded));
+    imported.report.push_back(
+        fmt::format("curved lines that became short straight ones, at most 5 mm off: {}", sorting.chorded));
   if (sorting.wide > 0)
-    imported.report.push_back("doubtful: polylines that are drawn with a width, of which the middle was taken: " +
-                              std::to_string(sorting.wide));
+    imported.report.push_back(fmt::format(
+        "doubtful: polylines that are drawn with a width, of which the middle was taken: {}", sorting.wide));
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;
 }

@@ -4,6 +4,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <dxflib/dl_creationadapter.h>
 #include <dxflib/dl_dxf.h>
 
@@ -112,14 +114,15 @@ DxfShape read_shape(const std::string& path, const DxfEntityRecords& entity, std
   EntityListener listener;
   DL_Dxf().in(text, &listener);
   if (listener.entities != 1)
-    throw MapError(path + ":" + std::to_string(entity.head.line) + ": " + entity.head.type +
-                   " cannot be read by dxflib (" + std::to_string(listener.entities) + " entities), expected one");
+    throw MapError(fmt::format("{}:{}: {} cannot be read by dxflib ({} entities), expected one", path, entity.head.line,
+                               entity.head.type, listener.entities));
   const auto* fill = std::get_if<DxfFill>(&listener.shape);
   const bool lacks_loops = entity.head.type == "HATCH" && fill != nullptr &&
                            static_cast<int>(fill->loops.size()) != std::atoi(entity.head.text(91).c_str());
   if (listener.is_incomplete || lacks_loops)
-    throw MapError(path + ":" + std::to_string(entity.head.line) + ": HATCH: its boundary is incomplete, expected " +
-                   entity.head.text(91) + " loops (code 91) of vertices with x and y");
+    throw MapError(
+        fmt::format("{}:{}: HATCH: its boundary is incomplete, expected {} loops (code 91) of vertices with x and y",
+                    path, entity.head.line, entity.head.text(91)));
   if (listener.has_curves) trouble = "its boundary has elliptic arcs or splines";
   return std::move(listener.shape);
 }
@@ -167,7 +170,7 @@ class Reader {
 
  private:
   [[noreturn]] void fail(int line, const std::string& complaint) const {
-    throw MapError(path_ + ":" + std::to_string(line) + ": " + complaint);
+    throw MapError(fmt::format("{}:{}: {}", path_, line, complaint));
   }
 
   void read_blocks() {
@@ -190,7 +193,7 @@ class Reader {
 
   void check_real(const DxfRecord& record, int code) const {
     if (!std::isfinite(record.real(code, 0)) || std::abs(record.real(code, 0)) > 1e12)
-      fail(record.line, record.type + ": code " + std::to_string(code) + " is no number of at most 1e12");
+      fail(record.line, fmt::format("{}: code {} is no number of at most 1e12", record.type, code));
   }
 
   std::vector<DxfEntity> entities(const std::vector<DxfRecord>& records) {
@@ -233,7 +236,7 @@ class Reader {
     std::string id = record.text(5);
     const bool is_usable = !id.empty() && id.size() <= 16 &&
                            std::all_of(id.begin(), id.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
-    const std::string place = "line-" + std::to_string(record.line);
+    const std::string place = fmt::format("line-{}", record.line);
     if (!is_usable) id = place;
     if (!ids_.insert(id).second) ids_.insert(id += "-" + place);
     return id;

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -56,9 +58,9 @@ class RecordCheck {
     const Codes& codes = understood().at(record_.type);
     for (const int code : codes.once)
       if (count(code) != 1)
-        fail(record_.line, code, count(code) == 0 ? "no" : std::to_string(count(code)) + " times", "one");
+        fail(record_.line, code, count(code) == 0 ? "no" : fmt::format("{} times", count(code)), "one");
     for (const int code : codes.at_most_once)
-      if (count(code) > 1) fail(record_.line, code, std::to_string(count(code)) + " times", "one at most");
+      if (count(code) > 1) fail(record_.line, code, fmt::format("{} times", count(code)), "one at most");
     if (record_.type == "LWPOLYLINE") check_vertices();
     if (record_.type == "SPLINE") check_counts({{72, 40}, {73, 10}, {73, 20}});
     if (record_.type == "MLINE") check_counts({{72, 11}, {72, 21}, {72, 13}, {72, 23}});
@@ -71,8 +73,7 @@ class RecordCheck {
   }
 
   [[noreturn]] void fail(int line, int code, const std::string& found, const std::string& expected) const {
-    throw MapError(path_ + ":" + std::to_string(line) + ": " + record_.type + ": " + found + " code " +
-                   std::to_string(code) + ", expected " + expected);
+    throw MapError(fmt::format("{}:{}: {}: {} code {}, expected {}", path_, line, record_.type, found, code, expected));
   }
 
   void check_real(const DxfPair& pair) const {
@@ -107,7 +108,7 @@ class RecordCheck {
     if (stated < 0 || stated > kMaxVertices)
       fail(number.line, 90, "\"" + number.value + "\" for", "0 to 1000000 vertices");
     if (count(10) != stated || count(20) != stated)
-      fail(number.line, 90, std::to_string(count(10)) + " x and " + std::to_string(count(20)) + " y of vertices beside",
+      fail(number.line, 90, fmt::format("{} x and {} y of vertices beside", count(10), count(20)),
            number.value + " of both");
     for (std::size_t k = 0; k < record_.pairs.size(); ++k)
       if (record_.pairs[k].code == 10 && (k + 1 == record_.pairs.size() || record_.pairs[k + 1].code != 20))

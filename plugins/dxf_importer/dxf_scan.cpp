@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -62,7 +64,7 @@ class Pairs {
 
   [[noreturn]] void fail(const std::string& complaint) const { fail_at(line_, complaint); }
   [[noreturn]] void fail_at(int line, const std::string& complaint) const {
-    throw MapError(path_ + ":" + std::to_string(line) + ": " + complaint);
+    throw MapError(fmt::format("{}:{}: {}", path_, line, complaint));
   }
 
   /// @throws MapError at the end of the file: that comes after the record EOF only.
@@ -141,7 +143,7 @@ class Scanner {
       if (pair_.code == 0)
         records.push_back({pair_.value, pair_.line, {}});
       else if (records.empty())
-        pairs_.fail("code " + std::to_string(pair_.code) + " at the begin of section " + name + ", expected 0");
+        pairs_.fail(fmt::format("code {} at the begin of section {}, expected 0", pair_.code, name));
       else
         records.back().pairs.push_back(pair_);
       advance();

@@ -6,9 +6,10 @@
 #include <opal/common/error.hpp>
 #include <opal/import_kit/class_tally.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -147,8 +148,8 @@ std::vector<std::string> GeoJsonImporter::project(const std::string& path, Featu
         path +
         ": holds coordinates that are no longitude and latitude, expected degrees, as the option geographic says");
   if ((high - low).maxCoeff() > kGeographicExtent)
-    throw MapError(path + ": reaches over " + std::to_string((high - low).maxCoeff()) +
-                   " degrees, expected a building (0.05 degrees at most)");
+    throw MapError(fmt::format("{}: reaches over {} degrees, expected a building (0.05 degrees at most)", path,
+                               (high - low).maxCoeff()));
   const Point origin = origin_deg_.value_or((low + high) / 2);
   if (std::abs(origin.y()) > kHighestLatitude_deg)
     throw MapError(path + ": lies nearer than 5 degrees to a pole, expected another place");
@@ -159,11 +160,8 @@ std::vector<std::string> GeoJsonImporter::project(const std::string& path, Featu
       p = projection.to_map(p);
       error_m = std::max(error_m, projection.error_m(p));
     });
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(),
-                "longitude and latitude (WGS 84) around %.8f, %.8f: x east, y north; off by %.3f m at most", origin.x(),
-                origin.y(), error_m);
-  return {text.data()};
+  return {fmt::format("longitude and latitude (WGS 84) around {:.8f}, {:.8f}: x east, y north; off by {:.3f} m at most",
+                      origin.x(), origin.y(), error_m)};
 }
 
 std::vector<std::string> GeoJsonImporter::place(const std::string& path, FeatureCollection& collection) const {
@@ -240,7 +238,7 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   for (const std::string& pattern : plan_.rules.unused(sorting.names))
     imported.report.push_back("doubtful: no feature is '" + pattern + "', as a rule of the option classes has it");
   if (sorting.refitted > 0)
-    imported.report.push_back("circles that were drawn as polygons: " + std::to_string(sorting.refitted));
+    imported.report.push_back(fmt::format("circles that were drawn as polygons: {}", sorting.refitted));
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;
 }

@@ -3,6 +3,8 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -83,7 +85,7 @@ class Reader {
   }
 
   std::string id_of(const json& object, const std::string& where, std::size_t number) {
-    std::string id = "feature-" + std::to_string(number + 1);
+    std::string id = fmt::format("feature-{}", number + 1);
     const json* given = object.contains("id") ? &object.at("id") : nullptr;
     if (given == nullptr && object.contains("properties") && object.at("properties").is_object() &&
         object.at("properties").contains("@id"))
@@ -138,7 +140,7 @@ class Reader {
 
   std::vector<Point> positions(const json& coordinates, const std::string& where, std::size_t at_least) const {
     if (!coordinates.is_array() || coordinates.size() < at_least)
-      fail(where, shown(coordinates), "at least " + std::to_string(at_least) + " positions");
+      fail(where, shown(coordinates), fmt::format("at least {} positions", at_least));
     std::vector<Point> points;
     for (std::size_t k = 0; k < coordinates.size(); ++k)
       points.push_back(position(coordinates[k], where + "/" + std::to_string(k)));

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <png.h>
 
 #include <algorithm>
@@ -19,10 +21,10 @@ constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;
 constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
 
 void check_size(std::uint64_t width, std::uint64_t height, const std::string& name) {
-  const std::string found = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  const std::string found = fmt::format("{} x {} pixels", width, height);
   if (width == 0 || height == 0) throw MapError(name + ": header: " + found + ", expected at least 1 x 1");
   if (width > kMaxPixels || height > kMaxPixels || width * height > kMaxPixels)
-    throw MapError(name + ": header: " + found + ", expected at most " + std::to_string(kMaxPixels) + " in all");
+    throw MapError(fmt::format("{}: header: {}, expected at most {} in all", name, found, kMaxPixels));
 }
 
 /// Netpbm's PGM, see its man page pgm(5).
@@ -49,7 +51,7 @@ class PgmReader {
 
  private:
   [[noreturn]] void refuse(const std::string& found, const std::string& expected) const {
-    throw MapError(name_ + ": byte " + std::to_string(at_) + ": " + found + ", expected " + expected);
+    throw MapError(fmt::format("{}: byte {}: {}, expected {}", name_, at_, found, expected));
   }
 
   void skip_space() {
@@ -78,12 +80,12 @@ class PgmReader {
   void check_remaining(std::uint64_t needed) const {
     const std::uint64_t there = bytes_.size() - std::min(at_, bytes_.size());
     if (there < needed)
-      refuse(std::to_string(there) + " bytes of pixels until the end of the file",
-             std::to_string(needed) + " for " + std::to_string(image_.width) + " x " + std::to_string(image_.height));
+      refuse(fmt::format("{} bytes of pixels until the end of the file", there),
+             fmt::format("{} for {} x {}", needed, image_.width, image_.height));
   }
 
   void push(std::uint64_t value) {
-    if (value > brightest_) refuse(std::to_string(value), "a pixel of at most " + std::to_string(brightest_));
+    if (value > brightest_) refuse(std::to_string(value), fmt::format("a pixel of at most {}", brightest_));
     image_.brightness.push_back(static_cast<float>(value) / static_cast<float>(brightest_));
   }
 
@@ -137,8 +139,8 @@ GreyImage read_png(const std::string& bytes, const std::string& name) {
     throw MapError(name + ": header: libpng: " + png.message + ", expected a PNG image");
   check_size(png.width, png.height, name);
   if (std::uint64_t{png.width} * png.height > kMaxPixelsPerByte * bytes.size())
-    throw MapError(name + ": header: " + std::to_string(png.width) + " x " + std::to_string(png.height) +
-                   " pixels in a file of " + std::to_string(bytes.size()) + " bytes, expected a whole PNG image");
+    throw MapError(fmt::format("{}: header: {} x {} pixels in a file of {} bytes, expected a whole PNG image", name,
+                               png.width, png.height, bytes.size()));
   const bool has_alpha = png.format & PNG_FORMAT_FLAG_ALPHA;
   const std::size_t colours = png.format & PNG_FORMAT_FLAG_COLOR ? 3 : 1;
   png.format = colours == 3 ? PNG_FORMAT_RGBA : PNG_FORMAT_GA;

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -77,13 +79,11 @@ std::string read_bytes(const std::string& path, std::uint64_t max_bytes) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) throw MapError(path + ": cannot read the file: " + error.message());
-  if (size > max_bytes)
-    throw MapError(path + ": " + std::to_string(size) + " bytes, expected at most " + std::to_string(max_bytes));
+  if (size > max_bytes) throw MapError(fmt::format("{}: {} bytes, expected at most {}", path, size, max_bytes));
   std::ifstream file(path, std::ios::binary);
   std::string bytes(size, '\0');
   if (!file.read(bytes.data(), static_cast<std::streamsize>(size)) && size > 0)
-    throw MapError(path + ": cannot read the file: only " + std::to_string(file.gcount()) + " of " +
-                   std::to_string(size) + " bytes came");
+    throw MapError(fmt::format("{}: cannot read the file: only {} of {} bytes came", path, file.gcount(), size));
   return bytes;
 }
 

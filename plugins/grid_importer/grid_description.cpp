@@ -4,6 +4,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <map>
@@ -15,7 +17,7 @@ namespace {
 // A map_server yaml file has seven short lines; anything much larger is something else.
 constexpr std::size_t kMaxTextBytes = 64 * 1024;
 
-std::string place_of(const YAML::Mark& mark) { return "line " + std::to_string(mark.line + 1); }
+std::string place_of(const YAML::Mark& mark) { return fmt::format("line {}", mark.line + 1); }
 
 /// One `key: value` of the file, able to say where it stands.
 class Entry {
@@ -109,8 +111,8 @@ const std::map<std::string, Reader>& readers() {
 
 YAML::Node load(const std::string& text, const std::string& name) {
   if (text.size() > kMaxTextBytes)
-    throw MapError(name + ": " + std::to_string(text.size()) + " bytes, expected a map_server yaml file of at most " +
-                   std::to_string(kMaxTextBytes));
+    throw MapError(
+        fmt::format("{}: {} bytes, expected a map_server yaml file of at most {}", name, text.size(), kMaxTextBytes));
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
@@ -154,8 +156,8 @@ GridDescription parse_description(const std::string& text, const std::string& na
     throw MapError(name + ": " + place_of(error.mark) + ": not valid YAML: " + error.msg);
   }
   if (description.free_threshold > description.occupied_threshold)
-    throw MapError(name + ": free_thresh: " + std::to_string(description.free_threshold) +
-                   ", expected at most occupied_thresh " + std::to_string(description.occupied_threshold));
+    throw MapError(fmt::format("{}: free_thresh: {}, expected at most occupied_thresh {}", name,
+                               description.free_threshold, description.occupied_threshold));
   return description;
 }
 

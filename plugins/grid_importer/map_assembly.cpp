@@ -1,5 +1,7 @@
 #include "map_assembly.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -135,7 +137,7 @@ class Assembly {
 
   void add_face(int object, const Chain& chain, std::size_t k, const std::vector<std::string>& corner_ids) {
     const std::string& owner = objects_[static_cast<std::size_t>(object)].id;
-    const std::string id = chain.faces.size() == 1 ? owner + "/face" : owner + "/face-" + std::to_string(k + 1);
+    const std::string id = chain.faces.size() == 1 ? owner + "/face" : fmt::format("{}/face-{}", owner, k + 1);
     std::string begin = id + "/begin";
     std::string end = id + "/end";
     if (k > 0 || chain.is_closed()) begin = corner_ids[(k + corner_ids.size() - 1) % corner_ids.size()] + "/point";

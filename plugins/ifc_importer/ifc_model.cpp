@@ -14,6 +14,8 @@
 #include <ifcpp/model/BuildingModel.h>
 #include <ifcpp/reader/ReaderSTEP.h>
 
+#include <fmt/format.h>
+
 #include <map>
 #include <set>
 
@@ -60,8 +62,7 @@ class Reading {
         ++shapeless[product->className()];
     }
     for (const auto& [class_name, count] : shapeless)
-      building.notes.push_back("left out: " + std::to_string(count) + " " + class_name +
-                               ", which are no things of the building");
+      building.notes.push_back(fmt::format("left out: {} {}, which are no things of the building", count, class_name));
     read_context(building, unit.metres);
     finish(building);
     return building;
@@ -91,8 +92,8 @@ class Reading {
       if (loaded.count(instance.number)) continue;
       const std::string type(instance.type);
       if (known.count(type))
-        throw MapError(name_ + ": #" + std::to_string(instance.number) + " (" + type +
-                       ") cannot be read, expected a whole model");
+        throw MapError(
+            fmt::format("{}: #{} ({}) cannot be read, expected a whole model", name_, instance.number, type));
       unknown_[type].push_back(std::string(instance.global_id));
     }
   }
@@ -200,14 +201,13 @@ class Reading {
       element.id = own;
     }
     for (const auto& [type, global_ids] : unknown_) {
-      std::string note = "left out: " + std::to_string(global_ids.size()) + " " + type + ", a class that is not known";
+      std::string note = fmt::format("left out: {} {}, a class that is not known", global_ids.size(), type);
       for (const std::string& id : global_ids)
         if (!id.empty()) note += " " + id;
       building.notes.push_back(note);
     }
     for (const auto& [message, count] : messages_.counts)
-      building.notes.push_back("while reading: " + message +
-                               (count > 1 ? " (" + std::to_string(count) + " times)" : ""));
+      building.notes.push_back("while reading: " + message + (count > 1 ? fmt::format(" ({} times)", count) : ""));
   }
 
   const StepText& step_;

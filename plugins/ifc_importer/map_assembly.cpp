@@ -1,5 +1,7 @@
 #include "map_assembly.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <numbers>
@@ -70,7 +72,7 @@ class Assembly {
 
   std::string numbered(int object, const char* what) {
     const std::string prefix = objects_[static_cast<std::size_t>(object)].id + "/" + what;
-    return prefix + "-" + std::to_string(++counts_[prefix]);
+    return fmt::format("{}-{}", prefix, ++counts_[prefix]);
   }
 
   Segment segment(const PlanFace& face) const {

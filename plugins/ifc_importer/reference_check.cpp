@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -11,9 +13,7 @@ namespace {
 // Longest chain in real models: about 40. Objects are taken apart by recursion along such chains.
 constexpr std::size_t kLongestChain = 2000;
 
-std::string named(const StepInstance& instance) {
-  return "#" + std::to_string(instance.number) + " (" + std::string(instance.type) + ")";
-}
+std::string named(const StepInstance& instance) { return fmt::format("#{} ({})", instance.number, instance.type); }
 
 /// Depth first, without recursion of its own.
 class Walk {
@@ -43,15 +43,14 @@ class Walk {
 
   std::size_t target(const StepInstance& from, int number) const {
     const auto found = by_number_.find(number);
-    if (found == by_number_.end())
-      fail(from, "refers to #" + std::to_string(number) + ", which the file does not define");
+    if (found == by_number_.end()) fail(from, fmt::format("refers to #{}, which the file does not define", number));
     return found->second;
   }
 
   void lengthen(std::size_t instance, std::size_t by) {
     chain_[instance] = std::max(chain_[instance], chain_[by] + 1);
     if (chain_[instance] > kLongestChain)
-      fail(instances_[instance], "begins a chain of more than " + std::to_string(kLongestChain) + " references");
+      fail(instances_[instance], fmt::format("begins a chain of more than {} references", kLongestChain));
   }
 
   void visit_from(std::size_t start) {

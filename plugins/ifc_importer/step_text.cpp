@@ -5,6 +5,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -53,7 +55,7 @@ class Statements {
   [[noreturn]] void fail(std::size_t at, const std::string& found, const std::string& expected) const {
     const auto line =
         1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size())), '\n');
-    throw MapError(name_ + ": line " + std::to_string(line) + ": " + found + ", expected " + expected);
+    throw MapError(fmt::format("{}: line {}: {}, expected {}", name_, line, found, expected));
   }
   [[noreturn]] void fail(std::string_view statement, const std::string& expected) const {
     std::string found(statement.substr(0, 60));
@@ -169,8 +171,7 @@ StepText StepText::read(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, error)) throw MapError(path + ": is no file, expected an IFC model");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error || size > kMaxBytes)
-    throw MapError(path + ": " + std::to_string(size) + " bytes, expected at most " + std::to_string(kMaxBytes) +
-                   "; export the storeys apart");
+    throw MapError(fmt::format("{}: {} bytes, expected at most {}; export the storeys apart", path, size, kMaxBytes));
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <csignal>
 
@@ -44,9 +46,9 @@ void try_in_child(const std::function<void()>& act, const std::string& name, uns
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : SIGABRT;  // a sanitizer ends a process by itself
   if (signal == SIGXCPU || signal == SIGKILL)
-    throw MapError(name + ": takes more than " + std::to_string(cpu_s) +
-                   " s or more memory than there is to read, expected a whole model");
-  throw MapError(name + ": brings the reader of IFC down (signal " + std::to_string(signal) + "): the file is damaged");
+    throw MapError(fmt::format("{}: takes more than {} s or more memory than there is to read, expected a whole model",
+                               name, cpu_s));
+  throw MapError(fmt::format("{}: brings the reader of IFC down (signal {}): the file is damaged", name, signal));
 }
 
 }  // namespace opal::ifc_importer

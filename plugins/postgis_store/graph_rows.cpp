@@ -1,5 +1,6 @@
 #include "graph_rows.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ class Flattening {
   json add_nested(const json& node) {
     if (is_reference(node)) return node;
     json flat = json::object();
-    flat["@id"] = node.contains("@id") ? node["@id"] : json("_:r" + std::to_string(++nameless_));
+    flat["@id"] = node.contains("@id") ? node["@id"] : json(fmt::format("_:r{}", ++nameless_));
     for (const auto& [key, value] : node.items())
       if (key != "@id") flat[key] = key == "@type" ? value : flattened(value, names_nodes(key));
     json reference = {{"@id", flat["@id"]}};

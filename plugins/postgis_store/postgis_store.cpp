@@ -4,6 +4,8 @@
 #include "graph_rows.hpp"
 #include "schema.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -24,7 +26,7 @@ void expect_name(const std::string& what, const std::string& name) {
 
 void expect_version(int version) {
   if (version < 0)
-    throw StoreError("version " + std::to_string(version) + ", expected a number from 1 on, or 0 for the newest");
+    throw StoreError(fmt::format("version {}, expected a number from 1 on, or 0 for the newest", version));
 }
 
 /// Texts of PostgreSQL end at a character zero, which JSON writes as \u0000.
@@ -72,8 +74,8 @@ FoundVersion find_version(Session& session, const std::string& where, const std:
   if (!rows.empty()) return {rows[0].back(), version_of(rows[0])};
   const std::string numbers = existing_versions(session, building);
   if (numbers.empty()) throw StoreError(where + ": has no map of building " + quoted(building));
-  throw StoreError(where + ": has no version " + std::to_string(version) + " of building " + quoted(building) +
-                   "; there is: " + numbers);
+  throw StoreError(
+      fmt::format("{}: has no version {} of building {}; there is: {}", where, version, quoted(building), numbers));
 }
 
 // Push ---------------------------------------------------------------------------------------------------------------
@@ -87,9 +89,9 @@ Row lock_building(Session& session, const std::string& building) {
 
 void expect_newest(const MapPush& request, int newest) {
   if (!request.expected_version || *request.expected_version == newest) return;
-  const std::string is = newest == 0 ? "has no version yet" : "is at version " + std::to_string(newest);
-  throw StoreConflict("building " + quoted(request.building) + " " + is + ", expected version " +
-                      std::to_string(*request.expected_version) + "; nothing was pushed");
+  const std::string is = newest == 0 ? "has no version yet" : fmt::format("is at version {}", newest);
+  throw StoreConflict(fmt::format("building {} {}, expected version {}; nothing was pushed", quoted(request.building),
+                                  is, *request.expected_version));
 }
 
 /// @return id of the map version.

@@ -2,6 +2,8 @@
 
 #include <opal/map/map_store.hpp>
 
+#include <fmt/format.h>
+
 namespace opal::postgis_store {
 namespace {
 
@@ -19,8 +21,8 @@ int version_in(Session& session) {
 }
 
 [[noreturn]] void refuse_newer(const std::string& where, int version) {
-  throw StoreError(where + ": the map store has schema version " + std::to_string(version) +
-                   ", this program knows up to " + std::to_string(kSchemaVersion) + "; use a newer Opal");
+  throw StoreError(fmt::format("{}: the map store has schema version {}, this program knows up to {}; use a newer Opal",
+                               where, version, kSchemaVersion));
 }
 
 }  // namespace
@@ -30,9 +32,10 @@ void require_schema(Session& session, const std::string& where) {
   if (version > kSchemaVersion) refuse_newer(where, version);
   if (version == 0) throw StoreError(where + ": holds no map store yet; the first opal map push makes it");
   if (version < kSchemaVersion)
-    throw StoreError(where + ": the map store has schema version " + std::to_string(version) + ", this program needs " +
-                     std::to_string(kSchemaVersion) +
-                     "; the next opal map push, by the role that made it, brings it there");
+    throw StoreError(
+        fmt::format("{}: the map store has schema version {}, this program needs {}; the next opal map push, by the "
+                    "role that made it, brings it there",
+                    where, version, kSchemaVersion));
 }
 
 void bring_up_to_date(Session& session, const std::string& where) {

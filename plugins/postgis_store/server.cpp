@@ -8,6 +8,8 @@
 #include <libpq-fe.h>
 #include <pqxx/pqxx>
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 
 namespace opal::postgis_store {
@@ -19,7 +21,7 @@ std::string connection_string(const ServerOptions& options) {
       "application_name=opal client_encoding=UTF8 keepalives_idle=10 keepalives_interval=5 keepalives_count=4 "
       "tcp_user_timeout=30000";
   if (std::getenv("PGCONNECT_TIMEOUT") == nullptr)
-    text += " connect_timeout=" + std::to_string(options.connect_timeout_s);
+    text += fmt::format(" connect_timeout={}", options.connect_timeout_s);
   return text;
 }
 

@@ -1,7 +1,8 @@
 #include "scorer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace {
 
@@ -14,14 +15,10 @@ double size_m(const opal::Feature& feature) {
 
 opal::Finding unexplained(const opal::Feature& placed) {
   const auto* segment = std::get_if<opal::Segment>(&placed.geometry);
-  char text[96];
-  if (segment)
-    std::snprintf(text, sizeof text, " of %.1f m matches nothing on the map", segment->length_m());
-  else
-    std::snprintf(text, sizeof text, " matches nothing on the map");
+  const std::string length = segment ? fmt::format(" of {:.1f} m", segment->length_m()) : "";
   std::vector<opal::Point> line;
   if (segment) line = {segment->begin, segment->end};
-  return {"a seen " + placed.type + text, -1, line};
+  return {fmt::format("a seen {}{} matches nothing on the map", placed.type, length), -1, line};
 }
 
 }  // namespace

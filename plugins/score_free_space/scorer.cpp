@@ -1,9 +1,9 @@
 #include "scorer.hpp"
 
+#include <fmt/format.h>
 #include <opal/map/object_words.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 using opal::Point;
@@ -31,11 +31,7 @@ std::vector<Point> outline_of(const opal::Observation& seen, const opal::FreeSpa
   return free_space_outline(scan, Pose2(seen.laser_position, 0), options);
 }
 
-std::string metres(double length_m) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f m", length_m);
-  return text;
-}
+std::string metres(double length_m) { return fmt::format("{:.1f} m", length_m); }
 
 }  // namespace
 

@@ -1,7 +1,8 @@
 #include "scorer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace {
 
@@ -71,7 +72,7 @@ opal::Score LackOfFitScorer::score(const opal::Hypothesis& hypothesis, const opa
       {},
       {{"matched", matched}, {"fit", fit}, {"not_on_map", double(all.unmatched)}, {"worst_m", all.worst_m}}};
   if (veto_m_ > 0 && all.worst_m > veto_m_)
-    score.veto = "an association is " + std::to_string(all.worst_m) + " m off, more than " + std::to_string(veto_m_);
+    score.veto = fmt::format("an association is {:f} m off, more than {:f}", all.worst_m, veto_m_);
   return score;
 }
 
@@ -84,10 +85,9 @@ std::vector<opal::Finding> LackOfFitScorer::explain(const opal::Hypothesis& hypo
   const opal::MapObject& object = map.map().objects()[mapped.object];
   const opal::LocalFeature* local = find(observation.local_map, fit.worst.local_feature);
   const opal::Geometry placed = transformed(hypothesis.T_map_local, local->feature.geometry);
-  char off[32];
-  std::snprintf(off, sizeof off, "%.2f m", fit.worst_m);
-  return {{"local feature " + std::to_string(fit.worst.local_feature) + " is " + off + " off " + object.type + " " +
-               object.id + ", more than any other",
+  const std::string off = fmt::format("{:.2f} m", fit.worst_m);
+  return {{fmt::format("local feature {} is {} off {} {}, more than any other", fit.worst.local_feature, off,
+                       object.type, object.id),
            fit.worst.map_feature,
            {anchor_of(placed), anchor_of(mapped.geometry)}}};
 }

@@ -1,12 +1,10 @@
-#include "tests/kit/temporary_folder.hpp"
+#include "tests/report/page_parts.hpp"
 
 #include <opal/common/error.hpp>
-#include "drawing/reliability_diagram.hpp"
-#include "evaluation/calibration.hpp"
+#include "evaluation/calibration_page.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <fstream>
 #include <random>
 
 using namespace opal;
@@ -94,13 +92,12 @@ TEST_CASE("nothing said, or no probability, is an error") {
                     Catch::Contains("q7") && Catch::Contains("1.5"));
 }
 
-TEST_CASE("the diagram is drawn, and a file that cannot be written is named") {
+TEST_CASE("the page has the diagram of all probabilities and of those near 1, and every bin as text") {
   const Calibration c = calibration_of(honest_statements(1000), Weighting::per_statement);
-  const TemporaryFolder folder;
-  const std::string path = folder.path_of("reliability.svg");
-  write_reliability_svg(c, "a title", path);
-  std::ifstream file(path);
-  const std::string text((std::istreambuf_iterator<char>(file)), {});
-  CHECK(text.find("<svg") != std::string::npos);
-  CHECK_THROWS_WITH(write_reliability_svg(c, "a title", "/nowhere/at/all.svg"), Catch::Contains("/nowhere/at/all.svg"));
+  const std::string page = calibration_page("1000 rows", std::vector<CalibrationChapter>{{"a <title>", c, c}});
+  CHECK(occurrences(page, "<div class=\"plot\"") == 4);  // reliability and counts, twice
+  CHECK_THAT(page,
+             Catch::Contains("a &lt;title&gt;") && Catch::Contains("1000 rows") && Catch::Contains("Brier score"));
+  for (const std::vector<Cell>& row : table_of(c).rows)
+    for (const Cell& cell : row) CHECK_THAT(page, Catch::Contains(">" + cell.text + "<"));
 }

@@ -13,6 +13,8 @@
 #include "evaluation/query_verdict.hpp"
 #include "localization/events/run_events.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -71,7 +73,7 @@ std::map<std::string, double> costs_of(const RunRecord& record) {
 std::string failure_of(const std::map<std::string, int>& plugin_failures) {
   std::string failure;
   for (const auto& [type, count] : plugin_failures)
-    failure += (failure.empty() ? "failed in a plugin: " : ", ") + type + " " + std::to_string(count) + " times";
+    failure += fmt::format("{}{} {} times", failure.empty() ? "failed in a plugin: " : ", ", type, count);
   return failure;
 }
 

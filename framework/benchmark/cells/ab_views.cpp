@@ -7,6 +7,8 @@
 #include <opal/common/error.hpp>
 #include <opal/common/sentence.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -101,7 +103,7 @@ ViewLinks write_views(const ab::Experiment& experiment, const ab::CellPlan& plan
     for (const ViewedRun& run : runs) fs::remove_all(run.out);
   }
   return [links](const opal::statistics::ResultRow& row) {
-    const auto found = links.find(row.cluster + "/" + row.query + "/" + std::to_string(row.seed) + "/" + row.arm);
+    const auto found = links.find(fmt::format("{}/{}/{}/{}", row.cluster, row.query, row.seed, row.arm));
     return found == links.end() ? std::string() : found->second;
   };
 }

@@ -5,6 +5,8 @@
 
 #include <opal/map/object_words.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
@@ -15,6 +17,12 @@ const opal::LocalFeature* find_local(const opal::LocalMap& map, int id) {
   const auto it = std::find_if(map.features().begin(), map.features().end(),
                                [&](const opal::LocalFeature& f) { return f.id == id; });
   return it == map.features().end() ? nullptr : &*it;
+}
+
+std::vector<std::string> words_of(const std::vector<opal::SensorFinding>& findings) {
+  std::vector<std::string> words;
+  for (const opal::SensorFinding& finding : findings) words.push_back(finding.words);
+  return words;
 }
 
 }  // namespace
@@ -36,10 +44,8 @@ std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer) 
 }
 
 std::string pose_words(const opal::Pose2& pose) {
-  char text[96];
-  std::snprintf(text, sizeof text, "x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(),
-                pose.heading_rad() * 180 / std::numbers::pi);
-  return text;
+  return fmt::format("x {:.2f} m, y {:.2f} m, heading {:.1f} deg", pose.x(), pose.y(),
+                     pose.heading_rad() * 180 / std::numbers::pi);
 }
 
 void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer, const std::string& why) {
@@ -52,7 +58,8 @@ void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& an
   } else {
     std::printf("\nno pose\n");
   }
-  if (const std::string reason = opal::reason_text(name_of(answer.status), why); !reason.empty())
+  if (const std::string reason = opal::reason_text(name_of(answer.status), why, words_of(localizer.sensor_findings()));
+      !reason.empty())
     std::printf("%s\n", reason.c_str());
   for (const auto& alternative : answer.alternatives)
     std::printf("alternative:  %s, probability %.3f\n", pose_words(alternative.T_map_base).c_str(),

@@ -2,8 +2,9 @@
 
 #include "benchmark/runs/answer.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace {
 
@@ -41,9 +42,7 @@ std::vector<opal::DrawingScene::DrawnHypothesis> drawn_hypotheses(const opal::Lo
 }
 
 std::string status_text(const opal::PoseEstimate& estimate) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%s, probability %.3f", opal::name_of(estimate.status), estimate.probability);
-  return text;
+  return fmt::format("{}, probability {:.3f}", opal::name_of(estimate.status), estimate.probability);
 }
 
 void add_best(opal::DrawingScene& scene, const opal::Localizer& localizer, const opal::LaserModel& laser,

@@ -2,6 +2,7 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
 #include <boost/math/distributions/normal.hpp>
 
 #include <cmath>
@@ -72,8 +73,8 @@ void check(std::span<const double> information) {
   double before = 0;
   for (const double now : information) {
     if (!(now > before && now <= 1))
-      throw Error("looks at an experiment: information " + std::to_string(now) + " after " + std::to_string(before) +
-                  ", expected increasing shares in (0, 1]");
+      throw Error(fmt::format(
+          "looks at an experiment: information {:f} after {:f}, expected increasing shares in (0, 1]", now, before));
     before = now;
   }
 }
@@ -101,8 +102,7 @@ std::vector<double> look_levels(double level, std::span<const double> informatio
 
 double look_level(double level, int look, int looks) {
   if (looks < 1 || look < 1 || look > looks)
-    throw Error("look " + std::to_string(look) + " of " + std::to_string(looks) +
-                ", expected one of 1 to as many as there are");
+    throw Error(fmt::format("look {} of {}, expected one of 1 to as many as there are", look, looks));
   std::vector<double> information;
   for (int i = 1; i <= look; ++i) information.push_back(static_cast<double>(i) / looks);
   return look_levels(level, information).back();

@@ -8,6 +8,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -68,7 +70,7 @@ void correct(std::vector<Verdict>& verdicts) {
 
 void check(const ComparisonOptions& options) {
   if (!(options.level > 0 && options.level < 1))
-    throw Error("comparison: level " + std::to_string(options.level) + ", expected a share between 0 and 1");
+    throw Error(fmt::format("comparison: level {:f}, expected a share between 0 and 1", options.level));
   if (options.metrics.empty()) throw Error("comparison: no metric, expected at least one");
 }
 

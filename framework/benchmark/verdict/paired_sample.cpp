@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +18,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 auto key(const ResultRow& row) { return std::tie(row.cluster, row.query, row.seed); }
 
 std::string name_of(const ResultRow& row) {
-  return row.cluster + ", query " + row.query + ", seed " + std::to_string(row.seed);
+  return fmt::format("{}, query {}, seed {}", row.cluster, row.query, row.seed);
 }
 
 using Rows = std::vector<const ResultRow*>;
@@ -53,8 +55,8 @@ double worst(const Metric& metric) {
 
 double checked_proportion(double value, const ResultRow& row, const Metric& metric) {
   if (value != 0 && value != 1)
-    throw Error("results of arm " + row.arm + ": " + name_of(row) + ": " + metric.name + " is " +
-                std::to_string(value) + ", expected 0 or 1");
+    throw Error(
+        fmt::format("results of arm {}: {}: {} is {:f}, expected 0 or 1", row.arm, name_of(row), metric.name, value));
   return value;
 }
 

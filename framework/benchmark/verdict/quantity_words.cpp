@@ -119,10 +119,4 @@ std::string list_text(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string p_text(double p) {
-  constexpr double kSmallest = 1e-4;
-  if (std::isnan(p)) return "-";
-  return p < kSmallest ? "< 0.0001" : fixed_text(p, p < 0.01 ? 4 : 3);
-}
-
 }  // namespace opal::statistics

@@ -29,7 +29,4 @@ std::string more_queries_text(const MetricResult& result);
 /// "a", "a and b", "a, b and c".
 std::string list_text(const std::vector<std::string>& names);
 
-/// "0.004", "< 0.0001".
-std::string p_text(double p);
-
 }  // namespace opal::statistics

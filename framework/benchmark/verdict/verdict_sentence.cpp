@@ -1,6 +1,7 @@
 #include "benchmark/verdict/verdict_sentence.hpp"
 
 #include "benchmark/verdict/quantity_words.hpp"
+#include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 
 #include <algorithm>
@@ -37,8 +38,7 @@ std::string distance_clause(const MetricResult& result, double level) {
   if (median_tells(result)) return prefix + size_text(result) + in_brackets(interval_text(result, level));
   const std::size_t sooner = result.metric.higher_is_better ? result.worse : result.better;
   const std::size_t later = result.metric.higher_is_better ? result.better : result.worse;
-  return prefix + "sooner in " + std::to_string(sooner) + " and later in " + std::to_string(later) + " of " +
-         count_text(result.pairs, "pair");
+  return fmt::format("{}sooner in {} and later in {} of {}", prefix, sooner, later, count_of(result.pairs, "pair"));
 }
 
 std::string cost_clause(const MetricResult& result, double level) {
@@ -118,8 +118,7 @@ std::string open_sentence(const MetricResult& result, double level) {
 
 std::string scope_sentence(const Verdict& verdict) {
   if (verdict.clusters >= kFewestClusters) return "";
-  return "Said of " +
-         std::string(verdict.clusters == 1 ? "this site" : "these " + count_text(verdict.clusters, "site")) +
+  return "Said of " + std::string(verdict.clusters == 1 ? "this site" : "these " + count_of(verdict.clusters, "site")) +
          " only, with their queries taken as independent.";
 }
 
@@ -132,23 +131,24 @@ std::string joined(const std::vector<std::string>& sentences) {
 
 std::string failures_note(const std::string& arm, std::size_t failures, std::size_t queries) {
   if (failures == 0) return "";
-  return arm + " did not run to the end in " + std::to_string(failures) + " of " + std::to_string(queries) + " runs" +
-         "; that counts as worse than any result, and its costs are left out.";
+  return fmt::format(
+      "{} did not run to the end in {} of {} runs; that counts as worse than any result, and its costs are left out.",
+      arm, failures, queries);
 }
 
 std::string never_note(const Verdict& verdict, const MetricResult& result) {
   if (result.metric.kind != Kind::distance_until || result.never_a + result.never_b == 0) return "";
-  return name_in_words(result.metric) + " was never reached by " + verdict.arm + " in " +
-         std::to_string(result.never_b) + " and by " + verdict.baseline + " in " + std::to_string(result.never_a) +
-         " of " + std::to_string(result.pairs) + " queries; that ranks behind every distance.";
+  return fmt::format(
+      "{} was never reached by {} in {} and by {} in {} of {} queries; that ranks behind every distance.",
+      name_in_words(result.metric), verdict.arm, result.never_b, verdict.baseline, result.never_a, result.pairs);
 }
 
 std::string left_out_note(const Verdict& verdict, const MetricResult& result) {
   if (result.left_out == 0) return "";
-  const std::string note = std::to_string(result.left_out) + " queries have no " + name_in_words(result.metric) +
-                           " of both arms and are left out of it.";
+  const std::string note = fmt::format("{} queries have no {} of both arms and are left out of it.", result.left_out,
+                                       name_in_words(result.metric));
   if (result.between_clusters || verdict.clusters < kFewestClusters) return note;
-  return note + " It is said of " + count_text(result.clusters.size(), "site") +
+  return note + " It is said of " + count_of(result.clusters.size(), "site") +
          " only, with their queries taken as independent.";
 }
 
@@ -161,8 +161,9 @@ std::string disagreement_note(const MetricResult& result, double level) {
 
 std::string looks_note(const Verdict& verdict) {
   if (verdict.looks == 1) return "";
-  return "This is look " + std::to_string(verdict.look) + " of " + std::to_string(verdict.looks) +
-         ": a corrected p-value must be below " + p_text(verdict.level) + " here, and intervals are as wide as that.";
+  return fmt::format(
+      "This is look {} of {}: a corrected p-value must be below {} here, and intervals are as wide as that.",
+      verdict.look, verdict.looks, p_text(verdict.level));
 }
 
 }  // namespace

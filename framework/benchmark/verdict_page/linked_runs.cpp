@@ -1,7 +1,5 @@
 #include "benchmark/verdict_page/linked_runs.hpp"
 
-#include "report/html_text.hpp"
-
 namespace opal::statistics {
 
 LinkedRuns::LinkedRuns(const ReportPage& page) {
@@ -13,10 +11,6 @@ std::string LinkedRuns::of(const std::string& arm, const std::string& cluster, c
                            std::uint64_t seed) const {
   const auto found = links_.find({arm, cluster, query, seed});
   return found == links_.end() ? "" : found->second;
-}
-
-std::string linked(const std::string& target, const std::string& element) {
-  return target.empty() ? element : "<a href=\"" + html_text(target) + "\">" + element + "</a>";
 }
 
 }  // namespace opal::statistics

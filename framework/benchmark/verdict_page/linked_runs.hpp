@@ -1,6 +1,7 @@
 #pragma once
 
 #include "benchmark/verdict_page/report_page.hpp"
+#include "report/plot.hpp"
 
 #include <tuple>
 
@@ -18,8 +19,5 @@ class LinkedRuns {
  private:
   std::map<std::tuple<std::string, std::string, std::string, std::uint64_t>, std::string> links_;
 };
-
-/// An element in a link, or just the element if there is no target.
-std::string linked(const std::string& target, const std::string& element);
 
 }  // namespace opal::statistics

@@ -2,8 +2,10 @@
 
 #include "benchmark/verdict/pair_scores.hpp"
 #include "benchmark/verdict/quantity_words.hpp"
-#include "report/html_text.hpp"
+#include "benchmark/verdict_page/verdict_plots.hpp"
 #include "report/quantity_text.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,56 +13,35 @@
 namespace opal::statistics {
 namespace {
 
-using Cells = std::vector<std::string>;  // HTML
-
-std::string row(const Cells& cells, const std::string& tag = "td") {
-  std::string html = "<tr>";
-  for (const std::string& cell : cells) html += "<" + tag + ">" + cell + "</" + tag + ">";
-  return html + "</tr>\n";
-}
-
-std::string table_of(const Cells& head, const std::vector<Cells>& rows) {
-  std::string html = "<div class=\"wide\"><table><thead>" + row(head, "th") + "</thead><tbody>\n";
-  for (const Cells& cells : rows) html += row(cells);
-  return html + "</tbody></table></div>\n";
-}
-
-std::string number(std::size_t count) { return std::to_string(count); }
-
 std::string word_of(Outcome outcome) {
   constexpr const char* kWords[] = {"better", "worse", "no difference of interest", "open"};
   return kWords[static_cast<int>(outcome)];
 }
 
-std::string size_cell(const MetricResult& result, double size) {
-  if (std::isnan(size)) return "-";
-  if (std::isinf(size)) return size < 0 ? "-∞" : "∞";
-  if (result.metric.kind == Metric::Kind::proportion) return fixed_text(100 * size, 1);
-  return fixed_text(size, result.metric.kind == Metric::Kind::cost ? 3 : 2);
+int decimals_of_size(const Metric& metric) {
+  return metric.kind == Metric::Kind::proportion ? 1 : metric.kind == Metric::Kind::cost ? 3 : 2;
 }
 
-std::string interval_cell(const MetricResult& result, const Interval& interval) {
-  return size_cell(result, interval.low) + " to " + size_cell(result, interval.high);
+std::string size_of(const MetricResult& result, double size) {
+  return fixed_text(shown_size(result.metric, size), decimals_of_size(result.metric));
 }
 
-std::string odds_cell(const MetricResult& result) {
+std::string interval_of(const MetricResult& result, const Interval& interval) {
+  return size_of(result, interval.low) + " to " + size_of(result, interval.high);
+}
+
+std::string odds_of(const MetricResult& result) {
   if (result.metric.kind != Metric::Kind::proportion) return "";
-  const auto odds = [](double value) {
-    return std::isnan(value) ? "-" : std::isinf(value) ? "∞" : fixed_text(value, 2);
-  };
-  return odds(result.odds_ratio) + " (" + odds(result.odds_ratio_interval.low) + " to " +
-         odds(result.odds_ratio_interval.high) + ")";
+  return within_text(result.odds_ratio, result.odds_ratio_interval.low, result.odds_ratio_interval.high, 2);
 }
 
 std::string size_head(const MetricResult& result) {
-  if (result.metric.kind == Metric::Kind::proportion) return "difference, points";
-  return result.metric.kind == Metric::Kind::cost ? "ratio" : "median difference, " + result.metric.unit;
+  const PlotAxis axis = size_axis(result.metric);
+  return axis.unit.empty() ? axis.name : axis.name + ", " + axis.unit;
 }
 
-std::string more_cell(const MetricResult& result) {
-  const bool told = result.outcome == Outcome::better || result.outcome == Outcome::worse;
-  if (told || result.outcome == Outcome::equal) return "";
-  return std::isfinite(result.more_queries) ? fixed_text(std::ceil(result.more_queries), 0) : "∞";
+std::string more_of(const MetricResult& result) {
+  return result.outcome == Outcome::open ? fixed_text(std::ceil(result.more_queries), 0) : "";
 }
 
 /// What each row of the table of numbers shows.
@@ -70,20 +51,20 @@ struct Number {
 };
 
 constexpr Number kNumbers[] = {
-    {"size is a", [](const MetricResult& r) { return html_text(size_head(r)); }},
-    {"size", [](const MetricResult& r) { return size_cell(r, r.effect.size); }},
-    {"interval", [](const MetricResult& r) { return interval_cell(r, r.effect.interval); }},
+    {"size is a", size_head},
+    {"size", [](const MetricResult& r) { return size_of(r, r.effect.size); }},
+    {"interval", [](const MetricResult& r) { return interval_of(r, r.effect.interval); }},
     {"p", [](const MetricResult& r) { return p_text(r.p); }},
     {"p, corrected after Holm", [](const MetricResult& r) { return p_text(r.p_corrected); }},
     {"outcome", [](const MetricResult& r) { return word_of(r.outcome); }},
-    {"more queries needed", [](const MetricResult& r) { return more_cell(r); }},
-    {"pairs", [](const MetricResult& r) { return number(r.pairs); }},
-    {"pairs better, worse", [](const MetricResult& r) { return number(r.better) + ", " + number(r.worse); }},
-    {"matched odds ratio", [](const MetricResult& r) { return odds_cell(r); }},
+    {"more queries needed", more_of},
+    {"pairs", [](const MetricResult& r) { return std::to_string(r.pairs); }},
+    {"pairs better, worse", [](const MetricResult& r) { return fmt::format("{}, {}", r.better, r.worse); }},
+    {"matched odds ratio", odds_of},
     {"design effect", [](const MetricResult& r) { return fixed_text(r.design_effect, 2); }},
     {"p, pairs independent", [](const MetricResult& r) { return p_text(r.p_pairs); }},
     {"p, sign flips of sites", [](const MetricResult& r) { return p_text(r.p_sign_flip); }},
-    {"bootstrap interval", [](const MetricResult& r) { return interval_cell(r, r.bootstrap); }}};
+    {"bootstrap interval", [](const MetricResult& r) { return interval_of(r, r.bootstrap); }}};
 
 /// How far apart, for sorting: infinite differences first.
 double apart(const PairedValue& pair, Metric::Kind kind) {
@@ -98,86 +79,61 @@ std::vector<PairedValue> most_differing(const PairedSample& sample, Metric::Kind
   return pairs;
 }
 
-/// Longer tables are cut, and say so.
-constexpr std::size_t kShown = 200;
-
-std::string rest_text(std::size_t rows, const std::string& what) {
-  return rows > kShown ? "<p>" + number(rows - kShown) + " more " + what + ".</p>\n" : "";
-}
-
-std::string value_cell(const Metric& metric, double value) {
+std::string value_of(const Metric& metric, double value) {
   if (metric.kind == Metric::Kind::proportion) return value > 0.5 ? "yes" : "no";
-  return html_text(value_text(metric, value));
+  return value_text(metric, value);
 }
 
 }  // namespace
 
-std::string numbers_table(const Verdict& verdict) {
-  Cells head{""};
-  for (const MetricResult& result : verdict.metrics) head.push_back(html_text(name_in_words(result.metric)));
-  std::vector<Cells> rows;
+Table numbers_table(const Verdict& verdict) {
+  Table table{{{"", "", false}}, {}};
+  for (const MetricResult& result : verdict.metrics) table.columns.push_back({name_in_words(result.metric)});
   for (const Number& shown : kNumbers) {
-    rows.push_back({shown.name});
-    for (const MetricResult& result : verdict.metrics) rows.back().push_back(shown.cell(result));
+    table.rows.push_back({shown.name});
+    for (const MetricResult& result : verdict.metrics) table.rows.back().push_back(shown.cell(result));
   }
-  return table_of(head, rows);
+  return table;
 }
 
-std::string counts_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {
-  const std::string a = html_text(baseline), b = html_text(arm);
-  return table_of({"", a + " yes", a + " no"},
-                  {{b + " yes", number(result.counts.both), number(result.counts.only_b)},
-                   {b + " no", number(result.counts.only_a), number(result.counts.neither)}});
-}
-
-std::string differing_table(const PairedSample& sample, const Metric& metric, const std::string& arm,
-                            const std::string& baseline, const LinkedRuns& links) {
-  const std::vector<PairedValue> pairs = most_differing(sample, metric.kind);
-  if (pairs.empty()) return "<p>No pair differs.</p>\n";
-  std::vector<Cells> rows;
-  for (const PairedValue& pair : pairs) {
-    if (rows.size() == kShown) break;
-    const auto cell = [&](const std::string& name, double value) {
-      return linked(links.of(name, pair.cluster, pair.query, pair.seed), value_cell(metric, value));
-    };
-    rows.push_back({html_text(pair.cluster), html_text(pair.query), std::to_string(pair.seed), cell(baseline, pair.a),
-                    cell(arm, pair.b)});
-  }
-  return table_of({"site", "query", "seed", html_text(baseline), html_text(arm)}, rows) +
-         rest_text(pairs.size(), "differ less");
-}
-
-std::string cost_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {
-  std::vector<Cells> rows;
-  const auto add = [&](const std::string& name, std::size_t pairs, const Effect& effect) {
-    rows.push_back({html_text(name), number(pairs), html_text(value_text(result.metric, effect.a)),
-                    html_text(value_text(result.metric, effect.b)), size_cell(result, effect.size),
-                    interval_cell(result, effect.interval)});
+Table counts_table(const MetricResult& result, const std::string& arm, const std::string& baseline) {
+  const auto row = [](const std::string& name, std::size_t yes, std::size_t no) {
+    return std::vector<Cell>{name, std::to_string(yes), std::to_string(no)};
   };
-  for (const ClusterResult& cluster : result.clusters) add(cluster.cluster, cluster.pairs, cluster.effect);
-  add("all", result.pairs, result.effect);
-  return table_of(
-      {"site", "queries", html_text(baseline) + ", median", html_text(arm) + ", median", "ratio", "interval"}, rows);
+  return {{{"", "", false}, {baseline + " yes"}, {baseline + " no"}},
+          {row(arm + " yes", result.counts.both, result.counts.only_b),
+           row(arm + " no", result.counts.only_a, result.counts.neither)}};
 }
 
-std::string failures_table(const ResultsTable& table, const LinkedRuns& links) {
-  std::vector<Cells> rows;
-  std::size_t failures = 0;
-  for (const ResultRow& result : table)
-    if (!result.failure.empty() && ++failures <= kShown)
-      rows.push_back({html_text(result.arm), html_text(result.cluster),
-                      linked(links.of(result.arm, result.cluster, result.query, result.seed), html_text(result.query)),
-                      std::to_string(result.seed), html_text(result.failure)});
-  if (rows.empty()) return "<p>Every run came to its end.</p>\n";
-  return table_of({"arm", "site", "query", "seed", "what happened"}, rows) + rest_text(failures, "failed");
+Table differing_table(const PairedSample& sample, const Metric& metric, const std::string& arm,
+                      const std::string& baseline, const LinkedRuns& links) {
+  Table table{{{"site", "", false}, {"query", "", false}, {"seed"}, {baseline}, {arm}}, {}};
+  for (const PairedValue& pair : most_differing(sample, metric.kind)) {
+    const auto cell = [&](const std::string& name, double value) {
+      return Cell(value_of(metric, value), links.of(name, pair.cluster, pair.query, pair.seed));
+    };
+    table.rows.push_back(
+        {pair.cluster, pair.query, std::to_string(pair.seed), cell(baseline, pair.a), cell(arm, pair.b)});
+  }
+  return table;
 }
 
-std::string versions_table(const std::vector<ReportPage::Version>& versions) {
-  std::vector<Cells> rows;
+Table failures_table(const ResultsTable& table, const LinkedRuns& links) {
+  Table failures{
+      {{"arm", "", false}, {"site", "", false}, {"query", "", false}, {"seed"}, {"what happened", "", false}}, {}};
+  for (const ResultRow& run : table)
+    if (!run.failure.empty())
+      failures.rows.push_back({run.arm, run.cluster,
+                               Cell(run.query, links.of(run.arm, run.cluster, run.query, run.seed)),
+                               std::to_string(run.seed), run.failure});
+  return failures;
+}
+
+Table versions_table(const std::vector<ReportPage::Version>& versions) {
+  Table table{{{"part", "", false}, {"version", "", false}, {"hash of its file", "", false}}, {}};
   for (const ReportPage::Version& version : versions)
-    rows.push_back(
-        {html_text(version.name), html_text(version.version), "<code>" + html_text(version.file_hash) + "</code>"});
-  return table_of({"part", "version", "hash of its file"}, rows);
+    table.rows.push_back({version.name, version.version, version.file_hash});
+  return table;
 }
 
 }  // namespace opal::statistics

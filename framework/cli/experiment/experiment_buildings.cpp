@@ -89,7 +89,7 @@ std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, 
 }
 
 void write(const experiments::BuildingsExperiment& experiment, const fs::path& out) {
-  const std::string table = buildings_table(experiment);
+  const std::string table = markdown_of(buildings_table(experiment));
   std::cout << table;
   opal::write_text((out / "table.txt").string(), table);
   opal::write_text((out / "buildings.json").string(), to_json(experiment).dump(1) + '\n');

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "benchmark/experiments/kit/table.hpp"
+#include "benchmark/experiments/kit/thesis_table.hpp"
 #include "cli/terminal/stop_signals.hpp"
 
 #include "common/text_file.hpp"
@@ -39,7 +39,7 @@ std::vector<Run> done(std::vector<std::vector<Run>> parts) {
 
 /// Leaves runs.csv, table.txt, summary.json and report.html in a folder, and the table on stdout.
 template <class Runs>
-void write_experiment(const std::string& out, const Runs& runs, const opal::experiments::Table& table,
+void write_experiment(const std::string& out, const Runs& runs, const opal::experiments::ThesisTable& table,
                       const nlohmann::ordered_json& summary, const std::string& page) {
   const std::filesystem::path folder(out);
   std::ostringstream csv;

@@ -2,6 +2,8 @@
 
 #include <opal/common/sentence.hpp>
 
+#include <fmt/chrono.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -14,12 +16,7 @@ constexpr double kSurelySince1970S = 1e9;
 
 std::string begin_words(const LogContents& contents) {
   if (contents.first_s < kSurelySince1970S) return sentence("from %.2f s", contents.first_s);
-  const auto seconds = static_cast<std::time_t>(contents.first_s);
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "from %Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
+  return fmt::format("from {:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(contents.first_s)));
 }
 
 /// Messages that come in bursts have no rate.

@@ -1,5 +1,6 @@
 #include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
+#include "common/phrases.hpp"
 #include "deployment/localizer_options.hpp"
 
 #include <opal/plugin/plugin_folders.hpp>
@@ -91,12 +92,6 @@ void print_json(std::ostream& out, const Inventory& inventory) {
                       {"violations", inventory.violations}}
              .dump(2)
       << "\n";
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
 }
 
 void print(std::ostream& out, const OptionInfo& option) {

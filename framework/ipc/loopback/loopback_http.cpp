@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <random>
 
 namespace opal {
@@ -20,15 +22,15 @@ int bind_to_loopback(httplib::Server& server, int port, const std::string& advic
   if (port == 0)
     port = server.bind_to_any_port(kLoopback);
   else if (!server.bind_to_port(kLoopback, port))
-    throw Error(std::string(kLoopback) + ":" + std::to_string(port) +
-                ": cannot be listened on, most likely another program does; " + advice);
+    throw Error(
+        fmt::format("{}:{}: cannot be listened on, most likely another program does; {}", kLoopback, port, advice));
   if (port < 0) throw Error(std::string(kLoopback) + ": no port is free");
   return port;
 }
 
 bool is_from_here(const httplib::Request& request, int port) {
   if (request.get_header_value_count("Host") != 1) return false;
-  const std::string host = request.get_header_value("Host"), suffix = ":" + std::to_string(port);
+  const std::string host = request.get_header_value("Host"), suffix = fmt::format(":{}", port);
   for (const char* name : {kLoopback, "localhost", "[::1]"}) {
     if (host != name + suffix) continue;
     return !request.has_header("Origin") || request.get_header_value("Origin") == "http://" + host;
@@ -38,7 +40,7 @@ bool is_from_here(const httplib::Request& request, int port) {
 
 std::string run_token() {
   std::random_device device;
-  return std::to_string(device()) + "-" + std::to_string(device());
+  return fmt::format("{}-{}", device(), device());
 }
 
 void answer(httplib::Response& response, int status, const std::string& sentence) {

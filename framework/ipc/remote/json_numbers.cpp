@@ -1,5 +1,7 @@
 #include "ipc/remote/json_numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace opal::remote {
@@ -10,7 +12,7 @@ std::vector<double> numbers_in(ConfigObject& object, const std::string& key, std
   const json& list = object.any(key);
   const bool numbers = list.is_array() && list.size() == count &&
                        std::all_of(list.begin(), list.end(), [](const json& one) { return one.is_number(); });
-  if (!numbers) object.refuse(key, std::to_string(count) + " numbers");
+  if (!numbers) object.refuse(key, fmt::format("{} numbers", count));
   return list.get<std::vector<double>>();
 }
 

@@ -4,6 +4,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 namespace opal::remote {
 
 LocalizationDrives::LocalizationDrives(Maker make) : make_(std::move(make)), run_(run_token()) {}
@@ -16,7 +18,7 @@ std::string LocalizationDrives::begin(const LaserModel& laser) {
   queries_.emplace(*localizer_, laser);
   queries_->begin();
   newest_s_.reset();
-  session_ = run_ + "." + std::to_string(++drives_);
+  session_ = fmt::format("{}.{}", run_, ++drives_);
   return session_;
 }
 
@@ -24,8 +26,8 @@ std::optional<Answer> LocalizationDrives::take(const ScanMessage& message) {
   const std::lock_guard lock(mutex_);
   if (!queries_ || message.session != session_) return std::nullopt;
   if (newest_s_ && message.scan.stamp_s <= *newest_s_)
-    throw ConfigError("scan: /stamp_s: " + std::to_string(message.scan.stamp_s) +
-                      ", expected more than that of the scan before, " + std::to_string(*newest_s_));
+    throw ConfigError(fmt::format("scan: /stamp_s: {:f}, expected more than that of the scan before, {:f}",
+                                  message.scan.stamp_s, *newest_s_));
   if (message.keep_pattern) queries_->keep_pattern();
   queries_->take(message.scan);
   newest_s_ = message.scan.stamp_s;

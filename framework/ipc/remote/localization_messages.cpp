@@ -4,6 +4,8 @@
 
 #include "common/event_json.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
@@ -33,7 +35,7 @@ float range_from(const json& value) {
 std::vector<float> ranges_in(ConfigObject& object) {
   const json& list = object.any("ranges_m");
   if (!list.is_array() || list.size() > kMostBeams)
-    object.refuse("ranges_m", "a list of at most " + std::to_string(kMostBeams) + " ranges");
+    object.refuse("ranges_m", fmt::format("a list of at most {} ranges", kMostBeams));
   std::vector<float> ranges;
   for (const json& range : list) {
     if (!range.is_number() && !range.is_null())

@@ -7,6 +7,8 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
+#include <fmt/format.h>
+
 #include <thread>
 
 namespace opal::remote {
@@ -77,7 +79,7 @@ void LocalizationServer::Implementation::answer_scan(const Request& request, Res
 /// A page of some web site can send plain text here without asking; JSON it cannot.
 Verdict LocalizationServer::Implementation::refuse_strangers(const Request& request, Response& response) const {
   if (!is_from_here(request, port)) {
-    answer(response, 403, "This server answers to " + std::string(kLoopback) + ":" + std::to_string(port) + " only.");
+    answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port));
     return Verdict::Handled;
   }
   if (!request.path.starts_with("/v1/")) {
@@ -119,6 +121,6 @@ LocalizationServer::~LocalizationServer() {
 }
 
 int LocalizationServer::port() const { return implementation_->port; }
-std::string LocalizationServer::address() const { return std::string(kLoopback) + ":" + std::to_string(port()); }
+std::string LocalizationServer::address() const { return fmt::format("{}:{}", kLoopback, port()); }
 
 }  // namespace opal::remote

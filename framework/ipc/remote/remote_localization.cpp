@@ -7,6 +7,8 @@
 #include <opal/common/strict_json.hpp>
 #include "common/config_object.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 
 namespace opal::remote {
@@ -77,8 +79,7 @@ json RemoteLocalization::Implementation::expect_json(const httplib::Result& resu
                    "), expected the program that localizes (opal serve)");
   if (result->status >= 500) throw NoAnswer(address + ": " + first_line(result->body));
   if (result->status == 409) refuse_usurped(*result);
-  if (result->status != 200)
-    throw Error(address + ": " + std::to_string(result->status) + " " + first_line(result->body));
+  if (result->status != 200) throw Error(fmt::format("{}: {} {}", address, result->status, first_line(result->body)));
   JsonLimits limits;
   limits.bytes = most_bytes;
   return parse_json(result->body, address, limits);

@@ -1,29 +1,20 @@
 #include "map/check/map_check.hpp"
 
+#include "common/phrases.hpp"
 #include "map/check/map_check_geometry.hpp"
 #include "map/map_vocabulary.hpp"
 #include "map/semantic_map_draft.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace opal {
 namespace {
 
 constexpr std::array<const char*, 4> kGeometryNames{"points", "corners", "segments", "circles"};
 
-std::string in_quotes(const std::string& name) { return std::string("'").append(name).append("'"); }
-
-std::string rounded_metres(double length_m) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2f m", length_m);
-  return text;
-}
-
-/// "3 things", "1 thing".
-std::string count_of(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
+std::string rounded_metres(double length_m) { return fmt::format("{:.2f} m", length_m); }
 
 /// "12 objects: 10 opal:Wall, 2 opal:Column".
 std::string count_sentence(const std::string& what, const std::map<std::string, int>& counts, const char* unnamed) {

@@ -1,34 +1,24 @@
 #include "map/check/map_diff.hpp"
 
+#include "common/phrases.hpp"
 #include "map/map_notes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 namespace opal {
 namespace {
 
 std::string metres(double length_m) {
-  char text[40];
-  std::snprintf(text, sizeof text, length_m < 0.001 ? "%.3g m" : "%.3f m", length_m);
-  return text;
+  return length_m < 0.001 ? fmt::format("{:.3g} m", length_m) : fmt::format("{:.3f} m", length_m);
 }
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
+std::string number(double value) { return fmt::format("{:.9g}", value); }
 
+std::string listed_or_none(const std::vector<std::string>& names) { return listed(names, "none"); }
 std::string from_to(const std::string& before, const std::string& after) { return before + ", now " + after; }
-std::string quoted(const std::string& text) { return "'" + text + "'"; }
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list.empty() ? "none" : list;
-}
 
 std::vector<Point> points_in(const Geometry& geometry) {
   if (const auto* segment = std::get_if<Segment>(&geometry)) return {segment->begin, segment->end};
@@ -101,7 +91,7 @@ class Comparison {
   }
 
   void compare_maps() {
-    compare(MapPart::map, ChangeKind::altered, "", "name", before_.name(), after_.name(), quoted);
+    compare(MapPart::map, ChangeKind::altered, "", "name", before_.name(), after_.name(), in_quotes);
     compare(MapPart::map, ChangeKind::altered, "", "smear_m", before_.origin().smear_m, after_.origin().smear_m,
             number);
     compare_notes(MapPart::map, "", notes_of(before_.origin()), notes_of(after_.origin()));
@@ -159,11 +149,11 @@ class Comparison {
     };
     compare(MapPart::feature, ChangeKind::retyped, id, "", before.type, after.type, as_is);
     compare_geometries(id, before.geometry, after.geometry);
-    altered("object", before_.objects()[before.object].id, after_.objects()[after.object].id, quoted);
+    altered("object", before_.objects()[before.object].id, after_.objects()[after.object].id, in_quotes);
     altered("position_sigma_m", before.position_sigma_m, after.position_sigma_m, number);
     altered("existence", before.existence, after.existence, number);
-    altered("points", before.points, after.points, listed);
-    altered("representation", before.representation, after.representation, quoted);
+    altered("points", before.points, after.points, listed_or_none);
+    altered("representation", before.representation, after.representation, in_quotes);
   }
 
   void compare_geometries(const std::string& id, const Geometry& before, const Geometry& after) {
@@ -188,10 +178,11 @@ class Comparison {
     const std::string& id = after.id;
     compare(MapPart::pattern, ChangeKind::retyped, id, "", before.pattern_template, after.pattern_template, as_is);
     compare(MapPart::pattern, ChangeKind::altered, id, "features", members(before_, before), members(after_, after),
-            listed);
-    compare(MapPart::pattern, ChangeKind::altered, id, "subpatterns", before.subpatterns, after.subpatterns, listed);
+            listed_or_none);
+    compare(MapPart::pattern, ChangeKind::altered, id, "subpatterns", before.subpatterns, after.subpatterns,
+            listed_or_none);
     compare(MapPart::pattern, ChangeKind::altered, id, "dimensions", numbers(before.dimensions),
-            numbers(after.dimensions), listed);
+            numbers(after.dimensions), listed_or_none);
   }
 
   static std::vector<std::string> members(const SemanticMap& map, const MapPattern& pattern) {

@@ -1,11 +1,13 @@
 // What overlays change in a map.
+#include "common/phrases.hpp"
 #include "map/overlay/overlay_draft.hpp"
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace opal {
@@ -44,15 +46,7 @@ double* number_of(Geometry& geometry, const std::string& word) {
   return nullptr;
 }
 
-std::string short_text(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
-  return text;
-}
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
+std::string short_text(double number) { return fmt::format("{:.6g}", number); }
 
 std::string reason(const OverlayChange& change) { return change.because.empty() ? "" : ", because " + change.because; }
 
@@ -206,7 +200,7 @@ std::string ChangeMaker::disable(const OverlayChange& change, const Target& targ
     doubts.push_back(target.id + ": is not perceivable by " + sensor + " but by " +
                      draft_.features[target.features.front()].sensor + ", so that nothing is disabled (" +
                      change.place + ")");
-  return disabled == 0 ? "" : counted(disabled, "feature") + " no longer perceivable by " + sensor;
+  return disabled == 0 ? "" : count_of(disabled, "feature") + " no longer perceivable by " + sensor;
 }
 
 std::string ChangeMaker::enable(const Target& target, const std::string& sensor) {
@@ -230,7 +224,7 @@ std::string ChangeMaker::enable(const Target& target, const std::string& sensor)
     for_sensor.representation.clear();
     draft_.add(std::move(for_sensor));
   }
-  return enabled == 0 ? "" : counted(enabled, "feature") + " perceivable by " + sensor;
+  return enabled == 0 ? "" : count_of(enabled, "feature") + " perceivable by " + sensor;
 }
 
 /// In three rounds, so that the order of changes means nothing: a feature for another sensor is a copy of what the

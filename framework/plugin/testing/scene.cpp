@@ -1,7 +1,8 @@
 #include "plugin/testing/scene.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <random>
 
@@ -46,11 +47,7 @@ double first_range(std::span<const Geometry> surfaces, const Point& origin, cons
   return range;
 }
 
-std::string text(const Point& p) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "(%.2f, %.2f)", p.x(), p.y());
-  return buffer;
-}
+std::string text(const Point& p) { return fmt::format("({:.2f}, {:.2f})", p.x(), p.y()); }
 
 struct Describe {
   std::string operator()(const Point& p) const { return "a point at " + text(p); }

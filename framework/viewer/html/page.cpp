@@ -1,31 +1,13 @@
 #include "viewer/html/page.hpp"
 
+#include "report/html_elements.hpp"
 #include "report/html_text.hpp"
 #include "viewer/html/page_assets.hpp"
 
-#include <array>
-#include <cstdint>
-#include <cstdio>
 #include <map>
 
 namespace opal {
 namespace {
-
-/// FNV-1a (Fowler, Noll, Vo) with an offset of one's choice.
-std::uint64_t hash(std::string_view text, std::uint64_t offset) {
-  for (const char c : text) offset = (offset ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return offset;
-}
-
-/// A name for "this style and this script", the same whenever the page is the same. Data is base64 or escaped
-/// and cannot begin an element, so that it need not be secret.
-std::string nonce_of(const std::string& data) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%016llx%016llx",
-                static_cast<unsigned long long>(hash(data, 0xcbf29ce484222325u)),
-                static_cast<unsigned long long>(hash(kPageScript, hash(kPageStyle, 0x84222325cbf29ce4u))));
-  return text.data();
-}
 
 std::string policy(const std::string& nonce) {
   return "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'nonce-" + nonce +
@@ -49,7 +31,8 @@ std::string fill_in(std::string_view html, const std::map<std::string_view, std:
 }
 
 std::string page_with(const std::string& data) {
-  const std::string nonce = nonce_of(data), open_style = "<style nonce=\"" + nonce + "\">\n",
+  const std::string nonce = inline_nonce({data, kPageStyle, kPageScript}),
+                    open_style = "<style nonce=\"" + nonce + "\">\n",
                     open_script = "<script nonce=\"" + nonce + "\">\n";
   return fill_in(kPageIndex, {{"style", policy(nonce) + open_style + std::string(kPageStyle) + "</style>"},
                               {"data", data},

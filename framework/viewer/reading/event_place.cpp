@@ -3,6 +3,8 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace opal {
@@ -20,7 +22,7 @@ std::string cut(const std::string& text, std::size_t bytes) {
 
 std::string shown(const Event& value) {
   if (value.is_object()) return "an object";
-  if (value.is_array()) return "an array of " + std::to_string(value.size());
+  if (value.is_array()) return fmt::format("an array of {}", value.size());
   return cut(value.dump(-1, ' ', false, Event::error_handler_t::replace), kLongestShown);
 }
 
@@ -29,11 +31,7 @@ bool is_integer(const Event& value, int least) {
   return value.is_number_integer() && value.get<double>() >= least && value.get<double>() <= kLargest;
 }
 
-std::string plain(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
-  return text;
-}
+std::string plain(double number) { return fmt::format("{:.6g}", number); }
 
 }  // namespace
 
@@ -79,7 +77,7 @@ std::size_t EventPlace::elements() const {
 }
 
 EventPlace EventPlace::element(std::size_t index) const {
-  if (index >= elements()) fail("at least " + std::to_string(index + 1) + " elements");
+  if (index >= elements()) fail(fmt::format("at least {} elements", index + 1));
   return step({nullptr, index}, (*value_)[index]);
 }
 
@@ -112,7 +110,7 @@ bool EventPlace::flag() const {
 const std::string& EventPlace::name() const {
   if (!value_->is_string()) fail("a string");
   const auto& text = value_->get_ref<const std::string&>();
-  if (text.size() > kLongestName) fail("a name of at most " + std::to_string(kLongestName) + " bytes");
+  if (text.size() > kLongestName) fail(fmt::format("a name of at most {} bytes", kLongestName));
   return text;
 }
 

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 namespace opal {
 namespace {
 
@@ -37,9 +39,9 @@ class EventAssembly {
 
   bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& error) {
     const bool overflow = dynamic_cast<const nlohmann::detail::out_of_range*>(&error) != nullptr;
-    throw EventError("column " + std::to_string(byte) + ": " +
-                     (overflow ? "a number too large for a double" : "'" + tail(token) + "'") + ", expected " +
-                     (overflow ? "a finite number" : "JSON text"));
+    throw EventError(fmt::format("column {}: {}, expected {}", byte,
+                                 overflow ? "a number too large for a double" : "'" + tail(token) + "'",
+                                 overflow ? "a finite number" : "JSON text"));
   }
 
  private:

@@ -4,6 +4,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 namespace opal {
 
 std::optional<RunFrame> FrameBuilder::add(const Event& event) {
@@ -89,11 +91,11 @@ RunFrame FrameBuilder::end_frame(const EventPlace& event) {
 void FrameBuilder::require_open(const EventPlace& event) const {
   const EventPlace keyframe = event.member("keyframe");
   if (!frame_) keyframe.fail("a 'keyframe' event that begins this update");
-  if (keyframe.count() != frame_->keyframe) keyframe.fail(std::to_string(frame_->keyframe) + ", the open keyframe");
+  if (keyframe.count() != frame_->keyframe) keyframe.fail(fmt::format("{}, the open keyframe", frame_->keyframe));
 }
 
 void FrameBuilder::require_closed(const EventPlace& event) const {
-  if (frame_) event.member("event").fail("'cost' of keyframe " + std::to_string(frame_->keyframe) + " first");
+  if (frame_) event.member("event").fail(fmt::format("'cost' of keyframe {} first", frame_->keyframe));
 }
 
 }  // namespace opal

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <cstring>
 
 namespace opal {
@@ -31,7 +33,7 @@ bool LineReader::refill() {
   begin_ = 0;
   const std::size_t kept = buffer_.size();
   if (kept > kLongest)
-    throw EventError(path_ + ":" + std::to_string(number_ + 1) + ": a line of more than 64 MB, expected shorter ones");
+    throw EventError(fmt::format("{}:{}: a line of more than 64 MB, expected shorter ones", path_, number_ + 1));
   buffer_.resize(kept + kBlock);
   const std::size_t count = std::fread(buffer_.data() + kept, 1, kBlock, file_.get());
   buffer_.resize(kept + count);

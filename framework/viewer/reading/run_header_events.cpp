@@ -1,5 +1,7 @@
 #include "viewer/reading/run_header_events.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <map>
 #include <unordered_set>
@@ -38,7 +40,7 @@ RunHeader::Feature read_feature(const EventPlace& place, std::size_t objects) {
   feature.id = place.member("id").name();
   const EventPlace object = place.member("object");
   feature.object = object.count();
-  if (feature.object >= static_cast<int>(objects)) object.fail("one of " + std::to_string(objects) + " objects");
+  if (feature.object >= static_cast<int>(objects)) object.fail(fmt::format("one of {} objects", objects));
   feature.type = place.member("type").name();
   if (const auto perceivable = place.find("perceivable")) feature.perceivable = perceivable->flag();
   feature.geometry = place.geometry();

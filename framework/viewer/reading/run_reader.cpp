@@ -7,6 +7,8 @@
 #include <opal/common/error.hpp>
 #include "output/unfinished_run.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 namespace opal {
@@ -26,15 +28,14 @@ bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") ==
 
 void note_open_keyframe(const FrameBuilder& builder, RunReading& reading) {
   if (const auto keyframe = builder.open_keyframe())
-    reading.notes.push_back("the stream ends within keyframe " + std::to_string(*keyframe) +
-                            "; what came before it is shown");
+    reading.notes.push_back(fmt::format("the stream ends within keyframe {}; what came before it is shown", *keyframe));
 }
 
 /// @return whether to go on
 bool read_line(const LineReader& reader, FrameBuilder& builder, const FrameVisitor& visit, RunReading& reading) {
   const std::optional<Event> event = event_of(reader);
   if (!event) {
-    reading.notes.push_back("line " + std::to_string(reader.number()) + " is cut off; what came before it is shown");
+    reading.notes.push_back(fmt::format("line {} is cut off; what came before it is shown", reader.number()));
     return true;
   }
   std::optional<RunFrame> frame = builder.add(*event);
@@ -67,13 +68,13 @@ RunReading read_run(const std::string& out, const FrameVisitor& visit) {
     try {
       go_on = read_line(reader, builder, visit, reading);
     } catch (const EventError& error) {
-      throw EventError(path + ":" + std::to_string(reader.number()) + ": " + error.what());
+      throw EventError(fmt::format("{}:{}: {}", path, reader.number(), error.what()));
     }
   }
   reading.header = builder.header();
   if (!reading.header)
-    throw EventError(path + ":" + std::to_string(reader.number()) + ": the stream ends before its 'map' event, " +
-                     "expected 'run' and 'map' first");
+    throw EventError(fmt::format("{}:{}: the stream ends before its 'map' event, expected 'run' and 'map' first", path,
+                                 reader.number()));
   if (go_on) note_open_keyframe(builder, reading);
   const std::string unfinished = unfinished_note(std::filesystem::absolute(path).parent_path().string());
   if (!unfinished.empty()) reading.notes.push_back(unfinished);

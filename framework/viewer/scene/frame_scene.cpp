@@ -2,6 +2,8 @@
 
 #include "report/quantity_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace opal {
@@ -11,11 +13,11 @@ namespace {
 /// where one geometry stands once per sensor.
 std::shared_ptr<const SemanticMap> drawn_map(const RunHeader& header) {
   std::vector<MapObject> objects;
-  for (const auto& object : header.objects) objects.push_back({"o" + std::to_string(objects.size()), object.type});
+  for (const auto& object : header.objects) objects.push_back({fmt::format("o{}", objects.size()), object.type});
   std::vector<MapFeature> features;
   for (const auto& recorded : header.features) {
     MapFeature feature;
-    feature.id = "f" + std::to_string(features.size());
+    feature.id = fmt::format("f{}", features.size());
     feature.object = recorded.object;
     feature.type = recorded.type;
     feature.geometry = recorded.geometry;

@@ -2,6 +2,8 @@
 
 #include "ipc/loopback/loopback_http.hpp"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <charconv>
 #include <thread>
@@ -76,7 +78,7 @@ httplib::Server::HandlerResponse LiveServer::Implementation::refuse_strangers(co
                                                                               Response& response) const {
   using Verdict = httplib::Server::HandlerResponse;
   if (!is_from_here(request, port)) {
-    answer(response, 403, "This server answers to " + std::string(kLoopback) + ":" + std::to_string(port) + " only.");
+    answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port));
     return Verdict::Handled;
   }
   if (request.method != "GET") {
@@ -134,7 +136,7 @@ LiveServer::LiveServer(std::string page, const RecordLog& records, int port)
 LiveServer::~LiveServer() { implementation_->stop(); }
 
 int LiveServer::port() const { return implementation_->port; }
-std::string LiveServer::url() const { return "http://127.0.0.1:" + std::to_string(port()) + "/"; }
+std::string LiveServer::url() const { return fmt::format("http://127.0.0.1:{}/", port()); }
 int LiveServer::streams() const { return implementation_->streams; }
 
 }  // namespace opal

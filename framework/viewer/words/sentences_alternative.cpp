@@ -1,3 +1,4 @@
+#include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 #include "viewer/words/score_comparison.hpp"
 #include "viewer/words/sentences.hpp"
@@ -24,8 +25,8 @@ std::vector<const TracedHypothesis*> alternatives_of(const TracedHypothesis& bes
 }
 
 std::string alternative_text(const TracedHypothesis& alternative, const TracedHypothesis& best) {
-  return "hypothesis " + std::to_string(alternative.id) + " at " + pose_text(alternative.T_map_base) +
-         " has probability " + probability_text(alternative.probability) + ": " + comparison_text(alternative, best);
+  return fmt::format("hypothesis {} at {} has probability {}: {}", alternative.id, pose_text(alternative.T_map_base),
+                     probability_text(alternative.probability), comparison_text(alternative, best));
 }
 
 auto rank_of(const EndedHypothesis& ended) {
@@ -45,9 +46,9 @@ std::vector<const EndedHypothesis*> fallen_of(const RunState& state) {
 
 std::string fallen_text(const EndedHypothesis& fallen) {
   const TracedHypothesis& life = fallen.life;
-  std::string text = "hypothesis " + std::to_string(fallen.end.id) + " at " +
-                     place_text(fallen.end.T_map_base.position()) + " fell at " + seconds_text(fallen.end_s) + ": " +
-                     fallen.end.reason;
+  std::string text =
+      fmt::format("hypothesis {} at {} fell at {}: {}", fallen.end.id, place_text(fallen.end.T_map_base.position()),
+                  seconds_text(fallen.end_s), fallen.end.reason);
   if (const std::string findings = findings_text(fallen.end.findings, kNamedFindings); !findings.empty())
     text += "; " + findings;
   text += "; it had " + probability_text(life.highest_probability) + " at " + seconds_text(life.highest_s);
@@ -59,7 +60,7 @@ std::string fallen_text(const EndedHypothesis& fallen) {
 std::string findings_text(const std::vector<RecordedFinding>& findings, std::size_t most) {
   std::string text;
   for (std::size_t k = 0; k < std::min(most, findings.size()); ++k) text += (k ? "; " : "") + findings[k].words;
-  if (findings.size() > most) text += "; and " + count_text(findings.size() - most, "more finding");
+  if (findings.size() > most) text += "; and " + count_of(findings.size() - most, "more finding");
   return text;
 }
 
@@ -71,7 +72,7 @@ void add_alternatives(const ExplainedMoment& moment, std::vector<Sentence>& sent
     sentences.push_back({SentenceKind::alternative, alternative_text(*alternatives[k], *best)});
   if (alternatives.size() > kNamedAlternatives)
     sentences.push_back(
-        {SentenceKind::alternative, count_text(alternatives.size() - kNamedAlternatives, "more alternative") +
+        {SentenceKind::alternative, count_of(alternatives.size() - kNamedAlternatives, "more alternative") +
                                         " with at least " + probability_text(kLeastProbability)});
 }
 

@@ -1,3 +1,4 @@
+#include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 #include "report/status_text.hpp"
 #include "viewer/words/sentences.hpp"
@@ -26,19 +27,6 @@ std::string name_of_object(const RunHeader& header, const RunHeader::Feature& fe
   return object_words(object.type, object.id, object.name, object.name_is_shared);
 }
 
-std::vector<std::string> numbers(const std::set<int>& ids) {
-  std::vector<std::string> texts;
-  for (int id : ids) texts.push_back(std::to_string(id));
-  return texts;
-}
-
-std::string listed(const std::vector<std::string>& names, std::size_t most) {
-  std::string list;
-  for (std::size_t k = 0; k < std::min(most, names.size()); ++k) list += (k ? ", " : "") + names[k];
-  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
-  return list;
-}
-
 class Support {
  public:
   Support(const ExplainedMoment& moment, const TracedHypothesis& best)
@@ -56,14 +44,14 @@ class Support {
 
   void add_to(std::vector<Sentence>& sentences) const {
     if (pairs_ > 0)
-      sentences.push_back({SentenceKind::support, "rests on " + count_text(pairs_, "association") + " with " +
-                                                      count_text(nearest_m_.size(), "object") + ": " + objects()});
+      sentences.push_back({SentenceKind::support, "rests on " + count_of(pairs_, "association") + " with " +
+                                                      count_of(nearest_m_.size(), "object") + ": " + objects()});
   }
 
   void add_unmapped_to(std::vector<Sentence>& sentences) const {
     if (not_on_map_.empty()) return;
-    sentences.push_back({SentenceKind::note, "takes " + count_text(not_on_map_.size(), "local feature") +
-                                                 " for not on the map: " + listed(numbers(not_on_map_), kNamedLocals)});
+    sentences.push_back({SentenceKind::note, "takes " + count_of(not_on_map_.size(), "local feature") +
+                                                 " for not on the map: " + listed(not_on_map_, "", kNamedLocals)});
   }
 
  private:
@@ -83,7 +71,7 @@ class Support {
     std::sort(order.begin(), order.end());
     std::vector<std::string> names;
     for (const auto& [off_m, name] : order) names.push_back(name + " (" + metres_text(off_m) + ")");
-    return listed(names, kNamedObjects);
+    return listed(names, "", kNamedObjects);
   }
 
   const RunHeader& header_;
@@ -96,8 +84,7 @@ class Support {
 /// Empty if its spawn is not recorded.
 std::string origin_text(const TracedHypothesis& hypothesis) {
   if (hypothesis.parent < 0 && hypothesis.pattern_template.empty()) return {};
-  std::string text =
-      hypothesis.parent >= 0 ? "branched from hypothesis " + std::to_string(hypothesis.parent) : "spawned";
+  std::string text = hypothesis.parent >= 0 ? fmt::format("branched from hypothesis {}", hypothesis.parent) : "spawned";
   text += " at " + seconds_text(hypothesis.spawned_s);
   return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
 }
@@ -110,13 +97,13 @@ void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
   std::string text =
       status_text(frame.status, best ? frame.probability : 0) + " since " + seconds_text(moment.status_since_s) + ": ";
   if (best)
-    text += "at " + pose_text(best->T_map_base) + ", with probability " + probability_text(frame.probability) +
-            " (hypothesis " + std::to_string(best->id) + ", " + std::to_string(frame.hypotheses.size()) + " alive)";
+    text += fmt::format("at {}, with probability {} (hypothesis {}, {} alive)", pose_text(best->T_map_base),
+                        probability_text(frame.probability), best->id, frame.hypotheses.size());
   else
     text += "no hypothesis is alive";
   text += "; \"none of these\" has " + probability_text(frame.none);
   sentences.push_back({SentenceKind::answer, text});
-  if (const std::string reason = reason_text(frame.status, frame.why); best && !reason.empty())
+  if (const std::string reason = reason_text(frame.status, frame.why, frame.sensor); best && !reason.empty())
     sentences.push_back({SentenceKind::answer, reason});
 }
 

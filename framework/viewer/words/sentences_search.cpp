@@ -1,3 +1,4 @@
+#include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 #include "viewer/words/sentences.hpp"
 
@@ -23,8 +24,8 @@ std::string lookups_text(const std::vector<RecordedSearch::Lookup>& lookups) {
   std::string text;
   for (const auto& [name, total] : totals)
     text += (text.empty() ? "" : "; ") + name + ": " + std::to_string(total.patterns) + ", with " +
-            count_text(total.candidates, "candidate");
-  return count_text(lookups.size(), "pattern") + (text.empty() ? "" : " (" + text + ")");
+            count_of(total.candidates, "candidate");
+  return count_of(lookups.size(), "pattern") + (text.empty() ? "" : " (" + text + ")");
 }
 
 /// The rejected place with the best score.
@@ -40,7 +41,7 @@ const RecordedSearch::Rejected* best_rejected(const RecordedSearch& search) {
 
 std::string search_text(const RecordedSearch& search, double searched_s) {
   std::string text = "last search, at " + seconds_text(searched_s) + ": looked up " + lookups_text(search.patterns) +
-                     ", " + count_text(search.proposed, "place") + " proposed";
+                     ", " + count_of(search.proposed, "place") + " proposed";
   const RecordedSearch::Rejected* best = best_rejected(search);
   if (!best) return text;
   return text + ", " + std::to_string(search.rejected.size()) + " rejected, the best of these at " +
@@ -51,8 +52,8 @@ std::string senses_text(const ExplainedMoment& moment) {
   const auto& locals = moment.state.local_features();
   const auto stable =
       std::count_if(locals.begin(), locals.end(), [](const auto& entry) { return entry.second.stable; });
-  return "the scan has " + count_text(moment.state.frame().scan.size(), "point") + " (thinned), the local map " +
-         count_text(locals.size(), "feature") + ", " + std::to_string(stable) + " of them stable";
+  return fmt::format("the scan has {} (thinned), the local map {}, {} of them stable",
+                     count_of(moment.state.frame().scan.size(), "point"), count_of(locals.size(), "feature"), stable);
 }
 
 std::string truth_text(const Pose2& truth, const TracedHypothesis& best) {

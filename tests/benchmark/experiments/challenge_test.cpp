@@ -89,14 +89,14 @@ TEST_CASE("the table has what was published beside what was measured") {
 }
 
 TEST_CASE("what AMCL is said to have done in all is what it did in each") {
-  const std::vector<Table::Block> published = table_3_3();
+  const std::vector<ThesisTable::Block> published = table_3_3();
   int successful = 0;
   for (const std::string& cell : published[1].rows[0].cells) successful += std::stoi(cell);
   CHECK(published[1].all == std::to_string(successful) + " of 70");
-  for (const Table::Block& block : published)
-    for (const Table::Row& row : block.rows) CHECK(row.cells.size() == table_3_3_columns().size());
-  const Table::Block closed_loop = table_4_1();
-  for (const Table::Row& row : closed_loop.rows) CHECK(row.cells.size() == table_4_1_columns().size());
+  for (const ThesisTable::Block& block : published)
+    for (const ThesisTable::Row& row : block.rows) CHECK(row.cells.size() == table_3_3_columns().size());
+  const ThesisTable::Block closed_loop = table_4_1();
+  for (const ThesisTable::Row& row : closed_loop.rows) CHECK(row.cells.size() == table_4_1_columns().size());
 }
 
 TEST_CASE("a baseline's answer is judged by the robot's pose, and where it says nothing it has none") {

@@ -88,6 +88,15 @@ TEST_CASE("a place that is found and not proven yet is said to be so, and what i
   CHECK(said(SentenceKind::answer, {first_frame(), later(1)}).size() == 1);
 }
 
+TEST_CASE("where the sensor is not as described, more evidence is not waited for") {
+  RunFrame frame = with(frame_at(0, "searching", 1, 0), {hypothesis(7, kHere, 1, 9)});
+  frame.why = "the laser looks -1.5 degrees, and is described at 179.9";
+  frame.sensor = {frame.why};
+  const Texts answer = said(SentenceKind::answer, {frame});
+  REQUIRE(answer.size() == 2);
+  CHECK(answer[1] == "the sensor is not as described, so nothing is called localized: " + frame.why);
+}
+
 TEST_CASE("an association that ended is not what it rests on, a new one of the same local feature is") {
   RunFrame frame = later(1);
   frame.losses = {{7, {0, 1}, "it no longer fits"}};

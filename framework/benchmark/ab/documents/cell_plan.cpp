@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -26,7 +28,7 @@ Task CellPlan::task(std::size_t number) const {
 }
 
 std::string CellPlan::name(const Cell& cell) const {
-  return scenario(cell.task) + "/" + query(cell.task) + "/" + std::to_string(cell.task.seed) + "/" + arm(cell);
+  return fmt::format("{}/{}/{}/{}", scenario(cell.task), query(cell.task), cell.task.seed, arm(cell));
 }
 
 std::size_t CellPlan::end_of_block(std::size_t first, std::size_t last) const {

@@ -4,6 +4,8 @@
 
 #include "simulation/challenges.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -114,7 +116,7 @@ std::vector<Scenario> read_all_simulated(ConfigObject object, const std::string&
   std::vector<Scenario> all(static_cast<std::size_t>(buildings), scenario);
   for (std::size_t k = 0; k < all.size(); ++k) {
     std::get<SimulatedDrives>(all[k].source).building->seed = building->seed + k;
-    all[k].name += "-" + std::to_string(building->seed + k);
+    all[k].name += fmt::format("-{}", building->seed + k);
   }
   return all;
 }

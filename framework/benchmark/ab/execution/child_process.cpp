@@ -3,6 +3,8 @@
 #include <opal/common/error.hpp>
 #include <opal/common/sentence.hpp>
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -56,7 +58,7 @@ void set_signals() {
 
 std::string crash(int signal) {
   const char* name = sigabbrev_np(signal);
-  return "crashed: signal " + std::to_string(signal) + (name ? " (SIG" + std::string(name) + ")" : "");
+  return fmt::format("crashed: signal {}{}", signal, name ? " (SIG" + std::string(name) + ")" : "");
 }
 
 }  // namespace
@@ -104,7 +106,7 @@ void ChildProcess::take_ending() {
   else if (WIFSIGNALED(status))
     failure_ = crash(WTERMSIG(status));
   else if (WEXITSTATUS(status) != 0)
-    failure_ = "ended by itself with " + std::to_string(WEXITSTATUS(status));
+    failure_ = fmt::format("ended by itself with {}", WEXITSTATUS(status));
 }
 
 bool ChildProcess::take_line(std::string& line) {
@@ -131,7 +133,7 @@ ChildProcess::Heard ChildProcess::hear(std::string& line, double patience_s) {
 }
 
 double ChildProcess::memory_mb() const {
-  std::ifstream file("/proc/" + std::to_string(process_) + "/statm");
+  std::ifstream file(fmt::format("/proc/{}/statm", process_));
   double pages = 0, resident = 0;
   file >> pages >> resident;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);

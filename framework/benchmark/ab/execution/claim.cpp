@@ -4,6 +4,8 @@
 #include "common/write_error.hpp"
 #include "output/output_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -57,7 +59,7 @@ bool Claim::lock(short kind) const {
 std::string Claim::holder() const {
   struct flock found = range(F_WRLCK, first_, end_);
   if (fcntl(file_, F_GETLK, &found) != 0 || found.l_type == F_UNLCK || found.l_pid <= 0) return "another process";
-  return "process " + std::to_string(found.l_pid);
+  return fmt::format("process {}", found.l_pid);
 }
 
 }  // namespace opal::ab

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -83,7 +85,7 @@ std::string output_of(const std::vector<std::string>& words) {
   if (result.exit_code == 0) return result.output;
   std::string command;
   for (const std::string& word : words) command += (command.empty() ? "" : " ") + word;
-  throw Error(command + ": exit code " + std::to_string(result.exit_code) + ": " + result.errors);
+  throw Error(fmt::format("{}: exit code {}: {}", command, result.exit_code, result.errors));
 }
 
 }  // namespace opal::ab

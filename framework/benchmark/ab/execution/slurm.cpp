@@ -6,6 +6,8 @@
 #include <opal/common/strict_json.hpp>
 #include "common/text_file.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <sstream>
 
@@ -22,8 +24,8 @@ std::string quoted(const std::string& word) {
 }
 
 std::string script_of(const SlurmRequest& request) {
-  return "#!/bin/sh\nexec " + quoted(request.program) + " ab work " + quoted(request.experiment) + " -o " +
-         quoted(request.out) + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(request.tasks) + "\"\n";
+  return fmt::format("#!/bin/sh\nexec {} ab work {} -o {} --shard \"$SLURM_ARRAY_TASK_ID/{}\"\n",
+                     quoted(request.program), quoted(request.experiment), quoted(request.out), request.tasks);
 }
 
 /// "12" or "12;cluster".
@@ -40,7 +42,7 @@ SlurmJob submit(const ResultFolder& folder, const SlurmRequest& request) {
   const std::string script = folder.file("slurm_job.sh");
   write_text(script, script_of(request));
   std::vector<std::string> command{"sbatch", "--parsable", "--job-name=opal-ab-" + request.name,
-                                   "--array=1-" + std::to_string(request.tasks),
+                                   fmt::format("--array=1-{}", request.tasks),
                                    "--output=" + request.out + "/logs/slurm-%A_%a.log"};
   command.insert(command.end(), request.options.begin(), request.options.end());
   command.push_back(script);

@@ -3,6 +3,7 @@
 #include <opal/common/error.hpp>
 #include "common/write_error.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
@@ -22,10 +23,8 @@ const std::string kBegin = R"({"crc32":")", kMiddle = R"(","cell":)", kEnd = "}"
 constexpr std::size_t kDigits = 8;
 
 std::string checksum(std::string_view text) {
-  char digits[kDigits + 1];
   const auto crc = crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
-  std::snprintf(digits, sizeof digits, "%08lx", static_cast<unsigned long>(crc));
-  return digits;
+  return fmt::format("{:08x}", crc);
 }
 
 /// What stands between checksum and end, if the checksum is right.
@@ -82,7 +81,7 @@ CellResult parse_journal_line(const std::string& line, const std::string& place)
 
 void read_journal(const std::string& path, const std::function<void(const CellResult&, JournalPlace)>& take) {
   for_each_line(path, [&](const std::string& line, JournalPlace place, int number) {
-    take(parse_journal_line(line, path + ": line " + std::to_string(number)), place);
+    take(parse_journal_line(line, fmt::format("{}: line {}", path, number)), place);
   });
 }
 

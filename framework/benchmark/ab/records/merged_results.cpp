@@ -3,6 +3,8 @@
 #include <opal/common/error.hpp>
 #include "common/whole_file.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 
 namespace opal::ab {
@@ -36,8 +38,8 @@ MergedResults::MergedResults(const ResultFolder& folder, const CellPlan& plan)
 
 void MergedResults::add(std::uint32_t journal, const CellResult& result, const JournalPlace& place) {
   if (result.number >= places_.size())
-    throw Error(journals_[journal] + ": holds cell " + std::to_string(result.number) +
-                ", which the experiment does not have");
+    throw Error(
+        fmt::format("{}: holds cell {}, which the experiment does not have", journals_[journal], result.number));
   Place& known = places_[result.number];
   if (known.length > 0) {
     if (same(read(known), result)) return;

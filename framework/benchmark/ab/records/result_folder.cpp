@@ -5,6 +5,8 @@
 #include "common/text_file.hpp"
 #include "common/whole_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace opal::ab {
@@ -61,10 +63,10 @@ std::vector<std::string> ResultFolder::journals() const {
 }
 
 std::string ResultFolder::journal(const Shard& shard, std::size_t worker) const {
-  return file("journals/" + shard.name() + "." + std::to_string(worker) + ".jsonl");
+  return file(fmt::format("journals/{}.{}.jsonl", shard.name(), worker));
 }
 std::string ResultFolder::log(const Shard& shard, std::size_t worker) const {
-  return file("logs/" + shard.name() + "." + std::to_string(worker) + ".log");
+  return file(fmt::format("logs/{}.{}.log", shard.name(), worker));
 }
 
 std::vector<bool> finished_cells(const ResultFolder& folder, const CellPlan& plan) {
@@ -72,7 +74,7 @@ std::vector<bool> finished_cells(const ResultFolder& folder, const CellPlan& pla
   for (const std::string& journal : folder.journals())
     read_journal(journal, [&](const CellResult& result, JournalPlace) {
       if (result.number >= finished.size())
-        throw Error(journal + ": holds cell " + std::to_string(result.number) + ", which the experiment does not have");
+        throw Error(fmt::format("{}: holds cell {}, which the experiment does not have", journal, result.number));
       finished[result.number] = true;
     });
   return finished;

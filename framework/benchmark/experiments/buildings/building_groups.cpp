@@ -1,7 +1,6 @@
 #include "benchmark/experiments/buildings/building_groups.hpp"
 
 #include "benchmark/experiments/kit/order_statistics.hpp"
-#include "benchmark/experiments/kit/table.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 #include "benchmark/experiments/buildings/building_picture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,7 @@ namespace {
 
 /// Numbers in a picture are centimetres, y downwards.
 std::string coordinates(const Point& p) {
-  return std::to_string(std::lround(100 * p.x())) + " " + std::to_string(std::lround(-100 * p.y()));
+  return fmt::format("{} {}", std::lround(100 * p.x()), std::lround(-100 * p.y()));
 }
 
 struct Extent {
@@ -59,8 +61,8 @@ std::string way_of(const ChallengeRun& run) {
 }
 
 std::string dot(const Point& at, double radius_m, const std::string& style) {
-  return "<circle class=\"" + style + "\" cx=\"" + std::to_string(std::lround(100 * at.x())) + "\" cy=\"" +
-         std::to_string(std::lround(-100 * at.y())) + "\" r=\"" + std::to_string(std::lround(100 * radius_m)) + "\"/>";
+  return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", style, std::lround(100 * at.x()),
+                     std::lround(-100 * at.y()), std::lround(100 * radius_m));
 }
 
 /// Thinned: every half metre.
@@ -78,7 +80,8 @@ std::string wrong_claims(const ChallengeRun& run) {
 }
 
 std::string picture(const BuildingRuns& building, const std::string& content) {
-  return "<svg " + view_box_of(*building.map) + "><use href=\"#" + building.building.id + "\"/>" + content + "</svg>";
+  return "<svg class=\"building\" " + view_box_of(*building.map) + "><use href=\"#" + building.building.id + "\"/>" +
+         content + "</svg>";
 }
 
 }  // namespace

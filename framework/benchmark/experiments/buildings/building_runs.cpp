@@ -8,6 +8,8 @@
 
 #include "simulation/recording.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -30,7 +32,7 @@ std::vector<simulation::Challenge> chosen(const simulation::SuiteBuilding& build
 
 void keep(const BuildingRuns& in, const simulation::Challenge& challenge, int seed,
           const simulation::Recording& recording, const std::string& folder) {
-  const std::string name = in.building.id + "_" + challenge.id + "_" + std::to_string(seed);
+  const std::string name = fmt::format("{}_{}_{}", in.building.id, challenge.id, seed);
   const std::string prefix = (std::filesystem::path(folder) / name).string();
   simulation::write_recording(recording, prefix);
   write_map(*in.map, prefix + ".map.jsonld");

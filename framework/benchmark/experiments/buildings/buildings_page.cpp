@@ -1,105 +1,70 @@
 #include "benchmark/experiments/buildings/buildings_page.hpp"
 
 #include "benchmark/experiments/buildings/building_picture.hpp"
-#include "benchmark/experiments/kit/table.hpp"
-#include "report/html_text.hpp"
+#include "benchmark/experiments/kit/order_statistics.hpp"
+#include "report/html_elements.hpp"
+#include "report/plot.hpp"
+#include "report/quantity_text.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <set>
 
 namespace opal::experiments {
 namespace {
 
-constexpr std::array kOutcomes{Outcome::localized, Outcome::unsure, Outcome::unknown, Outcome::wrong};
-
-/// Colours that can be told apart by everyone (Okabe and Ito 2008).
-constexpr const char* kStyle = R"(
-body{font:15px/1.5 sans-serif;margin:2rem;max-width:130rem}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums}td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #ddd}
-td{white-space:nowrap}td:first-child,th:first-child{text-align:left}
-.many{display:grid;grid-template-columns:repeat(auto-fill,minmax(var(--w),1fr));gap:1rem}
-figure{margin:0}figcaption{font-size:12px;overflow-wrap:anywhere}svg{width:100%;max-height:22rem}
-path{fill:none;vector-effect:non-scaling-stroke;stroke-width:1}.wall{stroke:#444}.unseen{stroke:#bcd}
-.way{stroke-width:1.5}
-path.localized{stroke:#009e73}path.unsure{stroke:#0072b2}path.unknown{stroke:#e69f00}path.wrong{stroke:#d55e00;stroke-width:2.5}
-.claim{fill:#d55e00}.start{fill:#009e73}.believed{fill:none;stroke:#000;stroke-width:20}
-i{display:inline-block;width:1.1em;height:.8em;margin:0 .3em 0 1em}
-i.localized{background:#009e73}i.unsure{background:#0072b2}i.unknown{background:#e69f00}i.wrong{background:#d55e00}
-.bar{display:flex;height:.9rem;width:11rem}.bar i{margin:0;height:100%}code{font-size:11px}
-)";
-
-constexpr const char* kMeaning =
-    "<p><i class=localized></i>localized: the best hypothesis is right (within 1 m and 10 degrees) up to the end, and "
-    "was "
-    "called localized"
-    "<i class=unsure></i>unsure: right up to the end, never called localized"
-    "<i class=unknown></i>unknown: not right at the end, and nothing wrong was called localized"
-    "<i class=wrong></i>wrong: a wrong pose was called localized at some time</p>\n";
-
-using Shares = std::array<std::size_t, kOutcomes.size()>;
-
-Shares outcomes_in(const BuildingsExperiment& experiment, const BuildingGroup& group) {
-  Shares counts{};
-  for (const BuildingRuns& building : experiment.buildings) {
-    if (!group.kind.empty() && group.kind != building.building.request.kind) continue;
-    if (group.difficulty && *group.difficulty != building.building.difficulty) continue;
-    for (const ChallengeRun& run : building.runs)
-      counts[static_cast<std::size_t>(outcome_of(run))] += run.contender == group.contender;
-  }
-  return counts;
+std::string key_html() {
+  return colour_key({{"localized",
+                      "localized: the best hypothesis is right (within 1 m and 10 degrees) up to the end, and was "
+                      "called localized"},
+                     {"unsure", "unsure: right up to the end, never called localized"},
+                     {"unknown", "unknown: not right at the end, and nothing wrong was called localized"},
+                     {"wrong", "wrong: a wrong pose was called localized at some time"}});
 }
 
-std::string bar_of(const Shares& counts) {
-  std::string bar = "<div class=bar>";
-  for (Outcome outcome : kOutcomes) {
-    const std::string count = std::to_string(counts[static_cast<std::size_t>(outcome)]), name = name_of(outcome);
-    if (count != "0")
-      bar += "<i class=" + name + " style=\"flex:" + count + "\" title=\"" + name + ": " + count + "\"></i>";
-  }
-  return bar + "</div>";
-}
-
-std::string cell(const BuildingShare& share) {
-  char text[96];
-  std::snprintf(text, sizeof text, "<td>%.1f <small>(%.1f to %.1f)</small></td>", 100 * share.share,
-                100 * share.within.low, 100 * share.within.high);
-  return text;
-}
-
-std::string cell(const BuildingMedian& found) {
-  return "<td>" + number(found.median, 1) + " <small>(" + number(found.within.low, 1) + " to " +
-         number(found.within.high, 1) + ")</small></td>";
-}
-
-std::string groups_of(const BuildingsExperiment& experiment) {
-  std::string html;
-  const std::string* contender = nullptr;
+/// How many runs of each group of a contender ended well, or with a wrong pose.
+std::string shares_html(const BuildingsExperiment& experiment, const std::string& contender, const std::string& title,
+                        const char* tone, BuildingShare BuildingGroup::*share) {
+  IntervalPlot plot{
+      {title, "%", false, 0.0, 100.0}, 0, {{{"group", "", false}, {"runs"}, {title + " (95 %)", "%"}}, {}}, {}};
   for (const BuildingGroup& group : experiment.groups) {
-    if (!contender || *contender != group.contender)
-      html += std::string(contender ? "</table>\n" : "") + "<h2>" + html_text(group.contender) +
-              "</h2>\n<table><tr><th>buildings<th>outcomes<th>buildings<th>runs<th>success %<th>localized, "
-              "right %<th>falsely localized %"
-              "<th>honestly unknown %<th>m to localized<th>s to localized<th>CPU ms</tr>\n";
-    contender = &group.contender;
-    html += "<tr><td>" + group.name() + "</td><td>" + bar_of(outcomes_in(experiment, group)) + "</td><td>" +
-            std::to_string(group.buildings) + "</td><td>" + std::to_string(group.runs) + "</td>" + cell(group.success) +
-            cell(group.localized) + cell(group.wrong) + cell(group.unknown) + cell(group.localized_after_m) +
-            cell(group.localized_after_s) + "<td>" + number(group.cpu_ms, 2) + "</td></tr>\n";
+    if (group.contender != contender) continue;
+    const BuildingShare& all = group.*share;
+    const double at = 100 * all.share, low = 100 * all.within.low, high = 100 * all.within.high;
+    plot.rows.push_back({at, low, high, tone, false});
+    plot.table.rows.push_back({group.name(), std::to_string(group.runs), within_text(at, low, high, 1)});
   }
-  return html + (contender ? "</table>\n" : "");
+  return plot_html(plot, title + " in percent of the runs");
+}
+
+std::string groups_html(const BuildingsExperiment& experiment) {
+  const Table table = buildings_table(experiment);
+  std::string html;
+  std::set<std::string> told;
+  for (const BuildingGroup& group : experiment.groups)
+    if (told.insert(group.contender).second)
+      html +=
+          text_element("h2", group.contender) +
+          element("section",
+                  shares_html(experiment, group.contender, "success", "localized", &BuildingGroup::success) +
+                      shares_html(experiment, group.contender, "falsely localized", "wrong", &BuildingGroup::wrong)) +
+          "\n";
+  return text_element("h2", "All groups") +
+         element("section", html_of(table) + download("buildings.csv", csv_of(table))) + "\n" + html;
 }
 
 std::string sentence_about(const ChallengeRun& run) {
   const Moment& last = run.moments.back();
   std::string text =
-      run.challenge + " (seed " + std::to_string(run.seed) + ", " + run.contender + "): " + name_of(outcome_of(run));
+      fmt::format("{} (seed {}, {}): {}", run.challenge, run.seed, run.contender, name_of(outcome_of(run)));
   if (run.false_rows > 0)
-    text += "; called localized wrongly: " + std::to_string(run.false_rows) + " of " +
-            std::to_string(run.moments.size()) + " scans, first after " + number(wrong_after_s(run), 1) + " s";
-  if (run.localized_after_m >= 0) text += "; localized after " + number(run.localized_after_m, 1) + " m";
-  return text + "; at the end " + (last.has_pose ? number(last.error_m(), 1) + " m off" : "no pose") + ", " +
-         std::to_string(last.hypotheses) + " hypotheses; the truth has probability " + number(run.truth_probability, 2);
+    text += fmt::format("; called localized wrongly: {} of {} scans, first after {} s", run.false_rows,
+                        run.moments.size(), number(wrong_after_s(run), 1));
+  if (run.localized_after_m >= 0) text += fmt::format("; localized after {:.1f} m", run.localized_after_m);
+  return text + fmt::format("; at the end {}, {}; the truth has probability {:.2f}",
+                            last.has_pose ? number(last.error_m(), 1) + " m off" : "no pose",
+                            fmt::format("{} hypotheses", last.hypotheses), run.truth_probability);
 }
 
 struct Failure {
@@ -117,38 +82,35 @@ std::vector<Failure> failures_of(const BuildingsExperiment& experiment) {
   return failures;
 }
 
-std::string figure(const std::string& picture, const std::string& caption) {
-  return "<figure>" + picture + "<figcaption>" + caption + "</figcaption></figure>\n";
-}
-
 std::string failures_html(const BuildingsExperiment& experiment) {
   constexpr std::size_t kMost = 200;
   const std::vector<Failure> failures = failures_of(experiment);
   std::string html =
-      "<h2>Runs that were not localized, or were so wrongly: " + std::to_string(failures.size()) + "</h2>\n" +
-      (failures.size() > kMost ? "<p>The first " + std::to_string(kMost) + " of them.</p>\n" : std::string()) +
-      "<p>The way in truth from the green dot on; orange-red dots: wrong poses that were called localized; black "
-      "ring: what is "
-      "believed at the end. <code>--record</code> keeps the recording for <code>opal bench</code>, "
-      "<code>localize</code> and "
-      "<code>view</code>.</p>\n<div class=many style=\"--w:24rem\">";
-  for (std::size_t k = 0; k < std::min(kMost, failures.size()); ++k)
-    html +=
-        figure(run_picture(*failures[k].building, *failures[k].run),
-               failures[k].building->building.id + " " + html_text(sentence_about(*failures[k].run)) + "<br><code>" +
-                   html_text(command_for(experiment, *failures[k].building, *failures[k].run)) + "</code>");
-  return html + "</div>\n";
+      text_element("h2", fmt::format("Runs that were not localized, or were so wrongly: {}", failures.size())) +
+      (failures.size() > kMost ? text_element("p", fmt::format("The first {} of them.", kMost)) : "") + key_html() +
+      text_element("p",
+                   "The way in truth from the green dot on; orange-red dots: wrong poses that were called localized; "
+                   "black ring: what is believed at the end. --record keeps the recording for opal bench, localize and "
+                   "view.");
+  std::string figures;
+  for (std::size_t k = 0; k < std::min(kMost, failures.size()); ++k) {
+    const auto& [building, run] = failures[k];
+    figures += figure(run_picture(*building, *run) + text_element("code", command_for(experiment, *building, *run)),
+                      building->building.id + " " + sentence_about(*run), "map");
+  }
+  return html + element("div", figures, "side") + "\n";
 }
 
 std::string buildings_html(const BuildingsExperiment& experiment) {
-  std::string html = "<h2>The buildings</h2>\n<div class=many style=\"--w:15rem\">";
+  std::string figures;
   const std::string contender = experiment.groups.empty() ? "" : experiment.groups.front().contender;
   for (const BuildingRuns& building : experiment.buildings)
-    html +=
-        figure(ways_picture(building, contender),
-               building.building.id + ": " + number(building.building.request.size_m2, 0) + " m², symmetry " +
-                   number(building.building.request.symmetry, 2) + ", clutter " + number(building.building.clutter, 2));
-  return html + "</div>\n";
+    figures += figure(
+        ways_picture(building, contender),
+        fmt::format("{}: {:.0f} m², symmetry {:.2f}, clutter {:.2f}", building.building.id,
+                    building.building.request.size_m2, building.building.request.symmetry, building.building.clutter),
+        "map");
+  return text_element("h2", "The buildings") + key_html() + element("div", figures, "side small") + "\n";
 }
 
 }  // namespace
@@ -156,11 +118,11 @@ std::string buildings_html(const BuildingsExperiment& experiment) {
 std::string buildings_page(const BuildingsExperiment& experiment) {
   std::string symbols;
   for (const BuildingRuns& building : experiment.buildings) symbols += outline_symbol(building);
-  return std::string("<!doctype html><html lang=en><meta charset=utf-8><title>Many buildings</title><style>") + kStyle +
-         "</style>\n<svg style=\"position:absolute;width:0;height:0\"><defs>" + symbols +
-         "</defs></svg>\n<h1>Many buildings</h1>\n<p><code>" + html_text(experiment.command) +
-         "</code>; intervals are 95 %, over buildings</p>\n" + kMeaning + groups_of(experiment) +
-         failures_html(experiment) + buildings_html(experiment) + "</html>\n";
+  return html_page("Many buildings",
+                   "<svg class=\"building\" width=\"0\" height=\"0\" style=\"position:absolute\"><defs>" + symbols +
+                       "</defs></svg>\n" +
+                       text_element("p", experiment.command + "; intervals are 95 %, over buildings") +
+                       groups_html(experiment) + failures_html(experiment) + buildings_html(experiment));
 }
 
 }  // namespace opal::experiments

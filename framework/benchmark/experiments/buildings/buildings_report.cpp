@@ -2,10 +2,7 @@
 
 #include "benchmark/experiments/kit/order_statistics.hpp"
 #include "benchmark/experiments/kit/summary_json.hpp"
-#include "benchmark/experiments/kit/table.hpp"
-
-#include <cmath>
-#include <cstdio>
+#include "report/quantity_text.hpp"
 
 namespace opal::experiments {
 namespace {
@@ -13,24 +10,11 @@ namespace {
 using nlohmann::ordered_json;
 
 std::string in_percent(const BuildingShare& share) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.1f (%.1f to %.1f)", 100 * share.share, 100 * share.within.low,
-                100 * share.within.high);
-  return text;
+  return within_text(100 * share.share, 100 * share.within.low, 100 * share.within.high, 1);
 }
 
 std::string with_interval(const BuildingMedian& found) {
-  return number(found.median, 1) + " (" + number(found.within.low, 1) + " to " + number(found.within.high, 1) + ")";
-}
-
-std::string row_of(const BuildingGroup& group) {
-  char text[240];
-  std::snprintf(text, sizeof text, "%-27s%5zu%6zu  %-23s %-23s %-23s %-23s %-20s %-20s %6.2f\n", group.name().c_str(),
-                group.buildings, group.runs, in_percent(group.success).c_str(), in_percent(group.localized).c_str(),
-                in_percent(group.wrong).c_str(), in_percent(group.unknown).c_str(),
-                with_interval(group.localized_after_m).c_str(), with_interval(group.localized_after_s).c_str(),
-                group.cpu_ms);
-  return text;
+  return within_text(found.median, found.within.low, found.within.high, 1);
 }
 
 ordered_json metres_or_null(double value) { return value < 0 ? ordered_json(nullptr) : ordered_json(value); }
@@ -98,21 +82,25 @@ ordered_json to_json(const BuildingRuns& done) {
 
 }  // namespace
 
-std::string buildings_table(const BuildingsExperiment& experiment) {
-  std::string table;
-  const std::string* contender = nullptr;
-  for (const BuildingGroup& group : experiment.groups) {
-    if (!contender || *contender != group.contender) {
-      char head[240];
-      std::snprintf(head, sizeof head, "%s%s\n%-27s%5s%6s  %-23s %-23s %-23s %-23s %-20s %-20s %6s\n",
-                    contender ? "\n" : "", group.contender.c_str(), "", "bldgs", "runs", "success %",
-                    "localized, right %", "falsely localized %", "honestly unknown %", "m to localized",
-                    "s to localized", "ms");
-      table += head;
-    }
-    contender = &group.contender;
-    table += row_of(group);
-  }
+Table buildings_table(const BuildingsExperiment& experiment) {
+  Table table{{{"", "", false},
+               {"group", "", false},
+               {"buildings"},
+               {"runs"},
+               {"success", "%"},
+               {"localized, right", "%"},
+               {"falsely localized", "%"},
+               {"honestly unknown", "%"},
+               {"driven to localized", "m"},
+               {"time to localized", "s"},
+               {"CPU per update", "ms"}},
+              {},
+              true};
+  for (const BuildingGroup& group : experiment.groups)
+    table.rows.push_back({group.contender, group.name(), std::to_string(group.buildings), std::to_string(group.runs),
+                          in_percent(group.success), in_percent(group.localized), in_percent(group.wrong),
+                          in_percent(group.unknown), with_interval(group.localized_after_m),
+                          with_interval(group.localized_after_s), number(group.cpu_ms, 2)});
   return table;
 }
 

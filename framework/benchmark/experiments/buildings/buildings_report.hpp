@@ -1,6 +1,7 @@
 #pragma once
 
 #include "benchmark/experiments/buildings/building_groups.hpp"
+#include "report/table.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +15,8 @@ struct BuildingsExperiment {
   std::string run_command;  ///< the same without its choice of buildings and challenges
 };
 
-/// For a terminal: a row per group, shares in percent with their 95 % intervals.
-std::string buildings_table(const BuildingsExperiment& experiment);
+/// A row per contender and group, shares in percent with their 95 % intervals.
+Table buildings_table(const BuildingsExperiment& experiment);
 
 /// Groups, buildings and runs. Everything is the same whenever and wherever it is run, but for keys that
 /// begin with "cpu_".

@@ -2,6 +2,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -47,8 +49,7 @@ Row row_of(const std::string& line, const std::string& where) {
     } catch (const std::exception&) {
       throw LogError(where + ": '" + cell + "', expected a number");
     }
-  if (numbers.size() != 7)
-    throw LogError(where + ": " + std::to_string(numbers.size()) + " columns, expected " + kHeader);
+  if (numbers.size() != 7) throw LogError(fmt::format("{}: {} columns, expected {}", where, numbers.size(), kHeader));
   return {numbers[0], Pose2(numbers[1], numbers[2], numbers[3]), numbers[4] != 0, static_cast<int>(numbers[5]),
           numbers[6]};
 }

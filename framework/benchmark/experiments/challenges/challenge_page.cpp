@@ -1,9 +1,11 @@
 #include "benchmark/experiments/challenges/challenge_report.hpp"
 #include "benchmark/experiments/kit/by_name.hpp"
-#include "benchmark/experiments/kit/page.hpp"
+#include "benchmark/experiments/kit/order_statistics.hpp"
 #include "benchmark/experiments/kit/time_plot.hpp"
 #include "benchmark/experiments/kit/ways_picture.hpp"
-#include "report/html_text.hpp"
+#include "report/html_elements.hpp"
+
+#include <fmt/format.h>
 
 namespace opal::experiments {
 namespace {
@@ -58,27 +60,31 @@ std::string caption_of(const Run& run) {
 
 std::string challenge_page(const SemanticMap& map, std::span<const Run> runs) {
   std::string body =
-      "<p>The challenges of Hendrikx (2023), section 3.5.2, driven in simulation in the building " +
-      html_text(map.name()) +
-      ". Success, distances, errors and hypotheses as in its 3.5.5; medians over the seeds. A: a region is "
-      "known; B: nothing is, with people and "
-      "everyday clutter; C: features hidden and mimicked on purpose.</p>\n<div class=wide>" +
-      html_of(challenge_table(runs)) + "</div>\n";
+      text_element(
+          "p", fmt::format("The challenges of Hendrikx (2023), section 3.5.2, driven in simulation in the building {}. "
+                           "Success, distances, errors and hypotheses as in its 3.5.5; medians over the seeds. A: a "
+                           "region is known; B: nothing is, with people and everyday clutter; C: features hidden and "
+                           "mimicked on purpose.",
+                           map.name())) +
+      html_of(challenge_table(runs));
   const std::uint64_t first = runs.empty() ? 0 : runs.front().seed;
   for (const std::string& contender : names(runs, &Run::contender)) {
     const auto shown = those(runs, [&](const Run& r) { return r.contender == contender && r.seed == first; });
     body +=
-        "<h2>" + html_text(contender) + ", seed " + std::to_string(first) + "</h2>\n" +
+        text_element("h2", fmt::format("{}, seed {}", contender, first)) +
         figure(ways_of(map, shown),
-               "The ways as they were driven; a ring is a start, a red circle a region that is known, a cross where " +
-                   contender + " first said that it is localized.",
-               "whole") +
-        status_legend();
+               fmt::format("The ways as they were driven; a ring is a start, a red circle a region that is known, a "
+                           "cross where {} first said that it is localized.",
+                           contender),
+               "map whole") +
+        status_key();
+    std::string figures;
     for (const Run* run : shown)
-      body += figure(one_way(map, *run) + time_plot(run->moments),
-                     caption_of(*run) + "; red: estimate where it was called localized");
+      figures += figure(one_way(map, *run) + time_plot(run->moments),
+                        caption_of(*run) + "; red: estimate where it was called localized", "map");
+    body += element("div", figures, "side");
   }
-  return page_of("Global localization: the challenges of table 3.3", body);
+  return html_page("Global localization: the challenges of table 3.3", body);
 }
 
 }  // namespace opal::experiments

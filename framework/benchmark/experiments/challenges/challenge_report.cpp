@@ -63,9 +63,9 @@ std::string about_all(const Runs& all) {
          ", " + std::to_string(wrong) + " of " + std::to_string(rows) + " scans";
 }
 
-Table::Block block_of(std::span<const Run> runs, const std::string& contender,
-                      const std::vector<std::string>& challenges) {
-  Table::Block block{contender, {}, about_all(of(runs, contender))};
+ThesisTable::Block block_of(std::span<const Run> runs, const std::string& contender,
+                            const std::vector<std::string>& challenges) {
+  ThesisTable::Block block{contender, {}, about_all(of(runs, contender))};
   const auto row = [&](const char* name, const std::function<std::string(const Runs&)>& cell) {
     block.rows.push_back({name, {}});
     for (const std::string& challenge : challenges)
@@ -91,9 +91,9 @@ nlohmann::ordered_json summary_of(const Runs& runs) {
 
 }  // namespace
 
-Table challenge_table(std::span<const Run> runs) {
-  Table table{names(runs, &Run::challenge), {}};
-  for (const Table::Block& published : table_3_3())
+ThesisTable challenge_table(std::span<const Run> runs) {
+  ThesisTable table{names(runs, &Run::challenge), {}};
+  for (const ThesisTable::Block& published : table_3_3())
     table.blocks.push_back(with_columns(published, table_3_3_columns(), table.columns));
   for (const std::string& contender : names(runs, &Run::contender))
     table.blocks.push_back(block_of(runs, contender, table.columns));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "benchmark/experiments/challenges/challenge_run.hpp"
-#include "benchmark/experiments/kit/table.hpp"
+#include "benchmark/experiments/kit/thesis_table.hpp"
 
 #include <iosfwd>
 
@@ -10,7 +10,7 @@ namespace opal::experiments {
 /// The runs in the layout of Hendrikx (2023), table 3.3, beside what it published: a column per challenge, a
 /// block of rows per contender; medians over the seeds, and shares of all runs with Wilson's 95 % interval
 /// (1927).
-Table challenge_table(std::span<const ChallengeRun> runs);
+ThesisTable challenge_table(std::span<const ChallengeRun> runs);
 
 /// By contender and challenge: the same with intervals, and what was published.
 nlohmann::ordered_json challenge_summary(std::span<const ChallengeRun> runs);

@@ -95,8 +95,9 @@ std::string about_all(std::span<const Run> runs, const std::string& contender) {
          std::to_string(faster) + " of " + std::to_string(compared);
 }
 
-Table::Block block_of(std::span<const Run> runs, const std::string& contender, const std::vector<std::string>& tasks) {
-  Table::Block block{contender, {}, about_all(runs, contender)};
+ThesisTable::Block block_of(std::span<const Run> runs, const std::string& contender,
+                            const std::vector<std::string>& tasks) {
+  ThesisTable::Block block{contender, {}, about_all(runs, contender)};
   const auto row = [&](const char* name, const std::function<std::string(const Runs&)>& cell) {
     block.rows.push_back({name, {}});
     for (const std::string& task : tasks) block.rows.back().cells.push_back(cell(of(runs, contender, task)));
@@ -142,8 +143,8 @@ nlohmann::ordered_json summary_of(const Runs& runs, const std::string& task) {
 
 }  // namespace
 
-Table goal_table(std::span<const Run> runs) {
-  Table table{names(runs, &Run::task), {}};
+ThesisTable goal_table(std::span<const Run> runs) {
+  ThesisTable table{names(runs, &Run::task), {}};
   table.blocks.push_back(with_columns(table_4_1(), table_4_1_columns(), table.columns));
   for (const std::string& contender : names(runs, &Run::contender))
     table.blocks.push_back(block_of(runs, contender, table.columns));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "benchmark/experiments/goals/goal_run.hpp"
-#include "benchmark/experiments/kit/table.hpp"
+#include "benchmark/experiments/kit/thesis_table.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,7 +13,7 @@ namespace opal::experiments {
 /// The runs in the layout of Hendrikx (2023), table 4.1, beside what it published: a column per route and set
 /// of patterns, a block of rows per contender; medians over the seeds (a drive that does not arrive takes for
 /// ever), and shares of all runs with Wilson's 95 % interval (1927).
-Table goal_table(std::span<const GoalRun> runs);
+ThesisTable goal_table(std::span<const GoalRun> runs);
 
 /// By contender and task: the same with intervals, and the published total time.
 nlohmann::ordered_json goal_summary(std::span<const GoalRun> runs);

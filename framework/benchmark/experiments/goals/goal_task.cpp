@@ -1,5 +1,7 @@
 #include "benchmark/experiments/goals/goal_task.hpp"
 
+#include <fmt/format.h>
+
 namespace opal::experiments {
 
 std::vector<GoalTask> thesis4_tasks() {
@@ -9,7 +11,7 @@ std::vector<GoalTask> thesis4_tasks() {
   std::vector<GoalTask> tasks;
   for (const char set : {'A', 'B'})
     for (std::size_t route = 0; route < starts.size(); ++route) {
-      GoalTask task{set + std::to_string(route + 1), {"opal:ColumnPair"}, 2, starts[route], goal};
+      GoalTask task{fmt::format("{}{}", set, route + 1), {"opal:ColumnPair"}, 2, starts[route], goal};
       if (set == 'B') {
         task.patterns = {"opal:LShape", "opal:Collinear"};
         task.pattern_size = 3;

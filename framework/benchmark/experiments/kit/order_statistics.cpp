@@ -2,9 +2,10 @@
 
 #include "benchmark/verdict/effect.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace opal::experiments {
 
@@ -25,14 +26,16 @@ Interval median_interval(std::vector<double> values) {
   return {values[rank], values[n - 1 - rank]};
 }
 
+std::string number(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
+
 std::string share_text(int part, std::size_t whole) {
   if (whole == 0) return "none of 0";
   const double share = static_cast<double>(part) / static_cast<double>(whole);
   const Interval within = wilson_interval(share, static_cast<double>(whole));
-  char text[80];
-  std::snprintf(text, sizeof text, "%d of %zu, %.1f %% (95 %%: %.1f to %.1f)", part, whole, 100 * share,
-                100 * within.low, 100 * within.high);
-  return text;
+  return fmt::format("{} of {}, {:.1f} % (95 %: {:.1f} to {:.1f})", part, whole, 100 * share, 100 * within.low,
+                     100 * within.high);
 }
 
 }  // namespace opal::experiments

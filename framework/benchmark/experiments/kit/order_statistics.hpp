@@ -19,7 +19,10 @@ double median(std::vector<double> values);
 /// fewer than six.
 Interval median_interval(std::vector<double> values);
 
-/// "97.5 % (95 %: 93.9 to 99.0)", Wilson's interval.
+/// "2.50"; "-" for what is not finite.
+std::string number(double value, int decimals);
+
+/// "39 of 40, 97.5 % (95 %: 87.1 to 99.6)", Wilson's interval.
 std::string share_text(int part, std::size_t whole);
 
 }  // namespace opal::experiments

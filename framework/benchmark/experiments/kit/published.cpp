@@ -2,9 +2,10 @@
 
 #include "benchmark/experiments/kit/order_statistics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace opal::experiments {
 
@@ -14,7 +15,7 @@ const std::vector<std::string>& table_3_3_columns() {
   return columns;
 }
 
-std::vector<Table::Block> table_3_3() {
+std::vector<ThesisTable::Block> table_3_3() {
   return {
       {"thesis' method, as published",
        {{"successful",
@@ -56,7 +57,7 @@ const std::vector<double>& table_4_1_total_s() {
   return total_s;
 }
 
-Table::Block table_4_1() {
+ThesisTable::Block table_4_1() {
   std::vector<std::string> total;
   for (const double time_s : table_4_1_total_s()) total.push_back(minutes(time_s));
   return {"thesis, as published",
@@ -74,10 +75,10 @@ Table::Block table_4_1() {
           "11 of 12"};
 }
 
-Table::Block with_columns(const Table::Block& block, const std::vector<std::string>& has,
-                          const std::vector<std::string>& wanted) {
-  Table::Block chosen = block;
-  for (Table::Row& row : chosen.rows) {
+ThesisTable::Block with_columns(const ThesisTable::Block& block, const std::vector<std::string>& has,
+                                const std::vector<std::string>& wanted) {
+  ThesisTable::Block chosen = block;
+  for (ThesisTable::Row& row : chosen.rows) {
     std::vector<std::string> cells;
     for (const std::string& column : wanted) {
       const auto at = std::find(has.begin(), has.end(), column);
@@ -91,9 +92,7 @@ Table::Block with_columns(const Table::Block& block, const std::vector<std::stri
 std::string minutes(double time_s) {
   if (!std::isfinite(time_s)) return "na";
   const int whole_s = static_cast<int>(std::lround(time_s));
-  char text[32];
-  std::snprintf(text, sizeof text, "%d:%02d", whole_s / 60, whole_s % 60);
-  return text;
+  return fmt::format("{}:{:02}", whole_s / 60, whole_s % 60);
 }
 
 }  // namespace opal::experiments

@@ -8,7 +8,10 @@
 namespace opal::experiments {
 
 /// A run over time: error of the best hypothesis, number of hypotheses, CPU time per update if any was
-/// measured, and in a bar whether it was localized (Hendrikx 2023, figure 3.10). SVG to be put into a page.
+/// measured, and in a bar whether it was localized (Hendrikx 2023, figure 3.10). HTML.
 std::string time_plot(std::span<const Moment> moments);
+
+/// What the colours of that bar mean. HTML.
+std::string status_key();
 
 }  // namespace opal::experiments

@@ -1,6 +1,6 @@
 #include "benchmark/experiments/kit/ways_picture.hpp"
 
-#include "benchmark/experiments/kit/table.hpp"
+#include "benchmark/experiments/kit/order_statistics.hpp"
 #include "report/html_text.hpp"
 
 #include <array>

@@ -94,7 +94,7 @@ TEST_CASE("groups count every run in its kind, its difficulty, both, and all") {
   CHECK(done.groups.front().runs == 8);
   CHECK(done.groups.size() == 1 + 4 + 1 + 4);
   for (const BuildingGroup& group : done.groups) CHECK(group.success.within.low <= group.success.share);
-  const std::string table = buildings_table(done);
+  const std::string table = markdown_of(buildings_table(done));
   CHECK_THAT(table, Catch::Contains("warehouse, difficulty 0.50"));
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "report/table.hpp"
 
 namespace opal::experiments {
 
 /// A table in the layout of the thesis: a column per run, a block of rows per contender.
-struct Table {
+struct ThesisTable {
   struct Row {
     std::string name;
     std::vector<std::string> cells;  ///< by column
@@ -20,10 +19,12 @@ struct Table {
   std::vector<Block> blocks;
 };
 
-std::string text_of(const Table& table);
-std::string html_of(const Table& table);
+/// Its rows, each with the name of its block.
+Table rows_of(const ThesisTable& table);
 
-/// "2.50"; "-" for what is not finite.
-std::string number(double value, int decimals);
+/// The rows in Markdown, and what is said of all columns.
+std::string text_of(const ThesisTable& table);
+/// The same for a page, with the rows to be saved.
+std::string html_of(const ThesisTable& table);
 
 }  // namespace opal::experiments

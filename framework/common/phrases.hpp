@@ -1,0 +1,32 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <concepts>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace opal {
+
+// Parts of sentences.
+
+inline std::string in_quotes(std::string_view text) { return fmt::format("'{}'", text); }
+
+/// "3 things", "1 thing"
+inline std::string count_of(std::integral auto count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// "a, b, c"; beyond `most`: "a, b and 4 more". @param none  said if there is nothing.
+template <class Texts>
+std::string listed(const Texts& texts, std::string_view none = "", std::size_t most = std::string::npos) {
+  const std::size_t count = std::size(texts), shown = std::min(most, count);
+  if (count == 0) return std::string(none);
+  const auto end = std::next(std::begin(texts), static_cast<std::ptrdiff_t>(shown));
+  return fmt::format("{}{}", fmt::join(std::begin(texts), end, ", "),
+                     shown < count ? fmt::format(" and {} more", count - shown) : "");
+}
+
+}  // namespace opal
