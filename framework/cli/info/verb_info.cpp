@@ -25,7 +25,7 @@ void write_deployment_of(const nlohmann::ordered_json& lines, const InfoOptions&
   opal::read_deployment(config);  // what is wrong with it is told here
   auto document = nlohmann::ordered_json::parse(std::ifstream(config));
   document.erase("comment");
-  document.update(lines);
+  document.merge_patch(lines);
   opal::write_text(options.out, document.dump(2) + '\n');
   std::cerr << "written: " << options.out << '\n';
 }

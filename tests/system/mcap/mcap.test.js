@@ -7,25 +7,26 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import { McapIndexedReader, McapStreamReader, McapWriter, TempBuffer } from "@mcap/core";
-import lz4 from "@foxglove/wasm-lz4";
+import unpackLz4 from "@foxglove/wasm-lz4";
 import zstd from "@foxglove/wasm-zstd";
+import lz4 from "lz4js";
 
 import { laserScan, odometry } from "./messages.js";
 
 const folder = mkdtempSync(join(tmpdir(), "opal_mcap_"));
 const recorded = new URL("../../../../shared/data/ros2/gazebo_path.mcap", import.meta.url).pathname;
 const decompressHandlers = {
-  lz4: (bytes, size) => lz4(bytes, Number(size)),
+  lz4: (bytes, size) => unpackLz4(bytes, Number(size)),
   zstd: (bytes, size) => zstd.decompress(bytes, Number(size)),
 };
 const packers = {
   none: undefined,
-  lz4: (bytes) => ({ compression: "lz4", compressedData: lz4.compress(bytes) }),
+  lz4: (bytes) => ({ compression: "lz4", compressedData: new Uint8Array(lz4.compress(bytes)) }),
   zstd: (bytes) => ({ compression: "zstd", compressedData: zstd.compress(bytes) }),
 };
 
 before(async () => {
-  await lz4.isLoaded;
+  await unpackLz4.isLoaded;
   await zstd.isLoaded;
 });
 after(() => rmSync(folder, { recursive: true }));
