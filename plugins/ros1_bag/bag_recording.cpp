@@ -18,7 +18,7 @@ using recording::Chunk;
 using recording::MessagePlace;
 
 constexpr std::string_view kFirstLine = "#ROSBAG V2.0\n";
-constexpr std::uint32_t kMostHeaderBytes = 1 << 20;  // a header has a few short fields
+constexpr std::uint32_t kMostHeaderBytes = 1 << 16;  // a header has a few short fields
 constexpr std::uint64_t kWindowBytes = 1 << 16;      // the search for the next record reads so many at a time
 
 /// The first byte of the field "op".
@@ -137,16 +137,19 @@ std::optional<BagRecording::Place> BagRecording::record_at(std::uint64_t positio
 
 /// Where the next record starts: every one has a field "op=" in its header.
 std::uint64_t BagRecording::next_record(std::uint64_t position) const {
-  const std::string_view field = "\x04\0\0\0op=";
-  constexpr std::uint64_t kLongestBefore = 512;  // fields before it
+  constexpr std::string_view kField("\x04\0\0\0op=", 7);
+  constexpr std::uint64_t kLongestBefore = 512;  // other fields of a header
   for (std::uint64_t window = position; window < file().size(); window += kWindowBytes) {
-    const std::vector<std::byte> bytes = file().read(window, kWindowBytes + 8);
+    const std::uint64_t begin = std::max(position, window - std::min(window, kLongestBefore));
+    const std::vector<std::byte> bytes = file().read(begin, window + kWindowBytes + kField.size() - begin);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    const std::string_view wanted(field.data(), 7);
-    for (std::size_t at = text.find(wanted); at != text.npos; at = text.find(wanted, at + 1))
-      for (std::uint64_t start = std::max(position, window + at - std::min(window + at, kLongestBefore));
-           start + 4 <= window + at; ++start)
-        if (record_at(start)) return start;
+    for (std::size_t at = text.find(kField, window - begin); at != text.npos; at = text.find(kField, at + 1))
+      for (std::size_t start = at - std::min<std::size_t>(at, kLongestBefore); start + 4 <= at; ++start) {
+        // The header must reach as far as this field.
+        const auto length = ByteReader(Bytes(bytes).subspan(start)).number<std::uint32_t>();
+        const bool holds_field = start + length >= at && length < kMostHeaderBytes;
+        if (holds_field && record_at(begin + start)) return begin + start;
+      }
   }
   return file().size();
 }

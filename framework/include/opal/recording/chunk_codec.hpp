@@ -19,7 +19,7 @@ struct Unpacked {
 };
 
 /// No chunk is larger: what claims to be is damaged. Recorders write chunks of about a megabyte.
-constexpr std::uint64_t kMostChunkBytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t kMostChunkBytes = std::uint64_t{1} << 28;
 
 /// Unpacks a chunk.
 /// @param compression  "" for none, "lz4" (frame format) or "zstd".
