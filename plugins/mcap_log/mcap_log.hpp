@@ -8,7 +8,7 @@ namespace opal::mcap_log {
 /// files.
 class McapLog final : public recording::RosLogSource {
  public:
-  using RosLogSource::RosLogSource;
+  explicit McapLog(recording::TopicChoice topics) : RosLogSource(std::move(topics)) {}
 
   bool recognizes(const std::string& path) const override;
 

@@ -100,6 +100,7 @@ class BagRecording final : public recording::ChunkedRecording {
   std::uint64_t next_record(std::uint64_t position) const;
   void walk_records();
   void walk_record(const Place& record, const Fields& fields);
+  void read_bag_header(const Fields& fields);
   void begin_chunk(const Place& record, const Fields& fields);
   void read_index(const Place& record, const Fields& fields);
   void read_connection(const Fields& fields, Bytes data);
@@ -169,6 +170,15 @@ void BagRecording::walk_records() {
           " bytes are left out, expected a record of a bag");
     position = next;
   }
+  if (indexed_chunk_) forget_index(*indexed_chunk_);  // more of it may have followed
+}
+
+void BagRecording::read_bag_header(const Fields& fields) {
+  const auto index_at = fields.number<std::uint64_t>("index_pos");
+  if (index_at == 0) count("the bag was never closed: it is read without its index");
+  if (index_at > file().size())
+    count("the file ends at byte " + std::to_string(file().size()) + ", expected its index at byte " +
+          std::to_string(index_at) + ": it was cut");
 }
 
 void BagRecording::walk_record(const Place& record, const Fields& fields) {
@@ -177,8 +187,7 @@ void BagRecording::walk_record(const Place& record, const Fields& fields) {
   if (op == Op::chunk) begin_chunk(record, fields);
   if (op == Op::index) read_index(record, fields);
   if (op == Op::connection) read_connection(fields, file().read(record.data, record.end - record.data));
-  if (op == Op::bag && fields.number<std::uint64_t>("index_pos") == 0)
-    count("the bag was never closed: it is read without its index");
+  if (op == Op::bag) read_bag_header(fields);
 }
 
 void BagRecording::begin_chunk(const Place& record, const Fields& fields) {

@@ -7,7 +7,7 @@ namespace opal::ros1_bag {
 /// Bags of ROS 1 (format 2.0): one .bag file, or a folder with the .bag files that one recording was split into.
 class Ros1Bag final : public recording::RosLogSource {
  public:
-  using RosLogSource::RosLogSource;
+  explicit Ros1Bag(recording::TopicChoice topics) : RosLogSource(std::move(topics)) {}
 
   bool recognizes(const std::string& path) const override;
 

@@ -8,7 +8,7 @@ namespace opal::ros2_bag {
 /// .db3 files.
 class Ros2Bag final : public recording::RosLogSource {
  public:
-  using RosLogSource::RosLogSource;
+  explicit Ros2Bag(recording::TopicChoice topics) : RosLogSource(std::move(topics)) {}
 
   bool recognizes(const std::string& path) const override;
 

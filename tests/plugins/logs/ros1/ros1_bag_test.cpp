@@ -79,11 +79,7 @@ TEST_CASE("scans, odometry and the mount of a bag of ROS 1 become records, packe
 }
 
 TEST_CASE("a bag that was never closed is read without its index, and this is told") {
-  Ros1BagWriter writer = drive("bz2", 6);
-  std::string bytes = writer.bytes();
-  const std::size_t index_pos = bytes.find("index_pos=") + 10;
-  bytes.replace(index_pos, 8, std::string(8, '\0'));
-  const WalkedRos1Bag walked = walk_ros1_bag(bytes);
+  const WalkedRos1Bag walked = walk_ros1_bag(drive("bz2", 6).bytes());
   CHECK(walked.scans == 6);
   CHECK(walked.defects == std::map<std::string, int>{{"the bag was never closed: it is read without its index", 1}});
 }
@@ -100,6 +96,7 @@ TEST_CASE("wherever a bag is cut, its whole messages are read and the cut is tol
     const std::vector<std::string> cut = messages_of(whole.substr(0, length), &defects);
     REQUIRE(cut.size() <= all.size());
     REQUIRE(std::equal(cut.begin(), cut.end(), all.begin()));
+    REQUIRE_FALSE((defects.empty() && cut.size() < all.size()));
   }
 }
 

@@ -66,7 +66,7 @@ class Ros1BagWriter {
  public:
   /// @param compression  "none" or "bz2"
   explicit Ros1BagWriter(std::string compression = "none") : compression_(std::move(compression)) {
-    bytes_ = "#ROSBAG V2.0\n" + record({{"op", "\x03"}, {"index_pos", std::string(8, '\1')}}, std::string(64, ' '));
+    bytes_ = "#ROSBAG V2.0\n" + record({{"op", "\x03"}, {"index_pos", std::string(8, '\0')}}, std::string(64, ' '));
   }
 
   std::uint32_t connection(const std::string& topic, const std::string& type) {
@@ -98,10 +98,12 @@ class Ros1BagWriter {
   std::string closed() {
     if (!chunk_.empty()) end_chunk();
     std::string all = bytes_;
+    const std::size_t index_pos = all.find("index_pos=") + 10;
+    all.replace(index_pos, 8, raw(static_cast<std::uint32_t>(all.size())) + std::string(4, '\0'));
     for (const std::string& connection : connections_) all += connection;
     return all;
   }
-  /// What is on the disk before.
+  /// What is on the disk of a bag that was never closed.
   const std::string& bytes() const { return bytes_; }
 
  private:
