@@ -107,6 +107,7 @@ class BagRecording final : public recording::ChunkedRecording {
 
   std::string name_;
   std::optional<std::uint32_t> indexed_chunk_;  // whose index is being read
+  bool has_header_ = false;
 };
 
 void BagRecording::read() {
@@ -171,9 +172,11 @@ void BagRecording::walk_records() {
     position = next;
   }
   if (indexed_chunk_) forget_index(*indexed_chunk_);  // more of it may have followed
+  if (!has_header_) count("no header of a bag, expected one at byte " + std::to_string(kFirstLine.size()));
 }
 
 void BagRecording::read_bag_header(const Fields& fields) {
+  has_header_ = true;
   const auto index_at = fields.number<std::uint64_t>("index_pos");
   if (index_at == 0) count("the bag was never closed: it is read without its index");
   if (index_at > file().size())
