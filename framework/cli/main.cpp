@@ -31,6 +31,7 @@ int with_output_written(int exit_code) {
 void add_verbs(CLI::App& app, int& exit_code) {
   opal::add_demo_verb(app, exit_code);
   opal::add_map_verb(app, exit_code);
+  opal::add_info_verb(app, exit_code);
   opal::add_localize_verb(app, exit_code);
   opal::add_track_verb(app, exit_code);
   opal::add_view_verb(app, exit_code);

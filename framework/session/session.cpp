@@ -111,18 +111,28 @@ std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& re
       is_made ? *load_map(registry, source) : *import_map(registry, source, import_options(damage)).map, damage);
 }
 
-std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path,
-                                          const opal::Deployment& deployment, const std::vector<std::string>& words) {
+std::string log_source_of(const opal::PluginRegistry& registry, const std::string& path) {
   if (!fs::exists(path)) throw opal::LogError(path + ": does not exist");
   const std::string source = recognizing<opal::LogSource>(registry, opal::PluginKind::log_source, path);
   if (source.empty() && fs::is_regular_file(path) && fs::is_empty(path))
     throw opal::LogError(path + ": is empty, expected a recorded log");
   if (source.empty() && fs::is_directory(path))
-    throw opal::LogError(path + ": is a folder, expected a log, or the .db3 file of a ROS 2 bag");
+    throw opal::LogError(path + ": is a folder, expected a log, or a folder with .db3, .mcap or .bag files");
   if (source.empty())
     throw opal::LogError(path + ": no log source recognizes this file; logs are read by" +
                          what_is_read(registry, opal::PluginKind::log_source));
+  return source;
+}
+
+std::shared_ptr<const opal::LogSource> log_source(const opal::PluginRegistry& registry, const std::string& source,
+                                                  const opal::Deployment& deployment,
+                                                  const std::vector<std::string>& words) {
   nlohmann::json options = opal::log_source_options(deployment, registry, source);
   options.merge_patch(opal::parse_options(source, registry.type(source).options, words));
-  return registry.make<opal::LogSource>(source, options)->open(path);
+  return registry.make<opal::LogSource>(source, options);
+}
+
+std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path,
+                                          const opal::Deployment& deployment, const std::vector<std::string>& words) {
+  return log_source(registry, log_source_of(registry, path), deployment, words)->open(path);
 }

@@ -41,6 +41,14 @@ nlohmann::json import_options(const opal::MapDamage& damage);
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
                                                   const opal::MapDamage& damage);
 
+/// Name of the log source that recognizes a log. @throws opal::LogError if none does; it tells which do read what.
+std::string log_source_of(const opal::PluginRegistry& registry, const std::string& path);
+
+/// A log source with options of a deployment and, before those, further ones (NAME=VALUE).
+std::shared_ptr<const opal::LogSource> log_source(const opal::PluginRegistry& registry, const std::string& source,
+                                                  const opal::Deployment& deployment,
+                                                  const std::vector<std::string>& words);
+
 /// Opens a recorded log with the source that recognizes it. @throws opal::LogError if none does; it tells which do read
 /// what.
 /// @param deployment  has options for log sources.

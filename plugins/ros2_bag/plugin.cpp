@@ -7,9 +7,7 @@ namespace {
 void register_types(opal::Registrar& registrar) {
   registrar.add({"opal:Ros2Bag", /*consumes*/ {}, /*produces*/ {}},
                 [](const nlohmann::json& options) -> std::unique_ptr<opal::LogSource> {
-                  return std::make_unique<opal::ros2_bag::Ros2Bag>(
-                      opal::ros2_bag::TopicChoice{options.at("scan_topic"), options.at("odometry_topic"),
-                                                  options.at("odom_frame"), options.at("base_frame")});
+                  return std::make_unique<opal::ros2_bag::Ros2Bag>(opal::recording::topic_choice(options));
                 });
 }
 

@@ -86,7 +86,7 @@ int calibrate(const CalibrateOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = opal::read_deployment(options.config);
   opal::LaserModel laser = options.info.empty() ? deployment.laser : opal::read_site_laser(options.info);
-  const std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, options.log));
+  const std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, options.log, deployment));
   laser = opal::laser_of_log(records, laser, options.log,
                              options.info.empty() ? options.config + ": /sensor" : options.info);
   const auto motions = motions_of(records, laser, matcher_of(registry, deployment));

@@ -9,7 +9,7 @@
 
 void LogRunOptions::add_to(CLI::App& verb, const std::string& written) {
   verb.add_option("CONFIG", config, "deployment document, or the name of one that ships: default, malaga")->required();
-  verb.add_option("LOG", log, "recorded log (CARMEN text, .gz too; ROS 2 bag .db3)")->required();
+  verb.add_option("LOG", log, "recorded log (CARMEN text, .gz too; ROS 2 bag .db3, MCAP, ROS 1 bag)")->required();
   verb.add_option("-o,--out", out, "folder for " + written)->capture_default_str();
   verb.add_option("--map", map, "map document, or a source to import; overrides the deployment's");
   overlays.add_to(verb, ", beside those of the deployment");

@@ -13,6 +13,10 @@ void add_plugins_verb(CLI::App& app, int& exit_code);
 /// `opal demo`: a first run on data that ship with the program.
 void add_demo_verb(CLI::App& app, int& exit_code);
 
+/// `opal info LOG`: what is in a recorded log, and what of it a deployment needs. Exit code 1 if it has no laser that
+/// can be read.
+void add_info_verb(CLI::App& app, int& exit_code);
+
 /// `opal map import|check|push|pull|...`: bring a building in, see what it would run, share it. Exit code 1 if the map
 /// has warnings that keep it from being used.
 void add_map_verb(CLI::App& app, int& exit_code);

@@ -68,6 +68,18 @@ void check_recognition(Violations& violations, const Reader& reader, const std::
   });
 }
 
+/// What cannot be played may still be looked at.
+void check_useless_contents(Violations& violations, const LogSource& source, const std::string& name,
+                            const std::string& path) {
+  violations.expect_no_throw("telling the contents of " + name, [&] {
+    try {
+      if (!source.contents(path).lasers.empty()) violations.add("lasers", "finds a laser in " + name);
+    } catch (const LogError&) {
+      return;
+    }
+  });
+}
+
 /// A log may be empty or damaged throughout: refused as a whole, or read to its end.
 void check_useless_log(Violations& violations, const LogSource& source, const std::string& name,
                        const std::string& path) {
@@ -92,6 +104,7 @@ std::vector<std::string> log_source_violations(const LogSource& source, const Ty
   const UselessFiles files;
   for (const auto& [name, path] : files.named()) {
     check_recognition(violations, source, name, path);
+    check_useless_contents(violations, source, name, path);
     if (fs::is_regular_file(path))
       check_useless_log(violations, source, name, path);
     else

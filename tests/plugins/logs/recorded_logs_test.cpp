@@ -2,6 +2,7 @@
 #include <opal/sensing/replay.hpp>
 #include "evaluation/site.hpp"
 #include "plugins/carmen_log/carmen_log.hpp"
+#include "plugins/mcap_log/mcap_log.hpp"
 #include "plugins/ros2_bag/ros2_bag.hpp"
 
 #include <catch2/catch.hpp>
@@ -104,4 +105,21 @@ TEST_CASE("a genuine ROS 2 recording gives its scans, odometry and mount") {
     CHECK(sample.scan.invalid == 0);
     CHECK(sample.scan.points.size() + sample.scan.free_bearings_rad.size() == 720);
   }
+}
+
+TEST_CASE("a genuine MCAP recording gives its scans, odometry and mount") {
+  const std::string recording = kShared + "/ros2/gazebo_path.mcap";
+  if (!fs::exists(recording)) {
+    WARN("skipped: no recording in " + recording);
+    return;
+  }
+  const mcap_log::McapLog source({});
+  CHECK(source.recognizes(recording));
+  const auto reader = source.open(recording);
+  const std::vector<LogRecord> records = read_all(*reader);
+  CHECK(reader->defects().empty());
+  CHECK(reader->progress() == 1);
+  CHECK(scans_in(records) == 132);
+  CHECK(records.size() == 1 + 132 + 776);
+  CHECK(std::get<MountRecord>(records.front()).T_parent_child.x() == Approx(-0.032));
 }

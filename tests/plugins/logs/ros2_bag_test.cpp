@@ -26,7 +26,7 @@ struct WalkedBag {
   Counts defects;
 };
 
-WalkedBag walk_bag(const std::string& path, const ros2_bag::TopicChoice& topics = {}) {
+WalkedBag walk_bag(const std::string& path, const recording::TopicChoice& topics = {}) {
   const auto reader = Ros2Bag(topics).open(path);
   WalkedBag walked{read_all(*reader), {}};
   walked.defects = reader->defects();
@@ -191,15 +191,16 @@ TEST_CASE("of several topics the usual one is read, or the one that is asked for
     bag.message(bag.odometry("/fused"), 4, odometry_bytes(4, kHere));
   }
   CHECK_THROWS_WITH(walk_bag(path), path +
-                                        ": several topics of type nav_msgs/msg/Odometry (/fused, /wheels), expected an "
+                                        ": several topics of type nav_msgs/Odometry (/fused, /wheels), expected an "
                                         "option to choose one: odometry_topic=/fused");
   const WalkedBag usual = walk_bag(path, {"", "/wheels"});
   REQUIRE(usual.records.size() == 2);
   CHECK(std::get<RawScan>(usual.records[0]).stamp_s == 1);
   CHECK(std::get<OdometryRecord>(usual.records[1]).stamp_s == 3);
   CHECK(std::get<RawScan>(walk_bag(path, {"/rear/scan", "/fused"}).records[0]).stamp_s == 2);
-  CHECK_THROWS_WITH(walk_bag(path, {"/front", ""}),
-                    path + ": no topic /front of type sensor_msgs/msg/LaserScan in CDR, there is /rear/scan, /scan");
+  CHECK_THROWS_WITH(
+      walk_bag(path, {"/front", ""}),
+      path + ": no topic /front of type sensor_msgs/LaserScan that can be read, there is /rear/scan, /scan");
 }
 
 TEST_CASE("a recording in several files is read by time, as one") {
@@ -248,7 +249,7 @@ TEST_CASE("a recording without scans is refused") {
     BagWriter bag(path);
     bag.message(bag.odometry(), 1, odometry_bytes(1, kHere));
   }
-  CHECK_THROWS_WITH(walk_bag(path), path + ": no topic of type sensor_msgs/msg/LaserScan in CDR");
+  CHECK_THROWS_WITH(walk_bag(path), path + ": no topic of type sensor_msgs/LaserScan that can be read");
 }
 
 TEST_CASE("a file with a damaged part is read as far as it goes, one that was cut off is refused") {

@@ -21,7 +21,7 @@ struct ReadRecording {
   std::map<std::string, int> defects;
 };
 
-ReadRecording read_recording(const TemporaryFolder& folder, const ros2_bag::TopicChoice& choice = {}) {
+ReadRecording read_recording(const TemporaryFolder& folder, const recording::TopicChoice& choice = {}) {
   const auto reader = ros2_bag::Ros2Bag(choice).open(folder.path_of("a.db3"));
   ReadRecording recording{read_all(*reader), {}};
   recording.defects = reader->defects();

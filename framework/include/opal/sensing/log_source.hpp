@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/export.hpp>
+#include <opal/sensing/log_contents.hpp>
 #include <opal/sensing/scan.hpp>
 
 #include <map>
@@ -45,6 +46,12 @@ class OPAL_EXPORT LogSource {
   virtual bool recognizes(const std::string& path) const = 0;
   /// @throws LogError if the file cannot be opened or is no such log.
   virtual std::unique_ptr<LogReader> open(const std::string& path) const = 0;
+  /// What the log holds: all lasers and topics, not only what `open` reads. Unless a source knows more, what the
+  /// records tell. @throws LogError as `open` does.
+  virtual LogContents contents(const std::string& path) const;
 };
+
+/// What the records of a log tell of it, from where its reader stands to its end.
+OPAL_EXPORT LogContents contents_of(LogReader& reader);
 
 }  // namespace opal

@@ -1,0 +1,153 @@
+#include "cli/info/contents_text.hpp"
+
+#include <opal/common/sentence.hpp>
+
+#include <fmt/chrono.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace opal {
+namespace {
+
+constexpr double kDegreesPerRad = 180 / std::numbers::pi;
+// Later than 2001: such times are since 1970 and not since the start of a clock of the log's own.
+constexpr double kSurelySince1970S = 1e9;
+
+std::string begin_words(const LogContents& contents) {
+  if (contents.first_s < kSurelySince1970S) return sentence("from %.2f s", contents.first_s);
+  return fmt::format("from {:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(contents.first_s)));
+}
+
+/// Messages that come in bursts have no rate.
+std::string rate_words(const LogTopic& topic) {
+  constexpr double kBurst = 10;
+  const double mean_interval_s =
+      (topic.last_s - topic.first_s) / std::max(1.0, static_cast<double>(topic.messages - 1));
+  if (topic.interval_s <= 0) return sentence("%8s", "");
+  if (topic.gaps == 0 && mean_interval_s > kBurst * topic.interval_s) return sentence("%8s", "bursts");
+  return sentence("%5.1f Hz", 1 / topic.interval_s);
+}
+
+std::string topic_lines(const LogContents& contents) {
+  std::size_t width = 5;
+  for (const LogTopic& topic : contents.topics) width = std::max(width, topic.name.size());
+  const int w = static_cast<int>(width);
+  std::string text = sentence("\n%-*s  %9s  %8s  %8s  %8s  %s\n", w, "topic", "messages", "rate", "from", "to", "type");
+  for (const LogTopic& topic : contents.topics) {
+    text += sentence("%-*s  %9lld  ", w, topic.name.c_str(), static_cast<long long>(topic.messages));
+    text += rate_words(topic);
+    if (topic.messages > 0)
+      text += sentence("  %6.1f s  %6.1f s", topic.first_s - contents.first_s, topic.last_s - contents.first_s);
+    else
+      text += sentence("  %8s  %8s", "", "");
+    text += "  " + topic.type + "\n";
+  }
+  for (const LogTopic& topic : contents.topics)
+    if (topic.gaps > 0)
+      text += sentence("%s pauses %d times; the longest pause is %.1f s, from %.1f s on\n", topic.name.c_str(),
+                       topic.gaps, topic.longest_gap_s, topic.longest_gap_at_s - contents.first_s);
+  return text;
+}
+
+std::string beam_words(const LogLaser& laser) {
+  std::string text = sentence("  %d beams", laser.beams);
+  if (laser.angle_min_rad && laser.angle_increment_rad) {
+    const double span_rad = *laser.angle_increment_rad * (laser.beams - 1);
+    text += sentence(" over %.1f degrees, from %.2f degrees in steps of %.4f", std::abs(span_rad) * kDegreesPerRad,
+                     *laser.angle_min_rad * kDegreesPerRad, *laser.angle_increment_rad * kDegreesPerRad);
+    if (*laser.angle_increment_rad < 0) text += " (clockwise)";
+  } else {
+    text += "; the log does not state where they point";
+  }
+  if (laser.other_scans > 0) text += sentence("; %d scans have another number of beams", laser.other_scans);
+  return text + "\n";
+}
+
+std::string range_words(const LogLaser& laser) {
+  std::string text = laser.farthest_m > 0 ? sentence("  returns from %.2f to %.2f m", laser.nearest_m, laser.farthest_m)
+                                          : "  no returns";
+  if (laser.range_max_m > 0) text += sentence(" (stated: %.2f to %.2f m)", laser.range_min_m, laser.range_max_m);
+  text += sentence("; %.0f %% of readings are no return, %.0f %% are invalid", 100 * laser.no_return_share,
+                   100 * laser.invalid_share);
+  if (laser.no_return_m > 0) text += sentence("; a range of %.2f m stands for no return", laser.no_return_m);
+  return text + "\n";
+}
+
+std::string mount_words(const LogLaser& laser) {
+  if (!laser.mount) return "  the log does not state where it is mounted\n";
+  const LogMount& mount = *laser.mount;
+  const Pose2& pose = mount.T_base_laser;
+  std::string text =
+      sentence("  mounted on %s at x %.3f m, y %.3f m, heading %.2f degrees, height %.2f m", mount.parent.c_str(),
+               pose.x(), pose.y(), pose.heading_rad() * kDegreesPerRad, mount.height_m);
+  if (mount.upside_down) text += ", upside down";
+  if (mount.tilt_rad > 0.01) text += sentence(", tilted by %.1f degrees", mount.tilt_rad * kDegreesPerRad);
+  return text + (mount.from_moving_topic ? "; stated on /tf, where it does not move\n" : "\n");
+}
+
+/// Scans may be stamped at their end or ahead of time, so that they seem to come early.
+std::string delay_words(double recorded_after_s) {
+  constexpr double kSameClockS = 60;
+  if (recorded_after_s == 0) return "";
+  if (std::abs(recorded_after_s) > kSameClockS) return "; stamps and recording go by different clocks";
+  return sentence("; recorded %.0f ms %s its stamp", 1e3 * std::abs(recorded_after_s),
+                  recorded_after_s > 0 ? "after" : "before");
+}
+
+std::string time_words(const LogLaser& laser) {
+  std::string text = laser.sweep_s > 0 ? sentence("  a sweep takes %.3f s", laser.sweep_s)
+                                       : "  the log does not state how long a sweep takes";
+  return text + delay_words(laser.recorded_after_s) + "\n";
+}
+
+std::string laser_lines(const LogContents& contents) {
+  std::string text;
+  for (const LogLaser& laser : contents.lasers) {
+    text += "\nlaser " + laser.topic + (laser.frame.empty() ? "" : ", frame " + laser.frame) +
+            (laser.is_read ? ": is read\n" : ": is not read\n");
+    text += beam_words(laser) + range_words(laser) + mount_words(laser) + time_words(laser);
+  }
+  return contents.lasers.empty() ? "\nno laser\n" : text;
+}
+
+std::string odometry_lines(const LogContents& contents) {
+  std::string text;
+  for (const LogOdometry& odometry : contents.odometries) {
+    text +=
+        sentence("\nodometry %s, %s to %s: %s\n  %d poses, %.1f m driven, %.0f degrees turned", odometry.topic.c_str(),
+                 odometry.odom_frame.c_str(), odometry.base_frame.c_str(), odometry.is_read ? "is read" : "is not read",
+                 odometry.poses, odometry.driven_m, odometry.turned_rad * kDegreesPerRad);
+    text += delay_words(odometry.recorded_after_s) + "\n";
+  }
+  return contents.odometries.empty() ? "\nno odometry\n" : text;
+}
+
+std::string frame_lines(const LogContents& contents) {
+  std::string text;
+  for (const LogTransform& transform : contents.transforms)
+    text += sentence("  %s to %s (%s%s)\n", transform.parent.c_str(), transform.child.c_str(), transform.topic.c_str(),
+                     transform.moves ? (transform.is_static ? ", stated in several ways" : ", moves") : "");
+  return text.empty() ? "" : "\nframes\n" + text;
+}
+
+std::string defect_lines(const LogContents& contents) {
+  std::string text;
+  for (const auto& [cause, times] : contents.defects)
+    text += "  " + cause + (times > 1 ? sentence(": %d times", times) : "") + "\n";
+  return text.empty() ? "" : "\nto be aware of\n" + text;
+}
+
+}  // namespace
+
+std::string contents_text(const LogContents& contents) {
+  std::string text =
+      contents.format + ", " + sentence("%.1f s ", contents.last_s - contents.first_s) + begin_words(contents) + "\n";
+  if (contents.looked_at_s < contents.last_s)
+    text += sentence("lasers, odometry and frames are those of the first %.1f s\n",
+                     contents.looked_at_s - contents.first_s);
+  return text + topic_lines(contents) + laser_lines(contents) + odometry_lines(contents) + frame_lines(contents) +
+         defect_lines(contents);
+}
+
+}  // namespace opal

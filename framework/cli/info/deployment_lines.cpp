@@ -1,0 +1,71 @@
+#include "cli/info/deployment_lines.hpp"
+
+#include <cmath>
+
+namespace opal {
+namespace {
+
+/// Logs hold single precision: more digits would only look like knowledge.
+double rounded(double value) {
+  constexpr double kDigits = 1e6;
+  return std::round(value * kDigits) / kDigits;
+}
+
+const LogLaser* laser_that_is_read(const LogContents& contents) {
+  for (const LogLaser& laser : contents.lasers)
+    if (laser.is_read) return &laser;
+  return nullptr;
+}
+
+/// A description has beams that turn counter-clockwise; of others only the log can tell.
+void add_beams(nlohmann::ordered_json& sensor, const LogLaser& laser) {
+  if (!laser.angle_min_rad || !laser.angle_increment_rad) return;
+  const double sense = laser.mount && laser.mount->upside_down ? -1 : 1;
+  const double increment_rad = sense * *laser.angle_increment_rad;
+  if (increment_rad <= 0 || laser.beams == 0) return;
+  sensor["angle_min_rad"] = rounded(sense * *laser.angle_min_rad);
+  sensor["angle_increment_rad"] = std::round(increment_rad * 1e9) / 1e9;
+  sensor["beams"] = laser.beams;
+}
+
+/// A range that stands for "nothing" lies above the farthest one that counts.
+void add_ranges(nlohmann::ordered_json& sensor, const LogLaser& laser) {
+  constexpr double kMostRangeM = 999;
+  const bool is_stated = laser.range_max_m > laser.range_min_m && laser.range_max_m <= kMostRangeM;
+  if (is_stated && laser.range_min_m >= 0) sensor["range_min_m"] = rounded(laser.range_min_m);
+  if (laser.no_return_m > 0 && laser.farthest_m < laser.no_return_m) {
+    sensor["range_max_m"] = rounded(std::min(kMostRangeM, (laser.farthest_m + laser.no_return_m) / 2));
+    sensor["no_return_m"] = rounded(laser.no_return_m);
+  } else if (is_stated) {
+    sensor["range_max_m"] = rounded(laser.range_max_m);
+  }
+}
+
+void add_mount(nlohmann::ordered_json& sensor, const LogLaser& laser) {
+  if (!laser.mount) return;
+  const Pose2& T_base_laser = laser.mount->T_base_laser;
+  sensor["T_base_laser"] = {{"x_m", rounded(T_base_laser.x())},
+                            {"y_m", rounded(T_base_laser.y())},
+                            {"heading_rad", rounded(T_base_laser.heading_rad())}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json deployment_lines(const LogContents& contents, const std::string& source) {
+  nlohmann::ordered_json lines;
+  const LogLaser* laser = laser_that_is_read(contents);
+  if (laser == nullptr) return lines;
+  nlohmann::ordered_json sensor = nlohmann::ordered_json::object();
+  add_beams(sensor, *laser);
+  add_ranges(sensor, *laser);
+  add_mount(sensor, *laser);
+  if (laser->angle_min_rad) sensor["geometry_from_log"] = true;
+  if (!sensor.empty()) lines["sensor"] = sensor;
+  if (contents.options.empty()) return lines;
+  nlohmann::ordered_json options;
+  for (const auto& [name, value] : contents.options) options[name] = value;
+  lines["log_sources"] = nlohmann::ordered_json::array({{{"@type", source}, {"options", options}}});
+  return lines;
+}
+
+}  // namespace opal

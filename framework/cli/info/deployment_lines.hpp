@@ -1,0 +1,13 @@
+#pragma once
+
+#include <opal/sensing/log_contents.hpp>
+
+#include <nlohmann/json.hpp>
+
+namespace opal {
+
+/// What of a deployment a log tells: `sensor` and `log_sources`. Empty if the log has no laser that is read.
+/// @param source  the log source that recognizes the log: "opal:Ros2Bag"
+nlohmann::ordered_json deployment_lines(const LogContents& contents, const std::string& source);
+
+}  // namespace opal

@@ -1,0 +1,66 @@
+#include "cli/info/contents_text.hpp"
+#include "cli/info/deployment_lines.hpp"
+#include "cli/options/exit_code.hpp"
+#include "cli/options/verbs.hpp"
+#include "common/text_file.hpp"
+#include "session/session.hpp"
+#include "session/shipped_files.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <fstream>
+#include <iostream>
+
+namespace {
+
+struct InfoOptions {
+  std::string log, config = "default", out;
+  std::vector<std::string> words;
+  bool as_json = false;
+};
+
+/// A deployment to go on with: CONFIG with what the log tells of its laser.
+void write_deployment_of(const nlohmann::ordered_json& lines, const InfoOptions& options) {
+  const std::string config = config_file(options.config);
+  opal::read_deployment(config);  // what is wrong with it is told here
+  auto document = nlohmann::ordered_json::parse(std::ifstream(config));
+  document.erase("comment");
+  document.merge_patch(lines);
+  opal::write_text(options.out, document.dump(2) + '\n');
+  std::cerr << "written: " << options.out << '\n';
+}
+
+int info(const InfoOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const std::string source = log_source_of(registry, options.log);
+  const auto reader = log_source(registry, source, {}, options.words);
+  opal::LogContents contents = reader->contents(options.log);
+  if (contents.format.empty()) contents.format = "log read by " + source;
+  const nlohmann::ordered_json lines = opal::deployment_lines(contents, source);
+  if (!options.out.empty() && lines.empty())
+    throw opal::LogError(options.log + ": no laser that can be read, expected one for a deployment");
+  if (options.as_json) {
+    nlohmann::ordered_json json = opal::contents_json(contents);
+    json["deployment"] = lines;
+    std::cout << json.dump(2) << '\n';
+  } else {
+    std::cout << opal::contents_text(contents);
+    if (!lines.empty()) std::cout << "\nfor the deployment (-o FILE writes one)\n" << lines.dump(2) << '\n';
+  }
+  if (!options.out.empty()) write_deployment_of(lines, options);
+  return lines.empty() ? kNo : kDone;
+}
+
+}  // namespace
+
+void opal::add_info_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* verb = app.add_subcommand("info", "what is in a recorded log, and what of it a deployment needs");
+  verb->add_option("LOG", options->log, "recorded log, of any kind that a log source reads")->required();
+  verb->add_flag("--json", options->as_json, "for programs: JSON, in metres, radians and seconds");
+  verb->add_option("-o,--out", options->out, "deployment document to write: CONFIG with the laser of the log in it");
+  verb->add_option("--config", options->config, "deployment document that -o starts from")->capture_default_str();
+  verb->add_option("--log-set", options->words, "an option of the log's source, NAME=VALUE (scan_topic=/front)")
+      ->allow_extra_args(false);
+  verb->callback([options, &exit_code] { exit_code = info(*options); });
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <opal/recording/recording.hpp>
+#include <opal/sensing/log_source.hpp>
+
+#include <nlohmann/json.hpp>
+
+namespace opal::recording {
+
+/// What to read of a recording.
+struct TopicChoice {
+  std::string scan = {};            ///< topic; empty: the one of the usual name (/scan), or the first by name
+  std::string odometry = {};        ///< topic; empty: the only one of its type, or the one of the usual name (/odom)
+  std::string odom_frame = "odom";  ///< where no topic has odometry: the transforms from this frame are it,
+  std::string base_frame = {};      ///< to this one; empty: to the first that a transform leads to
+};
+
+/// The choice that the options of a plugin state: scan_topic, odometry_topic, odom_frame, base_frame.
+TopicChoice topic_choice(const nlohmann::json& options);
+
+/// One recording may have several files.
+using Parts = std::vector<std::unique_ptr<Recording>>;
+
+/// Logs with messages of ROS, in any container.
+class RosLogSource : public LogSource {
+ public:
+  /// @param topics  what to read
+  explicit RosLogSource(TopicChoice topics) : topics_(std::move(topics)) {}
+  /// Before anything else the reader tells where the laser is mounted, if the transforms say so.
+  std::unique_ptr<LogReader> open(const std::string& path) const final;
+  LogContents contents(const std::string& path) const final;
+
+ protected:
+  /// The files of a recording, in any order, at least one. @throws LogError
+  virtual Parts parts_of(const std::string& path) const = 0;
+  /// What messages call the container: "ROS 2 bag".
+  virtual std::string format() const = 0;
+
+ private:
+  TopicChoice topics_;
+};
+
+/// The files with this ending in a folder by name, or the path itself if it is no folder.
+/// @param ending  ".mcap"
+std::vector<std::string> files_of_recording(const std::string& path, const std::string& ending);
+
+}  // namespace opal::recording

@@ -1,0 +1,49 @@
+#include <opal/recording/ros_log.hpp>
+
+#include <opal/common/error.hpp>
+#include "recording/ros_contents.hpp"
+#include "recording/ros_log_reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace opal::recording {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files of one recording may have any names: their messages tell the order.
+Parts by_time(Parts parts) {
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& a, const auto& b) { return span_of(*a).begin_s < span_of(*b).begin_s; });
+  return parts;
+}
+
+}  // namespace
+
+TopicChoice topic_choice(const nlohmann::json& options) {
+  return {options.at("scan_topic"), options.at("odometry_topic"), options.at("odom_frame"), options.at("base_frame")};
+}
+
+std::unique_ptr<LogReader> RosLogSource::open(const std::string& path) const {
+  Parts parts = by_time(parts_of(path));
+  ChosenTopics chosen = choose_topics(path, parts, topics_);
+  return std::make_unique<RosLogReader>(std::move(parts), std::move(chosen));
+}
+
+LogContents RosLogSource::contents(const std::string& path) const {
+  LogContents contents = ros_contents(path, by_time(parts_of(path)), topics_);
+  contents.format = format();
+  return contents;
+}
+
+std::vector<std::string> files_of_recording(const std::string& path, const std::string& ending) {
+  if (!fs::is_directory(path)) return {path};
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path))
+    if (entry.path().extension() == ending) files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace opal::recording

@@ -1,0 +1,99 @@
+#include "recording/ros_topics.hpp"
+
+#include <opal/common/error.hpp>
+#include "common/phrases.hpp"
+
+#include <set>
+
+namespace opal::recording {
+namespace {
+
+std::set<std::string> names_where(const Parts& parts, const TopicTest& test) {
+  std::set<std::string> names;
+  for (const auto& part : parts)
+    for (const Topic& topic : part->topics())
+      if (test(topic)) names.insert(topic.name);
+  return names;
+}
+
+/// One kind of topic of which one is read.
+struct Kind {
+  std::string type, usual, option;
+  TopicTest test;
+};
+
+const Kind kScans{"sensor_msgs/LaserScan", "/scan", "scan_topic", has_scans};
+const Kind kOdometry{"nav_msgs/Odometry", "/odom", "odometry_topic", has_odometry};
+
+/// @return empty if there is no topic of this kind and none is asked for, or if there are several.
+std::string choose(const std::string& path, const std::set<std::string>& topics, const Kind& kind,
+                   const std::string& wanted) {
+  if (!wanted.empty() && !topics.contains(wanted))
+    throw LogError(path + ": no topic " + wanted + " of type " + kind.type + " that can be read, there is " +
+                   listed(topics, "none"));
+  if (!wanted.empty()) return wanted;
+  if (topics.contains(kind.usual)) return kind.usual;
+  return topics.size() == 1 ? *topics.begin() : "";
+}
+
+}  // namespace
+
+std::vector<std::size_t> topics_where(const Recording& part, const TopicTest& test) {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < part.topics().size(); ++i)
+    if (test(part.topics()[i])) indices.push_back(i);
+  return indices;
+}
+
+TopicTest is_named(const std::string& name) {
+  return [name](const Topic& topic) { return topic.name == name; };
+}
+
+ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted) {
+  const std::set<std::string> scans = names_where(parts, kScans.test);
+  const std::set<std::string> odometry = names_where(parts, kOdometry.test);
+  if (scans.empty() && wanted.scan.empty())
+    throw LogError(path + ": no topic of type " + kScans.type + " that can be read");
+  ChosenTopics chosen{wanted, ""};
+  chosen.topics.scan = choose(path, scans, kScans, wanted.scan);
+  if (chosen.topics.scan.empty()) chosen.topics.scan = *scans.begin();
+  if (wanted.scan.empty() && scans.size() > 1)
+    chosen.remark = "several lasers (" + listed(scans) + "): " + chosen.topics.scan +
+                    " is read, the option scan_topic may name another one";
+  chosen.topics.odometry = choose(path, odometry, kOdometry, wanted.odometry);
+  if (chosen.topics.odometry.empty() && odometry.size() > 1)
+    throw LogError(path + ": several topics of type " + kOdometry.type + " (" + listed(odometry) +
+                   "), expected an option to choose one: odometry_topic=" + *odometry.begin());
+  chosen.topics.odom_frame = without_slash(wanted.odom_frame);
+  chosen.topics.base_frame = without_slash(wanted.base_frame);
+  return chosen;
+}
+
+bool is_odometry(const Transform& transform, const TopicChoice& topics) {
+  return without_slash(transform.parent) == topics.odom_frame &&
+         (topics.base_frame.empty() || without_slash(transform.child) == topics.base_frame);
+}
+
+OdometryLink find_odometry_link(const Parts& parts, const TopicChoice& topics) {
+  std::set<std::string> others;
+  for (const auto& part : parts) {
+    const auto walk = part->walk(topics_where(*part, [](const Topic& topic) { return has_transforms(topic, false); }));
+    while (const auto message = walk->next())
+      for (const Transform& transform :
+           decode_transforms(message->data, part->topics()[message->topic].wire).value_or(std::vector<Transform>{})) {
+        if (is_odometry(transform, topics)) return {true, without_slash(transform.child), ""};
+        others.insert(without_slash(transform.parent) + " to " + without_slash(transform.child));
+      }
+  }
+  const std::string frames = topics.odom_frame + (topics.base_frame.empty() ? "" : " to " + topics.base_frame);
+  return {false, "",
+          "no odometry: no topic has it, and no transform from " + frames +
+              (others.empty() ? "" : "; the options odom_frame and base_frame may name one of " + listed(others))};
+}
+
+Span span_of(const Recording& part) {
+  const auto [first_ns, last_ns] = part.span_ns();
+  return {kSecondsPerNanosecond * static_cast<double>(first_ns), kSecondsPerNanosecond * static_cast<double>(last_ns)};
+}
+
+}  // namespace opal::recording

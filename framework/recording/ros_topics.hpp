@@ -1,0 +1,44 @@
+#pragma once
+
+#include <opal/recording/ros_log.hpp>
+#include <opal/recording/ros_messages.hpp>
+
+#include <functional>
+
+namespace opal::recording {
+
+using TopicTest = std::function<bool(const Topic&)>;
+
+/// Indices of those topics of one file.
+std::vector<std::size_t> topics_where(const Recording& part, const TopicTest& test);
+TopicTest is_named(const std::string& name);
+
+/// What is read of a recording.
+struct ChosenTopics {
+  TopicChoice topics;  ///< scan is not empty; odometry is if no topic has it
+  std::string remark;  ///< what a user should know of the choice; may be empty
+};
+
+/// @throws LogError if there is no scan, or no topic of a name that was asked for.
+ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted);
+
+/// What transforms are the odometry, where no topic has it.
+struct OdometryLink {
+  bool exists = false;
+  std::string base_frame;  ///< if it exists
+  std::string complaint;   ///< if it does not: with the links that options could name
+};
+
+/// Whether a transform leads from the frame of odometry to the robot.
+bool is_odometry(const Transform& transform, const TopicChoice& topics);
+OdometryLink find_odometry_link(const Parts& parts, const TopicChoice& topics);
+
+/// When the first and the last message of a file were recorded; 0 for an empty file.
+struct Span {
+  double begin_s = 0, end_s = 0;
+};
+Span span_of(const Recording& part);
+
+constexpr double kSecondsPerNanosecond = 1e-9;
+
+}  // namespace opal::recording
