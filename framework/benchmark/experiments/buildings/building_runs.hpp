@@ -2,7 +2,7 @@
 
 #include "benchmark/experiments/challenges/challenge_run.hpp"
 
-#include "simulation/building_suite.hpp"
+#include "simulation/drives/building_suite.hpp"
 
 #include <functional>
 #include <map>

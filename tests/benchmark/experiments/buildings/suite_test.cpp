@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "simulation/building_suite.hpp"
+#include "simulation/drives/building_suite.hpp"
 
 #include <opal/common/error.hpp>
 

@@ -1,4 +1,4 @@
-#include "simulation/building_suite.hpp"
+#include "simulation/drives/building_suite.hpp"
 
 #include <opal/common/error.hpp>
 
