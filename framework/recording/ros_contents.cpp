@@ -104,7 +104,7 @@ void MessageTally::take_scan(const Message& message, const Topic& topic, double 
   seen.laser.is_read = topic.name == chosen_.scan;
   seen.laser.range_min_m = decoded->range_min_m;
   seen.laser.range_max_m = decoded->range_max_m;
-  seen.laser.sweep_s = decoded->time_increment_s * (static_cast<double>(decoded->scan.ranges_m.size()) - 1);
+  seen.laser.sweep_s = decoded->scan.time_increment_s * (static_cast<double>(decoded->scan.ranges_m.size()) - 1);
   if (decoded->scan.stamp_s != 0) seen.delays_s.push_back(recorded_s - decoded->scan.stamp_s);
 }
 

@@ -67,7 +67,7 @@ std::optional<LaserScanMessage> decode_laser_scan(Bytes message, Wire wire) {
   scan.angle_min_rad = reader.number<float>();
   reader.skip_numbers(1, sizeof(float));  // angle_max: follows from the number of readings
   scan.angle_increment_rad = reader.number<float>();
-  laser.time_increment_s = reader.number<float>();
+  scan.time_increment_s = reader.number<float>();
   laser.scan_time_s = reader.number<float>();
   laser.range_min_m = reader.number<float>();
   laser.range_max_m = reader.number<float>();

@@ -54,6 +54,31 @@ TEST_CASE("the same seed gives the same files to the byte, another seed others")
   CHECK(content_of(a + ".log.gz") != content_of(c + ".log.gz"));
 }
 
+TEST_CASE("a sweep that takes time reads the walls beam after beam, and its stamp is that of the first beam") {
+  SimulationOptions options = clean();
+  options.laser.sweep_s = 0.1;
+  Random closed(1);
+  const RayCaster walls(building_solids(*room(), 0, closed));
+  Simulation simulation(room(), options, 3);
+  Random random(3);
+  simulation.place({simulation.floor().anywhere(random), 0});
+  for (int k = 0; k < 4; ++k) simulation.drive({Point(0, 0), 1.5}, 0.05);
+  const RawScan scan = simulation.scan();
+  CHECK(scan.stamp_s == Approx(0.1));
+  CHECK(simulation.T_map_base_at(scan.stamp_s).heading_rad() == Approx(0.15));
+  REQUIRE(scan.T_odom_base);
+  CHECK(scan.T_odom_base->heading_rad() == Approx(0.15));
+  const LaserModel& laser = options.laser;
+  for (int beam : {0, 135, 270, 405, 540}) {
+    CAPTURE(beam);
+    const double measured_s = scan.stamp_s + 0.1 * beam / (laser.beams - 1);
+    const Pose2 T_map_laser = simulation.T_map_base_at(measured_s) * laser.T_base_laser;
+    const Point along = T_map_laser.rotate(unit_vector(laser.angle_min_rad + beam * laser.angle_increment_rad));
+    CHECK(static_cast<double>(scan.ranges_m[static_cast<std::size_t>(beam)]) ==
+          Approx(walls.cast(T_map_laser.position(), along, laser.range_max_m).range_m).margin(1e-4));
+  }
+}
+
 TEST_CASE("without errors the laser reads the walls, and odometry is the way") {
   const Recording recording = recorded(clean(), 3);
   Random closed(1);

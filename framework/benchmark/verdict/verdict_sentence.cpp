@@ -105,12 +105,27 @@ std::string difference_to_tell(const MetricResult& result) {
   return "a difference of " + distance_text(result.metric, result.told);
 }
 
+bool excludes_no_difference(const MetricResult& result) {
+  const double none = result.metric.kind == Kind::cost ? 1 : 0;
+  return result.effect.interval.low > none || result.effect.interval.high < none;
+}
+
+/// Why there is no verdict though the interval excludes "no difference"; empty if it does not.
+std::string reason_of_doubt(const MetricResult& result, double level) {
+  if (!excludes_no_difference(result)) return "";
+  if (result.p > level)
+    return fmt::format("the interval is of the size alone; the test decides, and says p = {}; ", p_text(result.p));
+  return fmt::format("alone it would be one (p = {}), but corrected for all comparisons of this experiment p is {}; ",
+                     p_text(result.p), p_text(result.p_corrected));
+}
+
 std::string open_sentence(const MetricResult& result, double level) {
   if (result.pairs == 0) return "No verdict on " + name_in_words(result.metric) + ": no query has a value of both.";
   const std::string size =
       result.metric.kind == Kind::cost ? size_text(result) + " " + phrase_of(result.metric) : size_text(result);
   const std::string known = "No verdict yet on " + name_in_words(result.metric) +
-                            in_brackets(both_values(result) + ", " + size + ", " + interval_text(result, level)) + ": ";
+                            in_brackets(both_values(result) + ", " + size + ", " + interval_text(result, level)) +
+                            ": " + reason_of_doubt(result, level);
   if (std::isinf(result.more_queries))
     return known + "no number of queries that can be run would tell so small a difference.";
   return known + more_queries_text(result) + " would tell " + difference_to_tell(result) + ".";

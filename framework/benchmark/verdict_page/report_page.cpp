@@ -36,7 +36,7 @@ std::string verdict_html(const Verdict& verdict) {
                                        count_of(verdict.clusters, "site"));
   return element("div",
                  "\n" + text_element("div", arms, "quiet") + text_element("p", verdict.sentence) +
-                     (notes.empty() ? "" : element("ul", "\n" + notes, "notes")),
+                     html_of(summary_table(verdict)) + (notes.empty() ? "" : element("ul", "\n" + notes, "notes")),
                  told(verdict) ? "verdict told" : "verdict") +
          "\n";
 }
@@ -61,11 +61,23 @@ std::string pairs_html(const PairedSample& sample, const MetricResult& result, c
 std::string metric_html(const ReportPage& page, const MetricResult& result, const Verdict& verdict,
                         const LinkedRuns& links) {
   const std::string title = text_element("h3", name_in_words(result.metric));
-  if (result.pairs == 0) return element("section", title + text_element("p", "No query has a value of both."));
   const PairedSample sample = pair_rows(page.table, result.metric, verdict.baseline, verdict.arm);
   return element("section", title + forest_html(result, verdict.arm, verdict.baseline) +
                                 pairs_html(sample, result, verdict, links)) +
          "\n";
+}
+
+/// Metrics in which no pair differs have no picture.
+std::string alike_html(const Verdict& verdict) {
+  std::string html;
+  for (const MetricResult& result : verdict.metrics)
+    if (!differs(result))
+      html += text_element(
+          "li", result.pairs == 0
+                    ? name_in_words(result.metric) + ": no query has a value of both"
+                    : fmt::format("{}: {} in both arms, in all {}", name_in_words(result.metric),
+                                  value_text(result.metric, result.effect.b), count_of(result.pairs, "pair")));
+  return html.empty() ? "" : element("section", text_element("h3", "No pair differs") + element("ul", html)) + "\n";
 }
 
 std::string key_html() {
@@ -87,8 +99,9 @@ std::string comparison_html(const ReportPage& page, const Verdict& verdict, cons
   const std::string name = verdict.arm + " beside " + verdict.baseline;
   const Table numbers = numbers_table(verdict);
   std::string html = text_element("h2", name) + key_html();
-  for (const MetricResult& result : verdict.metrics) html += metric_html(page, result, verdict, links);
-  return html +
+  for (const MetricResult& result : verdict.metrics)
+    if (differs(result)) html += metric_html(page, result, verdict, links);
+  return html + alike_html(verdict) +
          element(
              "section",
              text_element("h3", "All numbers") + html_of(numbers) + download(name + ".csv", csv_of(numbers)) +

@@ -86,6 +86,26 @@ std::string value_of(const Metric& metric, double value) {
 
 }  // namespace
 
+bool differs(const MetricResult& result) { return result.better + result.worse > 0; }
+
+Table summary_table(const Verdict& verdict) {
+  std::vector<const MetricResult*> results;
+  for (const MetricResult& result : verdict.metrics) results.push_back(&result);
+  std::stable_partition(results.begin(), results.end(), [](const MetricResult* result) { return differs(*result); });
+  Table table{{{"metric", "", false},
+               {verdict.baseline},
+               {verdict.arm},
+               {"difference"},
+               {"", "", false},
+               {"outcome", "", false}},
+              {}};
+  for (const MetricResult* result : results)
+    table.rows.push_back({name_in_words(result->metric), value_text(result->metric, result->effect.a),
+                          value_text(result->metric, result->effect.b), differs(*result) ? size_text(*result) : "none",
+                          differs(*result) ? interval_text(*result, verdict.level) : "", word_of(result->outcome)});
+  return table;
+}
+
 Table numbers_table(const Verdict& verdict) {
   Table table{{{"", "", false}}, {}};
   for (const MetricResult& result : verdict.metrics) table.columns.push_back({name_in_words(result.metric)});

@@ -5,6 +5,12 @@
 
 namespace opal::statistics {
 
+/// One row per metric: what both arms reach, how far they are apart, and the outcome. What differs comes first.
+Table summary_table(const Verdict& verdict);
+
+/// Whether some pair differs: else the metric says nothing beside its values.
+bool differs(const MetricResult& result);
+
 /// Every number behind a verdict, one column per metric.
 Table numbers_table(const Verdict& verdict);
 

@@ -48,6 +48,20 @@ TEST_CASE("the page has the sentence, the links, the failures and what it takes 
         5);  // a forest for each metric, a scatter for the distance and the cost
 }
 
+TEST_CASE("a summary comes first, and what differs before what does not") {
+  ReportPage page = page_of({kRecordedSites});
+  for (ResultRow& row : page.table) row.values.at(page.verdicts[0].metrics[0].metric.name) = 1;
+  for (ResultRow& row : page.table) row.failure.clear();
+  page.verdicts = compare(page.table, simulated_comparison());
+  const MetricResult& alike = page.verdicts[0].metrics[0];
+  const std::string html = to_html(page);
+  const auto table = html.find("<table"), plot = html.find("<div class=\"plot\"");
+  REQUIRE(table != std::string::npos);
+  CHECK(table < plot);
+  CHECK_THAT(html, Contains("No pair differs"));
+  CHECK_THAT(html, Contains("in both arms, in all " + std::to_string(alike.pairs) + " pairs"));
+}
+
 TEST_CASE("nothing in results becomes markup, and nothing is fetched") {
   ReportPage page = page_of({kRecordedSites});
   for (ResultRow& row : page.table) row.cluster = "<script>alert('" + row.cluster + "')</script>\"onload=";

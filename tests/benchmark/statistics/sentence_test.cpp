@@ -1,4 +1,5 @@
 #include "benchmark/verdict/comparison.hpp"
+#include "benchmark/verdict/verdict_sentence.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -134,4 +135,18 @@ TEST_CASE("crashes are named and count as worse") {
   const Verdict verdict = verdict_on(table);
   CHECK(verdict.metrics[0].outcome == Outcome::worse);
   CHECK_THAT(verdict.notes[0], Contains("B did not run to the end in 21 of 140 runs"));
+}
+
+TEST_CASE("where an interval excludes no difference and there is no verdict, the sentence says why") {
+  Verdict verdict = verdict_on(results(seven({3, 0, 2, 1, 2, 0, 2}, {1, 1, 0, 1, 0, 1, 0}), 0, 1));
+  MetricResult& success = verdict.metrics[0];
+  success.effect.interval = {0.01, 0.08};
+  success.p = 0.02;
+  success.p_corrected = 0.06;
+  CHECK_THAT(sentence_of(verdict), Contains("alone it would be one (p = 0.02"));
+  CHECK_THAT(sentence_of(verdict), Contains("corrected for all comparisons of this experiment p is 0.06"));
+  success.p = success.p_corrected = 0.06;
+  CHECK_THAT(sentence_of(verdict), Contains("the test decides, and says p = 0.06"));
+  success.effect.interval = {-0.01, 0.08};
+  CHECK_THAT(sentence_of(verdict), !Contains("the test decides") && !Contains("alone it would"));
 }

@@ -12,10 +12,9 @@ struct LaserScanMessage {
   /// With its own geometry. Readings below range_min are NaN and those above range_max infinite (ROS enhancement
   /// proposal 117). A stamp of 0 is one that was never set: it is left to the caller.
   RawScan scan;
-  double range_min_m = 0;       ///< as stated
-  double range_max_m = 0;       ///< as stated
-  double time_increment_s = 0;  ///< from one beam to the next; 0: not stated
-  double scan_time_s = 0;       ///< from one scan to the next; 0: not stated
+  double range_min_m = 0;  ///< as stated
+  double range_max_m = 0;  ///< as stated
+  double scan_time_s = 0;  ///< from one scan to the next; 0: not stated
 };
 /// nav_msgs/Odometry, as far as it is used.
 struct OdometryMessage {
