@@ -48,6 +48,7 @@ class RecordedDrive {
     if (follower_.arrived())
       if (auto way = simulation_.floor().way(before.position(), goal_())) follower_.follow(std::move(*way));
     if (simulation_.drive(follower_.steer(before), kStep_s)) give_way();
+    if (recording_.laser.sweep_s) recording_.odometry.push_back({simulation_.now_s(), simulation_.T_odom_base()});
     driven_m_ += distance_m(before, simulation_.T_map_base());
   }
 

@@ -3,6 +3,7 @@
 #include "simulation/drives/path_follower.hpp"
 #include "simulation/simulation.hpp"
 
+#include <opal/sensing/log_source.hpp>
 #include "evaluation/site.hpp"
 #include "sensing/trajectory.hpp"
 
@@ -31,9 +32,10 @@ struct RecordedScan {
 struct Recording {
   LaserModel laser;
   std::vector<RecordedScan> scans;
-  std::vector<Query> queries;       ///< one per drive
-  std::vector<double> distances_m;  ///< by query
-  int stops = 0;                    ///< how often the robot waited for somebody
+  std::vector<OdometryRecord> odometry;  ///< of a laser whose sweeps take time: more than one in a sweep; else empty
+  std::vector<Query> queries;            ///< one per drive
+  std::vector<double> distances_m;       ///< by query
+  int stops = 0;                         ///< how often the robot waited for somebody
 };
 
 /// Id of a recording's query, from 1 on: "q01".

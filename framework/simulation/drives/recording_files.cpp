@@ -6,6 +6,7 @@
 #include "map/map_file.hpp"
 #include "map_tools/map_raster.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 #include <zlib.h>
 #include <cerrno>
@@ -16,19 +17,36 @@
 namespace opal::simulation {
 namespace {
 
-std::string line_of_scan(const RecordedScan& recorded) {
-  const Pose2 pose = recorded.scan.T_odom_base.value_or(Pose2());
-  char text[200];
-  std::snprintf(text, sizeof text, "%.6f %.6f %.6f", pose.x(), pose.y(), pose.heading_rad());
-  const std::string odometry = text;
-  std::snprintf(text, sizeof text, "%.4f nohost %.4f\n", recorded.scan.stamp_s, recorded.scan.stamp_s);
-  const std::string when = text;
-  std::string line = "ODOM " + odometry + " 0 0 0 " + when + "FLASER " + std::to_string(recorded.scan.ranges_m.size());
-  for (float range : recorded.scan.ranges_m) {
-    std::snprintf(text, sizeof text, " %.3f", static_cast<double>(range));
-    line += text;
+std::string pose_text(const Pose2& pose) {
+  return fmt::format("{:.6f} {:.6f} {:.6f}", pose.x(), pose.y(), pose.heading_rad());
+}
+
+std::string when_text(double stamp_s) { return fmt::format("{0:.4f} nohost {0:.4f}\n", stamp_s); }
+
+std::string line_of_odometry(double stamp_s, const Pose2& T_odom_base) {
+  return "ODOM " + pose_text(T_odom_base) + " 0 0 0 " + when_text(stamp_s);
+}
+
+std::string line_of_scan(const RawScan& scan) {
+  const std::string odometry = pose_text(scan.T_odom_base.value_or(Pose2()));
+  std::string line = "FLASER " + std::to_string(scan.ranges_m.size());
+  for (float range : scan.ranges_m) line += fmt::format(" {:.3f}", static_cast<double>(range));
+  return line + " " + odometry + " " + odometry + " " + when_text(scan.stamp_s);
+}
+
+/// The lines of a log in the order in which a robot would write them: a scan after its last beam.
+std::vector<std::string> lines_of(const Recording& recording) {
+  std::vector<std::string> lines;
+  const double sweep_s = recording.laser.sweep_s.value_or(0);
+  auto odometry = recording.odometry.begin();
+  for (const RecordedScan& recorded : recording.scans) {
+    const RawScan& scan = recorded.scan;
+    for (; odometry != recording.odometry.end() && odometry->stamp_s <= scan.stamp_s + sweep_s; ++odometry)
+      lines.push_back(line_of_odometry(odometry->stamp_s, odometry->T_odom_base));
+    if (recording.odometry.empty()) lines.push_back(line_of_odometry(scan.stamp_s, scan.T_odom_base.value_or(Pose2())));
+    lines.push_back(line_of_scan(scan));
   }
-  return line + " " + odometry + " " + odometry + " " + when;
+  return lines;
 }
 
 void write_log(const Recording& recording, const std::string& path) {
@@ -36,9 +54,8 @@ void write_log(const Recording& recording, const std::string& path) {
   errno = 0;
   const gzFile file = gzdopen(dup(whole.descriptor()), "wb6");
   bool good = file != nullptr;
-  for (const RecordedScan& recorded : recording.scans) {
+  for (const std::string& line : lines_of(recording)) {
     if (!good) break;
-    const std::string line = line_of_scan(recorded);
     good = gzwrite(file, line.data(), static_cast<unsigned>(line.size())) == static_cast<int>(line.size());
   }
   if (file != nullptr && gzclose(file) != Z_OK) good = false;

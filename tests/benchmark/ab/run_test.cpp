@@ -154,6 +154,29 @@ TEST_CASE("arms that observe judge the same hypotheses, and change nothing") {
   CHECK(contests > 0);
 }
 
+TEST_CASE("a scorer with a memory that observes judges as if it decided: each has a memory of its own") {
+  const TemporaryFolder folder;
+  json document = small_experiment();
+  document["mode"] = "observe";
+  const json arm = {{"name", "beams"}, {"overrides", {{"scorers", {{{"@type", "opal:Beams"}}}}}}};
+  json again = arm;
+  again["name"] = "beams_again";
+  document["arms"] = {arm, again};
+  document["baseline"] = "beams";
+  computed(written(folder, document), folder.path_of("out"));
+  std::map<std::string, std::map<std::string, json>> by_query;
+  for (const json& line : lines_of(folder.path_of("out/results.jsonl"))) by_query[line["query"]][line["arm"]] = line;
+  REQUIRE(by_query.size() == 5);
+  double contests = 0;
+  for (const auto& [query, arms] : by_query) {
+    CAPTURE(query);
+    CHECK(arms.at("beams_again")["values"] == arms.at("beams")["values"]);
+    CHECK(arms.at("beams_again")["input"] == arms.at("beams")["input"]);
+    contests += arms.at("beams")["values"].value("contests", 0.0);
+  }
+  CHECK(contests > 0);
+}
+
 TEST_CASE("an experiment may be looked at before its end as often as it says") {
   const TemporaryFolder folder;
   json document = small_experiment();

@@ -23,7 +23,7 @@ def old_plugin(bench):
 MISTAKES = [
     Mistake("no command", "No command is given.", "", 2, ["A subcommand is required", "--help"]),
     Mistake("unknown command", "The command does not exist.", "locate", 2,
-            ["'locate': no command of opal, expected one of: demo, map, localize"]),
+            ["'locate': no command of opal, expected one of: demo, map, info, localize"]),
     Mistake("nothing to read", "`opal localize` without its configuration and log.", "localize", 2,
             ["CONFIG is required"]),
     Mistake("unknown option", "An option is misspelled.", LOCALIZE + " --quieries x.json", 2,
