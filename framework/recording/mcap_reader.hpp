@@ -57,6 +57,7 @@ class McapRecording final : public ChunkedRecording {
   std::optional<std::uint32_t> indexed_chunk_;    // whose index is being read
   std::optional<std::uint32_t> loose_chunk_;      // of messages outside of chunks
   std::optional<std::uint64_t> stated_messages_;  // by the summary
+  bool is_closed_ = false;                        // it ends with a footer
   bool ended_ = false;                            // by a DataEnd or a footer
 };
 

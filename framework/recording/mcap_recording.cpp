@@ -72,8 +72,8 @@ void McapRecording::walk_records() {
     position = next;
   }
   if (indexed_chunk_ && !ended_ && chunk_starts_.empty()) forget_index(*indexed_chunk_);  // the index may be cut
-  if (!ended_ && data_end_ == file().size())
-    count("the file ends at " + byte_text(position) + " without a footer: it was cut, or its recorder was killed");
+  if (!is_closed_)
+    count("the file ends at " + byte_text(file().size()) + " without a footer: it was cut, or its recorder was killed");
 }
 
 /// @return false at the end of the file.

@@ -15,6 +15,7 @@ void McapRecording::read_footer() {
   const bool is_footer = footer.number<std::uint8_t>() == static_cast<std::uint8_t>(McapOp::footer) &&
                          footer.number<std::uint64_t>() == kMcapFooterBytes;
   if (!is_footer || !begins_as_mcap(Bytes(tail).last(kMcapMagic.size()))) return;
+  is_closed_ = true;
   const auto summary_start = footer.number<std::uint64_t>();
   footer.number<std::uint64_t>();  // where its own index is
   const auto crc = footer.number<std::uint32_t>();

@@ -6,12 +6,12 @@ namespace {
 /// Gathers what a log's records say, of one laser and one odometry.
 class RecordTally {
  public:
-  void take(const OdometryRecord& odometry) { take_odometry(odometry.stamp_s, odometry.T_odom_base); }
+  void take(const OdometryRecord& odometry) { own_.add(odometry.stamp_s, odometry.T_odom_base); }
   void take(const MountRecord& mount) { mounts_.push_back(mount); }
   void take(const RawScan& scan) {
     scan_stamps_.add(scan.stamp_s);
     laser_.add(scan);
-    if (scan.T_odom_base) take_odometry(scan.stamp_s, *scan.T_odom_base);
+    if (scan.T_odom_base) with_scans_.add(scan.stamp_s, *scan.T_odom_base);
   }
 
   LogContents contents() const {
@@ -23,19 +23,28 @@ class RecordTally {
     for (const MountRecord& mount : mounts_)
       if (mount.child == laser.frame) laser.mount = LogMount{mount.parent, mount.T_parent_child};
     LogOdometry odometry{"odometry", "odom", "base_link", 0, 0, 0, 0, true};
-    odometry_.tell(odometry);
+    // Many logs hold each pose twice: by itself, and with the scan.
+    const Odometry& poses = own_.is_empty ? with_scans_ : own_;
+    poses.tally.tell(odometry);
     if (laser.scans > 0) all.lasers.push_back(laser);
     if (odometry.poses > 0) all.odometries.push_back(odometry);
-    add_topic(all, "odometry", "odometry", odometry_stamps_);
+    add_topic(all, "odometry", "odometry", poses.stamps);
     add_topic(all, "scans", "laser scan", scan_stamps_);
     return all;
   }
 
  private:
-  void take_odometry(double stamp_s, const Pose2& T_odom_base) {
-    odometry_stamps_.add(stamp_s);
-    odometry_.add(T_odom_base);
-  }
+  struct Odometry {
+    StampTally stamps;
+    OdometryTally tally;
+    bool is_empty = true;
+    void add(double stamp_s, const Pose2& T_odom_base) {
+      stamps.add(stamp_s);
+      tally.add(T_odom_base);
+      is_empty = false;
+    }
+  };
+
   static void add_topic(LogContents& all, const char* name, const char* type, const StampTally& stamps) {
     LogTopic topic;
     topic.name = name;
@@ -48,9 +57,9 @@ class RecordTally {
     all.topics.push_back(topic);
   }
 
-  StampTally scan_stamps_, odometry_stamps_;
+  StampTally scan_stamps_;
   LaserTally laser_;
-  OdometryTally odometry_;
+  Odometry own_, with_scans_;
   std::vector<MountRecord> mounts_;
 };
 

@@ -70,7 +70,7 @@ TEST_CASE("wherever an MCAP file is cut, its whole messages are read and the cut
     REQUIRE(cut.messages.size() <= all.size());
     REQUIRE(std::equal(cut.messages.begin(), cut.messages.end(), all.begin()));
     REQUIRE(cut.messages.size() >= most);  // more of the file never gives fewer messages
-    REQUIRE_FALSE((cut.defects.empty() && cut.messages.size() < all.size()));
+    REQUIRE_FALSE(cut.defects.empty());
     most = cut.messages.size();
   }
   CHECK(most == all.size());

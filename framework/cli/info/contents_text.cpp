@@ -58,7 +58,7 @@ std::string beam_words(const LogLaser& laser) {
                      *laser.angle_min_rad * kDegreesPerRad, *laser.angle_increment_rad * kDegreesPerRad);
     if (*laser.angle_increment_rad < 0) text += " (clockwise)";
   } else {
-    text += "; the log does not state where they point";
+    text += "; the log does not state where they point: the deployment has to";
   }
   if (laser.other_scans > 0) text += sentence("; %d scans have another number of beams", laser.other_scans);
   return text + "\n";

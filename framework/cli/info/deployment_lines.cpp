@@ -6,10 +6,14 @@ namespace opal {
 namespace {
 
 /// Logs hold single precision: more digits would only look like knowledge.
-double rounded(double value) {
-  constexpr double kDigits = 1e6;
-  return std::round(value * kDigits) / kDigits;
+double rounded(double value, double unit) {
+  const double per_unit = std::round(1 / unit);  // a division by a whole number gives the shortest text
+  return std::round(value * per_unit) / per_unit + 0.0;
 }
+
+constexpr double kMillimetre = 1e-3;
+constexpr double kMicroradian = 1e-6;
+constexpr double kNanoradian = 1e-9;  // of an increment, which a thousand beams add up
 
 const LogLaser* laser_that_is_read(const LogContents& contents) {
   for (const LogLaser& laser : contents.lasers)
@@ -23,8 +27,8 @@ void add_beams(nlohmann::ordered_json& sensor, const LogLaser& laser) {
   const double sense = laser.mount && laser.mount->upside_down ? -1 : 1;
   const double increment_rad = sense * *laser.angle_increment_rad;
   if (increment_rad <= 0 || laser.beams == 0) return;
-  sensor["angle_min_rad"] = rounded(sense * *laser.angle_min_rad);
-  sensor["angle_increment_rad"] = std::round(increment_rad * 1e9) / 1e9;
+  sensor["angle_min_rad"] = rounded(sense * *laser.angle_min_rad, kMicroradian);
+  sensor["angle_increment_rad"] = rounded(increment_rad, kNanoradian);
   sensor["beams"] = laser.beams;
 }
 
@@ -32,21 +36,21 @@ void add_beams(nlohmann::ordered_json& sensor, const LogLaser& laser) {
 void add_ranges(nlohmann::ordered_json& sensor, const LogLaser& laser) {
   constexpr double kMostRangeM = 999;
   const bool is_stated = laser.range_max_m > laser.range_min_m && laser.range_max_m <= kMostRangeM;
-  if (is_stated && laser.range_min_m >= 0) sensor["range_min_m"] = rounded(laser.range_min_m);
+  if (is_stated && laser.range_min_m >= 0) sensor["range_min_m"] = rounded(laser.range_min_m, kMillimetre);
   if (laser.no_return_m > 0 && laser.farthest_m < laser.no_return_m) {
-    sensor["range_max_m"] = rounded(std::min(kMostRangeM, (laser.farthest_m + laser.no_return_m) / 2));
-    sensor["no_return_m"] = rounded(laser.no_return_m);
+    sensor["range_max_m"] = rounded(std::min(kMostRangeM, (laser.farthest_m + laser.no_return_m) / 2), kMillimetre);
+    sensor["no_return_m"] = rounded(laser.no_return_m, kMillimetre);
   } else if (is_stated) {
-    sensor["range_max_m"] = rounded(laser.range_max_m);
+    sensor["range_max_m"] = rounded(laser.range_max_m, kMillimetre);
   }
 }
 
 void add_mount(nlohmann::ordered_json& sensor, const LogLaser& laser) {
   if (!laser.mount) return;
   const Pose2& T_base_laser = laser.mount->T_base_laser;
-  sensor["T_base_laser"] = {{"x_m", rounded(T_base_laser.x())},
-                            {"y_m", rounded(T_base_laser.y())},
-                            {"heading_rad", rounded(T_base_laser.heading_rad())}};
+  sensor["T_base_laser"] = {{"x_m", rounded(T_base_laser.x(), kMillimetre)},
+                            {"y_m", rounded(T_base_laser.y(), kMillimetre)},
+                            {"heading_rad", rounded(T_base_laser.heading_rad(), kMicroradian)}};
 }
 
 }  // namespace

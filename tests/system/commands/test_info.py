@@ -9,7 +9,7 @@ class Info(Commands):
     def test_a_log_is_told_in_words_and_for_programs(self):
         text = self.opal("info", LOG)
         self.assertRegex(text, r"(?m)^scans +37 ")
-        self.assertIn("laser scans, frame FLASER: is read\n  361 beams; the log does not state where they point\n", text)
+        self.assertIn("laser scans, frame FLASER: is read\n  361 beams; the log does not state where they point: the deployment has to\n", text)
         contents = json.loads(self.opal("info", LOG, "--json"))
         self.assertEqual(contents["lasers"][0]["beams"], 361)
         self.assertEqual({topic["name"]: topic["messages"] for topic in contents["topics"]}["scans"], 37)
