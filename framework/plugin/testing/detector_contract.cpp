@@ -1,5 +1,6 @@
 #include <opal/plugin/testing/detector_contract.hpp>
 
+#include <opal/common/sentence.hpp>
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/violations.hpp"
 
@@ -11,6 +12,9 @@
 
 namespace opal::testing {
 namespace {
+
+constexpr const char* kTurnCause =
+    "the result depends on where the sweep begins, or this feature stands at a threshold of the options";
 
 using Features = std::vector<Feature>;
 
@@ -110,7 +114,8 @@ class Detection {
     const Features features = detect(name, scan);
     check_features(name, features);
     if (!same(features, detect(name, scan)))
-      violations_.add("repeat", "finds different features when it sees " + name + " again");
+      violations_.add("repeat", "finds different features when it sees " + name + " again",
+                      "a member that detect() changes, a random number, or a value that was never set");
     check_threads(name, scan, features);
     for (const double turn_rad : {-0.7, -0.1, 0.013, 0.4}) check_turned(name, scan, features, turn_rad);
     return features.size();
@@ -140,7 +145,8 @@ class Detection {
       auto other = std::async(std::launch::async, ask);
       const bool here = ask();
       if (!other.get() || !here)
-        violations_.add("threads", "finds different features in " + name + " when two threads ask at once");
+        violations_.add("threads", "finds different features in " + name + " when two threads ask at once",
+                        "a static or mutable variable that both threads write");
     });
   }
 
@@ -148,8 +154,10 @@ class Detection {
     const std::string occasion = name + ", turned by " + std::to_string(turn_rad) + " rad";
     const Features found = detect(occasion, turned(scan, turn_rad));
     if (found.size() != features.size()) {
-      violations_.add("turn", "finds " + std::to_string(features.size()) + " features in " + name + ", but " +
-                                  std::to_string(found.size()) + " in " + occasion);
+      violations_.add("turn",
+                      "finds " + std::to_string(features.size()) + " features in " + name + ", but " +
+                          std::to_string(found.size()) + " in " + occasion,
+                      kTurnCause);
       return;
     }
     for (const Feature& feature : features) {
@@ -157,7 +165,10 @@ class Detection {
       const auto is_this = [&](const Feature& candidate) { return alike(expected, candidate); };
       if (std::none_of(found.begin(), found.end(), is_this))
         violations_.add("turn",
-                        "finds " + described(feature.geometry) + " in " + name + ", but not its like in " + occasion);
+                        "finds " + described(feature.geometry) + " in " + name + ", but not its like in " + occasion +
+                            sentence(" (within %g m, %g rad and 1 %% of the covariance)", trial_.position_tolerance_m,
+                                     trial_.angle_tolerance_rad),
+                        kTurnCause);
     }
   }
 

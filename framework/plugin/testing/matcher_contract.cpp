@@ -82,8 +82,11 @@ class Laying {
     const double error_m = distance_m(result.T_reference_scan, T_reference_scan);
     const double error_rad = angle_between_rad(result.T_reference_scan, T_reference_scan);
     if (error_m > 0.03 || error_rad > 0.015)  // the guess is 0.05 m and 0.03 rad off
-      violations_.add("error", "says that it has converged on a scan of a room, but is " + std::to_string(error_m) +
-                                   " m and " + std::to_string(error_rad) + " rad off");
+      violations_.add(
+          "error",
+          "says that it has converged on a scan of a room, but is " + std::to_string(error_m) + " m and " +
+              std::to_string(error_rad) + " rad off, expected at most 0.03 m and 0.015 rad",
+          "the guess is returned as it is, or the pose of the reference in the scan instead of the reverse");
     return true;
   }
 
@@ -93,7 +96,8 @@ class Laying {
       auto other = std::async(std::launch::async, agrees);
       const bool here = agrees();
       if (!other.get() || !here)
-        violations_.add("repeat", "gives another answer when it is asked again, or from another thread");
+        violations_.add("repeat", "gives another answer when it is asked again, or from another thread",
+                        "a static or mutable variable, or a random number without a fixed seed");
     });
   }
 

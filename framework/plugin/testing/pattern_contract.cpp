@@ -1,5 +1,6 @@
 #include <opal/plugin/testing/pattern_contract.hpp>
 
+#include <opal/common/sentence.hpp>
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/violations.hpp"
 
@@ -187,8 +188,11 @@ class Matching {
     for (std::size_t k = 0; k < instance->invariants.size(); ++k) {
       const double before = instance->invariants[k].value, after = image->invariants[k].value;
       if (std::abs(before - after) > trial_.tolerance * (1 + std::abs(before)))
-        violations_.add("invariant", "has an invariant " + std::to_string(k) + " that a rigid motion changes from " +
-                                         std::to_string(before) + " to " + std::to_string(after) + ", for " + of);
+        violations_.add("invariant",
+                        "has an invariant " + std::to_string(k) + " that a rigid motion changes from " +
+                            std::to_string(before) + " to " + std::to_string(after) + ", for " + of +
+                            sentence(" (allowed: %g of its size)", trial_.tolerance),
+                        "it is made of coordinates, not of distances and angles between the features");
     }
     check_frame(*instance, *image, motion, of);
   }
@@ -200,7 +204,10 @@ class Matching {
     const double error_rad = instance.symmetric ? std::min(turned_rad, std::numbers::pi - turned_rad) : turned_rad;
     const double tolerance = 1e2 * trial_.tolerance;  // coordinates are up to 50 m, angles amplify by the reach
     if (distance_m(expected, image.frame) > tolerance || error_rad > tolerance)
-      violations_.add("rigid", "has a frame that does not move rigidly with its features, for " + of);
+      violations_.add("rigid",
+                      "has a frame that does not move rigidly with its features, for " + of +
+                          sentence(" (allowed: %g m and rad)", tolerance),
+                      "its heading comes from the axes of the map, or from an order of the features that changes");
   }
 
   void check_repeat(const Selection& selection, const PatternInstance& expected) {

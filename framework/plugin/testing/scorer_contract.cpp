@@ -1,5 +1,6 @@
 #include <opal/plugin/testing/scorer_contract.hpp>
 
+#include <opal/common/sentence.hpp>
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/scorer_memory_laws.hpp"
 #include "plugin/testing/violations.hpp"
@@ -157,7 +158,8 @@ class Judging {
     }
     const auto again = ask(name, hypothesis, seen, view);
     if (!(again && same_score(*again, *score)) && std::isfinite(score->log_likelihood))
-      violations_.add("repeat", "gives " + name + " another score when it is asked again");
+      violations_.add("repeat", "gives " + name + " another score when it is asked again",
+                      "a member that score() changes; what must be remembered belongs into a ScorerMemory");
     check_findings(name, hypothesis, seen, view);
     check_memory({scorer_, name, hypothesis, seen, view}, violations_);
     if (!scorer_.judges_associations()) check_without_associations(name, *score, hypothesis, seen, view);
@@ -211,9 +213,12 @@ class Judging {
       const auto there = ask(name, image, visit.observation(), moved_view);
       if (!here || !there) continue;
       if (!(std::abs(here->log_likelihood - there->log_likelihood) <= trial_.rigid_tolerance_nat))
-        violations_.add("rigid", "gives " + name + " " + std::to_string(here->log_likelihood) + " nat, but " +
-                                     std::to_string(there->log_likelihood) +
-                                     " nat after map and hypothesis were moved together");
+        violations_.add("rigid",
+                        "gives " + name + " " + std::to_string(here->log_likelihood) + " nat, but " +
+                            std::to_string(there->log_likelihood) +
+                            " nat after map and hypothesis were moved together" +
+                            sentence(", expected the same within %g nat", trial_.rigid_tolerance_nat),
+                        "coordinates of the map frame count by themselves: a grid at its origin, or its axes");
       if (here->veto.empty() != there->veto.empty())
         violations_.add("veto", "vetoes " + name + " or not, depending on where the map's origin is");
     }

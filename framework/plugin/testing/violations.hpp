@@ -15,8 +15,10 @@ class Violations {
   explicit Violations(std::string subject) : subject_(std::move(subject)) {}
 
   /// @param rule  what was broken; a second sentence of the same rule is dropped.
-  void add(const std::string& rule, const std::string& sentence) {
-    if (rules_.insert(rule).second) sentences_.push_back(subject_ + " " + sentence);
+  /// @param cause  what it usually is, for whoever has to mend it; empty: the sentence says it.
+  void add(const std::string& rule, const std::string& sentence, const std::string& cause = "") {
+    if (!rules_.insert(rule).second) return;
+    sentences_.push_back(subject_ + " " + sentence + (cause.empty() ? "" : "; likely cause: " + cause));
   }
 
   /// Makes a call that must not throw.
