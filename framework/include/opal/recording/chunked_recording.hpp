@@ -70,11 +70,14 @@ class ChunkedRecording : public Recording {
   const std::vector<Chunk>& chunks() const { return chunks_; }
 
  protected:
+  /// Takes over the file. It reads nothing yet.
   explicit ChunkedRecording(RecordFile file) : file_(std::move(file)) {}
 
+  /// The file that is read.
   const RecordFile& file() const { return file_; }
   /// Several channels may be one topic.
   void add_channel(std::uint32_t channel, const Topic& topic);
+  /// Whether the topic of a channel was added.
   bool knows(std::uint32_t channel) const { return topic_by_channel_.contains(channel); }
   /// @return its index
   std::uint32_t add_chunk(Chunk chunk);
@@ -82,16 +85,21 @@ class ChunkedRecording : public Recording {
   void extend_last_chunk(std::uint64_t end) {
     chunks_.back().stored_bytes = chunks_.back().whole_bytes = end - chunks_.back().offset;
   }
+  /// Adds a message. Its channel may become known later, before `complete` ends.
   void add_place(const MessagePlace& place) { places_.push_back(place); }
   /// Takes back what an index says of a chunk: its messages are to be found by reading it.
   void forget_index(std::uint32_t chunk);
+  /// The index has named all messages of the chunk.
   void mark_indexed(std::uint32_t chunk) { chunks_[chunk].is_indexed = true; }
+  /// How many messages were added.
   std::size_t message_count() const { return places_.size(); }
+  /// Counts something that is not whole: its place, what was found and what was expected.
   void count(const std::string& defect, int times = 1) { defects_[defect] += times; }
 
   /// Reads the chunks that no index describes and those with unknown channels, and sorts the messages by time.
   void complete();
 
+  /// What comes out of the packed bytes of a chunk. @throws Damage if it cannot be unpacked at all.
   virtual Unpacked unpack(const Chunk& chunk, Bytes packed) const = 0;
   /// Finds channels in what comes out of a chunk, and messages (`add_place`) if it is not indexed.
   /// @return what is damaged; empty: nothing.

@@ -21,6 +21,7 @@ class McapWriter {
  public:
   /// @param out  must outlive the writer; positions are counted from here, so it should be at the start of a file.
   /// @param name  what errors call the file.
+  /// @param options  profile, compression and size of chunks.
   /// @throws ConfigError for a compression that MCAP does not have.
   McapWriter(std::ostream& out, const std::string& name, McapOptions options = {});
   /// Does not finish the file.
@@ -28,9 +29,18 @@ class McapWriter {
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  /// A type of messages. @param text  its definition, may be empty. @return its number
+  /// Adds a type of messages.
+  /// @param type  "sensor_msgs/msg/LaserScan"
+  /// @param encoding  of its definition: "ros2msg".
+  /// @param text  its definition, may be empty.
+  /// @return its number
   std::uint16_t add_schema(const std::string& type, const std::string& encoding, const std::string& text);
-  /// A topic. @param message_encoding  "cdr" or "ros1". @return its number
+  /// Adds a topic.
+  /// @param topic  "/scan"
+  /// @param schema  number of its type.
+  /// @param message_encoding  "cdr" or "ros1".
+  /// @param metadata  for other readers, as the quality of service that was offered.
+  /// @return its number
   std::uint16_t add_channel(const std::string& topic, std::uint16_t schema, const std::string& message_encoding,
                             const std::map<std::string, std::string>& metadata = {});
   /// Adds a message. @throws WriteError naming the file, if it cannot be written.
