@@ -74,7 +74,7 @@ struct Page {
 
 Page lay_out(const DrawingScene& scene) {
   const auto [min, max] = view_of(scene);
-  const Surface measuring(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  const CairoSurface measuring(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
   DrawingCanvas canvas(measuring.get(), {});
   const Point extent_m = max - min;
   Page page;

@@ -26,7 +26,7 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 
 void write_svg_picture(const std::string& path, const Point& size_px, const DrawPicture& draw) {
   std::string picture;
-  const Surface surface(cairo_svg_surface_create_for_stream(append, &picture, size_px.x(), size_px.y()));
+  const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &picture, size_px.x(), size_px.y()));
   expect_success(cairo_surface_status(surface.get()), path);
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
   draw(surface.get());
@@ -37,7 +37,7 @@ void write_svg_picture(const std::string& path, const Point& size_px, const Draw
 
 void write_png_picture(const std::string& path, const Point& size_px, const DrawPicture& draw) {
   const Point pixels = kPngScale * size_px;
-  const Surface surface(
+  const CairoSurface surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(pixels.x()), static_cast<int>(pixels.y())));
   cairo_surface_set_device_scale(surface.get(), kPngScale, kPngScale);
   draw(surface.get());

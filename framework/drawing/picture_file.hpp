@@ -13,7 +13,7 @@ namespace opal {
 struct ReleaseSurface {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
-using Surface = std::unique_ptr<cairo_surface_t, ReleaseSurface>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, ReleaseSurface>;
 
 using DrawPicture = std::function<void(cairo_surface_t*)>;
 

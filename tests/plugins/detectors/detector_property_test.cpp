@@ -158,8 +158,8 @@ TEST_CASE("time of one scan", "[!benchmark]") {
   Scanner fine = all_around(5000);
   fine.sigma_m = 0.02;
   const Scan many = scan_of(furnished_room(), fine, random);
-  for (const auto& [name, detector] : detectors()) {
-    BENCHMARK(std::string(name) + ", 361 beams") { return detector->detect(scan).size(); };
-    BENCHMARK(std::string(name) + ", 5000 beams") { return detector->detect(many).size(); };
+  for (const Named& each : detectors()) {
+    BENCHMARK(std::string(each.name) + ", 361 beams") { return each.detector->detect(scan).size(); };
+    BENCHMARK(std::string(each.name) + ", 5000 beams") { return each.detector->detect(many).size(); };
   }
 }

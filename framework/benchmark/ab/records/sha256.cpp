@@ -30,9 +30,9 @@ std::string Sha256::finish() {
   if (EVP_DigestFinal_ex(state_->context, digest.data(), &size) != 1) throw Error("SHA-256: cannot be computed");
   std::string text;
   for (unsigned k = 0; k < size; ++k) {
-    constexpr const char* kDigits = "0123456789abcdef";
-    text += kDigits[digest[k] >> 4];
-    text += kDigits[digest[k] & 15];
+    constexpr const char* kHexDigits = "0123456789abcdef";
+    text += kHexDigits[digest[k] >> 4];
+    text += kHexDigits[digest[k] & 15];
   }
   return text;
 }
