@@ -37,7 +37,7 @@ struct PairingOptions {
 /// goes on. Memory is bounded by PairingOptions::most_waiting.
 class OPAL_EXPORT ScanPairing {
  public:
-  /// @param laser  that the scans come from.
+  /// @param laser  that the scans come from. @param options  what counts as odd, and how long a scan waits.
   explicit ScanPairing(const LaserModel& laser, const PairingOptions& options = {});
   ~ScanPairing();
   /// Takes over another pairing, which must not be used any more.
