@@ -9,6 +9,7 @@ namespace opal {
 
 /// A mapped thing for people: `Wall "Kitchen, north"`, or `Wall wall-0015` if it has no name. Types of Opal's own
 /// vocabulary stand without their prefix.
+/// @param type  prefixed IRI: "opal:Wall". @param id  in its map. @param name  as people call it; may be empty.
 /// @param name_is_shared  another thing of this type has the same name: then the id follows.
 inline std::string object_words(const std::string& type, const std::string& id, const std::string& name,
                                 bool name_is_shared) {
@@ -18,7 +19,7 @@ inline std::string object_words(const std::string& type, const std::string& id, 
   return kind + " \"" + name + "\"" + (name_is_shared ? " (" + id + ")" : "");
 }
 
-/// The same for an object of a map. @param object  position in SemanticMap::objects().
+/// The same for an object of a map. @param map  that holds it. @param object  position in SemanticMap::objects().
 inline std::string object_words(const SemanticMap& map, int object) {
   const MapObject& it = map.objects()[static_cast<std::size_t>(object)];
   if (it.notes.name.empty()) return object_words(it.type, it.id, "", false);  // nothing to compare with all others
