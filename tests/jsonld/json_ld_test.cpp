@@ -203,7 +203,8 @@ TEST_CASE("deep documents are refused without overflowing the stack") {
   }
   json arrays = 1;
   for (int i = 0; i < 20000; ++i) arrays = json::array({std::move(arrays)});
-  CHECK(refusal({{"urn:p", std::move(arrays)}}).code == "nested too deeply");
+  const json deep{{"urn:p", std::move(arrays)}};
+  CHECK(refusal(deep).code == "nested too deeply");
   CHECK_NOTHROW(flatten(nested(120, "urn:a")));
 }
 
@@ -213,7 +214,8 @@ TEST_CASE("deep contexts are refused without overflowing the stack") {
   CHECK_THROWS_AS(expand({{"@context", std::move(context)}}), JsonLdError);
   json chain = json::object();
   for (int i = 0; i < 100000; ++i) chain[term(i)] = term(i + 1).append(":x");
-  CHECK(refusal({{"@context", std::move(chain)}}).code == "context overflow");
+  const json long_chain{{"@context", std::move(chain)}};
+  CHECK(refusal(long_chain).code == "context overflow");
 }
 
 TEST_CASE("huge keys and values are ordinary") {

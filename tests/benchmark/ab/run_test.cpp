@@ -1,8 +1,10 @@
 #include "small_experiment.hpp"
 
 #include "benchmark/ab/records/journal.hpp"
+#include "tests/kit/sanitized.hpp"
 #include "tests/system/server/program.hpp"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include <chrono>
@@ -115,7 +117,8 @@ TEST_CASE("an arm that crashes, hangs, throws, leaves or eats memory has failure
   json unborn = faulty_arm("crash", 0);
   unborn["name"] = "unborn";
   experiment["arms"].push_back(unborn);
-  experiment["limits"] = {{"cell_s", 5}, {"memory_mb", 300}};
+  const int cell_s = kIsSanitized ? 30 : 5, memory_mb = kIsSanitized ? 1000 : 300;
+  experiment["limits"] = {{"cell_s", cell_s}, {"memory_mb", memory_mb}};
   experiment["sites"][0]["queries"] = {"malaga-demo-q01", "malaga-demo-q05"};
   const std::string out = folder.path_of("out");
   computed(written(folder, experiment), out);
@@ -123,10 +126,10 @@ TEST_CASE("an arm that crashes, hangs, throws, leaves or eats memory has failure
   for (const json& line : lines_of(out + "/results.jsonl")) failures[line["arm"]].insert(line["failure"]);
   CHECK(failures["evidence"] == std::set<std::string>{""});
   CHECK(failures["crash"] == std::set<std::string>{"crashed: signal 6 (SIGABRT)"});
-  CHECK(failures["hang"] == std::set<std::string>{"hung: over 5 s"});
+  CHECK(failures["hang"] == std::set<std::string>{fmt::format("hung: over {} s", cell_s)});
   CHECK(failures["throw"] == std::set<std::string>{"failed in a plugin: faulty:Scorer 1 times"});
   CHECK(failures["leave"] == std::set<std::string>{"ended by itself with 3"});
-  CHECK(failures["eat"] == std::set<std::string>{"out of memory: over 300 MB"});
+  CHECK(failures["eat"] == std::set<std::string>{fmt::format("out of memory: over {} MB", memory_mb)});
   CHECK(failures["unborn"] == std::set<std::string>{"in its set-up: crashed: signal 6 (SIGABRT)"});
 }
 

@@ -54,7 +54,7 @@ class RawConnection {
 /// A program that is not what it seems.
 class Impostor {
  public:
-  explicit Impostor(std::function<void(httplib::Response&)> to_scans) {
+  explicit Impostor(const std::function<void(httplib::Response&)>& to_scans) {
     const std::string map =
         json{{"protocol", remote::kProtocol}, {"sensor", LaserModel().id}, {"map", room()->to_json_ld()}}.dump();
     server_.Get("/v1/map", [map](const httplib::Request&, httplib::Response& r) { r.set_content(map, kJson); });
@@ -238,8 +238,8 @@ TEST_CASE("a robot is told when another one has begun") {
 
 TEST_CASE("a program that is silent, or answers nonsense, counts as away") {
   auto simulation = standing();
-  const auto trouble_with = [&](std::function<void(httplib::Response&)> to_scans) {
-    const Impostor impostor(std::move(to_scans));
+  const auto trouble_with = [&](const std::function<void(httplib::Response&)>& to_scans) {
+    const Impostor impostor(to_scans);
     RemoteLocalization robot(impostor.address(), world().laser, {0.2, 60});
     robot.begin();
     robot.take(next(simulation));

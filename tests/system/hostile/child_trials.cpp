@@ -1,5 +1,6 @@
 #include "child_trials.hpp"
 
+#include "tests/kit/sanitized.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/common/error.hpp>
@@ -23,11 +24,11 @@ constexpr rlim_t kAddressSpace = rlim_t{3} << 30;
 
 using Read = std::function<std::string(const std::string&, const std::string&)>;
 
+/// Sanitizers reserve terabytes of addresses, and use few of them.
 void limit_memory() {
-#ifndef __SANITIZE_ADDRESS__
+  if (kIsSanitized) return;
   const rlimit limit{kAddressSpace, kAddressSpace};
   setrlimit(RLIMIT_AS, &limit);
-#endif
 }
 
 void limit_time() {
@@ -55,7 +56,7 @@ void send(int pipe, std::string answer) {
   for (char& c : answer)
     if (c == '\0') c = '?';
   answer += '\0';
-  if (write(pipe, answer.data(), answer.size()) != static_cast<ssize_t>(answer.size())) _exit(3);
+  if (::write(pipe, answer.data(), answer.size()) != static_cast<ssize_t>(answer.size())) _exit(3);
 }
 
 /// Up to the next zero byte; nothing if the child is gone or does not answer.

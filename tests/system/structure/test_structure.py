@@ -7,6 +7,7 @@ import unittest
 import rules_of_rooms
 import rules_of_size
 import rules_of_words
+import tidy_units
 from functions import functions_of
 from source_tree import Rooms, WrongTable, framework_includes
 
@@ -118,6 +119,30 @@ class RulesOfWords(Tree):
         self.write("docs/notes/oldword.md", "")
         table = self.write("tests/words.txt", "\\boldword -> new word\nexcept docs/notes/* *: a diary\n")
         self.assertEqual(self.broken(rules_of_words.breaks, self.root, table), ["docs/page.md:2: 'Oldword', expected: new word"])
+
+
+class TidyUnits(Tree):
+    def units(self, **texts):
+        options = {self.write(f"{name}.cpp", text): [] for name, text in texts.items()}
+        return [[source.stem for source in unit.sources] for unit in tidy_units.units_of(options, self.root)]
+
+    def test_sources_that_name_different_things_alike_are_read_apart(self):
+        self.assertEqual(self.units(a="struct Walk {\n", b="struct Walk {\n", c="struct Run {\n"), [["a"], ["b", "c"]])
+        self.assertEqual(self.units(a="int size(int x) {\n", b="[[noreturn]] void size(int y) {\n"), [["a"], ["b"]])
+        self.assertEqual(self.units(a="using Json = A;\n", b="using Json = B;\n", c="using Json = B;\n"), [["a"], ["b", "c"]])
+
+    def test_sources_that_cannot_be_read_together_are_taken_apart(self):
+        unit = tidy_units.Unit()
+        unit.sources = [pathlib.Path(name) for name in "abcd"]
+        parts = lambda *apart: [[str(source) for source in part.sources] for part in unit.parts(apart)]
+        self.assertEqual(parts("b"), [["b"], ["a", "c", "d"]])
+        self.assertEqual(parts("x.hpp"), [["a", "b"], ["c", "d"]])
+        self.assertEqual(parts("a", "b", "c", "d"), [["a", "b"], ["c", "d"]])
+
+    def test_overloads_entries_of_plugins_and_uses_are_read_together(self):
+        self.assertEqual(self.units(a="int size(int x) {\n", b="int size(double x) {\n"), [["a", "b"]])
+        self.assertEqual(self.units(a="void register_types(R& r) {\n", b="void register_types(R& r) {\n"), [["a", "b"]])
+        self.assertEqual(self.units(a="struct Walk;\n  size(3);\n", b="struct Walk;\n  size(3);\n"), [["a", "b"]])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""What clang-tidy finds in the C++ sources, by .clang-tidy. Reads the compile commands of a configured build; nothing of it
+need be built. Options that this program does not know go to clang-tidy."""
+
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import tidy_units
+from source_tree import ROOT, files_below
+
+FOLDERS = ("framework", "plugins", "patterns", "tests")
+PROGRAM = "clang-tidy-14"
+SKIPPED = 77
+CATCH = "run_tests.cpp"  # makes all of Catch2 of its header, so it comes before those that only use it
+FINDING = re.compile(r"^(\S+?):(\d+):\d+: (?:error|warning): (.*) \[([^\],]+)[^\]]*\]$", re.MULTILINE)
+
+
+def sources_to_read(build):
+    """With their options. The others are in no folder of ours: CMake wrote them."""
+    commands = tidy_units.commands(build)
+    ours = [path for folder in FOLDERS for path in files_below(ROOT, folder) if path.suffix == ".cpp"]
+    ours.sort(key=lambda path: path.name != CATCH)
+    return {path: commands[path] for path in ours if path in commands}, [path for path in ours if path not in commands]
+
+
+def findings_of(unit, path, more):
+    path.write_text(unit.text())
+    options = [word for option in unit.options for word in option]
+    command = [PROGRAM, "--quiet", *more, str(path), "--", "-std=c++20", "-w", *options]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    found = set(FINDING.findall(done.stdout))
+    if done.returncode and not found:
+        found.add((str(path), "0", done.stdout + done.stderr, "clang-tidy failed"))
+    return found
+
+
+def findings_apart(unit, path, more):
+    """Sources that do not go together, though they seemed to, are read apart."""
+    found = findings_of(unit, path, more)
+    wrong = {file for file, _, _, check in found if check == "clang-diagnostic-error"}
+    if not wrong or len(unit.sources) == 1:
+        return found
+    print(f"{path.name} is read in parts: {', '.join(sorted(wrong))} cannot be read with its neighbours", flush=True)
+    return set().union(*(findings_apart(part, path.with_name(f"{path.stem}_{number}.cpp"), more)
+                         for number, part in enumerate(unit.parts(wrong))))
+
+
+def all_findings(units, folder, more):
+    folder.mkdir(exist_ok=True)
+    paths = [folder / f"unit_{number}.cpp" for number in range(len(units))]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return set().union(*pool.map(findings_apart, units, paths, [more] * len(units)))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("build", type=pathlib.Path, help="folder of a configured build")
+    build, more = parser.parse_known_args()
+    if not shutil.which(PROGRAM):
+        print(f"no {PROGRAM}: skipped")
+        return SKIPPED
+    options, unread = sources_to_read(build.build)
+    units = tidy_units.units_of(options)
+    print(f"clang-tidy reads {len(options)} sources in {len(units)} units", flush=True)
+    for path in unread:
+        print(f"{path.relative_to(ROOT)}: not read, this build does not compile it")
+    found = all_findings(units, build.build / "tidy", more)
+    for file, line, text, check in sorted(found):
+        print(f"{os.path.relpath(file, ROOT)}:{line}: {text} [{check}]")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
