@@ -1,0 +1,147 @@
+#include "cli/ros2/ros2_options.hpp"
+
+#include "ros2/network/ros_names.hpp"
+#include "session/shipped_files.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <algorithm>
+
+namespace opal {
+namespace {
+
+/// What the deployment says of recordings of this robot holds for the robot, too.
+nlohmann::json recording_options(const Deployment& deployment) {
+  nlohmann::json options{
+      {"scan_topic", ""}, {"scan_topics", ""}, {"odometry_topic", ""}, {"odom_frame", "odom"}, {"base_frame", ""}};
+  for (const PartConfig& source : deployment.log_sources)
+    if (source.type == "opal:McapLog" || source.type == "opal:Ros2Bag") options.merge_patch(source.options);
+  return options;
+}
+
+std::vector<std::string> topics_of(const std::vector<LaserModel>& lasers) {
+  std::vector<std::string> topics;
+  for (const LaserModel& laser : lasers)
+    if (!laser.topic.empty()) topics.push_back(laser.topic);
+  return topics;
+}
+
+}  // namespace
+
+void Ros2Options::add_topics(CLI::App& verb) {
+  verb.add_option("--namespace", name_space, "of this node's topics: robot1 reads /robot1/scan");
+  verb.add_option("--scan-topic", scan_topics, "sensor_msgs/LaserScan, one topic a laser; may be repeated (scan)")
+      ->allow_extra_args(false);
+  verb.add_option("--odometry-topic", odometry_topic,
+                  "nav_msgs/Odometry instead of transforms (the usual topic if there are none)");
+  verb.add_option("--tf-topic", rest.incoming.tf, "transforms, read and written")->capture_default_str();
+  verb.add_option("--tf-static-topic", rest.incoming.tf_static, "transforms that never change")->capture_default_str();
+  verb.add_option("--pose-topic", pose_topic, "where the pose is published")->capture_default_str();
+  verb.add_option("--map-topic", map_topic, "where the map is published as a grid; /map in place of a map server")
+      ->capture_default_str();
+  verb.add_option("--map-frame", rest.frames.map, "fixed to the building")->capture_default_str();
+  verb.add_option("--odom-frame", odom_frame, "fixed to the start of odometry (odom)");
+  verb.add_option("--base-frame", base_frame, "the robot; otherwise the first that a transform from odom leads to");
+  verb.add_option("--transform-tolerance", rest.frames.transform_tolerance_s,
+                  "seconds that the transform is stamped later than its scan")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 60.0, "0 to 60"));
+}
+
+void Ros2Options::add_network(CLI::App& verb) {
+  CLI::Option* number = verb.add_option("--domain", domain, "of DDS; otherwise ROS_DOMAIN_ID, or 0");
+  number->check(CLI::Range(0, 232, "0 to 232"));
+  verb.add_option(
+          "--reach", reach,
+          "localhost: programs on this machine; subnet: this network; system: as CYCLONEDDS_URI says. Otherwise "
+          "ROS_AUTOMATIC_DISCOVERY_RANGE or ROS_LOCALHOST_ONLY, or localhost")
+      ->check(CLI::IsMember({"localhost", "subnet", "system"}));
+  verb.add_flag("--use-sim-time", rest.use_sim_time, "the time is that of /clock");
+  CLI::Option* page = verb.add_flag("--serve{" + std::to_string(LiveServer::kUsualPort) + "}", port,
+                                    "show the run to browsers on this machine; --serve=PORT for another port, 0 for "
+                                    "any free one");
+  page->check(CLI::Range(-1, 65535, "0 to 65535"));
+  verb.parse_complete_callback([this, number, page] {
+    has_domain = number->count() > 0;
+    serve = page->count() > 0;
+    port = std::max(0, port);  // a flag's value of 0 reads as "not", which is -1
+  });
+}
+
+void Ros2Options::add_running(CLI::App& verb) {
+  verb.add_option("--record", rest.record_file, "MCAP file to keep in what is received, as it was");
+  verb.add_option("--state", rest.state_file, "file to keep the last good pose in, a hint for the next start");
+  verb.add_flag("--check", check, "look at the robot, say what is there and what is missing, and publish nothing");
+  verb.add_option("--seconds", check_s, "with --check: how long")
+      ->capture_default_str()
+      ->check(CLI::Range(0.5, 3600.0, "0.5 to 3600"));
+  verb.add_option("-o,--out", out, "with --check: deployment document to write: CONFIG with the robot's laser in it");
+}
+
+void Ros2Options::add_to(CLI::App& verb) {
+  verb.add_option("CONFIG", config, "deployment document, or the name of one that ships")->capture_default_str();
+  verb.add_option("--map", map, "map document, or a source to import; overrides the deployment's");
+  add_topics(verb);
+  add_network(verb);
+  add_running(verb);
+}
+
+Deployment Ros2Options::deployment_if_any() const {
+  Deployment deployment = read_deployment(config_file(config));
+  if (!map.empty()) deployment.map = map;
+  return deployment;
+}
+
+Deployment Ros2Options::deployment() const {
+  Deployment deployment = deployment_if_any();
+  if (deployment.map.empty()) throw ConfigError(config + ": /map: missing; name a map here or with --map");
+  return deployment;
+}
+
+std::string Ros2Options::topic(const std::string& option, const std::string& name) const {
+  const std::string whole = ros2::topic_in(name_space, name);
+  if (!ros2::is_topic_name(whole))
+    throw ConfigError(option + ": '" + whole + "', expected a name of a topic: letters, digits and _ between slashes");
+  return whole;
+}
+
+recording::TopicChoice Ros2Options::choice_of(const Deployment& deployment) const {
+  recording::TopicChoice choice = recording::topic_choice(recording_options(deployment));
+  if (choice.scans.empty()) choice.scans = topics_of(deployment.lasers);
+  if (!scan_topics.empty()) choice.scans = scan_topics;
+  if (choice.scans.empty()) choice.scans = {"scan"};
+  if (!odometry_topic.empty()) choice.odometry = odometry_topic;
+  if (!odom_frame.empty()) choice.odom_frame = odom_frame;
+  if (!base_frame.empty()) choice.base_frame = base_frame;
+  for (std::string& scan : choice.scans) scan = topic("--scan-topic", scan);
+  if (!choice.odometry.empty()) choice.odometry = topic("--odometry-topic", choice.odometry);
+  return choice;
+}
+
+bool Ros2Options::names_scans(const Deployment& deployment) const {
+  return !scan_topics.empty() || !topics_of(deployment.lasers).empty() ||
+         !recording::topic_choice(recording_options(deployment)).scans.empty();
+}
+
+ros2::NodeOptions Ros2Options::node(const Deployment& deployment) const {
+  ros2::NodeOptions node = rest;
+  node.read = choice_of(deployment);
+  node.needs_mounts = takes_geometry_from_log(deployment);
+  node.frames.odom = node.read.odom_frame;
+  node.incoming.tf = node.outgoing.tf = topic("--tf-topic", node.incoming.tf);
+  node.incoming.tf_static = topic("--tf-static-topic", node.incoming.tf_static);
+  node.outgoing.pose = topic("--pose-topic", pose_topic);
+  node.outgoing.map = topic("--map-topic", map_topic);
+  if (!name_space.empty()) {
+    node.incoming.initial_pose = topic("--namespace", "initialpose");
+    node.incoming.forget = topic("--namespace", "opal/forget");
+    node.outgoing.places = topic("--namespace", "opal/places");
+    node.outgoing.markers = topic("--namespace", "opal/place_markers");
+    node.outgoing.walls = topic("--namespace", "opal/walls");
+  }
+  ros2::DiscoveryOptions asked{has_domain ? std::optional(domain) : std::nullopt, reach};
+  node.range = ros2::discovery_range(ros2::process_environment(), asked);
+  return node;
+}
+
+}  // namespace opal

@@ -1,0 +1,106 @@
+#include "cli/info/contents_text.hpp"
+#include "cli/info/deployment_lines.hpp"
+#include "cli/options/exit_code.hpp"
+#include "cli/options/verbs.hpp"
+#include "cli/ros2/ros2_options.hpp"
+#include "cli/terminal/live_view.hpp"
+#include "cli/terminal/stop_signals.hpp"
+#include "ros2/robot_check.hpp"
+#include "ros2/robot_node.hpp"
+#include "session/session.hpp"
+#include "session/shipped_files.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/deployment/deployment.hpp>
+#include "localization/events/run_events.hpp"
+#include "sensing/log_check.hpp"
+
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+
+namespace {
+
+std::string environment_value(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// What is localized with, when the robot has told what its lasers are.
+class RobotParts {
+ public:
+  RobotParts(const opal::PluginRegistry& plugins, opal::Deployment deployment, std::string config,
+             opal::EventSink* events)
+      : plugins_(plugins), deployment_(std::move(deployment)), config_(std::move(config)), events_(events) {
+    opal::check_parts(deployment_, plugins_);
+    map_ = load_map(plugins_, deployment_);
+    if (!takes_geometry_from_log(deployment_))
+      opal::build_parts(deployment_, plugins_, map_);  // wrong options show now
+  }
+
+  const std::shared_ptr<const opal::SemanticMap>& map() const { return map_; }
+  opal::LocalizerParts make(std::span<const opal::LogRecord> records) const {
+    opal::Deployment fitted = deployment_;
+    fitted.lasers = opal::lasers_of_log(records, deployment_.lasers, "the robot", config_ + ": /sensor");
+    opal::LocalizerParts parts = opal::build_parts(fitted, plugins_, map_);
+    if (events_ != nullptr) {
+      events_->write(opal::run_event({"a robot", config_, deployment_.map}, parts.lasers.front()));
+      events_->write(opal::map_event(*parts.map));
+      events_->write(opal::start_event("robot"));
+    }
+    return parts;
+  }
+
+ private:
+  const opal::PluginRegistry& plugins_;
+  opal::Deployment deployment_;
+  std::string config_;
+  opal::EventSink* events_;
+  std::shared_ptr<const opal::SemanticMap> map_;
+};
+
+int localize_robot(const opal::Ros2Options& options) {
+  const opal::PluginRegistry plugins = load_plugins();
+  const opal::Deployment deployment = options.deployment();
+  const StopSignals signals;  // before other threads
+  std::optional<LiveView> page;
+  if (options.serve) page.emplace(options.port, signals.token());
+  opal::EventSink* const events = page ? &page->events() : nullptr;
+  const RobotParts parts(plugins, deployment, options.config, events);
+  opal::ros2::ServiceNotice notice(environment_value("NOTIFY_SOCKET"));
+  const opal::ros2::NodeOptions node_options = options.node(deployment);
+  std::cerr << "ros2: " << words_of(node_options.range) << '\n';
+  opal::ros2::RobotNode node(
+      node_options, parts.map(), [&](auto records) { return parts.make(records); }, events);
+  node.run(signals.token(), notice);
+  return kDone;
+}
+
+int check_robot(const opal::Ros2Options& options) {
+  const StopSignals signals;
+  const opal::Deployment deployment = options.deployment_if_any();
+  const opal::ros2::NodeOptions node = options.node(deployment);
+  std::cerr << "looking for " << options.check_s << " s, " << words_of(node.range) << '\n';
+  opal::recording::TopicChoice choice = node.read;
+  if (!options.names_scans(deployment)) choice.scans.clear();
+  const opal::ros2::RobotContents seen = look_at_robot(node.range, choice, options.check_s, signals.token());
+  std::cout << opal::contents_text(seen.contents) << '\n' << offers_text(seen.offers);
+  const nlohmann::ordered_json lines = opal::deployment_lines(seen.contents, "opal:McapLog");
+  if (!seen.missing.empty()) std::cout << "\nmissing\n";
+  for (const std::string& missing : seen.missing) std::cout << "  " << missing << '\n';
+  if (!lines.empty()) std::cout << "\nfor the deployment (-o FILE writes one)\n" << lines.dump(2) << '\n';
+  if (!options.out.empty() && lines.empty())
+    throw opal::Error("ros2: no laser was heard, expected one for a deployment in " + options.out);
+  if (!options.out.empty()) opal::write_deployment(lines, options.config, options.out);
+  return seen.missing.empty() ? kDone : kNo;
+}
+
+}  // namespace
+
+void opal::add_ros2_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Ros2Options>();
+  CLI::App* verb = app.add_subcommand("ros2", "localize a running robot as a node of ROS 2, without ROS installed");
+  options->add_to(*verb);
+  verb->callback(
+      [options, &exit_code] { exit_code = options->check ? check_robot(*options) : localize_robot(*options); });
+}

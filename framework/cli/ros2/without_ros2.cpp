@@ -1,0 +1,12 @@
+#include "cli/options/verbs.hpp"
+
+#include <opal/common/error.hpp>
+
+void opal::add_ros2_verb(CLI::App& app, int&) {
+  CLI::App* verb = app.add_subcommand("ros2", "localize a running robot as a node of ROS 2 (not in this build)");
+  verb->allow_extras();
+  verb->callback([] {
+    throw Error(
+        "ros2: this program was built without Cyclone DDS; install cyclonedds-dev and cyclonedds-tools, build again");
+  });
+}

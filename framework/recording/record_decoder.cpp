@@ -1,0 +1,89 @@
+#include "recording/record_decoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace opal::recording {
+namespace {
+
+// cos 10 deg: a laser that is tilted more sees floor and ceiling within a few metres.
+constexpr double kUprightCosine = 0.985;
+
+// A driver without a clock leaves its stamps at zero.
+double stamp_or_received(double stamp_s, double received_s) { return stamp_s == 0 ? received_s : stamp_s; }
+
+/// Seen from above, the beams of a laser that hangs upside down turn the other way.
+void turn_beams(RawScan& scan) {
+  scan.angle_min_rad = -*scan.angle_min_rad;
+  scan.angle_increment_rad = -*scan.angle_increment_rad;
+}
+
+}  // namespace
+
+double seconds_of(std::int64_t nanoseconds) { return kSecondsPerNanosecond * static_cast<double>(nanoseconds); }
+
+std::optional<LaserMount> find_laser_mount(const FixedFrames& frames, const std::string& base,
+                                           const std::string& laser_frame) {
+  const std::optional<Eigen::Isometry3d> T_base_laser = frames.pose(base, laser_frame);
+  if (!T_base_laser) return std::nullopt;
+  const double upright = T_base_laser->linear()(2, 2);
+  return LaserMount{{base, laser_frame, projected(*T_base_laser)}, upright < 0, std::abs(upright) < kUprightCosine};
+}
+
+void RecordDecoder::take_odometry_from_transforms(const std::string& base_frame) {
+  transforms_are_odometry_ = true;
+  topics_.base_frame = base_frame;
+}
+
+void RecordDecoder::add_mount(const LaserMount& mount) {
+  if (mount.is_tilted) ++defects_["laser that is tilted"];
+  if (mount.upside_down) upside_down_.insert(mount.record.child);
+}
+
+bool RecordDecoder::reads(const Topic& topic) const {
+  return reads_scans_of(topics_, topic.name) || (!topics_.odometry.empty() && topic.name == topics_.odometry) ||
+         (transforms_are_odometry_ && has_transforms(topic, false));
+}
+
+std::optional<LogRecord> RecordDecoder::decode(const Topic& topic, Bytes data, double received_s) {
+  if (!reads(topic)) return std::nullopt;
+  if (reads_scans_of(topics_, topic.name)) return scan_of(data, topic.wire, received_s);
+  if (topic.name == topics_.odometry) return pose_of(data, topic.wire, received_s);
+  return transform_of(data, topic.wire, received_s);
+}
+
+std::optional<LogRecord> RecordDecoder::scan_of(Bytes data, Wire wire, double received_s) {
+  std::optional<LaserScanMessage> laser = decode_laser_scan(data, wire);
+  if (!laser) {
+    ++defects_["damaged LaserScan message"];
+    return std::nullopt;
+  }
+  laser->scan.stamp_s = stamp_or_received(laser->scan.stamp_s, received_s);
+  if (upside_down_.contains(laser->scan.frame)) turn_beams(laser->scan);
+  return std::move(laser->scan);
+}
+
+std::optional<LogRecord> RecordDecoder::pose_of(Bytes data, Wire wire, double received_s) {
+  std::optional<OdometryMessage> odometry = decode_odometry(data, wire);
+  if (!odometry) {
+    ++defects_["damaged Odometry message"];
+    return std::nullopt;
+  }
+  odometry->odometry.stamp_s = stamp_or_received(odometry->odometry.stamp_s, received_s);
+  return odometry->odometry;
+}
+
+std::optional<LogRecord> RecordDecoder::transform_of(Bytes data, Wire wire, double received_s) {
+  const auto decoded = decode_transforms(data, wire);
+  if (!decoded) {
+    ++defects_["damaged TFMessage"];
+    return std::nullopt;
+  }
+  const auto found = std::find_if(decoded->begin(), decoded->end(),
+                                  [&](const Transform& transform) { return is_odometry(transform, topics_); });
+  if (found == decoded->end()) return std::nullopt;
+  return OdometryRecord{stamp_or_received(found->stamp_s, received_s), projected(found->T_parent_child)};
+}
+
+}  // namespace opal::recording

@@ -1,0 +1,133 @@
+#include "recording/ros_stream.hpp"
+
+#include "common/phrases.hpp"
+
+#include <utility>
+
+namespace opal::recording {
+namespace {
+
+// Ten minutes of a laser of 1,000 beams at 10 Hz with its odometry.
+constexpr std::size_t kMostHeldBytes = 64 << 20;
+
+}  // namespace
+
+RosStream::RosStream(TopicChoice topics, double mount_patience_s)
+    : decoder_(std::move(topics)), mount_patience_s_(mount_patience_s) {}
+
+void RosStream::take_odometry_from_topic(const std::string& topic) {
+  TopicChoice topics = decoder_.topics();
+  topics.odometry = topic;
+  decoder_ = RecordDecoder(std::move(topics));
+  base_frame_.clear();
+}
+
+void RosStream::take(ReceivedMessage message) {
+  newest_s_ = seconds_of(message.received_ns);
+  if (!first_s_) first_s_ = newest_s_;
+  if (!is_open_) look_at(message);
+  held_bytes_ += message.data.size();
+  held_.push_back(std::move(message));
+  if (!is_open_) try_to_open();
+  if (!is_open_) bound_memory();
+}
+
+void RosStream::look_at(const ReceivedMessage& message) {
+  const Topic& topic = message.topic;
+  if (reads_scans_of(decoder_.topics(), topic.name)) {
+    if (laser_by_topic_.contains(topic.name)) return;
+    if (const auto laser = decode_laser_scan(message.bytes(), topic.wire))
+      laser_by_topic_[topic.name] = laser->scan.frame;
+  } else if (has_odometry(topic) && topic.name == decoder_.topics().odometry && base_frame_.empty()) {
+    if (const auto odometry = decode_odometry(message.bytes(), topic.wire)) base_frame_ = odometry->base_frame;
+  } else if (has_transforms(topic, true)) {
+    look_at_transforms(message, true);
+  } else if (has_transforms(topic, false)) {
+    look_at_transforms(message, false);
+  }
+}
+
+void RosStream::look_at_transforms(const ReceivedMessage& message, bool are_static) {
+  const auto transforms = decode_transforms(message.bytes(), message.topic.wire);
+  if (!transforms && are_static) ++defects_["damaged TFMessage"];
+  for (const Transform& transform : transforms.value_or(std::vector<Transform>{})) {
+    const bool is_motion = !are_static && is_odometry(transform, decoder_.topics());
+    if (is_motion && decoder_.topics().odometry.empty() && base_frame_.empty()) {
+      base_frame_ = without_slash(transform.child);
+      decoder_.take_odometry_from_transforms(base_frame_);
+    }
+    if (are_static) static_.add(transform, message.topic.name, true);
+    if (!are_static && !is_motion && newest_s_ <= *first_s_ + kMountWindowS)
+      moving_.add(transform, message.topic.name, false);
+  }
+}
+
+void RosStream::bound_memory() {
+  while (held_bytes_ > kMostHeldBytes && held_.size() > 1) {
+    held_bytes_ -= held_.front().data.size();
+    held_.pop_front();
+    ++defects_["message that was dropped, because it waited too long"];
+  }
+}
+
+FixedFrames RosStream::frames() const {
+  FixedFrames frames = static_.fixed_frames();
+  if (newest_s_ <= *first_s_ + kMountWindowS) return frames;
+  for (const auto& [link, seen] : moving_.by_link())
+    if (!seen.moves) frames.add_unless_known(seen.last);
+  return frames;
+}
+
+void RosStream::try_to_open() {
+  if (base_frame_.empty() || laser_by_topic_.size() < decoder_.topics().scans.size()) return;
+  const FixedFrames known = frames();
+  std::map<std::string, std::optional<LaserMount>> mounts;  // by frame
+  bool has_all = true;
+  for (const auto& [topic, laser] : laser_by_topic_) {
+    mounts[laser] = find_laser_mount(known, base_frame_, laser);
+    has_all = has_all && mounts[laser];
+  }
+  if (!has_all && newest_s_ - *first_s_ < mount_patience_s_) return;
+  for (const auto& [laser, mount] : mounts) {
+    if (!mount) ++defects_["no static transform from " + base_frame_ + " to " + laser];
+    if (!mount) continue;
+    decoder_.add_mount(*mount);
+    mounts_.push_back(mount->record);
+  }
+  is_open_ = true;
+}
+
+std::optional<StreamedMessage> RosStream::next() {
+  if (!is_open_ || held_.empty()) return std::nullopt;
+  StreamedMessage streamed{std::move(held_.front()), std::nullopt};
+  held_.pop_front();
+  held_bytes_ -= streamed.message.data.size();
+  streamed.record =
+      decoder_.decode(streamed.message.topic, streamed.message.bytes(), seconds_of(streamed.message.received_ns));
+  return streamed;
+}
+
+std::string RosStream::waits_for() const {
+  std::vector<std::string> missing;
+  if (is_open_) return "";
+  for (const std::string& topic : decoder_.topics().scans)
+    if (!laser_by_topic_.contains(topic)) missing.push_back("scans on " + topic);
+  const std::string& odometry = decoder_.topics().odometry;
+  if (base_frame_.empty() && !odometry.empty()) missing.push_back("odometry on " + odometry);
+  if (base_frame_.empty() && odometry.empty())
+    missing.push_back("the transform from " + decoder_.topics().odom_frame + " to " +
+                      (decoder_.topics().base_frame.empty() ? "the robot" : decoder_.topics().base_frame) + " on /tf");
+  if (!base_frame_.empty())
+    for (const auto& [topic, laser] : laser_by_topic_)
+      if (!first_s_ || !find_laser_mount(frames(), base_frame_, laser))
+        missing.push_back("the transform from " + base_frame_ + " to " + laser + " on /tf_static");
+  return listed(missing);
+}
+
+Defects RosStream::defects() const {
+  Defects all = defects_;
+  for (const auto& [cause, times] : decoder_.defects()) all[cause] += times;
+  return all;
+}
+
+}  // namespace opal::recording

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "recording/record_decoder.hpp"
+
+#include <deque>
+#include <limits>
+
+namespace opal::recording {
+
+/// A message as a running robot sent it.
+struct ReceivedMessage {
+  Topic topic;
+  std::int64_t received_ns = 0;  ///< since 1970
+  std::vector<std::byte> data;
+
+  Bytes bytes() const { return data; }
+};
+
+/// A message whose turn has come.
+struct StreamedMessage {
+  ReceivedMessage message;
+  std::optional<LogRecord> record;  ///< what it holds for localization
+};
+
+/// The messages of a running robot, one at a time, as the records that a recording of them would give. Messages are
+/// held until it is known where the lasers are mounted; memory is bounded, the oldest go first.
+class RosStream {
+ public:
+  /// @param topics  the scans have to be named; without a topic of odometry transforms are it.
+  /// @param mount_patience_s  how long to wait for mounts, from the first message; infinite: as long as it takes.
+  explicit RosStream(TopicChoice topics, double mount_patience_s = std::numeric_limits<double>::infinity());
+
+  /// Instead of transforms. For a stream that is still closed.
+  void take_odometry_from_topic(const std::string& topic);
+  /// The next message in the order of arrival.
+  void take(ReceivedMessage message);
+  /// In the order of arrival; nullopt if there is none or it is held.
+  std::optional<StreamedMessage> next();
+
+  /// Whether messages are not held any more.
+  bool is_open() const { return is_open_; }
+  /// Whether a message of odometry has told the robot's frame.
+  bool knows_the_robot() const { return !base_frame_.empty(); }
+  /// Where the lasers are mounted, as far as frames lead there; of an open stream.
+  const std::vector<MountRecord>& mounts() const { return mounts_; }
+  /// What messages are held for, in words; empty if it is open.
+  std::string waits_for() const;
+  /// What was damaged or dropped.
+  Defects defects() const;
+
+ private:
+  void look_at(const ReceivedMessage& message);
+  void look_at_transforms(const ReceivedMessage& message, bool are_static);
+  void bound_memory();
+  FixedFrames frames() const;
+  void try_to_open();
+
+  RecordDecoder decoder_;
+  double mount_patience_s_;
+  std::deque<ReceivedMessage> held_;
+  std::size_t held_bytes_ = 0;
+  std::optional<double> first_s_;  // when the first message was received
+  double newest_s_ = 0;
+  std::string base_frame_;                             // empty: not known yet
+  std::map<std::string, std::string> laser_by_topic_;  // frames
+  SeenTransforms static_, moving_;
+  std::vector<MountRecord> mounts_;
+  bool is_open_ = false;
+  Defects defects_;
+};
+
+}  // namespace opal::recording

@@ -1,0 +1,84 @@
+#include "ros2/messages/diagnosis.hpp"
+
+#include <opal/common/sentence.hpp>
+#include "common/phrases.hpp"
+
+#include <cmath>
+
+namespace opal::ros2 {
+namespace {
+
+// Two computers whose clocks differ by more disagree about every transform.
+constexpr double kClockDifferenceS = 1;
+constexpr double kSilenceS = 2;
+
+DiagnosisLevel level_of(Status status) {
+  if (status == Status::localized) return DiagnosisLevel::ok;
+  return status == Status::lost ? DiagnosisLevel::error : DiagnosisLevel::warn;
+}
+
+Diagnosis localization(const LiveAnswer& answer, const NodeState& state) {
+  Diagnosis diagnosis{DiagnosisLevel::warn, "opal: localization", "", {}};
+  if (answer.number == 0) {
+    diagnosis.message = state.waits_for.empty() ? "no scan yet" : "waits for " + state.waits_for;
+    return diagnosis;
+  }
+  const PoseEstimate& estimate = answer.estimate;
+  diagnosis.level = level_of(estimate.status);
+  diagnosis.message = std::string(name_of(estimate.status)) + (answer.why.empty() ? "" : ": " + answer.why);
+  diagnosis.values = {{"status", name_of(estimate.status)},
+                      {"probability", sentence("%.3f", estimate.probability)},
+                      {"hypotheses", std::to_string(estimate.hypotheses)},
+                      {"stamp", sentence("%.3f", answer.stamp_s)},
+                      {"latency_ms", sentence("%.1f", 1e3 * answer.latency_s)}};
+  if (!estimate.has_pose) return diagnosis;
+  diagnosis.values.emplace_back("x_m", sentence("%.3f", estimate.T_map_base.x()));
+  diagnosis.values.emplace_back("y_m", sentence("%.3f", estimate.T_map_base.y()));
+  diagnosis.values.emplace_back("heading_rad", sentence("%.4f", estimate.T_map_base.heading_rad()));
+  return diagnosis;
+}
+
+Diagnosis connections(const NodeState& state) {
+  Diagnosis diagnosis{DiagnosisLevel::ok, "opal: connections", "all that is needed is received", {}};
+  if (!state.complaints.empty() || !state.waits_for.empty()) {
+    diagnosis.level = DiagnosisLevel::error;
+    diagnosis.message = state.complaints.empty() ? "waits for " + state.waits_for : listed(state.complaints);
+  }
+  for (const auto& [topic, rate_hz] : state.rates_hz)
+    diagnosis.values.emplace_back(topic, sentence("%.1f Hz", rate_hz));
+  for (const auto& [cause, times] : state.odd_counts) diagnosis.values.emplace_back(cause, std::to_string(times));
+  return diagnosis;
+}
+
+Diagnosis clock(const LiveAnswer& answer, double now_s) {
+  Diagnosis diagnosis{DiagnosisLevel::ok, "opal: clock", "scans are stamped by this clock", {}};
+  const double age_s = now_s - answer.stamp_s;
+  diagnosis.values = {{"newest_scan_age_s", sentence("%.3f", age_s)}};
+  if (age_s < -kClockDifferenceS) {
+    diagnosis.level = DiagnosisLevel::error;
+    diagnosis.message =
+        sentence("the newest scan is stamped %.1f s in the future: are the clocks of two computers apart?", -age_s);
+  } else if (age_s > kSilenceS) {
+    diagnosis.level = DiagnosisLevel::warn;
+    diagnosis.message =
+        sentence("the newest scan is %.1f s old: the laser is silent, or clocks of two computers are apart", age_s);
+  }
+  return diagnosis;
+}
+
+DiagnosisLevel level_of(HealthFinding::Level level) {
+  if (level == HealthFinding::Level::fine) return DiagnosisLevel::ok;
+  return level == HealthFinding::Level::doubtful ? DiagnosisLevel::warn : DiagnosisLevel::error;
+}
+
+}  // namespace
+
+std::vector<Diagnosis> diagnoses_of(const LiveAnswer& answer, const NodeState& state, double now_s) {
+  std::vector<Diagnosis> diagnoses{localization(answer, state), connections(state)};
+  if (answer.number > 0 && std::isfinite(now_s)) diagnoses.push_back(clock(answer, now_s));
+  for (const HealthFinding& finding : answer.health)
+    diagnoses.push_back({level_of(finding.level), "opal: " + finding.subject, finding.words, {}});
+  return diagnoses;
+}
+
+}  // namespace opal::ros2

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <opal/live/live_localizer.hpp>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace opal::ros2 {
+
+/// As diagnostic_msgs/DiagnosticStatus has it.
+enum class DiagnosisLevel : std::uint8_t { ok = 0, warn = 1, error = 2, stale = 3 };
+
+/// One line of the robot's health.
+struct Diagnosis {
+  DiagnosisLevel level = DiagnosisLevel::ok;
+  std::string name;                                         ///< "opal: localization"
+  std::string message;                                      ///< in words
+  std::vector<std::pair<std::string, std::string>> values;  ///< for programs
+};
+
+/// What a node knows of itself.
+struct NodeState {
+  std::string waits_for;                   ///< what is missing to begin; empty: nothing
+  std::vector<std::string> complaints;     ///< what does not match between this node and the robot
+  std::map<std::string, int> odd_counts;   ///< what was odd, how often
+  std::map<std::string, double> rates_hz;  ///< of messages, by topic
+};
+
+/// @param answer  with the number 0: there is none yet. @param now_s  by the clock that the scans are stamped with.
+std::vector<Diagnosis> diagnoses_of(const LiveAnswer& answer, const NodeState& state, double now_s);
+
+}  // namespace opal::ros2

@@ -1,0 +1,88 @@
+#include "ros2/robot_check.hpp"
+
+#include "recording/ros_contents.hpp"
+#include "ros2/message_recorder.hpp"
+
+#include <opal/common/sentence.hpp>
+#include <opal/recording/mcap_recording.hpp>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace opal::ros2 {
+namespace {
+
+const std::set<std::string> kHeard{"sensor_msgs/msg/LaserScan", "nav_msgs/msg/Odometry", "tf2_msgs/msg/TFMessage"};
+
+bool is_static(const Offer& offer) { return offer.topic.ends_with("tf_static"); }
+
+/// Listens to everything that localization could use.
+void want_all(Incoming& incoming) {
+  for (const Offer& offer : incoming.offers())
+    if (kHeard.contains(offer.type) && !incoming.wants(offer.topic))
+      incoming.want({offer.topic, offer.type, true, is_static(offer)});
+}
+
+/// All messages of some seconds as a recording in memory.
+std::string record(Incoming& incoming, double seconds, const std::stop_token& stop) {
+  constexpr double kTurnS = 0.05;
+  std::ostringstream out;
+  MessageRecorder recorder(out, "the robot");
+  const std::int64_t end_ns = system_ns() + static_cast<std::int64_t>(seconds * 1e9);
+  while (system_ns() < end_ns && !stop.stop_requested()) {
+    incoming.adapt();
+    want_all(incoming);
+    incoming.take(kTurnS, [&](const recording::ReceivedMessage& message) { recorder.write(message); });
+  }
+  recorder.finish();
+  return out.str();
+}
+
+template <class Things>
+bool some_read(const Things& things) {
+  return std::any_of(things.begin(), things.end(), [](const auto& thing) { return thing.is_read; });
+}
+
+std::vector<std::string> missing_in(const LogContents& contents, const std::vector<Offer>& offers) {
+  if (offers.empty()) return {"nobody publishes anything"};
+  std::vector<std::string> missing;
+  if (!some_read(contents.lasers)) missing.push_back("no scan has come (sensor_msgs/msg/LaserScan)");
+  if (!some_read(contents.odometries))
+    missing.push_back("no odometry has come: neither a transform from odom on /tf nor nav_msgs/msg/Odometry");
+  for (const LogLaser& laser : contents.lasers)
+    if (laser.is_read && !laser.mount)
+      missing.push_back(laser.topic + ": no transform leads from the robot to " + laser.frame +
+                        ": the deployment has to state where it is mounted");
+  return missing;
+}
+
+}  // namespace
+
+RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicChoice& choice, double seconds,
+                            const std::stop_token& stop) {
+  const Participant participant(range);
+  Incoming incoming(participant);
+  RobotContents seen;
+  const std::string recorded = record(incoming, seconds, stop);
+  recording::Parts parts;
+  parts.push_back(recording::read_mcap(std::make_unique<std::istringstream>(recorded), "the robot"));
+  seen.contents = recording::ros_contents("the robot", parts, choice);
+  seen.contents.format = "Robot in " + words_of(range);
+  seen.offers = incoming.offers();
+  seen.missing = missing_in(seen.contents, seen.offers);
+  for (const std::string& complaint : incoming.complaints()) seen.missing.push_back(complaint);
+  return seen;
+}
+
+std::string offers_text(const std::vector<Offer>& offers) {
+  std::set<std::string> lines;
+  for (const Offer& offer : offers)
+    lines.insert(
+        sentence("  %-28s %-44s %s\n", offer.topic.c_str(), offer.type.c_str(), words_of(offer.quality).c_str()));
+  std::string text = "on the network\n";
+  for (const std::string& line : lines) text += line;
+  return text;
+}
+
+}  // namespace opal::ros2

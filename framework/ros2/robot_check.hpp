@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ros2/incoming.hpp"
+
+#include <opal/recording/ros_log.hpp>
+
+#include <stop_token>
+
+namespace opal::ros2 {
+
+/// What was seen of a robot.
+struct RobotContents {
+  LogContents contents;              ///< as of a recording of the same time
+  std::vector<Offer> offers;         ///< all topics with their quality of service
+  std::vector<std::string> missing;  ///< what localization needs and is not there
+};
+
+/// Listens to a robot for a while, and publishes nothing.
+/// @param choice  which scans and odometry would be read; without scans all are.
+/// @throws Error if DDS cannot be started.
+RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicChoice& choice, double seconds,
+                            const std::stop_token& stop);
+
+/// The offers as a table: topic, type, quality of service.
+std::string offers_text(const std::vector<Offer>& offers);
+
+}  // namespace opal::ros2

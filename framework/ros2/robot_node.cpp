@@ -1,0 +1,237 @@
+#include "ros2/robot_node.hpp"
+
+#include <opal/common/error.hpp>
+#include "common/phrases.hpp"
+#include "common/write_error.hpp"
+
+#include <chrono>
+#include <iostream>
+#include <limits>
+
+namespace opal::ros2 {
+namespace {
+
+// How long a message may wait for this program to look, if DDS does not wake it.
+constexpr double kTickS = 0.05;
+constexpr double kLookAroundS = 0.1;
+constexpr double kHealthS = 1;
+constexpr double kComplainS = 5;
+// Transforms usually begin at once: after this time odometry may come from its topic.
+constexpr double kWaitForTransformsS = 3;
+// How far a robot may have been moved while the program was off, one sigma.
+constexpr double kMemorySigmaM = 0.5, kMemorySigmaRad = 0.3;
+constexpr double kMountPatienceS = 10;
+
+double steady_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Whether so much time has passed since it last was true.
+bool is_due(double& last_s, double interval_s) {
+  const double now_s = steady_s();
+  if (now_s - last_s < interval_s) return false;
+  last_s = now_s;
+  return true;
+}
+
+recording::RosStream stream_of(const NodeOptions& options) {
+  const double forever = std::numeric_limits<double>::infinity();
+  return recording::RosStream(options.read, options.needs_mounts ? forever : kMountPatienceS);
+}
+
+}  // namespace
+
+RobotNode::RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map, MakeParts make_parts,
+                     EventSink* events)
+    : options_(std::move(options)),
+      map_(std::move(map)),
+      make_parts_(std::move(make_parts)),
+      events_(events),
+      memory_(options_.state_file, map_->name()),
+      participant_(options_.range),
+      incoming_(participant_),
+      outgoing_(participant_, options_.outgoing, options_.frames),
+      stream_(stream_of(options_)),
+      started_s_(steady_s()) {
+  const IncomingTopics& topics = options_.incoming;
+  for (const std::string& scan : options_.read.scans) incoming_.want({scan, "sensor_msgs/msg/LaserScan"});
+  if (!options_.read.odometry.empty()) incoming_.want({options_.read.odometry, "nav_msgs/msg/Odometry"});
+  incoming_.want({topics.tf, "tf2_msgs/msg/TFMessage", options_.read.odometry.empty()});
+  incoming_.want({topics.tf_static, "tf2_msgs/msg/TFMessage", options_.needs_mounts, true});
+  incoming_.want({topics.initial_pose, "geometry_msgs/msg/PoseWithCovarianceStamped", false});
+  incoming_.want({topics.forget, "std_msgs/msg/Empty", false});
+  if (options_.use_sim_time) incoming_.want({topics.clock, "rosgraph_msgs/msg/Clock"});
+  if (!options_.record_file.empty()) recorder_.emplace(options_.record_file);
+}
+
+RobotNode::~RobotNode() = default;
+
+double RobotNode::now_s() const {
+  if (!options_.use_sim_time) return 1e-9 * static_cast<double>(system_ns());
+  return sim_time_s_.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+void RobotNode::run(const std::stop_token& stop, ServiceNotice& notice) {
+  publish_map();
+  notice.ready();
+  double looked_s = 0, told_s = 0;
+  while (!stop.stop_requested()) {
+    incoming_.take(kTickS, [this](recording::ReceivedMessage message) { route(std::move(message)); });
+    drain();
+    if (is_due(looked_s, kLookAroundS)) look_around();
+    if (is_due(told_s, kHealthS)) tell_health(notice);
+  }
+  notice.stopping();
+  announcer_ = {};
+  if (recorder_) recorder_->finish();
+}
+
+void RobotNode::route(recording::ReceivedMessage message) {
+  const IncomingTopics& topics = options_.incoming;
+  if (message.topic.name == topics.initial_pose) return hint_at(message);
+  if (message.topic.name == topics.clock) return set_clock(message);
+  if (message.topic.name == topics.forget) {
+    if (live_) live_->forget();
+    std::cerr << "ros2: asked on " << topics.forget << " to forget everything\n";
+    return;
+  }
+  if (message.topic.name == topics.tf) watch_for_others(message);
+  stream_.take(std::move(message));
+  drain();
+}
+
+void RobotNode::watch_for_others(const recording::ReceivedMessage& message) {
+  const auto transforms = recording::decode_transforms(message.bytes(), message.topic.wire);
+  for (const recording::Transform& transform : transforms.value_or(std::vector<recording::Transform>{}))
+    if (recording::without_slash(transform.child) == options_.frames.odom &&
+        recording::without_slash(transform.parent) == options_.frames.map)
+      other_seen_s_ = steady_s();
+}
+
+void RobotNode::drain() {
+  while (auto next = stream_.next()) {
+    record(next->message);
+    if (!next->record) continue;
+    if (live_)
+      live_->take(std::move(*next->record), now_s());
+    else
+      before_.push_back(std::move(*next->record));
+  }
+  if (!live_ && stream_.is_open()) begin();
+}
+
+void RobotNode::record(const recording::ReceivedMessage& message) {
+  if (!recorder_) return;
+  try {
+    recorder_->write(message);
+  } catch (const WriteError& error) {  // localization goes on without it
+    std::cerr << "ros2: " << error.what() << ": nothing more is recorded\n";
+    recorder_.reset();
+  }
+}
+
+void RobotNode::publish_map() {
+  const std::lock_guard lock(publishing_);
+  outgoing_.publish_walls(*map_, 0);
+  try {
+    outgoing_.publish(rasterized(*map_), 0);
+  } catch (const MapError& error) {
+    std::cerr << "ros2: the map is not published as a grid: " << error.what() << '\n';
+  }
+}
+
+void RobotNode::begin() {
+  const std::vector<MountRecord>& mounts = stream_.mounts();
+  before_.insert(before_.begin(), mounts.begin(), mounts.end());
+  live_ = std::make_unique<LiveLocalizer>(make_parts_(before_), LiveOptions{}, events_);
+  if (const auto pose = memory_.recall()) {
+    live_->hint(*pose, kMemorySigmaM, kMemorySigmaRad);
+    std::cerr << "ros2: the pose of the last run is taken as a hint\n";
+  }
+  if (early_hint_) live_->hint(early_hint_->T_map_base, early_hint_->sigma_m, early_hint_->sigma_rad);
+  for (LogRecord& record : before_) live_->take(std::move(record));
+  before_.clear();
+  announcer_ = std::jthread([this](const std::stop_token& stop) { announce(stop); });
+  std::cerr << "ros2: localizing\n";
+}
+
+void RobotNode::announce(const std::stop_token& stop) {
+  std::uint64_t told = 0;
+  while (!stop.stop_requested()) {
+    const auto answer = live_->newer_than(told, kTickS);
+    if (!answer) continue;
+    told = answer->number;
+    const Announcement announcement = announcement_of(*answer, options_.frames);
+    const std::lock_guard lock(publishing_);
+    outgoing_.publish(announcement);
+    if (announcement.pose) memory_.keep(announcement.pose->T_map_base, steady_s());
+  }
+}
+
+void RobotNode::hint_at(const recording::ReceivedMessage& message) {
+  const std::optional<PoseHint> hint = decode_pose_hint(message.bytes());
+  if (!hint || hint->frame != options_.frames.map) {
+    std::cerr << "ros2: " << message.topic.name << ": "
+              << (hint ? "frame " + in_quotes(hint->frame) : std::string("no pose")) << ", expected a pose in frame "
+              << in_quotes(options_.frames.map) << '\n';
+    return;
+  }
+  if (live_)
+    live_->hint(hint->T_map_base, hint->sigma_m, hint->sigma_rad);
+  else
+    early_hint_ = hint;
+}
+
+void RobotNode::set_clock(const recording::ReceivedMessage& message) {
+  if (const auto time_s = decode_clock(message.bytes())) sim_time_s_ = *time_s;
+}
+
+void RobotNode::fall_back_to_odometry_topic() {
+  if (!options_.read.odometry.empty() || stream_.is_open() || stream_.knows_the_robot()) return;
+  if (steady_s() - started_s_ < kWaitForTransformsS) return;
+  const std::string topic = usual_odometry(incoming_.offers());
+  if (topic.empty()) return;
+  std::cerr << "ros2: no transform from " << options_.read.odom_frame << " on " << options_.incoming.tf
+            << ": odometry is taken from " << topic << '\n';
+  options_.read.odometry = topic;
+  incoming_.want({topic, "nav_msgs/msg/Odometry"});
+  stream_.take_odometry_from_topic(topic);
+}
+
+void RobotNode::look_around() {
+  incoming_.adapt();
+  fall_back_to_odometry_topic();
+}
+
+NodeState RobotNode::state() {
+  NodeState state{stream_.waits_for(), incoming_.complaints(), stream_.defects(), incoming_.take_rates_hz()};
+  if (incoming_.offers().empty()) state.complaints = {"nobody publishes anything (" + words_of(options_.range) + ")"};
+  if (steady_s() - other_seen_s_ < kComplainS)
+    state.complaints.push_back(options_.incoming.tf + ": somebody else publishes the transform from " +
+                               options_.frames.map + " to " + options_.frames.odom + " (AMCL? SLAM?): switch it off");
+  if (live_)
+    for (const auto& [cause, times] : live_->counts()) state.odd_counts[cause] += times;
+  return state;
+}
+
+void RobotNode::tell_health(ServiceNotice& notice) {
+  const NodeState now = state();
+  const LiveAnswer answer = newest();
+  const std::vector<Diagnosis> diagnoses = diagnoses_of(answer, now, now_s());
+  {
+    const std::lock_guard lock(publishing_);
+    outgoing_.publish(diagnoses, options_.use_sim_time ? sim_time_s_.value_or(0) : now_s());
+  }
+  notice.alive();
+  notice.status(diagnoses.front().message);
+  std::vector<std::string> words = now.complaints;
+  if (!now.waits_for.empty()) words.push_back("waits for " + now.waits_for);
+  complain(words);
+}
+
+void RobotNode::complain(const std::vector<std::string>& complaints) {
+  const bool is_over = complaints.empty() && !complained_.empty();
+  if ((complaints.empty() && !is_over) || !is_due(complained_s_, kComplainS)) return;
+  complained_ = listed(complaints);
+  std::cerr << "ros2: " << (is_over ? "all that is needed is received" : complained_) << '\n';
+}
+
+}  // namespace opal::ros2

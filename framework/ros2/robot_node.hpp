@@ -1,0 +1,90 @@
+#pragma once
+
+#include "ros2/incoming.hpp"
+#include "ros2/message_recorder.hpp"
+#include "ros2/messages/outgoing.hpp"
+#include "ros2/network/discovery_range.hpp"
+#include "ros2/pose_hint.hpp"
+#include "ros2/pose_memory.hpp"
+#include "ros2/service_notice.hpp"
+
+#include <mutex>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <thread>
+
+namespace opal::ros2 {
+
+/// What a node listens to.
+struct IncomingTopics {
+  std::string initial_pose = "/initialpose";  ///< a hint
+  std::string forget = "/opal/forget";        ///< Empty: as if nothing had been seen
+  std::string tf = "/tf", tf_static = "/tf_static", clock = "/clock";
+};
+
+struct NodeOptions {
+  recording::TopicChoice read;  ///< scans have to be named; without odometry transforms are it, or the usual topic
+  IncomingTopics incoming;
+  OutgoingTopics outgoing;
+  FrameOptions frames;
+  DiscoveryRange range;
+  bool use_sim_time = false;  ///< "now" is what /clock says
+  bool needs_mounts = true;   ///< the deployment says nothing of them: they have to come
+  std::string record_file;    ///< empty: nothing is kept
+  std::string state_file;     ///< empty: the last pose is not kept
+};
+
+/// What is localized with, once it is known what the lasers are.
+using MakeParts = std::function<LocalizerParts(std::span<const LogRecord>)>;
+
+/// Localizes a running robot until it is asked to stop.
+class RobotNode {
+ public:
+  /// @param events  may be null. @throws Error if DDS cannot be started, WriteError if a file cannot be written.
+  RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map, MakeParts make_parts, EventSink* events);
+  ~RobotNode();
+
+  /// @throws what `make_parts` throws, if the robot's lasers do not fit the deployment.
+  void run(const std::stop_token& stop, ServiceNotice& notice);
+  /// The newest answer; of a node that has localized nothing one with the number 0.
+  LiveAnswer newest() const { return live_ ? live_->newest() : LiveAnswer{}; }
+
+ private:
+  void route(recording::ReceivedMessage message);
+  void watch_for_others(const recording::ReceivedMessage& message);
+  void drain();
+  void hint_at(const recording::ReceivedMessage& message);
+  void set_clock(const recording::ReceivedMessage& message);
+  void record(const recording::ReceivedMessage& message);
+  void publish_map();
+  void begin();
+  void fall_back_to_odometry_topic();
+  void announce(const std::stop_token& stop);
+  void look_around();
+  void tell_health(ServiceNotice& notice);
+  void complain(const std::vector<std::string>& complaints);
+  NodeState state();
+  double now_s() const;
+
+  NodeOptions options_;
+  std::shared_ptr<const SemanticMap> map_;
+  MakeParts make_parts_;
+  EventSink* events_;
+  PoseMemory memory_;
+  Participant participant_;
+  Incoming incoming_;
+  std::mutex publishing_;
+  Outgoing outgoing_;
+  recording::RosStream stream_;
+  std::optional<FileRecorder> recorder_;
+  std::vector<LogRecord> before_;       // records from before the localizer was made
+  std::optional<PoseHint> early_hint_;  // the same
+  std::optional<double> sim_time_s_;
+  double started_s_ = 0, complained_s_ = 0, other_seen_s_ = -1e9;
+  std::string complained_;
+  std::unique_ptr<LiveLocalizer> live_;
+  std::jthread announcer_;  // ends first
+};
+
+}  // namespace opal::ros2

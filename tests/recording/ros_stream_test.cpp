@@ -1,0 +1,159 @@
+#include "recording/ros_stream.hpp"
+#include "mcap_file.hpp"
+#include "tests/plugins/logs/bag_writer.hpp"
+
+#include "recording/ros_log_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace opal;
+using namespace opal::recording;
+
+const Topic kScan{"/scan", "sensor_msgs/msg/LaserScan", Wire::cdr};
+const Topic kTf{"/tf", "tf2_msgs/msg/TFMessage", Wire::cdr};
+const Topic kStatic{"/tf_static", "tf2_msgs/msg/TFMessage", Wire::cdr};
+
+ReceivedMessage received(const Topic& topic, double at_s, const std::string& data) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(data.data());
+  return {topic, static_cast<std::int64_t>(at_s * 1e9), {bytes, bytes + data.size()}};
+}
+
+std::string scan_of(double stamp_s) {
+  log_tests::LaserScanMessage scan;
+  scan.stamp_s = stamp_s;
+  return scan.bytes();
+}
+
+std::string odometry_link(double stamp_s, double x_m) {
+  return log_tests::transforms_bytes({{"odom", "base", {x_m, 0, 0, 0, 0, 0, 1}}}, stamp_s);
+}
+
+std::string laser_link(double x_m) {
+  return log_tests::transforms_bytes({{"base", "laser", {x_m, 0, 0, 1, 0, 0, 0}}});  // upside down
+}
+
+/// Scans come first, the mount last.
+std::vector<ReceivedMessage> late_mount() {
+  std::vector<ReceivedMessage> messages;
+  for (int i = 0; i < 10; ++i) {
+    messages.push_back(received(kScan, 1 + 0.1 * i, scan_of(i == 3 ? 0 : 1 + 0.1 * i)));
+    messages.push_back(received(kTf, 1.05 + 0.1 * i, odometry_link(1.02 + 0.1 * i, 0.1 * i)));
+  }
+  messages.insert(messages.begin() + 14, received(kStatic, 1.71, laser_link(0.3)));
+  return messages;
+}
+
+std::vector<LogRecord> streamed(RosStream& stream, const std::vector<ReceivedMessage>& messages) {
+  std::vector<LogRecord> records;
+  for (const ReceivedMessage& message : messages) {
+    stream.take(message);
+    while (const auto next = stream.next())
+      if (next->record) records.push_back(*next->record);
+  }
+  return records;
+}
+
+std::vector<LogRecord> recorded(const std::vector<ReceivedMessage>& messages) {
+  std::ostringstream out;
+  McapWriter writer(out, "made.mcap");
+  std::map<std::string, std::uint16_t> channels;
+  for (const ReceivedMessage& message : messages) {
+    const auto [channel, is_new] = channels.try_emplace(message.topic.name, 0);
+    if (is_new)
+      channel->second =
+          writer.add_channel(message.topic.name, writer.add_schema(message.topic.type, "ros2msg", ""), "cdr");
+    writer.write(channel->second, 0, message.received_ns, message.received_ns, message.bytes());
+  }
+  writer.finish();
+  Parts parts;
+  parts.push_back(read_mcap(std::make_unique<std::istringstream>(out.str()), "made.mcap"));
+  ChosenTopics chosen = choose_topics("made.mcap", parts, {});
+  RosLogReader reader(std::move(parts), std::move(chosen));
+  std::vector<LogRecord> records;
+  while (auto record = reader.next()) records.push_back(std::move(*record));
+  return records;
+}
+
+TopicChoice one_laser() {
+  TopicChoice topics;
+  topics.scans = {"/scan"};
+  return topics;
+}
+
+bool is_same(const LogRecord& one, const LogRecord& other) {
+  if (one.index() != other.index()) return false;
+  if (const auto* scan = std::get_if<RawScan>(&one)) {
+    const auto& twin = std::get<RawScan>(other);
+    return scan->stamp_s == twin.stamp_s && scan->ranges_m == twin.ranges_m && scan->frame == twin.frame &&
+           scan->angle_increment_rad == twin.angle_increment_rad;
+  }
+  if (const auto* odometry = std::get_if<OdometryRecord>(&one))
+    return odometry->stamp_s == std::get<OdometryRecord>(other).stamp_s &&
+           odometry->T_odom_base.x() == std::get<OdometryRecord>(other).T_odom_base.x();
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("a stream gives the records that a recording of its messages gives, though the mount comes late") {
+  RosStream stream(one_laser());
+  const std::vector<LogRecord> live = streamed(stream, late_mount());
+  const std::vector<LogRecord> replayed = recorded(late_mount());
+  REQUIRE(stream.mounts().size() == 1);
+  CHECK(stream.mounts()[0].T_parent_child.x() == Approx(0.3));
+  REQUIRE(live.size() == 20);
+  REQUIRE(replayed.size() == live.size() + 1);  // the mount
+  CHECK(std::get<MountRecord>(replayed[0]).child == stream.mounts()[0].child);
+  for (std::size_t i = 0; i < live.size(); ++i) CHECK(is_same(live[i], replayed[i + 1]));
+  CHECK(*std::get<RawScan>(live[0]).angle_increment_rad < 0);
+}
+
+TEST_CASE("a stream holds everything until the mount is known, and says what it waits for") {
+  RosStream stream(one_laser());
+  CHECK(stream.waits_for() == "scans on /scan, the transform from odom to the robot on /tf");
+  stream.take(received(kScan, 1, scan_of(1)));
+  stream.take(received(kTf, 1, odometry_link(1, 0)));
+  CHECK_FALSE(stream.next());
+  CHECK(stream.waits_for() == "the transform from base to laser on /tf_static");
+  stream.take(received(kStatic, 100, laser_link(0)));
+  CHECK(stream.waits_for().empty());
+  CHECK(stream.next());
+}
+
+TEST_CASE("a mount on /tf counts when it has stood still for five seconds") {
+  RosStream stream(one_laser());
+  stream.take(received(kScan, 1, scan_of(1)));
+  for (int second = 1; second < 6; ++second) {
+    stream.take(received(kTf, second, odometry_link(second, second)));
+    stream.take(received(kTf, second, laser_link(0.2)));
+    CHECK_FALSE(stream.is_open());
+  }
+  stream.take(received(kTf, 6.1, odometry_link(6.1, 6)));
+  REQUIRE(stream.is_open());
+  CHECK(stream.mounts().at(0).T_parent_child.x() == Approx(0.2));
+}
+
+TEST_CASE("a stream that does not need the mount goes on without it, and says so") {
+  RosStream stream(one_laser(), 3);
+  stream.take(received(kScan, 1, scan_of(1)));
+  stream.take(received(kTf, 3.9, odometry_link(4, 0)));
+  CHECK_FALSE(stream.is_open());
+  stream.take(received(kScan, 4.1, scan_of(4.1)));
+  CHECK(stream.is_open());
+  CHECK(stream.mounts().empty());
+  CHECK(stream.defects().count("no static transform from base to laser") == 1);
+}
+
+TEST_CASE("a topic of odometry can be read instead of transforms") {
+  const Topic wheels{"/odom", "nav_msgs/msg/Odometry", Wire::cdr};
+  RosStream stream(one_laser(), 0);
+  stream.take(received(kScan, 1, scan_of(1)));
+  stream.take_odometry_from_topic("/odom");
+  CHECK(stream.waits_for() == "odometry on /odom");
+  stream.take(received(wheels, 2, log_tests::odometry_bytes(2, {1, 2, 0, 0, 0, 0, 1}, "base")));
+  REQUIRE(stream.is_open());
+  CHECK(std::holds_alternative<RawScan>(*stream.next()->record));
+  CHECK(std::get<OdometryRecord>(*stream.next()->record).T_odom_base.y() == 2);
+}

@@ -1,0 +1,64 @@
+#include "ros2/messages/diagnosis.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+using namespace opal;
+using namespace opal::ros2;
+
+LiveAnswer answer_at(double stamp_s, Status status) {
+  LiveAnswer answer;
+  answer.number = 3;
+  answer.stamp_s = stamp_s;
+  answer.estimate.status = status;
+  answer.why = "the reason";
+  return answer;
+}
+
+}  // namespace
+
+TEST_CASE("before the first scan it is said what is missing") {
+  NodeState state;
+  state.waits_for = "scans on /scan";
+  const std::vector<Diagnosis> told = diagnoses_of({}, state, 5);
+  REQUIRE(told.size() == 2);
+  CHECK(told[0].level == DiagnosisLevel::warn);
+  CHECK(told[0].message == "waits for scans on /scan");
+  CHECK(told[1].level == DiagnosisLevel::error);
+}
+
+TEST_CASE("each status has its level and its reason") {
+  CHECK(diagnoses_of(answer_at(1, Status::localized), {}, 1)[0].level == DiagnosisLevel::ok);
+  CHECK(diagnoses_of(answer_at(1, Status::ambiguous), {}, 1)[0].level == DiagnosisLevel::warn);
+  CHECK(diagnoses_of(answer_at(1, Status::searching), {}, 1)[0].level == DiagnosisLevel::warn);
+  const Diagnosis lost = diagnoses_of(answer_at(1, Status::lost), {}, 1)[0];
+  CHECK(lost.level == DiagnosisLevel::error);
+  CHECK(lost.message == "lost: the reason");
+}
+
+TEST_CASE("clocks that are apart are told by how much") {
+  const Diagnosis future = diagnoses_of(answer_at(107.5, Status::localized), {}, 100)[2];
+  CHECK(future.level == DiagnosisLevel::error);
+  CHECK_THAT(future.message, Catch::Contains("7.5 s in the future"));
+  const Diagnosis old = diagnoses_of(answer_at(100, Status::localized), {}, 104)[2];
+  CHECK(old.level == DiagnosisLevel::warn);
+  CHECK_THAT(old.message, Catch::Contains("4.0 s old"));
+  CHECK(diagnoses_of(answer_at(100, Status::localized), {}, 100.2)[2].level == DiagnosisLevel::ok);
+}
+
+TEST_CASE("complaints, what was odd and findings about sensors are all told") {
+  LiveAnswer answer = answer_at(1, Status::localized);
+  answer.health = {{HealthFinding::Level::bad, "laser front", "no scan for 3 s"}};
+  NodeState state;
+  state.complaints = {"/scan: nobody publishes it"};
+  state.odd_counts = {{"clock reset", 2}};
+  state.rates_hz = {{"/tf", 50}};
+  const std::vector<Diagnosis> told = diagnoses_of(answer, state, 1);
+  REQUIRE(told.size() == 4);
+  CHECK(told[1].level == DiagnosisLevel::error);
+  CHECK(told[1].message == "/scan: nobody publishes it");
+  CHECK(told[1].values == std::vector<std::pair<std::string, std::string>>{{"/tf", "50.0 Hz"}, {"clock reset", "2"}});
+  CHECK(told[3].name == "opal: laser front");
+  CHECK(told[3].level == DiagnosisLevel::error);
+}
