@@ -8,6 +8,8 @@ import statistics
 import subprocess
 import sys
 
+import faults
+
 KINDS = ("office", "hall", "warehouse", "corridor")
 SEEDS = (1, 2, 3)  # of the buildings
 DRIVES = 20
@@ -46,6 +48,11 @@ class Drives:
         self.models = options.models_folder
         self.reuse = options.reuse
         self.jobs = options.jobs
+
+        self.options = options
+
+    def faults_table(self):
+        return faults.faults_table(self.options)
 
     def _opal(self, *words):
         return subprocess.run([str(self.opal), *map(str, words)], capture_output=True, text=True, check=False)

@@ -35,7 +35,7 @@ JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies"
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = {"detect": "detect", "local_map": "local map", "track": "track", "associate": "associate", "verify": "verify"}
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models")
+DRIVEN = ("drives", "drives-models", "faults")
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS = range(1, 21)
 CUT_SEEDS = range(1, 5)
@@ -277,7 +277,7 @@ class Selection:
 
     TABLES = {"full": ["full"], "stages": ["full"], "calibration": ["full"], "damage": DAMAGED, "sites": list(KINDS),
               "seeds": list(SEEDED), "ten-maps": list(SEEDED), "kidnapping": ["kidnapping"], "cuts": ["kidnapping"], "large": list(JOINED),
-              "large-cpu": ["copies"], "drives": ["driven"], "drives-models": ["driven"]}
+              "large-cpu": ["copies"], "drives": ["driven"], "drives-models": ["driven"], "faults": ["driven"]}
 
     def __init__(self, names):
         known = {*self.TABLES, *KINDS, *JOINED, "kidnapping"}
@@ -333,8 +333,8 @@ def make_tables(bench, driven, selection, seeds, page):
         "cuts": lambda: cuts_table(bench, seeds),
         "large": lambda: large_table(bench, kinds["large"]),
         "large-cpu": lambda: large_cpu_table(bench),
-        "drives": driven.buildings_table,
-        "drives-models": driven.models_table,
+        "drives": driven.buildings_table, "drives-models": driven.models_table,
+        "faults": driven.faults_table,
     }
     return {table: makers[table]() for table in kinds}
 

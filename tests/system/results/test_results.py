@@ -9,6 +9,7 @@ import types
 import unittest
 
 import drives
+import faults
 import judge
 import make_results
 import tables
@@ -233,6 +234,14 @@ class Choosing(unittest.TestCase):
 
 
 class Drives(unittest.TestCase):
+    def test_a_drive_that_is_never_right_again_counts_as_the_slowest(self):
+        def row(recovered, before="1"):
+            return {"localized_before": before, "recovered_after_s": recovered, "wrong_s": "1.5", "named": "0"}
+        cells = faults.cells_of([row("1.0"), row(""), row("9.0"), row("0.0", before="0")])
+        self.assertEqual((cells["drives"], cells["localized before"]), ("4", "3"))
+        self.assertEqual((cells["median s until right again"], cells["right again within 5 s"]), ("9.0", "1"))
+        self.assertEqual(cells["localized elsewhere for more than 1 s"], "4")
+
     def test_drives_that_fail_for_one_reason_are_counted_together(self):
         def run(why, driven_m):
             return {"reached": why is None, "why": why, "driven_m": driven_m, "localized_after_m": 0.5, "collisions": []}
@@ -267,9 +276,11 @@ class Page(unittest.TestCase):
         selection.kinds.pop("calibration")  # runs a program
         runs = [{"reached": True, "driven_m": 2.0, "localized_after_m": 1.0, "collisions": [], "why": None}]
         cells = drives.drive_cells(runs)
+        fault_rows = [{"localized_before": "1", "recovered_after_s": "2.5", "wrong_s": "0", "named": "1"}]
         driven = types.SimpleNamespace(
             buildings_table=lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
-            models_table=lambda: {"Duplex, Level 1": cells})
+            models_table=lambda: {"Duplex, Level 1": cells},
+            faults_table=lambda: {"doubled": faults.cells_of(fault_rows)})
         for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):
             tables.rewritten(page, make_results.make_tables(bench, driven, selection, seeds, page))
         self.assertTrue(tables.table_in(page, "calibration"))
