@@ -39,6 +39,7 @@ void add_verbs(CLI::App& app, int& exit_code) {
   opal::add_simulate_verb(app, exit_code);
   opal::add_drive_verb(app, exit_code);
   opal::add_serve_verb(app, exit_code);
+  opal::add_ros2_verb(app, exit_code);
   opal::add_experiment_verb(app, exit_code);
   opal::add_ab_verb(app, exit_code);
   opal::add_bench_verb(app, exit_code);

@@ -7,8 +7,10 @@
 #include "deployment/localizer_options.hpp"
 #include "deployment/store_source.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
+#include <set>
 
 namespace opal {
 namespace {
@@ -30,6 +32,8 @@ Pose2 read_mount(ConfigObject mount) {
 LaserModel read_sensor(ConfigObject sensor) {
   LaserModel laser;
   laser.id = sensor.text("id", laser.id);
+  laser.frame = sensor.text("frame", laser.frame);
+  laser.topic = sensor.text("topic", laser.topic);
   laser.angle_min_rad = sensor.number("angle_min_rad", laser.angle_min_rad, {-2 * kPi, 2 * kPi});
   laser.angle_increment_rad = sensor.number("angle_increment_rad", laser.angle_increment_rad, {1e-5, kPi});
   laser.beams = sensor.integer("beams", laser.beams, {1, 100000});
@@ -148,6 +152,36 @@ std::string resolve(const std::string& path, const std::string& document) {
   return (std::filesystem::path(document).parent_path() / path).lexically_normal().string();
 }
 
+/// Several lasers are told apart by their frames, and what the map offers to perceive is the same for all.
+void expect_distinct(const ConfigObject& document, const std::vector<LaserModel>& lasers) {
+  std::set<std::string> frames;
+  for (std::size_t k = 0; k < lasers.size(); ++k) {
+    const std::string place = document.where("sensor") + "/" + std::to_string(k);
+    if (lasers[k].id != lasers.front().id)
+      throw ConfigError(place + "/id: \"" + lasers[k].id + "\", expected \"" + lasers.front().id +
+                        "\" as for the first sensor");
+    if (lasers.size() > 1 && !frames.insert(lasers[k].frame).second)
+      throw ConfigError(place + "/frame: \"" + lasers[k].frame + "\", expected a frame that no other sensor has");
+  }
+}
+
+/// One sensor, or a list of them.
+void read_sensors(ConfigObject& document, Deployment& deployment) {
+  const nlohmann::json& described = document.any("sensor");
+  if (described.is_null()) return;
+  if (!described.is_array()) {
+    deployment.lasers = {read_sensor(*document.object("sensor"))};
+    deployment.describes_laser = described.size() > described.count("id");
+    return;
+  }
+  const auto sensors = document.list("sensor");
+  if (sensors->empty()) document.refuse("sensor", "a sensor, or a list of at least one");
+  deployment.lasers.clear();
+  for (const ConfigObject& sensor : *sensors) deployment.lasers.push_back(read_sensor(sensor));
+  deployment.describes_laser = true;
+  expect_distinct(document, deployment.lasers);
+}
+
 Deployment read(const nlohmann::json& json, const std::string& file) {
   ConfigObject document(json, file);
   document.expect_type("opal:Deployment");
@@ -157,11 +191,7 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   document.text("comment", "");
   deployment.map = resolve(document.text("map", ""), file);
   for (const std::string& path : document.texts("overlays")) deployment.overlays.push_back(resolve(path, file));
-  if (auto sensor = document.object("sensor")) {
-    deployment.laser = read_sensor(*sensor);
-    const nlohmann::json& described = document.any("sensor");
-    deployment.describes_laser = described.size() > described.count("id");
-  }
+  read_sensors(document, deployment);
   if (auto odometry = document.object("odometry")) deployment.odometry = read_odometry(*odometry);
   if (auto keyframes = document.object("keyframes")) deployment.keyframes = read_keyframes(*keyframes);
   if (auto local_map = document.object("local_map")) deployment.local_map = read_local_map(*local_map);
@@ -185,10 +215,15 @@ Deployment parse_deployment(const std::string& text, const std::string& file) {
   return read(parse_json(text, file), file);
 }
 
-Deployment with_laser(Deployment deployment, const LaserModel& laser) {
-  const std::string sensor = deployment.laser.id;
-  deployment.laser = laser;
-  deployment.laser.id = sensor;
+bool takes_geometry_from_log(const Deployment& deployment) {
+  return std::any_of(deployment.lasers.begin(), deployment.lasers.end(),
+                     [](const LaserModel& laser) { return laser.geometry_from_log; });
+}
+
+Deployment with_lasers(Deployment deployment, std::vector<LaserModel> lasers) {
+  const std::string sensor = deployment.lasers.front().id;
+  deployment.lasers = std::move(lasers);
+  for (LaserModel& laser : deployment.lasers) laser.id = sensor;
   return deployment;
 }
 

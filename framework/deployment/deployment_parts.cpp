@@ -136,7 +136,7 @@ void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
 LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
                            std::shared_ptr<const SemanticMap> map) {
   check_parts(deployment, registry);
-  const PipelinePlan plan = plan_pipeline(*map, deployment.laser.id, registry.types());
+  const PipelinePlan plan = plan_pipeline(*map, deployment.lasers.front().id, registry.types());
   const auto detectors = narrowed(plan.detectors, deployment.detectors);
   const auto patterns =
       observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, registry);
@@ -144,8 +144,8 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   if (patterns.empty()) refuse_empty(deployment, "patterns", plan);
 
   LocalizerParts parts;
-  parts.map = std::make_shared<const MapView>(std::move(map), deployment.laser.id);
-  parts.laser = deployment.laser;
+  parts.map = std::make_shared<const MapView>(std::move(map), deployment.lasers.front().id);
+  parts.lasers = deployment.lasers;
   parts.odometry = deployment.odometry;
   parts.keyframes = deployment.keyframes;
   parts.local_map = deployment.local_map;

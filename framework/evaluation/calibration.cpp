@@ -90,7 +90,7 @@ void measure(const Binned& binned, Calibration& result) {
 Interval middle_95(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
-    return values[static_cast<std::size_t>(share * double(values.size() - 1) + 0.5)];
+    return values[static_cast<std::size_t>(std::lround(share * double(values.size() - 1)))];
   };
   return {at(0.025), at(0.975)};
 }

@@ -75,8 +75,7 @@ std::string numbered(const std::string& name, std::size_t number) {
 double usual_step_s(std::span<const Sample> samples) {
   if (samples.size() < 2) return 0.1;
   std::vector<double> steps;
-  for (std::size_t k = 1; k < samples.size(); ++k)
-    steps.push_back(samples[k].scan.stamp_s - samples[k - 1].scan.stamp_s);
+  for (std::size_t k = 1; k < samples.size(); ++k) steps.push_back(samples[k].stamp_s - samples[k - 1].stamp_s);
   std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
   return steps[steps.size() / 2];
 }
@@ -109,15 +108,18 @@ KidnappingLog with_kidnapping(std::span<const Sample> before, std::span<const Sa
   log.cut = before.size();
   for (const Sample& sample : before) {
     log.samples.push_back(sample);
-    log.recorded_s.push_back(sample.scan.stamp_s);
+    log.recorded_s.push_back(sample.stamp_s);
   }
   const bool both = !before.empty() && !after.empty();
-  const double later_s = both ? before.back().scan.stamp_s + usual_step_s(after) - after.front().scan.stamp_s : 0;
+  const double later_s = both ? before.back().stamp_s + usual_step_s(after) - after.front().stamp_s : 0;
   const Pose2 T_before_after = both ? before.back().T_odom_base * after.front().T_odom_base.inverse() : Pose2();
   for (const Sample& sample : after) {
-    log.samples.push_back({sample.scan, T_before_after * sample.T_odom_base});
-    log.samples.back().scan.stamp_s += later_s;
-    log.recorded_s.push_back(sample.scan.stamp_s);
+    Sample moved = sample;
+    moved.stamp_s += later_s;
+    moved.T_odom_base = T_before_after * sample.T_odom_base;
+    for (LaserView& view : moved.views) view.scan.stamp_s += later_s;
+    log.samples.push_back(std::move(moved));
+    log.recorded_s.push_back(sample.stamp_s);
   }
   return log;
 }

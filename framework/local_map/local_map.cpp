@@ -49,11 +49,11 @@ Feature with_sound_covariance(Feature feature) {
   return feature;
 }
 
-std::vector<Point> points_in_base(const Scan& scan, const Pose2& T_base_laser) {
+std::vector<Point> points_in_base(const Sample& sample) {
   std::vector<Point> points;
-  points.reserve(scan.points.size());
-  for (const ScanPoint& point : scan.points)
-    if (point.position.allFinite()) points.push_back(T_base_laser * point.position);
+  for (const LaserView& view : sample.views)
+    for (const ScanPoint& point : view.scan.points)
+      if (point.position.allFinite()) points.push_back(view.T_base_laser * point.position);
   return points;
 }
 
@@ -77,7 +77,7 @@ struct LocalMap::State {
   Pose2 improve(const Pose2& predicted, const std::vector<Point>& points);
   void append_keyframe(Keyframe keyframe, bool superseding);
   RelativePose motion_to_newest(const Keyframe& from) const;
-  void take_in(const std::vector<Feature>& detected, const Pose2& T_base_laser);
+  void take_in(const std::vector<Feature>& detected);
   void measure(int index, const Feature& in_base, int& id);
   void estimate_newly_seen();
   void forget_old(bool superseded);
@@ -132,14 +132,14 @@ RelativePose LocalMap::State::motion_to_newest(const Keyframe& from) const {
 }
 
 /// Algorithm 1, lines 3 to 21: each detection joins a local feature or begins one.
-void LocalMap::State::take_in(const std::vector<Feature>& detected, const Pose2& T_base_laser) {
+void LocalMap::State::take_in(const std::vector<Feature>& detected) {
   associations.assign(detected.size(), -1);
   std::vector<std::size_t> usable;
   std::vector<Feature> in_base, in_local;
   for (std::size_t i = 0; i < detected.size(); ++i) {
     if (!is_usable(detected[i])) continue;
     usable.push_back(i);
-    in_base.push_back(with_sound_covariance(transformed(T_base_laser, detected[i])));
+    in_base.push_back(with_sound_covariance(detected[i]));
     in_local.push_back(transformed(T_local_base, in_base.back()));
   }
   const std::vector<int> partners = associate(in_local, features, options);
@@ -186,17 +186,16 @@ LocalMap::~LocalMap() = default;
 LocalMap::LocalMap(LocalMap&&) noexcept = default;
 LocalMap& LocalMap::operator=(LocalMap&&) noexcept = default;
 
-void LocalMap::add(const Scan& scan, const std::vector<Feature>& features, const Pose2& T_odom_base,
-                   const Pose2& T_base_laser) {
+void LocalMap::add(const Sample& sample, const std::vector<Feature>& features) {
   State& s = *state_;
   const bool superseding = !newest_is_distinct(s.keyframes, s.options);
   Keyframe keyframe;
-  keyframe.stamp_s = scan.stamp_s;
-  keyframe.points = points_in_base(scan, T_base_laser);
-  keyframe.T_local_base = s.improve(s.predict(T_odom_base), keyframe.points);
-  if (is_usable(T_odom_base)) s.T_odom_base = T_odom_base;
+  keyframe.stamp_s = sample.stamp_s;
+  keyframe.points = points_in_base(sample);
+  keyframe.T_local_base = s.improve(s.predict(sample.T_odom_base), keyframe.points);
+  if (is_usable(sample.T_odom_base)) s.T_odom_base = sample.T_odom_base;
   s.append_keyframe(std::move(keyframe), superseding);
-  s.take_in(features, T_base_laser);
+  s.take_in(features);
   s.forget_old(superseding);
   s.optimize();
 }

@@ -1,5 +1,8 @@
 #include <opal/localization/localizer.hpp>
 
+#include "common/plugin_failures.hpp"
+#include "common/stage_clock.hpp"
+#include "localization/alignment/registration.hpp"
 #include "localization/decision/kidnap_detector.hpp"
 #include "localization/decision/status.hpp"
 #include "localization/decision/unmapped_walls.hpp"
@@ -9,11 +12,7 @@
 #include "localization/search/global_search.hpp"
 #include "localization/search/search_schedule.hpp"
 #include "localization/tree/hypothesis_set.hpp"
-#include "sensor_health/sensor_monitor.hpp"
-
-#include "common/plugin_failures.hpp"
-#include "common/stage_clock.hpp"
-#include "localization/alignment/registration.hpp"
+#include "sensor_health/sensor_monitors.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +23,7 @@ struct Localizer::State {
   State(LocalizerParts parts_given, EventSink* sink)
       : parts(std::move(parts_given)),
         odometry(parts.odometry),
-        sensor(parts.laser, parts.matcher),
+        sensors(parts.lasers, parts.matcher),
         local_map(parts.local_map, parts.matcher),
         ensemble(parts.scorers, parts.map, failures),
         search(parts.map, parts.patterns, ensemble, parts.stages.search),
@@ -35,18 +34,17 @@ struct Localizer::State {
         schedule(parts.stages.schedule),
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
-  void check_sensor(const Scan& scan, const Pose2& T_odom_base);
+  void check_sensors(const Sample& sample);
   bool moved_enough(const Pose2& T_odom_base) const;
-  bool fits_no_more(const Scan& scan, const Pose2& T_odom_base) const;
-  std::vector<Feature> detect(const Scan& scan);
+  bool fits_no_more(const Sample& sample) const;
   double tempering_weight() const;  ///< of the newest scan
   PoseEstimate estimate();
-  void track(const Observation& observation, const Scan& scan);
+  void track(const Observation& observation, const Sample& sample);
   void watch();
   void settle();
   bool time_to_search();
   int searched_every() const;
-  void search_map(const Observation& observation, const Scan& scan);
+  void search_map(const Observation& observation, const Sample& sample);
   bool has_gathered_much() const;
   void grow();
   std::vector<int> pattern_of_best() const;
@@ -55,7 +53,7 @@ struct Localizer::State {
   LocalizerParts parts;
   PluginFailures failures;
   ScaledOdometry odometry;
-  SensorMonitor sensor;
+  SensorMonitors sensors;
   LocalMap local_map;
   ScorerEnsemble ensemble;
   GlobalSearch search;
@@ -72,32 +70,42 @@ struct Localizer::State {
   int keyframe = 0;
   Pose2 T_odom_base;                ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
+  std::optional<PoseHint> hint;     ///< for the next search
   bool search_now = false;          ///< there is reason to believe that the robot was kidnapped, since this scan
   double sensor_s = 0;              ///< CPU time of the sensor check since the newest keyframe
   StageTimes times;
 };
 
 // The pipeline; its stages follow.
-std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_recorded) {
+std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   State& s = *state_;
-  const Pose2 T_odom_base = s.odometry.next(T_recorded);
-  s.check_sensor(scan, T_odom_base);
-  if (!s.moved_enough(T_odom_base) && !s.fits_no_more(scan, T_odom_base)) return std::nullopt;
+  Sample sample = recorded;
+  sample.T_odom_base = s.odometry.next(recorded.T_odom_base);
+  s.check_sensors(sample);
+  if (!s.hint && !s.moved_enough(sample.T_odom_base) && !s.fits_no_more(sample)) return std::nullopt;
   s.times = {.sensor_s = std::exchange(s.sensor_s, 0)};
-  s.stamp_s = scan.stamp_s;
-  const std::vector<Feature> features = s.detect(scan);  // sensor frame
+  s.stamp_s = sample.stamp_s;
+  SeenFeatures seen;  // base_link frame
+  {
+    StageClock clock(s.times.detect_s);
+    seen = detect(s.parts.detectors, sample, s.failures);
+  }
   {
     StageClock clock(s.times.local_map_s);
-    s.local_map.add(scan, features, T_odom_base, s.parts.laser.T_base_laser);  // local frame
+    const Pose2 T_local_before = s.local_map.T_local_base();
+    s.local_map.add(sample, seen.features);  // local frame
+    if (s.local_map.last_match().converged)
+      s.sensors.compare_step(distance_m(s.T_odom_base, sample.T_odom_base),
+                             distance_m(T_local_before, s.local_map.T_local_base()));
   }
-  s.step_m = s.started ? distance_m(s.T_odom_base, T_odom_base) : 0;
-  s.turn_rad = s.started ? angle_between_rad(s.T_odom_base, T_odom_base) : 0;
-  s.T_odom_base = T_odom_base;
-  const Observation observation = observe(s.local_map, scan, s.parts.laser.T_base_laser, features);  // base_link frame
-  s.journal.keyframe(s.stamp_s, s.keyframe, scan, s.parts.laser.T_base_laser, observation);
-  s.track(observation, scan);  // map frame from here on
+  s.step_m = s.started ? distance_m(s.T_odom_base, sample.T_odom_base) : 0;
+  s.turn_rad = s.started ? angle_between_rad(s.T_odom_base, sample.T_odom_base) : 0;
+  s.T_odom_base = sample.T_odom_base;
+  const Observation observation = observe(s.local_map, sample, std::move(seen));  // base_link frame
+  s.journal.keyframe(sample, s.keyframe, observation);
+  s.track(observation, sample);  // map frame from here on
   s.watch();
-  if (s.time_to_search()) s.search_map(observation, scan);
+  if (s.time_to_search()) s.search_map(observation, sample);
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), best_nat);
@@ -111,13 +119,13 @@ std::optional<PoseEstimate> Localizer::update(const Scan& scan, const Pose2& T_r
 }
 
 /// A description that the drive contradicts turns every pose.
-void Localizer::State::check_sensor(const Scan& scan, const Pose2& now) {
+void Localizer::State::check_sensors(const Sample& sample) {
   StageClock clock(sensor_s);
   bool changed = false;
-  failures.guard("scan matcher", [&] { changed = sensor.add(scan, now); });
+  failures.guard("scan matcher", [&] { changed = sensors.add(sample); });
   if (!changed) return;
-  status.contradict(sensor.contradiction());
-  journal.sensor(sensor.findings());
+  status.contradict(sensors.contradiction());
+  journal.sensor(sensors.findings());
 }
 
 bool Localizer::State::moved_enough(const Pose2& now) const {
@@ -126,23 +134,13 @@ bool Localizer::State::moved_enough(const Pose2& now) const {
 }
 
 /// A robot that stands, and sees something else than it should, has been kidnapped or turned.
-bool Localizer::State::fits_no_more(const Scan& scan, const Pose2& now) const {
+bool Localizer::State::fits_no_more(const Sample& sample) const {
   if (!status.localized() || hypotheses.alive().empty()) return false;
-  const Pose2 T_local_base = local_map.T_local_base_at(now);
+  const Pose2 T_local_base = local_map.T_local_base_at(sample.T_odom_base);
   Hypothesis carried_on = hypotheses.alive().front().hypothesis;
   carried_on.T_map_local = carried_on.T_map_local * T_local_base * local_map.T_local_base().inverse();
-  const Observation seen = observe(local_map, scan, parts.laser.T_base_laser, {});
-  return !seen.points.empty() && kidnapping.alarming(ensemble.decide(carried_on, seen));
-}
-
-std::vector<Feature> Localizer::State::detect(const Scan& scan) {
-  StageClock clock(times.detect_s);
-  std::vector<Feature> features;
-  for (const auto& detector : parts.detectors)
-    failures.guard(detector.name, [&] {
-      for (Feature& feature : detector.part->detect(scan)) features.push_back(std::move(feature));
-    });
-  return features;
+  const Observation seen = observe(local_map, sample, {});
+  return seen.points() > 0 && kidnapping.alarming(ensemble.decide(carried_on, seen));
 }
 
 double Localizer::State::tempering_weight() const {
@@ -160,14 +158,14 @@ PoseEstimate Localizer::State::estimate() {
                          {tempering_weight(), kidnapping.probability(), unmapped_m});
 }
 
-void Localizer::State::track(const Observation& observation, const Scan& scan) {
+void Localizer::State::track(const Observation& observation, const Sample& sample) {
   StageClock clock(times.track_s);
   // Where the scan matcher could not tell, odometry may be wrong by its usual share.
   Eigen::Vector2d window(0, 0);
   if (started && !local_map.last_match().converged && (step_m > 0.2 || turn_rad > 0.1))
     window = {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
   constexpr std::size_t kCoarsePoints = 40;  // of the alignment search after odometry has failed
-  const auto coarse = thinned(scan.points, parts.laser.T_base_laser, 0.2, kCoarsePoints).points;
+  const std::vector<Point> coarse = thinned_points(sample, 0.2, kCoarsePoints);
   hypotheses.track(observation, tempering_weight(), coarse, window);
 }
 
@@ -192,7 +190,7 @@ void Localizer::State::settle() {
 }
 
 bool Localizer::State::time_to_search() {
-  return schedule.time_to_search(T_odom_base, hypotheses.alive().empty() || search_now, searched_every());
+  return schedule.time_to_search(T_odom_base, hypotheses.alive().empty() || search_now || hint, searched_every());
 }
 
 /// How many chances to search make one search: the surer the robot is, the less there is to find.
@@ -210,11 +208,11 @@ bool Localizer::State::has_gathered_much() const {
          alive_now.front().hypothesis.log_likelihood >= parts.stages.search.under_constrained_until_nat;
 }
 
-void Localizer::State::search_map(const Observation& observation, const Scan& scan) {
-  if (observation.points.size() < GlobalSearch::kFewestPoints) return;
+void Localizer::State::search_map(const Observation& observation, const Sample& sample) {
+  if (observation.points() < GlobalSearch::kFewestPoints) return;
   const bool under_constrained = !has_gathered_much() || kidnapping.suspected();
   GlobalSearch::Result found =
-      search.search({scan, parts.laser.T_base_laser, observation, under_constrained, journal.listening()}, times);
+      search.search({sample, observation, under_constrained, journal.listening(), std::exchange(hint, {})}, times);
   for (const GlobalSearch::Result::Rejected& rejected : found.rejected)
     journal.candidate_rejected(rejected.candidate, rejected.reason);
   {
@@ -244,8 +242,6 @@ std::vector<int> Localizer::State::pattern_of_best() const {
   return features;
 }
 
-// ---------------------------------------------------------------------------------------------- the rest
-
 Localizer::Localizer(LocalizerParts parts, EventSink* events)
     : state_(std::make_unique<State>(std::move(parts), events)) {}
 Localizer::~Localizer() = default;
@@ -254,9 +250,16 @@ PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) co
   return state_->status.at(stamp_s, state_->local_map.T_local_base_at(state_->odometry.at(T_odom_base)));
 }
 
+void Localizer::hint(const PoseHint& hint) {
+  const bool is_finite = hint.T_map_base.position().allFinite() && std::isfinite(hint.T_map_base.heading_rad()) &&
+                         std::isfinite(hint.sigma_m) && std::isfinite(hint.sigma_rad);
+  if (is_finite) state_->hint = hint;
+}
+
 void Localizer::reset() {
   State& s = *state_;
-  s.sensor.clear();
+  s.hint.reset();
+  s.sensors.clear();
   s.local_map.clear();
   s.retrospective.clear();
   s.hypotheses.clear();
@@ -289,7 +292,7 @@ std::map<std::string, Score> Localizer::scores_of(int hypothesis) const {
   return scores;
 }
 
-const std::vector<SensorFinding>& Localizer::sensor_findings() const { return state_->sensor.findings(); }
+const std::vector<SensorFinding>& Localizer::sensor_findings() const { return state_->sensors.findings(); }
 const std::string& Localizer::why() const { return state_->status.belief().why; }
 const StageTimes& Localizer::last_times() const { return state_->times; }
 const std::map<std::string, int>& Localizer::plugin_failures() const { return state_->failures.counts(); }

@@ -16,7 +16,7 @@ void LocalizerQueries::take(const RawScan& scan) {
   if (std::exchange(keep_pattern_, false)) localizer_.keep_pattern();
   T_odom_base_ = of_three_numbers(*scan.T_odom_base);
   scan_ = make_scan(scan, laser_);
-  localizer_.update(scan_, T_odom_base_);
+  localizer_.update(sample_of(scan_, T_odom_base_, laser_.T_base_laser));
   estimate_ = localizer_.estimate_at(scan_.stamp_s, T_odom_base_);
   estimate_.T_map_base = of_three_numbers(estimate_.T_map_base);
   for (PoseEstimate::Alternative& alternative : estimate_.alternatives)

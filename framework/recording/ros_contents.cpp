@@ -101,7 +101,7 @@ void MessageTally::take_scan(const Message& message, const Topic& topic, double 
   SeenLaser& seen = lasers_[topic.name];
   seen.tally.add(decoded->scan);
   seen.laser.topic = topic.name;
-  seen.laser.is_read = topic.name == chosen_.scan;
+  seen.laser.is_read = reads_scans_of(chosen_, topic.name);
   seen.laser.range_min_m = decoded->range_min_m;
   seen.laser.range_max_m = decoded->range_max_m;
   seen.laser.sweep_s = decoded->scan.time_increment_s * (static_cast<double>(decoded->scan.ranges_m.size()) - 1);
@@ -187,7 +187,9 @@ void MessageTally::tell(LogContents& contents) const {
 }
 
 void tell_options(LogContents& contents, const TopicChoice& chosen) {
-  if (!chosen.scan.empty()) contents.options.emplace_back("scan_topic", chosen.scan);
+  if (chosen.scans.size() == 1) contents.options.emplace_back("scan_topic", chosen.scans.front());
+  if (chosen.scans.size() > 1)
+    contents.options.emplace_back("scan_topics", fmt::format("{}", fmt::join(chosen.scans, ",")));
   if (!chosen.odometry.empty()) contents.options.emplace_back("odometry_topic", chosen.odometry);
   for (const LogOdometry& odometry : contents.odometries)
     if (odometry.is_read && chosen.odometry.empty()) {

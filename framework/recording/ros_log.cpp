@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 namespace opal::recording {
 namespace {
@@ -19,10 +20,24 @@ Parts by_time(Parts parts) {
   return parts;
 }
 
+/// "/front, /rear": each name once.
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> names;
+  std::istringstream words(list);
+  for (std::string name; std::getline(words, name, ',');) {
+    std::erase(name, ' ');
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
 }  // namespace
 
 TopicChoice topic_choice(const nlohmann::json& options) {
-  return {options.at("scan_topic"), options.at("odometry_topic"), options.at("odom_frame"), options.at("base_frame")};
+  std::vector<std::string> scans = names_in(options.at("scan_topics").get<std::string>());
+  const std::string scan = options.at("scan_topic");
+  if (!scan.empty() && std::find(scans.begin(), scans.end(), scan) == scans.end()) scans.insert(scans.begin(), scan);
+  return {std::move(scans), options.at("odometry_topic"), options.at("odom_frame"), options.at("base_frame")};
 }
 
 std::unique_ptr<LogReader> RosLogSource::open(const std::string& path) const {

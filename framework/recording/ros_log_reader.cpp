@@ -1,19 +1,10 @@
 #include "recording/ros_log_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace opal::recording {
 namespace {
-
-// A transform that stands still for so long, from the start of a recording, is taken for a mount.
-constexpr double kMountWindowS = 5;
-
-// A driver without a clock leaves its stamps at zero.
-double stamp_or_recorded(double stamp_s, double recorded_s) { return stamp_s == 0 ? recorded_s : stamp_s; }
-
-double seconds(std::int64_t nanoseconds) { return kSecondsPerNanosecond * static_cast<double>(nanoseconds); }
 
 void add_all(Defects& all, const Defects& more) {
   for (const auto& [cause, times] : more) all[cause] += times;
@@ -22,20 +13,19 @@ void add_all(Defects& all, const Defects& more) {
 }  // namespace
 
 RosLogReader::RosLogReader(Parts parts, ChosenTopics chosen)
-    : parts_(std::move(parts)), topics_(std::move(chosen.topics)) {
+    : parts_(std::move(parts)), decoder_(std::move(chosen.topics)) {
   if (!chosen.remark.empty()) ++defects_[chosen.remark];
   for (const auto& part : parts_) {
     add_all(defects_, part->defects());
     spans_.push_back(span_of(*part));
   }
   reached_s_ = spans_.front().begin_s;
-  if (topics_.odometry.empty()) {
-    const OdometryLink link = find_odometry_link(parts_, topics_);
-    transforms_are_odometry_ = link.exists;
-    if (link.exists) topics_.base_frame = link.base_frame;
+  if (decoder_.topics().odometry.empty()) {
+    const OdometryLink link = find_odometry_link(parts_, decoder_.topics());
+    if (link.exists) decoder_.take_odometry_from_transforms(link.base_frame);
     if (!link.exists) ++defects_[link.complaint];
   }
-  find_mount();
+  find_mounts();
 }
 
 SeenTransforms RosLogReader::read_transforms(bool with_moving) {
@@ -47,13 +37,13 @@ SeenTransforms RosLogReader::read_transforms(bool with_moving) {
     const auto walk =
         part.walk(topics_where(part, [&](const Topic& topic) { return has_transforms(topic, !with_moving); }));
     while (const auto message = walk->next()) {
-      if (with_moving && seconds(message->recorded_ns) > until_s) break;
+      if (with_moving && seconds_of(message->recorded_ns) > until_s) break;
       const Topic& topic = part.topics()[message->topic];
       const auto transforms = decode_transforms(message->data, topic.wire);
       // Moving transforms are counted while they are played, if they are.
       if (!transforms && !with_moving) ++defects_["damaged TFMessage"];
       for (const Transform& transform : transforms.value_or(std::vector<Transform>{}))
-        if (!with_moving || !is_odometry(transform, topics_)) seen.add(transform, topic.name, !with_moving);
+        if (!with_moving || !is_odometry(transform, decoder_.topics())) seen.add(transform, topic.name, !with_moving);
     }
   }
   return seen;
@@ -70,51 +60,50 @@ std::optional<Wanted> RosLogReader::first_of(const std::string& topic, Decoder d
 }
 
 std::string RosLogReader::base_frame_of(const FixedFrames& frames, const std::string& laser_frame) const {
-  if (transforms_are_odometry_) return topics_.base_frame;
-  const auto odometry = first_of<OdometryMessage>(topics_.odometry, decode_odometry);
+  if (decoder_.transforms_are_odometry()) return decoder_.topics().base_frame;
+  const auto odometry = first_of<OdometryMessage>(decoder_.topics().odometry, decode_odometry);
   return odometry ? odometry->base_frame : frames.root_of(laser_frame);
 }
 
-void RosLogReader::find_mount() {
-  const auto laser = first_of<LaserScanMessage>(topics_.scan, decode_laser_scan);
-  if (!laser) return;
-  const std::string& frame = laser->scan.frame;
-  FixedFrames frames = read_transforms(false).fixed_frames();
-  const std::string base = base_frame_of(frames, frame);
-  std::optional<Eigen::Isometry3d> T_base_laser = frames.pose(base, frame);
-  const bool has_base = transforms_are_odometry_ || !topics_.odometry.empty();
-  if (!T_base_laser && has_base) {
-    const SeenTransforms moving = read_transforms(true);
-    for (const auto& [link, seen] : moving.by_link())
-      if (!seen.moves) frames.add_unless_known(seen.last);
-    T_base_laser = frames.pose(base, frame);
-  }
-  const bool stands_alone = !has_base && base == frame;  // nothing carries it
-  if (!T_base_laser || stands_alone) {
-    ++defects_["no static transform from " + (stands_alone ? "anything" : base) + " to " + frame];
-    return;
-  }
-  const double upright = T_base_laser->linear()(2, 2);
-  if (std::abs(upright) < kUprightCosine) ++defects_["laser that is tilted"];
-  upside_down_ = upright < 0;
-  mount_ = MountRecord{base, frame, projected(*T_base_laser)};
+void RosLogReader::add_still_links(FixedFrames& frames) {
+  if (std::exchange(knows_still_links_, true)) return;
+  const SeenTransforms moving = read_transforms(true);
+  for (const auto& [link, seen] : moving.by_link())
+    if (!seen.moves) frames.add_unless_known(seen.last);
 }
 
-/// Seen from above, the beams of a laser that hangs upside down turn the other way.
-void RosLogReader::turn_upright(RawScan& scan) const {
-  if (!upside_down_) return;
-  scan.angle_min_rad = -*scan.angle_min_rad;
-  scan.angle_increment_rad = -*scan.angle_increment_rad;
+void RosLogReader::find_mounts() {
+  std::vector<std::string> laser_frames;
+  for (const std::string& topic : decoder_.topics().scans)
+    if (const auto laser = first_of<LaserScanMessage>(topic, decode_laser_scan))
+      if (std::find(laser_frames.begin(), laser_frames.end(), laser->scan.frame) == laser_frames.end())
+        laser_frames.push_back(laser->scan.frame);
+  if (laser_frames.empty()) return;
+  FixedFrames frames = read_transforms(false).fixed_frames();
+  for (const std::string& frame : laser_frames) find_mount(frames, frame);
+}
+
+void RosLogReader::find_mount(FixedFrames& frames, const std::string& laser_frame) {
+  const std::string base = base_frame_of(frames, laser_frame);
+  std::optional<LaserMount> mount = find_laser_mount(frames, base, laser_frame);
+  const bool has_base = decoder_.transforms_are_odometry() || !decoder_.topics().odometry.empty();
+  if (!mount && has_base) {
+    add_still_links(frames);
+    mount = find_laser_mount(frames, base, laser_frame);
+  }
+  const bool stands_alone = !has_base && base == laser_frame;  // nothing carries it
+  if (!mount || stands_alone) {
+    ++defects_["no static transform from " + (stands_alone ? "anything" : base) + " to " + laser_frame];
+    return;
+  }
+  decoder_.add_mount(*mount);
+  mounts_.push_back(mount->record);
 }
 
 std::optional<Message> RosLogReader::next_message() {
   for (; part_ < parts_.size(); ++part_) {
     const Recording& part = *parts_[part_];
-    if (!walk_)
-      walk_ = part.walk(topics_where(part, [this](const Topic& topic) {
-        return topic.name == topics_.scan || (!topics_.odometry.empty() && topic.name == topics_.odometry) ||
-               (transforms_are_odometry_ && has_transforms(topic, false));
-      }));
+    if (!walk_) walk_ = part.walk(topics_where(part, [this](const Topic& topic) { return decoder_.reads(topic); }));
     if (auto message = walk_->next()) return message;
     add_all(defects_, walk_->defects());
     walk_.reset();
@@ -122,47 +111,23 @@ std::optional<Message> RosLogReader::next_message() {
   return std::nullopt;
 }
 
-RosLogReader::Decoded RosLogReader::odometry_of(const Message& message, Wire wire, double recorded_s) const {
-  const auto decoded = decode_transforms(message.data, wire);
-  if (!decoded) return {std::nullopt, true};
-  const auto found = std::find_if(decoded->begin(), decoded->end(),
-                                  [&](const Transform& transform) { return is_odometry(transform, topics_); });
-  if (found == decoded->end()) return {};
-  return {OdometryRecord{stamp_or_recorded(found->stamp_s, recorded_s), projected(found->T_parent_child)}};
-}
-
-RosLogReader::Decoded RosLogReader::decode(const Message& message, const Topic& topic, double recorded_s) const {
-  if (topic.name == topics_.scan) {
-    std::optional<LaserScanMessage> laser = decode_laser_scan(message.data, topic.wire);
-    if (!laser) return {std::nullopt, true};
-    laser->scan.stamp_s = stamp_or_recorded(laser->scan.stamp_s, recorded_s);
-    turn_upright(laser->scan);
-    return {std::move(laser->scan)};
-  }
-  if (topic.name != topics_.odometry) return odometry_of(message, topic.wire, recorded_s);
-  std::optional<OdometryMessage> odometry = decode_odometry(message.data, topic.wire);
-  if (!odometry) return {std::nullopt, true};
-  odometry->odometry.stamp_s = stamp_or_recorded(odometry->odometry.stamp_s, recorded_s);
-  return {odometry->odometry};
-}
-
 std::optional<LogRecord> RosLogReader::next() {
-  if (mount_) return std::exchange(mount_, std::nullopt);
+  if (!mounts_.empty()) {
+    const MountRecord mount = mounts_.front();
+    mounts_.pop_front();
+    return mount;
+  }
   while (const auto message = next_message()) {
-    reached_s_ = seconds(message->recorded_ns);
+    reached_s_ = seconds_of(message->recorded_ns);
     const Topic& topic = parts_[part_]->topics()[message->topic];
-    Decoded decoded = decode(*message, topic, reached_s_);
-    if (decoded.record) return std::move(decoded.record);
-    if (!decoded.damaged) continue;
-    ++defects_[topic.name == topics_.scan       ? "damaged LaserScan message"
-               : topic.name == topics_.odometry ? "damaged Odometry message"
-                                                : "damaged TFMessage"];
+    if (auto record = decoder_.decode(topic, message->data, reached_s_)) return record;
   }
   return std::nullopt;
 }
 
 std::map<std::string, int> RosLogReader::defects() const {
   Defects all = defects_;
+  add_all(all, decoder_.defects());
   if (walk_) add_all(all, walk_->defects());
   return all;
 }

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "recording/fixed_frames.hpp"
-#include "recording/ros_topics.hpp"
+#include "recording/record_decoder.hpp"
+
+#include <deque>
 
 namespace opal::recording {
 
-// cos 10 deg: a laser that is tilted more sees floor and ceiling within a few metres.
-constexpr double kUprightCosine = 0.985;
+// A transform that stands still for so long, from the start of a recording, is taken for a mount.
+constexpr double kMountWindowS = 5;
 
 /// Walks the files of one recording, in order.
 class RosLogReader final : public LogReader {
@@ -19,30 +20,23 @@ class RosLogReader final : public LogReader {
   double progress() const override;
 
  private:
-  /// What a message holds for us; nothing and not damaged: it is about something else.
-  struct Decoded {
-    std::optional<LogRecord> record;
-    bool damaged = false;
-  };
   std::optional<Message> next_message();
-  Decoded decode(const Message& message, const Topic& topic, double recorded_s) const;
-  Decoded odometry_of(const Message& message, Wire wire, double recorded_s) const;
   std::string base_frame_of(const FixedFrames& frames, const std::string& laser_frame) const;
-  void find_mount();
+  void find_mounts();
+  void find_mount(FixedFrames& frames, const std::string& laser_frame);
+  void add_still_links(FixedFrames& frames);
   SeenTransforms read_transforms(bool with_moving);
   template <class Wanted, class Decoder>
   std::optional<Wanted> first_of(const std::string& topic, Decoder decoder) const;
-  void turn_upright(RawScan& scan) const;
 
   Parts parts_;
-  TopicChoice topics_;
+  RecordDecoder decoder_;
   std::vector<Span> spans_;  // of the parts
   std::size_t part_ = 0;
   std::unique_ptr<MessageWalk> walk_;  // of that part; after parts_, so that it goes first
-  std::optional<MountRecord> mount_;   // not yet handed out
-  bool upside_down_ = false;
+  std::deque<MountRecord> mounts_;     // not yet handed out
+  bool knows_still_links_ = false;     // of /tf
   double reached_s_ = 0;
-  bool transforms_are_odometry_ = false;  // no topic has odometry
   Defects defects_;
 };
 

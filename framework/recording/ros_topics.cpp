@@ -3,6 +3,7 @@
 #include <opal/common/error.hpp>
 #include "common/phrases.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace opal::recording {
@@ -52,13 +53,16 @@ TopicTest is_named(const std::string& name) {
 ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted) {
   const std::set<std::string> scans = names_where(parts, kScans.test);
   const std::set<std::string> odometry = names_where(parts, kOdometry.test);
-  if (scans.empty() && wanted.scan.empty())
+  if (scans.empty() && wanted.scans.empty())
     throw LogError(path + ": no topic of type " + kScans.type + " that can be read");
   ChosenTopics chosen{wanted, ""};
-  chosen.topics.scan = choose(path, scans, kScans, wanted.scan);
-  if (chosen.topics.scan.empty()) chosen.topics.scan = *scans.begin();
-  if (wanted.scan.empty() && scans.size() > 1)
-    chosen.remark = "several lasers (" + listed(scans) + "): " + chosen.topics.scan +
+  for (const std::string& scan : wanted.scans) choose(path, scans, kScans, scan);  // there has to be each
+  if (wanted.scans.empty()) {
+    const std::string scan = choose(path, scans, kScans, "");
+    chosen.topics.scans = {scan.empty() ? *scans.begin() : scan};
+  }
+  if (wanted.scans.empty() && scans.size() > 1)
+    chosen.remark = "several lasers (" + listed(scans) + "): " + chosen.topics.scans.front() +
                     " is read, the option scan_topic may name another one";
   chosen.topics.odometry = choose(path, odometry, kOdometry, wanted.odometry);
   if (chosen.topics.odometry.empty() && odometry.size() > 1)
@@ -67,6 +71,10 @@ ChosenTopics choose_topics(const std::string& path, const Parts& parts, const To
   chosen.topics.odom_frame = without_slash(wanted.odom_frame);
   chosen.topics.base_frame = without_slash(wanted.base_frame);
   return chosen;
+}
+
+bool reads_scans_of(const TopicChoice& topics, const std::string& topic) {
+  return std::find(topics.scans.begin(), topics.scans.end(), topic) != topics.scans.end();
 }
 
 bool is_odometry(const Transform& transform, const TopicChoice& topics) {

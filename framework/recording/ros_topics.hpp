@@ -15,7 +15,7 @@ TopicTest is_named(const std::string& name);
 
 /// What is read of a recording.
 struct ChosenTopics {
-  TopicChoice topics;  ///< scan is not empty; odometry is if no topic has it
+  TopicChoice topics;  ///< scans is not empty; odometry is if no topic has it
   std::string remark;  ///< what a user should know of the choice; may be empty
 };
 
@@ -29,6 +29,8 @@ struct OdometryLink {
   std::string complaint;   ///< if it does not: with the links that options could name
 };
 
+/// Whether scans of this topic are read.
+bool reads_scans_of(const TopicChoice& topics, const std::string& topic);
 /// Whether a transform leads from the frame of odometry to the robot.
 bool is_odometry(const Transform& transform, const TopicChoice& topics);
 OdometryLink find_odometry_link(const Parts& parts, const TopicChoice& topics);

@@ -6,36 +6,50 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace opal {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
+const RawScan* scan_of(const LogRecord& record, const LaserModel& laser) {
+  const auto* raw = std::get_if<RawScan>(&record);
+  return raw && (laser.frame.empty() || raw->frame == laser.frame) ? raw : nullptr;
+}
+
 /// Most scans have as many beams; a line that was cut has fewer.
-int usual_beams(std::span<const LogRecord> records) {
+int usual_beams(std::span<const LogRecord> records, const LaserModel& laser) {
   std::map<int, int> scans_by_beams;
   for (const LogRecord& record : records)
-    if (const auto* raw = std::get_if<RawScan>(&record)) ++scans_by_beams[static_cast<int>(raw->ranges_m.size())];
+    if (const RawScan* raw = scan_of(record, laser)) ++scans_by_beams[static_cast<int>(raw->ranges_m.size())];
   const auto most = std::max_element(scans_by_beams.begin(), scans_by_beams.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
   return most == scans_by_beams.end() ? 0 : most->first;
 }
 
+std::string frames_in(std::span<const LogRecord> records) {
+  std::set<std::string> frames;
+  for (const LogRecord& record : records)
+    if (const auto* raw = std::get_if<RawScan>(&record)) frames.insert("\"" + raw->frame + "\"");
+  std::string text;
+  for (const std::string& frame : frames) text += (text.empty() ? "" : ", ") + frame;
+  return text;
+}
+
 }  // namespace
 
-const RawScan* first_with_geometry(std::span<const LogRecord> records) {
+const RawScan* first_with_geometry(std::span<const LogRecord> records, const LaserModel& laser) {
   for (const LogRecord& record : records)
-    if (const auto* raw = std::get_if<RawScan>(&record); raw && raw->angle_min_rad && raw->angle_increment_rad)
-      return raw;
+    if (const RawScan* raw = scan_of(record, laser); raw && raw->angle_min_rad && raw->angle_increment_rad) return raw;
   return nullptr;
 }
 
 void check_log(std::span<const LogRecord> records, const LaserModel& laser, const std::string& log,
                const std::string& described_in) {
-  const RawScan* stated = first_with_geometry(records);
+  const RawScan* stated = first_with_geometry(records, laser);
   if (laser.geometry_from_log && stated) return;
-  const int beams = usual_beams(records);
+  const int beams = usual_beams(records, laser);
   if (beams > 0 && beams != laser.beams)
     throw ConfigError(
         sentence("%s: the laser has %d beams, but the scans of %s have %d; describe the laser that recorded "
@@ -54,10 +68,18 @@ void check_log(std::span<const LogRecord> records, const LaserModel& laser, cons
                *stated->angle_min_rad * kDegrees, *stated->angle_increment_rad * kDegrees));
 }
 
-LaserModel laser_of_log(std::span<const LogRecord> records, const LaserModel& described, const std::string& log,
-                        const std::string& described_in) {
-  check_log(records, described, log, described_in);
-  return with_log_geometry(described, records);
+std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::vector<LaserModel> described,
+                                      const std::string& log, const std::string& described_in) {
+  const bool are_several = described.size() > 1;
+  for (std::size_t k = 0; k < described.size(); ++k) {
+    const std::string place = described_in + (are_several ? "/" + std::to_string(k) : "");
+    if (are_several && usual_beams(records, described[k]) == 0)
+      throw ConfigError(sentence("%s: %s has no scan of frame \"%s\"; its scans have: %s", place.c_str(), log.c_str(),
+                                 described[k].frame.c_str(), frames_in(records).c_str()));
+    check_log(records, described[k], log, place);
+    described[k] = with_log_geometry(described[k], records);
+  }
+  return described;
 }
 
 }  // namespace opal

@@ -4,11 +4,12 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace opal {
 
-/// The first scan that states its beam geometry; null if none does.
-const RawScan* first_with_geometry(std::span<const LogRecord> records);
+/// The first scan of a laser that states its beam geometry; null if none does.
+const RawScan* first_with_geometry(std::span<const LogRecord> records, const LaserModel& laser);
 
 /// Holds what a log states of its laser against the description: the number of beams, their first angle and
 /// increment. A description that takes its geometry from the log agrees with any log that states one.
@@ -18,8 +19,9 @@ const RawScan* first_with_geometry(std::span<const LogRecord> records);
 OPAL_EXPORT void check_log(std::span<const LogRecord> records, const LaserModel& laser, const std::string& log,
                            const std::string& described_in);
 
-/// `described` with what the log states (with_log_geometry), after check_log. @throws ConfigError likewise.
-OPAL_EXPORT LaserModel laser_of_log(std::span<const LogRecord> records, const LaserModel& described,
-                                    const std::string& log, const std::string& described_in);
+/// Lasers with what the log states of them (with_log_geometry), after check_log. @throws ConfigError likewise, and
+/// where there are several, for one of which the log has no scan.
+OPAL_EXPORT std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::vector<LaserModel> described,
+                                                  const std::string& log, const std::string& described_in);
 
 }  // namespace opal

@@ -34,6 +34,8 @@ class OdometryTrack {
   std::optional<Pose2> at(double stamp_s, double reach_s) const;
   /// `T_odom_base` in the continuous frame.
   Pose2 continuous(const Pose2& T_odom_base) const { return T_track_odom_ * T_odom_base; }
+  /// The other way: as odometry says it since its last jump.
+  Pose2 recorded(const Pose2& T_track_base) const { return T_track_odom_.inverse() * T_track_base; }
   bool reaches(double stamp_s) const { return !poses_.empty() && poses_.back().stamp_s >= stamp_s; }
 
  private:

@@ -36,8 +36,8 @@ double stamp_of(const RawScan& scan) { return scan.stamp_s; }
 }  // namespace
 
 struct Replay::State {
-  State(Records log, const LaserModel& laser, const ReplayOptions& limits)
-      : records(std::move(log)), options(limits), pairing(laser, limits.pairing) {}
+  State(Records log, std::vector<LaserModel> lasers, const ReplayOptions& limits)
+      : records(std::move(log)), options(limits), pairing(std::move(lasers), limits.pairing) {}
 
   Records records;
   ReplayOptions options;
@@ -51,10 +51,10 @@ struct Replay::State {
   }
 };
 
-Replay::Replay(std::unique_ptr<LogReader> reader, const LaserModel& laser, const ReplayOptions& options)
-    : state_(std::make_unique<State>(Records(std::move(reader)), laser, options)) {}
-Replay::Replay(std::span<const LogRecord> records, const LaserModel& laser, const ReplayOptions& options)
-    : state_(std::make_unique<State>(Records(records), laser, options)) {}
+Replay::Replay(std::unique_ptr<LogReader> reader, std::vector<LaserModel> lasers, const ReplayOptions& options)
+    : state_(std::make_unique<State>(Records(std::move(reader)), std::move(lasers), options)) {}
+Replay::Replay(std::span<const LogRecord> records, std::vector<LaserModel> lasers, const ReplayOptions& options)
+    : state_(std::make_unique<State>(Records(records), std::move(lasers), options)) {}
 Replay::~Replay() = default;
 Replay::Replay(Replay&&) noexcept = default;
 Replay& Replay::operator=(Replay&&) noexcept = default;
@@ -94,7 +94,7 @@ std::vector<LogRecord> read_all(LogReader& reader) {
 LaserModel with_log_geometry(const LaserModel& laser, std::span<const LogRecord> records) {
   LaserModel model = laser;
   if (!laser.geometry_from_log) return model;
-  const RawScan* first = first_with_geometry(records);
+  const RawScan* first = first_with_geometry(records, laser);
   if (!first) return model;
   model.angle_min_rad = *first->angle_min_rad;
   model.angle_increment_rad = *first->angle_increment_rad;

@@ -43,6 +43,11 @@ void sort_by_bearing(Scan& scan) {
 
 bool is_below(double range_m, double limit_m) { return range_m < limit_m - kRounding_m; }
 
+std::string name_of(const LaserModel& laser, std::size_t position) {
+  if (!laser.frame.empty()) return laser.frame;
+  return laser.topic.empty() ? std::to_string(position + 1) : laser.topic;
+}
+
 Scan make_scan(const RawScan& raw, const LaserModel& laser) {
   const Beams beams = beams_of(raw, laser);
   Scan scan;

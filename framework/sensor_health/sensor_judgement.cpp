@@ -133,6 +133,16 @@ std::vector<SensorFinding> judge_standing(std::span<const MotionPair> standing) 
                     moved_m, turned_rad)}};
 }
 
+SensorFinding frozen_odometry(double changed_share) {
+  return {Subject::standing_odometry,
+          Verdict::contradicted,
+          changed_share,
+          0,
+          0,
+          sentence("odometry stands still, but %.0f %% of the beams have changed: do the wheels' counts arrive?",
+                   100 * changed_share)};
+}
+
 std::vector<SensorFinding> judge_ranges(const RangeHabits& habits, const LaserModel& described) {
   std::vector<SensorFinding> findings;
   if (habits.scans() < kScansOfRanges) return findings;

@@ -18,6 +18,9 @@ OPAL_EXPORT std::vector<SensorFinding> judge_motion(const MotionCalibration& dri
 OPAL_EXPORT std::vector<SensorFinding> judge_standing(std::span<const MotionPair> standing);
 
 /// What ranges say of the limits of a description.
+/// Odometry has frozen. @param changed_share  of the beams while it stood.
+SensorFinding frozen_odometry(double changed_share);
+
 OPAL_EXPORT std::vector<SensorFinding> judge_ranges(const RangeHabits& habits, const LaserModel& described);
 
 }  // namespace opal

@@ -42,6 +42,7 @@ void SensorMonitor::clear() {
   newest_.clear();
   standing_.clear();
   ranges_.clear();
+  frozen_.clear();
   T_odom_ranges_.reset();
   of_motions_.clear();
   findings_.clear();
@@ -50,14 +51,17 @@ void SensorMonitor::clear() {
 bool SensorMonitor::add(const Scan& scan, const Pose2& T_odom_base) {
   const int ranges_before = ranges_.scans();
   look_at_ranges(scan, T_odom_base);
+  const bool was_frozen = frozen_.is_frozen();
+  frozen_.add(scan, T_odom_base);
   const auto pair = motions_ ? motions_->add(scan, T_odom_base) : std::nullopt;
   if (pair) {
     take(*pair);
     judge_motions();
   }
-  if (!pair && ranges_.scans() == ranges_before) return false;
+  if (!pair && ranges_.scans() == ranges_before && frozen_.is_frozen() == was_frozen) return false;
   std::vector<SensorFinding> now = judge_ranges(ranges_, described_);  // first: wrong ranges tell nothing of motions
   now.insert(now.end(), of_motions_.begin(), of_motions_.end());
+  if (frozen_.is_frozen()) now.push_back(frozen_odometry(frozen_.changed_share()));
   const bool changed = !same_verdicts(findings_, now);
   findings_ = std::move(now);
   return changed;
@@ -91,13 +95,6 @@ void SensorMonitor::judge_motions() {
     const std::vector<SensorFinding> found = judge_motion(*drive, described_.T_base_laser);
     of_motions_.insert(of_motions_.end(), found.begin(), found.end());
   }
-}
-
-std::string SensorMonitor::contradiction() const {
-  const auto found = std::find_if(findings_.begin(), findings_.end(), [](const SensorFinding& finding) {
-    return finding.verdict == SensorFinding::Verdict::contradicted;
-  });
-  return found == findings_.end() ? "" : found->words;
 }
 
 }  // namespace opal

@@ -2,6 +2,7 @@
 
 #include "sensor_health/motion_pairs.hpp"
 #include "sensor_health/range_habits.hpp"
+#include "sensor_health/standing_odometry.hpp"
 
 #include <opal/sensor_health/sensor_finding.hpp>
 
@@ -26,8 +27,6 @@ class OPAL_EXPORT SensorMonitor {
 
   /// By subject; those of which the drive has told enough.
   const std::vector<SensorFinding>& findings() const { return findings_; }
-  /// Words of the first finding that contradicts the description; empty if none does.
-  std::string contradiction() const;
 
  private:
   void take(const MotionPair& pair);
@@ -39,6 +38,7 @@ class OPAL_EXPORT SensorMonitor {
   std::vector<MotionPair> newest_;    ///< motions of the odometry
   std::vector<MotionPair> standing_;  ///< motions that odometry has none of
   RangeHabits ranges_;
+  StandingOdometry frozen_;
   std::optional<Pose2> T_odom_ranges_;     ///< where ranges were looked at last
   std::vector<SensorFinding> of_motions_;  ///< as the newest motion left them
   std::vector<SensorFinding> findings_;

@@ -107,23 +107,31 @@ void Simulation::place(const Pose2& T_map_base) {
   remember();
 }
 
+double Simulation::longest_sweep_s() const {
+  double longest_s = options_.laser.sweep_s.value_or(0);
+  for (const LaserModel& laser : options_.more_lasers) longest_s = std::max(longest_s, laser.sweep_s.value_or(0));
+  return longest_s;
+}
+
 void Simulation::remember() {
-  if (sweep_s() > 0) moved_.add({now_s_, T_map_base_, T_odom_base()}, sweep_s());
+  if (longest_sweep_s() > 0) moved_.add({now_s_, T_map_base_, T_odom_base()}, longest_sweep_s());
 }
 
 Pose2 Simulation::T_map_base_at(double stamp_s) const {
   return moved_.empty() ? T_map_base_ : moved_.at(stamp_s).T_map_base;
 }
 
-RawScan Simulation::scan() {
+RawScan Simulation::scan(std::size_t number) {
   std::vector<Circle> legs;
   for (const Walker& walker : people_)
     for (const Circle& leg : walker.legs()) legs.push_back(leg);
-  const LaserModel& laser = options_.laser;
-  const double start_s = now_s_ - sweep_s(), beam_s = sweep_s() / std::max(1, laser.beams - 1);
+  const LaserModel& laser = this->laser(number);
+  const double sweep_s = laser.sweep_s.value_or(0);
+  const double start_s = now_s_ - sweep_s, beam_s = sweep_s / std::max(1, laser.beams - 1);
   const auto path = [&](int beam) { return T_map_base_at(start_s + beam * beam_s) * laser.T_base_laser; };
   RawScan scan = swept(*solids_, legs, path, laser, options_.laser_errors, random_);
   scan.stamp_s = start_s;
+  scan.frame = laser.frame;
   scan.T_odom_base = moved_.empty() ? T_odom_base() : moved_.at(start_s).T_odom_base;
   return scan;
 }

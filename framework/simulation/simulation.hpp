@@ -13,7 +13,8 @@
 namespace opal::simulation {
 
 struct SimulationOptions {
-  LaserModel laser = default_laser();
+  LaserModel laser = default_laser();   ///< the first one: poses are told of it
+  std::vector<LaserModel> more_lasers;  ///< those beside it
   LaserErrors laser_errors;
   Drive drive = Drive::differential;
   OdometryErrors odometry_errors;
@@ -66,8 +67,9 @@ class Simulation {
   std::optional<Contact> drive(const Velocity& velocity, double duration_s);
   /// The robot is led to a pose by a time, whatever stands in the way; odometry counts it, people walk.
   void follow(const Pose2& T_map_base, double stamp_s);
-  /// The sweep that ends now; its stamp and its odometry are those of its first beam.
-  RawScan scan();
+  /// The sweep of a laser that ends now; its stamp and its odometry are those of its first beam.
+  /// @param laser  0: the first one; k: the k-th of more_lasers.
+  RawScan scan(std::size_t laser = 0);
   /// Where the robot was, during the sweep that ends now.
   Pose2 T_map_base_at(double stamp_s) const;
 
@@ -77,7 +79,10 @@ class Simulation {
   std::unique_ptr<const RayCaster> furnished();
   std::optional<Contact> contact(const Pose2& T_map_base) const;
   bool nears(const Geometry& touched, const Point& next) const;
-  double sweep_s() const { return options_.laser.sweep_s.value_or(0); }
+  const LaserModel& laser(std::size_t number) const {
+    return number == 0 ? options_.laser : options_.more_lasers[number - 1];
+  }
+  double longest_sweep_s() const;
   void remember();
 
   std::shared_ptr<const SemanticMap> building_;

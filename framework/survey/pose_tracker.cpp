@@ -6,6 +6,7 @@
 #include "local_map/local_map_odometry.hpp"
 #include "localization/alignment/pose_step.hpp"
 #include "localization/scoring/observation.hpp"
+#include "survey/fused_motion.hpp"
 #include "survey/odometry_direction.hpp"
 #include "survey/scan_on_map.hpp"
 #include "survey/seen_through.hpp"
@@ -38,28 +39,6 @@ LocalizerParts checked(LocalizerParts parts) {
   return parts;
 }
 
-Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, const Pose2& T_to_from) {
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  R.col(0).head<2>() = T_to_from.rotate(Point::UnitX());
-  R.col(1).head<2>() = T_to_from.rotate(Point::UnitY());
-  return R * covariance * R.transpose();
-}
-
-struct Motion {
-  Pose2 T_before_now;
-  Eigen::Matrix3d covariance;  ///< of (x, y, heading) in the frame before
-};
-
-/// Two measurements of one motion; where they contradict each other, the second is right.
-Motion fused(const Motion& a, const Motion& b) {
-  constexpr double kContradiction = 2.5 * 2.5;
-  const Eigen::Matrix3d information = (a.covariance + b.covariance).inverse();
-  const Eigen::Matrix3d gain = a.covariance * information;
-  const Eigen::Vector3d apart = step_between(a.T_before_now, b.T_before_now);
-  if (apart.dot(information * apart) > kContradiction) return b;
-  return {stepped(a.T_before_now, gain * apart), (Eigen::Matrix3d::Identity() - gain) * a.covariance};
-}
-
 }  // namespace
 
 struct PoseTracker::State {
@@ -71,20 +50,30 @@ struct PoseTracker::State {
         horizon(*parts.map, options) {}
 
   bool moved_enough(const Pose2& T_odom_now) const;
-  TrackedKeyframe move(const Scan& scan, const Pose2& T_odom_now);
+  TrackedKeyframe move(const Sample& sample);
   struct Placed {
     Pose2 T_map_base;
     bool jumped = false;  ///< against odometry and scan matching
   };
-  Placed place(const Scan& scan, const TrackedKeyframe& moved) const;
-  double fit_at(const ExpectedFeatures& expected, const std::vector<Point>& points, const Pose2& pose) const;
+  Placed place(const LaserView& view, const TrackedKeyframe& moved) const;
+  /// What one laser returned; base_link frame.
+  struct Returns {
+    std::vector<Point> points;
+    Point laser;
+  };
+  static double fit_at(const ExpectedFeatures& expected, const Returns& seen, const Pose2& pose);
   Pose2 search(const std::vector<Point>& points, const Pose2& around, const Eigen::Vector2d& window) const;
   Eigen::Vector2d window(const Pose2& newest_motion) const;
   Eigen::Matrix3d predicted_covariance(const TrackedKeyframe& moved) const;
-  ExpectedFeatures expected_from(const Pose2& T_map_base) const;
+  ExpectedFeatures expected_from(const Point& eye) const;
+  struct Seen {
+    ExpectedFeatures expected;
+    Returns returns;
+  };
+  std::vector<Seen> look(const Sample& sample, TrackedKeyframe& keyframe) const;
   void jump(TrackedKeyframe& keyframe);
   void learn(const TrackedKeyframe& keyframe);
-  void judge(const ExpectedFeatures& expected, const std::vector<Point>& points, double step_m);
+  void judge(const ExpectedFeatures& expected, const Returns& seen, double step_m);
 
   LocalizerParts parts;
   PoseTrackerOptions options;
@@ -110,16 +99,19 @@ bool PoseTracker::State::moved_enough(const Pose2& now) const {
 }
 
 /// Where odometry and scan matching say that the robot is now.
-TrackedKeyframe PoseTracker::State::move(const Scan& scan, const Pose2& T_odom_now) {
+TrackedKeyframe PoseTracker::State::move(const Sample& sample) {
+  const Pose2& T_odom_now = sample.T_odom_base;
   if (!started) odometry.start(T_odom_now);
   const Pose2 T_local_before = local_map.T_local_base();
   const Pose2 driven = T_local_before.inverse() * local_map.T_local_base_at(odometry.corrected(T_odom_now));
-  local_map.add(scan, {}, odometry.corrected(T_odom_now), parts.laser.T_base_laser);
+  Sample corrected = sample;
+  corrected.T_odom_base = odometry.corrected(T_odom_now);
+  local_map.add(corrected, {});
   const Motion seen{T_local_before.inverse() * local_map.T_local_base(),
                     turned(local_map.last_match().covariance, T_local_before.inverse())};
   matched = {seen.T_before_now, seen.covariance.topLeftCorner<2, 2>()};
   TrackedKeyframe keyframe;
-  keyframe.stamp_s = scan.stamp_s;
+  keyframe.stamp_s = sample.stamp_s;
   Motion motion{driven, odometry_sigma(driven, parts.local_map).cwiseAbs2().asDiagonal()};
   if (local_map.last_match().converged) motion = fused(motion, seen);
   keyframe.T_before_now = started ? motion.T_before_now : Pose2();
@@ -167,41 +159,40 @@ Eigen::Matrix3d PoseTracker::State::predicted_covariance(const TrackedKeyframe& 
   return covariance;
 }
 
-ExpectedFeatures PoseTracker::State::expected_from(const Pose2& T_map_base) const {
-  return ExpectedFeatures(*parts.map, belief, T_map_base * parts.laser.T_base_laser.position(), options.view_m,
-                          options.wall_error_m);
+ExpectedFeatures PoseTracker::State::expected_from(const Point& eye) const {
+  return ExpectedFeatures(*parts.map, belief, eye, options.view_m, options.wall_error_m);
 }
 
-double PoseTracker::State::fit_at(const ExpectedFeatures& expected, const std::vector<Point>& points,
-                                  const Pose2& pose) const {
-  const Point laser = parts.laser.T_base_laser.position();
-  return share_on(expected, points, laser, pose) - share_through(expected, points, laser, pose);
+double PoseTracker::State::fit_at(const ExpectedFeatures& expected, const Returns& seen, const Pose2& pose) {
+  return share_on(expected, seen.points, seen.laser, pose) - share_through(expected, seen.points, seen.laser, pose);
 }
 
 /// The predicted pose, aligned with what the map holds there.
-PoseTracker::State::Placed PoseTracker::State::place(const Scan& scan, const TrackedKeyframe& moved) const {
+PoseTracker::State::Placed PoseTracker::State::place(const LaserView& view, const TrackedKeyframe& moved) const {
+  const Scan& scan = view.scan;
   const Pose2& predicted = moved.T_map_base;
-  const Pose2& T_base_laser = parts.laser.T_base_laser;
+  const Pose2& T_base_laser = view.T_base_laser;
+  const Point laser = T_base_laser.position();
   const auto points = thinned(scan.points, T_base_laser, 0.1, kAlignedPoints).points;
   if (points.empty()) return {predicted, false};
   const auto coarse = thinned(scan.points, T_base_laser, 0.2, kSearchedPoints).points;
-  const ExpectedFeatures expected = expected_from(predicted);
+  const ExpectedFeatures expected = expected_from(predicted * laser);
   const Eigen::Matrix3d information = predicted_covariance(moved).inverse();
-  const auto aligned = [&](const Pose2& guess) {
-    return align_with(expected, points, T_base_laser.position(), guess, information);
-  };
+  const auto aligned = [&](const Pose2& guess) { return align_with(expected, points, laser, guess, information); };
   Pose2 best = aligned(predicted);
   if (const Eigen::Vector2d around = window(moved.T_before_now); around.x() > 0) {
     constexpr double kClearlyBetter = 0.05;
     const Pose2 found = aligned(search(coarse, predicted, around));
     const bool near =
         distance_m(found, predicted) < 1.5 * around.x() && angle_between_rad(found, predicted) < 1.5 * around.y();
-    if (near && fit_at(expected, points, found) > fit_at(expected, points, best) + kClearlyBetter) best = found;
+    if (near && fit_at(expected, {points, laser}, found) > fit_at(expected, {points, laser}, best) + kClearlyBetter)
+      best = found;
   }
-  if (!started || points.size() < kFewestTurned || fit_at(expected, points, best) > kMisfit) return {best, false};
+  if (!started || points.size() < kFewestTurned || fit_at(expected, {points, laser}, best) > kMisfit)
+    return {best, false};
   // The robot may have been turned, or pushed, while the odometry did not count.
   const Pose2 found = aligned(search(coarse, predicted, {kPushed_m, std::numbers::pi}));
-  return fit_at(expected, points, found) > kFit ? Placed{found, true} : Placed{best, false};
+  return fit_at(expected, {points, laser}, found) > kFit ? Placed{found, true} : Placed{best, false};
 }
 
 /// Begins a new horizon.
@@ -210,6 +201,19 @@ void PoseTracker::State::jump(TrackedKeyframe& keyframe) {
   keyframe.T_before_now = last.T_map_base.inverse() * keyframe.T_map_base;
   keyframe.motion_covariance = Eigen::Vector3d(kSigma_m, kSigma_m, kSigma_rad).cwiseAbs2().asDiagonal();
   horizon.start({keyframe.T_map_base, keyframe.motion_covariance});
+}
+
+/// What each laser sees of the map from where the keyframe is; the keyframe gets what it measures.
+std::vector<PoseTracker::State::Seen> PoseTracker::State::look(const Sample& sample, TrackedKeyframe& keyframe) const {
+  std::vector<Seen> all;
+  for (const LaserView& view : sample.views) {
+    const Point laser = view.T_base_laser.position();
+    Returns returns{thinned(view.scan.points, view.T_base_laser, 0.03, kMeasuredPoints).points, laser};
+    const Seen& seen = all.emplace_back(Seen{expected_from(keyframe.T_map_base * laser), std::move(returns)});
+    for (MapMeasurement& measured : measure(seen.expected, seen.returns.points, laser, keyframe.T_map_base, options))
+      keyframe.measurements.push_back(std::move(measured));
+  }
+  return all;
 }
 
 void PoseTracker::State::learn(const TrackedKeyframe& keyframe) {
@@ -221,11 +225,10 @@ void PoseTracker::State::learn(const TrackedKeyframe& keyframe) {
 }
 
 /// Whether scans fit the map where the robot is said to be. A scan without points does not tell.
-void PoseTracker::State::judge(const ExpectedFeatures& expected, const std::vector<Point>& points, double step_m) {
-  if (points.empty()) return;
-  const Point laser = parts.laser.T_base_laser.position();
-  last.on_map_share = share_on(expected, points, laser, last.T_map_base);
-  last.through_share = share_through(expected, points, laser, last.T_map_base);
+void PoseTracker::State::judge(const ExpectedFeatures& expected, const Returns& seen, double step_m) {
+  if (seen.points.empty()) return;
+  last.on_map_share = share_on(expected, seen.points, seen.laser, last.T_map_base);
+  last.through_share = share_through(expected, seen.points, seen.laser, last.T_map_base);
   const double newest = started ? std::min(1.0, step_m / options.lost_after_m) : 1;
   fit += newest * (last.on_map_share - last.through_share - fit);
   last.lost = fit < 0;
@@ -262,35 +265,34 @@ void PoseTracker::forget_offsets() {
   state_->horizon.forget_offsets();
 }
 
-std::optional<TrackedPose> PoseTracker::update(const Scan& scan, const Pose2& T_recorded) {
+std::optional<TrackedPose> PoseTracker::update(const Sample& recorded) {
   State& s = *state_;
-  const Pose2 T_odom_base = s.scaled.next(T_recorded);
-  if (!s.ready || !s.moved_enough(T_odom_base)) return std::nullopt;
-  const Point laser = s.parts.laser.T_base_laser.position();
+  Sample sample = recorded;
+  sample.T_odom_base = s.scaled.next(recorded.T_odom_base);
+  if (!s.ready || !s.moved_enough(sample.T_odom_base)) return std::nullopt;
   const Pose2 T_map_before = s.last.T_map_base;
-  TrackedKeyframe keyframe = s.move(scan, T_odom_base);
-  const State::Placed placed = s.place(scan, keyframe);
+  TrackedKeyframe keyframe = s.move(sample);
+  const State::Placed placed = s.place(sample.views.front(), keyframe);
   keyframe.T_map_base = placed.T_map_base;
   if (placed.jumped) s.jump(keyframe);
-  const auto points = thinned(scan.points, s.parts.laser.T_base_laser, 0.03, kMeasuredPoints).points;
-  const ExpectedFeatures expected = s.expected_from(keyframe.T_map_base);
-  keyframe.measurements = measure(expected, points, laser, keyframe.T_map_base, s.options);
+  const std::vector<State::Seen> seen = s.look(sample, keyframe);
   s.learn(keyframe);
   s.track.push_back(keyframe);
   s.horizon.add(std::move(keyframe));
   s.horizon.solve(s.belief);
-  s.last.stamp_s = scan.stamp_s;
+  s.last.stamp_s = sample.stamp_s;
   s.last.T_map_base = s.horizon.newest().T_map_base;
   s.last.covariance = s.horizon.newest_covariance();
   s.last.features = static_cast<int>(s.track.back().measurements.size());
-  s.judge(expected, points, distance_m(T_map_before, s.last.T_map_base));
-  count_seen(s.belief, expected, points, laser, s.last.T_map_base);
+  s.judge(seen.front().expected, seen.front().returns, distance_m(T_map_before, s.last.T_map_base));
+  for (const auto& [expected, returns] : seen)
+    count_seen(s.belief, expected, returns.points, returns.laser, s.last.T_map_base);
   s.track.back().T_map_base = s.last.T_map_base;
   s.horizon.slide(s.belief);
   const Pose2 found = T_map_before.inverse() * s.last.T_map_base;
   const Eigen::Matrix3d found_covariance = turned(s.last.covariance, T_map_before.inverse());
-  s.odometry.advance(T_odom_base, s.matched, {found, found_covariance.topLeftCorner<2, 2>()});
-  s.T_odom_base = T_odom_base;
+  s.odometry.advance(sample.T_odom_base, s.matched, {found, found_covariance.topLeftCorner<2, 2>()});
+  s.T_odom_base = sample.T_odom_base;
   s.started = true;
   return s.last;
 }

@@ -63,7 +63,7 @@ struct TrackedKeyframe {
 /// model); use Localizer when it is not. One object per robot, called in time order from one thread.
 class OPAL_EXPORT PoseTracker {
  public:
-  /// Of the parts, it uses map, laser, keyframes, local map (odometry errors), matcher and detectors.
+  /// Of the parts, it uses map, keyframes, local map (odometry errors), matcher and detectors.
   /// @throws ConfigError if there is no map.
   explicit PoseTracker(LocalizerParts parts, PoseTrackerOptions options = {});
   ~PoseTracker();
@@ -75,9 +75,10 @@ class OPAL_EXPORT PoseTracker {
   /// Believes the map again.
   void forget_offsets();
 
-  /// Takes one scan; a poor one is bridged by odometry. Scans before `start` are not taken.
-  /// @return the pose if the scan became a keyframe, else nullopt.
-  std::optional<TrackedPose> update(const Scan& scan, const Pose2& T_odom_base);
+  /// Takes what the lasers saw at one time; poor scans are bridged by odometry. Samples before `start` are not taken.
+  /// The first scan of a sample places the robot, and all of them measure the map.
+  /// @return the pose if the sample became a keyframe, else nullopt.
+  std::optional<TrackedPose> update(const Sample& sample);
   /// The newest pose carried on by odometry.
   Pose2 T_map_base_at(const Pose2& T_odom_base) const;
 

@@ -1,6 +1,6 @@
 #include "detector.hpp"
 
-#include <opal/sensing/line_corner.hpp>
+#include <opal/sensing/lines/line_corner.hpp>
 
 #include <algorithm>
 

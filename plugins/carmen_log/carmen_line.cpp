@@ -146,14 +146,14 @@ bool is_new_laser(std::string_view message) {
 
 }  // namespace
 
-ParsedLine parse_line(std::string_view text, bool terminated, std::string_view laser_message) {
+ParsedLine parse_line(std::string_view text, bool terminated, std::span<const std::string> laser_messages) {
   Words words(text, terminated);
   const std::string_view message = words.word();
   if (message.empty() || message.front() == '#') return {};
   const bool cut = !words.ok();
   if (cut) return {{}, kTruncated};
   if (message == "ODOM") return parse_odometry(words);
-  if (message == laser_message)
+  if (std::find(laser_messages.begin(), laser_messages.end(), message) != laser_messages.end())
     return is_new_laser(message) ? parse_new_laser(words, message) : parse_old_laser(words, message);
   return is_carmen_message(message) ? ParsedLine{} : ParsedLine{{}, kMalformed};
 }

@@ -3,6 +3,8 @@
 #include <opal/sensing/log_source.hpp>
 
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace opal::carmen_log {
@@ -13,9 +15,9 @@ struct ParsedLine {
   const char* defect = nullptr;  ///< why there is none, or what the record lacks; null for lines of no interest
 };
 
-/// Parses one line: ODOM, and the laser message of the given name (FLASER, RLASER, ROBOTLASER1, RAWLASER1, ...).
+/// Parses one line: ODOM, and the laser messages of the given names (FLASER, RLASER, ROBOTLASER1, RAWLASER1, ...).
 /// @param terminated  false if the file ends before the line does; its last number is not to be trusted then.
-ParsedLine parse_line(std::string_view text, bool terminated, std::string_view laser_message);
+ParsedLine parse_line(std::string_view text, bool terminated, std::span<const std::string> laser_messages);
 
 /// The first word of a line.
 std::string_view message_of(std::string_view text);

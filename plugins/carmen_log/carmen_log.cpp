@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 namespace opal::carmen_log {
 namespace {
@@ -31,12 +32,12 @@ std::string main_laser(const std::set<std::string, std::less<>>& messages) {
 
 class CarmenReader final : public LogReader {
  public:
-  CarmenReader(GzLines lines, std::string laser_message)
-      : lines_(std::move(lines)), laser_message_(std::move(laser_message)) {}
+  CarmenReader(GzLines lines, std::vector<std::string> laser_messages)
+      : lines_(std::move(lines)), laser_messages_(std::move(laser_messages)) {}
 
   std::optional<LogRecord> next() override {
     while (const std::optional<Line> line = lines_.next()) {
-      ParsedLine parsed = parse_line(line->text, line->terminated, laser_message_);
+      ParsedLine parsed = parse_line(line->text, line->terminated, laser_messages_);
       if (parsed.defect) ++defects_[parsed.defect];
       if (parsed.record) return std::move(parsed.record);
     }
@@ -52,16 +53,20 @@ class CarmenReader final : public LogReader {
 
  private:
   GzLines lines_;
-  std::string laser_message_;
+  std::vector<std::string> laser_messages_;
   std::map<std::string, int> defects_;
 };
 
 }  // namespace
 
-CarmenLog::CarmenLog(std::string laser_message) : laser_message_(std::move(laser_message)) {
-  if (!laser_message_.empty() && !is_laser_message(laser_message_))
-    throw ConfigError("option laser_message: \"" + laser_message_ +
-                      "\", expected FLASER, RLASER, LASERn, ROBOTLASERn, RAWLASERn or nothing");
+CarmenLog::CarmenLog(const std::string& laser_messages) {
+  std::istringstream words(laser_messages);
+  for (std::string message; words >> message;) {
+    if (!is_laser_message(message))
+      throw ConfigError("option laser_message: \"" + message +
+                        "\", expected FLASER, RLASER, LASERn, ROBOTLASERn, RAWLASERn or nothing");
+    laser_messages_.push_back(std::move(message));
+  }
 }
 
 bool CarmenLog::recognizes(const std::string& path) const {
@@ -80,7 +85,7 @@ std::unique_ptr<LogReader> CarmenLog::open(const std::string& path) const {
     throw LogError(path + ": no line at its start begins with a CARMEN message such as ODOM or FLASER" +
                    (lines.damage() ? std::string(" (") + lines.damage() + ")" : ""));
   return std::make_unique<CarmenReader>(std::move(lines),
-                                        laser_message_.empty() ? main_laser(messages) : laser_message_);
+                                        laser_messages_.empty() ? std::vector{main_laser(messages)} : laser_messages_);
 }
 
 }  // namespace opal::carmen_log

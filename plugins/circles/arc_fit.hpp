@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/sensing/line_extraction.hpp>
+#include <opal/sensing/lines/line_extraction.hpp>
 
 #include <optional>
 

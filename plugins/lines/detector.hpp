@@ -1,7 +1,7 @@
 #pragma once
 
 #include <opal/sensing/feature_detector.hpp>
-#include <opal/sensing/line_extraction.hpp>
+#include <opal/sensing/lines/line_extraction.hpp>
 
 namespace opal::lines {
 

@@ -88,7 +88,7 @@ ScanMatch PclIcpMatcher::match(std::span<const Point> reference, std::span<const
   result.T_reference_scan = guess;
   result.covariance = sigma.cwiseAbs2().asDiagonal();
   if (reference.empty() || !sigma.allFinite()) return result;
-  const Point origin = guess.position();  // single precision: keep numbers small
+  const Point& origin = guess.position();  // single precision: keep numbers small
   const Cloud::Ptr target = cloud_of(reference, origin, reference.size());
   const Cloud::Ptr source = cloud_of(scan, Point::Zero(), static_cast<std::size_t>(options_.max_points));
   if (target->size() < kFewestPoints || source->size() < kFewestPoints) return result;

@@ -23,20 +23,20 @@ struct Passage {
 
 class Passages {
  public:
-  Passages(const opal::MapView& map, const Point& eye) : map_(map), eye_(eye) {}
+  explicit Passages(const opal::MapView& map) : map_(map) {}
 
-  void add(const std::string& beam, const Point& end, double margin_m) {
+  void add(const std::string& beam, const Point& eye, const Point& end, double margin_m) {
     ++judged_;
-    const auto wall = map_.first_crossing(eye_, end, margin_m);
+    const auto wall = map_.first_crossing(eye, end, margin_m);
     if (wall.feature < 0) return;
-    const double range_m = (end - eye_).norm();
+    const double range_m = (end - eye).norm();
     Passage& passage = by_object_[map_.feature(wall.feature).object];
     ++passage.beams;
     if (range_m - wall.range_m <= passage.depth_m) return;
     passage.depth_m = range_m - wall.range_m;
     passage.beam = beam;
     passage.map_feature = wall.feature;
-    passage.line = {eye_ + wall.range_m / range_m * (end - eye_), end};
+    passage.line = {eye + wall.range_m / range_m * (end - eye), end};
   }
 
   /// Those with most beams first.
@@ -63,7 +63,6 @@ class Passages {
   }
 
   const opal::MapView& map_;
-  const Point eye_;
   int judged_ = 0;
   std::map<int, Passage> by_object_;
 };
@@ -79,15 +78,17 @@ std::string beam_without_return(double bearing_rad) {
 std::vector<opal::Finding> BeamScorer::explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                                const opal::MapView& map) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
-  Passages passages(map, T_map_base * observation.laser_position);
-  for (std::size_t k = 0; k < observation.points.size(); ++k) {
-    const Point& point = observation.points[k];
-    const std::string beam = k < observation.beams.size() ? "beam " + std::to_string(observation.beams[k]) : "a beam";
-    passages.add(beam, T_map_base * point, margin_at((point - observation.laser_position).norm()));
+  Passages passages(map);
+  for (const opal::ObservedScan& scan : observation.scans) {
+    const Point eye = T_map_base * scan.laser_position;
+    for (std::size_t k = 0; k < scan.points.size(); ++k) {
+      const std::string beam = k < scan.beams.size() ? "beam " + std::to_string(scan.beams[k]) : "a beam";
+      passages.add(beam, eye, T_map_base * scan.points[k], margin_at((scan.points[k] - scan.laser_position).norm()));
+    }
+    const double range = std::min(scan.range_max_m, free_range_m_);
+    for (double bearing : scan.free_bearings_rad)
+      passages.add(beam_without_return(bearing), eye,
+                   T_map_base * (scan.laser_position + range * opal::unit_vector(bearing)), margin_at(range));
   }
-  const double range = std::min(observation.range_max_m, free_range_m_);
-  for (double bearing : observation.free_bearings_rad)
-    passages.add(beam_without_return(bearing),
-                 T_map_base * (observation.laser_position + range * opal::unit_vector(bearing)), margin_at(range));
   return passages.findings();
 }

@@ -144,15 +144,17 @@ double BeamScorer::conflict(const Tally& tally, double each, const Encounters& b
 BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                       const opal::MapView& map, const Encounters& before) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
-  const Point eye = T_map_base * observation.laser_position;
   Tally tally;
-  std::vector<int> as_now;
-  if (observation.evidence_cells.empty()) as_now = observation.local_map.evidence_cells(observation.points);
-  const std::vector<int>& evidence_cells = observation.evidence_cells.empty() ? as_now : observation.evidence_cells;
-  for (std::size_t k = 0; k < observation.points.size(); ++k)
-    judge_return(map, eye, T_map_base * observation.points[k], evidence_cells[k], tally);
-  for (double bearing : observation.free_bearings_rad)
-    judge_free(map, eye, bearing + T_map_base.heading_rad(), observation.range_max_m, tally);
+  for (const opal::ObservedScan& scan : observation.scans) {
+    const Point eye = T_map_base * scan.laser_position;
+    std::vector<int> as_now;
+    if (scan.evidence_cells.empty()) as_now = observation.local_map.evidence_cells(scan.points);
+    const std::vector<int>& evidence_cells = scan.evidence_cells.empty() ? as_now : scan.evidence_cells;
+    for (std::size_t k = 0; k < scan.points.size(); ++k)
+      judge_return(map, eye, T_map_base * scan.points[k], evidence_cells[k], tally);
+    for (double bearing : scan.free_bearings_rad)
+      judge_free(map, eye, bearing + T_map_base.heading_rad(), scan.range_max_m, tally);
+  }
   if (end_ > 0)
     for (const opal::Feature& seen : observation.features) judge_ends(map, T_map_base, seen, before, tally);
   return tally;
@@ -176,7 +178,9 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
                               const opal::MapView& map, const opal::ScorerMemory* memory) const {
   const auto& before = static_cast<const Encounters&>(*memory);
   const Tally tally = compare(hypothesis, observation, map, before);
-  const double n = std::max(tally.beams, min_beams_), each = 100 / n;
+  // Lasers that look elsewhere tell as much each as one alone does.
+  const auto lasers = static_cast<double>(std::max<std::size_t>(1, observation.scans.size()));
+  const double n = std::max<double>(tally.beams / lasers, min_beams_), each = 100 / n;
   const auto seen = std::make_shared<Encounters>();
   Encounters& now = *seen;
   const double matched = news(tally.matched, each, enough_, before.cells_met, now.cells_met);
@@ -191,9 +195,10 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
                      (hit_ * met - early_ * tally.early - through_ * (tally.throughs - tally.hits_behind) -
                       free_through_ * tally.free_throughs) /
                          n;
-  const double throughs = tally.throughs + tally.free_throughs;
-  return {std::max(nat, floor_),
-          {},
-          {{"hit", tally.hits / n}, {"short", (tally.beams - tally.hits - throughs) / n}, {"through", throughs / n}},
-          seen};
+  const double throughs = tally.throughs + tally.free_throughs, all = n * lasers;
+  return {
+      std::max(nat, floor_),
+      {},
+      {{"hit", tally.hits / all}, {"short", (tally.beams - tally.hits - throughs) / all}, {"through", throughs / all}},
+      seen};
 }

@@ -27,10 +27,10 @@ std::vector<opal::Finding> EvidenceScorer::explain(const opal::Hypothesis& hypot
                                                    const opal::Observation& observation,
                                                    const opal::MapView& map) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
-  const opal::Point eye = T_map_base * observation.laser_position;
   std::vector<opal::Feature> missed;
-  for (const opal::Feature& feature : observation.features)
-    if (opal::Feature placed = transformed(T_map_base, feature); !matches(placed, eye, map))
+  for (std::size_t k = 0; k < observation.features.size(); ++k)
+    if (opal::Feature placed = transformed(T_map_base, observation.features[k]);
+        !matches(placed, T_map_base * observation.viewpoint_of(k), map))
       missed.push_back(std::move(placed));
   std::stable_sort(missed.begin(), missed.end(),
                    [](const opal::Feature& a, const opal::Feature& b) { return size_m(a) > size_m(b); });

@@ -70,11 +70,11 @@ bool EvidenceScorer::matches(const opal::Feature& observed, const Point& eye, co
 opal::Score EvidenceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                   const opal::MapView& map, const opal::ScorerMemory*) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
-  const Point eye = T_map_base * observation.laser_position;
   double matched = 0, missed = 0;
   int matches = 0;
-  for (const opal::Feature& feature : observation.features) {
-    const opal::Feature placed = transformed(T_map_base, feature);
+  for (std::size_t k = 0; k < observation.features.size(); ++k) {
+    const opal::Feature placed = transformed(T_map_base, observation.features[k]);
+    const Point eye = T_map_base * observation.viewpoint_of(k);
     const auto* segment = std::get_if<Segment>(&placed.geometry);
     const double size = segment ? std::min(1.0, segment->length_m() / 1.5) : 1.0;
     if (const Match match = best_match(placed, eye, map); match.found) {

@@ -12,15 +12,18 @@ using opal::Segment;
 
 namespace {
 
-/// What an outline is made of, in the order in which it was given.
-std::vector<double> numbers_of(const opal::Observation& seen, double margin_m) {
-  std::vector<double> numbers{margin_m, seen.range_max_m, seen.laser_position.x(), seen.laser_position.y()};
-  for (const Point& p : seen.points) numbers.insert(numbers.end(), {p.x(), p.y()});
-  numbers.insert(numbers.end(), seen.free_bearings_rad.begin(), seen.free_bearings_rad.end());
+/// What the outlines are made of, in the order in which it was given.
+std::vector<double> numbers_of(const opal::Observation& observation, double margin_m) {
+  std::vector<double> numbers{margin_m};
+  for (const opal::ObservedScan& seen : observation.scans) {
+    numbers.insert(numbers.end(), {seen.range_max_m, seen.laser_position.x(), seen.laser_position.y()});
+    for (const Point& p : seen.points) numbers.insert(numbers.end(), {p.x(), p.y()});
+    numbers.insert(numbers.end(), seen.free_bearings_rad.begin(), seen.free_bearings_rad.end());
+  }
   return numbers;
 }
 
-std::vector<Point> outline_of(const opal::Observation& seen, const opal::FreeSpaceOptions& options) {
+std::vector<Point> outline_of(const opal::ObservedScan& seen, const opal::FreeSpaceOptions& options) {
   opal::Scan scan;
   scan.range_max_m = seen.range_max_m;
   scan.free_bearings_rad = seen.free_bearings_rad;
@@ -37,7 +40,7 @@ std::string metres(double length_m) { return fmt::format("{:.1f} m", length_m); 
 
 struct FreeSpaceScorer::Memory {
   std::vector<double> numbers;
-  FreeRoom room{{}, 0};
+  std::vector<ScanRoom> rooms;
 };
 
 FreeSpaceScorer::FreeSpaceScorer(const nlohmann::json& options)
@@ -63,14 +66,16 @@ double FreeSpaceScorer::margin_for(const opal::Observation& observation) const {
   return margin_m_ + std::min(sigmas_ * std::hypot(sideways, turned), outline_.reach_m / 4);
 }
 
-const FreeRoom& FreeSpaceScorer::room_of(const opal::Observation& observation) const {
+const std::vector<FreeSpaceScorer::ScanRoom>& FreeSpaceScorer::rooms_of(const opal::Observation& observation) const {
   const double margin_m = margin_for(observation);
   std::vector<double> numbers = numbers_of(observation, margin_m);
   if (numbers != memory_->numbers) {
-    memory_->room = FreeRoom(outline_of(observation, outline_), margin_m);
+    memory_->rooms.clear();
+    for (const opal::ObservedScan& scan : observation.scans)
+      memory_->rooms.push_back({FreeRoom(outline_of(scan, outline_), margin_m), scan.laser_position});
     memory_->numbers = std::move(numbers);
   }
-  return memory_->room;
+  return memory_->rooms;
 }
 
 FreeSpaceScorer::Overlap FreeSpaceScorer::overlap_of(const FreeRoom& room, const Pose2& T_base_map, const Point& eye,
@@ -96,19 +101,34 @@ FreeSpaceScorer::Overlap FreeSpaceScorer::overlap_of(const FreeRoom& room, const
   return overlap;
 }
 
-std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_map_base,
-                                                                const opal::Observation& observation,
+std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_map_base, const ScanRoom& seen,
                                                                 const opal::MapView& map) const {
-  const FreeRoom& room = room_of(observation);
   const Pose2 T_base_map = T_map_base.inverse();
-  std::vector<int> near = map.within(T_map_base * observation.laser_position, outline_.reach_m);
+  std::vector<int> near = map.within(T_map_base * seen.laser_position, outline_.reach_m);
   std::sort(near.begin(), near.end());  // sums do not depend on the order of an index
   std::vector<Overlap> found;
   for (const int number : near) {
-    const Overlap overlap = overlap_of(room, T_base_map, observation.laser_position, number, map);
+    const Overlap overlap = overlap_of(seen.room, T_base_map, seen.laser_position, number, map);
     if (overlap.length_m > 0) found.push_back(overlap);
   }
   return found;
+}
+
+/// Where several lasers look, a mapped feature counts by what most of it stands in.
+std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_map_base,
+                                                                const opal::Observation& observation,
+                                                                const opal::MapView& map) const {
+  std::vector<Overlap> most;
+  for (const ScanRoom& seen : rooms_of(observation))
+    for (const Overlap& overlap : overlaps(T_map_base, seen, map)) {
+      const auto known = std::find_if(most.begin(), most.end(),
+                                      [&](const Overlap& other) { return other.map_feature == overlap.map_feature; });
+      if (known == most.end())
+        most.push_back(overlap);
+      else if (overlap.length_m > known->length_m)
+        *known = overlap;
+    }
+  return most;
 }
 
 opal::Score FreeSpaceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,

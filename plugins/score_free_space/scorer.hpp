@@ -31,13 +31,19 @@ class FreeSpaceScorer final : public opal::HypothesisScorer {
     double length_m = 0;
     opal::Segment longest;  ///< its longest part, base_link frame
   };
+  /// The free room of one scan, and where its laser is; base_link frame.
+  struct ScanRoom {
+    FreeRoom room;
+    opal::Point laser_position;
+  };
   std::vector<Overlap> overlaps(const opal::Pose2& T_map_base, const opal::Observation& observation,
                                 const opal::MapView& map) const;
+  std::vector<Overlap> overlaps(const opal::Pose2& T_map_base, const ScanRoom& seen, const opal::MapView& map) const;
   Overlap overlap_of(const FreeRoom& room, const opal::Pose2& T_base_map, const opal::Point& eye, int number,
                      const opal::MapView& map) const;
   double margin_for(const opal::Observation& observation) const;
-  /// The same observation is asked about for every hypothesis, so its polygon is kept.
-  const FreeRoom& room_of(const opal::Observation& observation) const;
+  /// The same observation is asked about for every hypothesis, so its polygons are kept.
+  const std::vector<ScanRoom>& rooms_of(const opal::Observation& observation) const;
 
   opal::FreeSpaceOptions outline_;
   double margin_m_, sigmas_, unmatched_m_, weight_nat_per_m_, most_m_, veto_m_;

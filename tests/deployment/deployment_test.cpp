@@ -76,7 +76,7 @@ std::string building_refusal(const std::string& members) {
 TEST_CASE("a deployment that says nothing has the defaults of its structs") {
   const Deployment deployment = parsed("");
   CHECK(deployment.map.empty());
-  CHECK(deployment.laser.beams == LaserModel{}.beams);
+  CHECK(deployment.lasers.front().beams == LaserModel{}.beams);
   CHECK(deployment.keyframes.distance_m == KeyframeOptions{}.distance_m);
   CHECK(deployment.local_map.horizon_m == LocalMapOptions{}.horizon_m);
   CHECK_FALSE(deployment.matcher);
@@ -101,12 +101,12 @@ TEST_CASE("a deployment is read whole") {
     "scorers": [ { "@type": "opal:Beams", "weight": 0.5 }, { "@type": "opal:Evidence", "role": "observes" } ],
     "stages": { "hypotheses": { "max_hypotheses": 7 } })");
   CHECK(deployment.map == "maps/hall.jsonld");
-  CHECK(deployment.laser.id == "FrontLaser");
-  CHECK(deployment.laser.angle_min_rad == -3.1);
-  CHECK(deployment.laser.beams == 620);
-  CHECK(deployment.laser.geometry_from_log);
-  CHECK(deployment.laser.T_base_laser.x() == 0.78);
-  CHECK(deployment.laser.T_base_laser.heading_rad() == Approx(0.5));
+  CHECK(deployment.lasers.front().id == "FrontLaser");
+  CHECK(deployment.lasers.front().angle_min_rad == -3.1);
+  CHECK(deployment.lasers.front().beams == 620);
+  CHECK(deployment.lasers.front().geometry_from_log);
+  CHECK(deployment.lasers.front().T_base_laser.x() == 0.78);
+  CHECK(deployment.lasers.front().T_base_laser.heading_rad() == Approx(0.5));
   CHECK(deployment.keyframes.angle_rad == 0.7);
   CHECK(deployment.local_map.horizon_m == 12);
   CHECK(deployment.local_map.stable_after == 2);

@@ -58,8 +58,7 @@ Drive random_drive(std::mt19937& random, int steps) {
     drive.T_odom_base.push_back(T_odom_base);
     auto& detected = drive.detected.emplace_back();
     for (const Feature& feature : world)
-      if (uniform(random, 1) < 0.4)
-        detected.push_back(noisy(random, transformed((truth * kT_base_laser).inverse(), feature)));
+      if (uniform(random, 1) < 0.4) detected.push_back(noisy(random, transformed(truth.inverse(), feature)));
     drive.scans.emplace_back().stamp_s = 0.1 * i;
   }
   return drive;
@@ -68,7 +67,7 @@ Drive random_drive(std::mt19937& random, int steps) {
 LocalMap replay(const Drive& drive, const Pose2& T_new_odom, LocalMapOptions options) {
   LocalMap map(options, nullptr);
   for (std::size_t i = 0; i < drive.scans.size(); ++i)
-    map.add(drive.scans[i], drive.detected[i], T_new_odom * drive.T_odom_base[i], kT_base_laser);
+    map.add(sample_of(drive.scans[i], T_new_odom * drive.T_odom_base[i], kT_base_laser), drive.detected[i]);
   return map;
 }
 
@@ -134,7 +133,7 @@ TEST_CASE("an empty scan within the horizon changes nothing but the pose") {
   const std::vector<LocalFeature> before = map.features();
   const Pose2 T_local_base = map.T_local_base();
   const Pose2 step(0.1, 0, 0.02);
-  map.add(Scan{}, {}, drive.T_odom_base.back() * step, kT_base_laser);
+  map.add(sample_of({}, drive.T_odom_base.back() * step, kT_base_laser), {});
   CHECK(distance_m(map.T_local_base(), T_local_base * step) < 1e-9);
   CHECK(map.last_associations().empty());
   REQUIRE(map.features().size() == before.size());
@@ -151,7 +150,7 @@ TEST_CASE("every association names a local feature that holds the measurement") 
   LocalMap map({}, nullptr);
   int newest_id = -1;
   for (std::size_t i = 0; i < drive.scans.size(); ++i) {
-    map.add(drive.scans[i], drive.detected[i], drive.T_odom_base[i], kT_base_laser);
+    map.add(sample_of(drive.scans[i], drive.T_odom_base[i], kT_base_laser), drive.detected[i]);
     REQUIRE(map.last_associations().size() == drive.detected[i].size());
     for (std::size_t k = 0; k < drive.detected[i].size(); ++k) {
       const int id = map.last_associations()[k];
@@ -181,7 +180,7 @@ TEST_CASE("features stay finite and covariances positive whatever is detected") 
       detected.push_back({"opal:Pillar", Circle{Point(uniform(random, 2), uniform(random, 2)), 0.2}, {}, {}, 0});
       detected.back().covariance.setConstant(uniform(random, 1));  // not even a covariance
     }
-    map.add(Scan{}, detected, Pose2(0.1 * i, uniform(random, 0.1), uniform(random, 1)), Pose2());
+    map.add(sample_of({}, Pose2(0.1 * i, uniform(random, 0.1), uniform(random, 1))), detected);
     for (const LocalFeature& local : map.features()) {
       REQUIRE(anchor_of(local.feature.geometry).allFinite());
       REQUIRE(local.feature.covariance.allFinite());

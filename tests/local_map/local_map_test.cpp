@@ -12,11 +12,11 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::Matrix3d covariance(double x, double y, double z) { return Eigen::Vector3d(x, y, z).cwiseAbs2().asDiagonal(); }
 
-Feature wall(Point begin, Point end, bool true_begin = false, bool true_end = false) {
+Feature wall(const Point& begin, const Point& end, bool true_begin = false, bool true_end = false) {
   return {"opal:Wall", Segment{begin, end}, covariance(0.01, 0.01, 0), {true_begin, true_end}, (end - begin).norm()};
 }
 
-Feature pillar(Point center, double radius_m) {
+Feature pillar(const Point& center, double radius_m) {
   return {"opal:Pillar", Circle{center, radius_m}, covariance(0.02, 0.02, 0.01), {}, 0};
 }
 
@@ -24,7 +24,7 @@ Feature pillar(Point center, double radius_m) {
 void see(LocalMap& map, const Pose2& T_local_base, const std::vector<Feature>& world) {
   std::vector<Feature> detected;
   for (const Feature& feature : world) detected.push_back(transformed(T_local_base.inverse(), feature));
-  map.add(Scan{}, detected, T_local_base, Pose2());
+  map.add(sample_of({}, T_local_base), detected);
 }
 
 LocalMapOptions without_graph() {
@@ -53,10 +53,10 @@ Scan scan_of(const std::vector<Point>& points) {
 
 TEST_CASE("the local frame starts at the first pose, wherever odometry starts") {
   LocalMap map({}, nullptr);
-  map.add(Scan{}, {}, Pose2(12, -7, 2.5), Pose2());
+  map.add(sample_of({}, Pose2(12, -7, 2.5)), {});
   CHECK(map.T_local_base().position().norm() == Approx(0).margin(1e-12));
   CHECK(map.T_local_base().heading_rad() == Approx(0).margin(1e-12));
-  map.add(Scan{}, {}, Pose2(12, -7, 2.5) * Pose2(1, 0.5, 0.3), Pose2());
+  map.add(sample_of({}, Pose2(12, -7, 2.5) * Pose2(1, 0.5, 0.3)), {});
   CHECK(map.T_local_base().x() == Approx(1));
   CHECK(map.T_local_base().y() == Approx(0.5));
   CHECK(map.T_local_base().heading_rad() == Approx(0.3));
@@ -218,13 +218,12 @@ TEST_CASE("features, points and odometry that are not finite are left out") {
   see(map, Pose2(), {pillar({2, 0}, 0.2)});
   Feature no_covariance = pillar({2, 0}, 0.2);
   no_covariance.covariance(0, 0) = kNan;
-  map.add(scan_of({{kNan, 1}, {2, 2}}),
-          {pillar({kNan, 0}, 0.2), wall({1, 1}, {1, 1}), no_covariance, pillar({2, 0}, 0.2)}, Pose2(kNan, 0, 0),
-          Pose2());
+  map.add(sample_of(scan_of({{kNan, 1}, {2, 2}}), Pose2(kNan, 0, 0)),
+          {pillar({kNan, 0}, 0.2), wall({1, 1}, {1, 1}), no_covariance, pillar({2, 0}, 0.2)});
   CHECK(map.last_associations() == std::vector<int>{-1, -1, -1, 0});
   CHECK(map.keyframes().back().points.size() == 1);
   CHECK(map.T_local_base().position().norm() == Approx(0).margin(1e-12));
-  map.add(Scan{}, {}, Pose2(1, 0, 0), Pose2());
+  map.add(sample_of({}, Pose2(1, 0, 0)), {});
   CHECK(map.T_local_base().x() == Approx(1));
 }
 
@@ -232,13 +231,13 @@ TEST_CASE("a converged scan match replaces odometry, another one does not") {
   auto matcher = std::make_shared<FixedMatcher>();
   matcher->answer = {Pose2(0.9, 0.1, 0.02), Eigen::Matrix3d::Identity() * 1e-4, 0.9, true};
   LocalMap map(without_graph(), matcher);
-  map.add(scan_of({{1, 1}}), {}, Pose2(), Pose2());
+  map.add(sample_of(scan_of({{1, 1}}), Pose2()), {});
   CHECK_FALSE(map.last_match().converged);
-  map.add(scan_of({{1, 1}}), {}, Pose2(1, 0, 0), Pose2());
+  map.add(sample_of(scan_of({{1, 1}}), Pose2(1, 0, 0)), {});
   CHECK(map.last_match().converged);
   CHECK(map.T_local_base().x() == Approx(0.9));
   matcher->answer.converged = false;
-  map.add(scan_of({{1, 1}}), {}, Pose2(2, 0, 0), Pose2());
+  map.add(sample_of(scan_of({{1, 1}}), Pose2(2, 0, 0)), {});
   CHECK((map.T_local_base().position() - Pose2(0.9, 0.1, 0.02) * Point(1, 0)).norm() < 1e-9);
 }
 
@@ -256,8 +255,8 @@ TEST_CASE("the factor graph takes out an odometry error that the features contra
     T_odom_base = i == 0 ? truth : T_odom_base * Pose2(0.35, 0.05, 0.02) * error;
     std::vector<Feature> detected;
     for (const Feature& feature : world) detected.push_back(transformed(truth.inverse(), feature));
-    with.add(Scan{}, detected, T_odom_base, Pose2());
-    without.add(Scan{}, detected, T_odom_base, Pose2());
+    with.add(sample_of({}, T_odom_base), detected);
+    without.add(sample_of({}, T_odom_base), detected);
   }
   CAPTURE(distance_m(without.T_local_base(), truth), distance_m(with.T_local_base(), truth));
   CHECK(distance_m(with.T_local_base(), truth) < 0.15 * distance_m(without.T_local_base(), truth));

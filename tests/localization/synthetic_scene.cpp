@@ -95,10 +95,19 @@ void Robot::add(const Pose2& T_map_base, Scan scan, const Features& features) {
   scan_ = std::move(scan);
   features_ = features;
   T_map_base_ = T_map_base;
-  local_map_.add(scan_, features_, T_map_base, T_base_laser);
+  local_map_.add(sample(), seen().features);
 }
 
-Observation Robot::observation() const { return observe(local_map_, scan_, T_base_laser, features_); }
+Sample Robot::sample() const { return sample_of(scan_, T_map_base_, T_base_laser); }
+
+SeenFeatures Robot::seen() const {
+  SeenFeatures seen;
+  for (const Feature& feature : features_) seen.features.push_back(transformed(T_base_laser, feature));
+  seen.views.assign(seen.features.size(), 0);
+  return seen;
+}
+
+Observation Robot::observation() const { return observe(local_map_, sample(), seen()); }
 
 Hypothesis Robot::at(const Pose2& T_map_base) const {
   Hypothesis hypothesis;
@@ -130,7 +139,7 @@ struct FitScorer : HypothesisScorer {
   Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
               const ScorerMemory*) const override {
     const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
-    return {6 * (likelihood_field_score(map, observation.points, T_map_base) - 0.5), {}, {}};
+    return {6 * (likelihood_field_score(map, observation.scans.front().points, T_map_base) - 0.5), {}, {}};
   }
   bool judges_associations() const override { return false; }
 };

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "common/plugin_failures.hpp"
+#include "localization/scoring/observation.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 
 #include <opal/local_map/local_map.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
 #include <opal/map/view/map_view.hpp>
 #include <opal/patterns/pattern_template.hpp>
-#include <opal/sensing/scan.hpp>
+#include <opal/sensing/sample.hpp>
 
 #include <functional>
 #include <memory>
@@ -44,6 +45,9 @@ class Robot {
 
   const LocalMap& local_map() const { return local_map_; }
   const Scan& scan() const { return scan_; }
+  Sample sample() const;
+  /// What detectors found; base_link frame.
+  SeenFeatures seen() const;
   Observation observation() const;
   const Pose2& T_map_base() const { return T_map_base_; }
   /// The hypothesis that is right, or one by which the robot is elsewhere now.

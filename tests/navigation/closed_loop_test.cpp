@@ -20,7 +20,7 @@ DriveRecord driven(const char* behaviour, std::uint64_t seed) {
   world.people = 1;
   world.robot_radius_m = 0.25;
   Deployment deployment = read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld");
-  deployment.laser = world.laser;
+  deployment.lasers.front() = world.laser;
   const LocalizerParts parts = build_parts(deployment, registry, map);
   Localizer localizer(parts);
   simulation::Simulation simulation(map, world, seed);

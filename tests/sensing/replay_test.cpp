@@ -33,7 +33,7 @@ struct Played {
 };
 
 Played play(const std::vector<LogRecord>& records, const ReplayOptions& options = {}) {
-  Replay replay(records, LaserModel{}, options);
+  Replay replay(records, {LaserModel{}}, options);
   Played played{read_all(replay), {}};
   played.counts = replay.counts();
   CHECK(replay.progress() == 1.0);
@@ -72,7 +72,7 @@ class ListReader final : public LogReader {
 TEST_CASE("odometry is interpolated at the scan's stamp, even if it comes late") {
   const auto played = play({odometry(1, 0, 3.0), scan_at(1.25), odometry(2, 4, -3.0), scan_at(2)});
   REQUIRE(played.samples.size() == 2);
-  CHECK(played.samples[0].scan.stamp_s == 1.25);
+  CHECK(played.samples[0].views.front().scan.stamp_s == 1.25);
   CHECK(played.samples[0].T_odom_base.x() == Approx(1));
   const double across_pi = 3.0 + 0.25 * (2 * std::numbers::pi - 6.0);  // the short way round
   CHECK(played.samples[0].T_odom_base.heading_rad() == Approx(wrap_angle(across_pi)));
@@ -121,7 +121,7 @@ TEST_CASE("each fault of a log is survived, counted under its name, and harms no
   const auto played = play(drive(fault.records));
   CHECK(played.counts == fault.counts);
   REQUIRE(played.samples.size() == fault.samples);
-  CHECK(played.samples.back().scan.stamp_s == Approx(10));
+  CHECK(played.samples.back().views.front().scan.stamp_s == Approx(10));
   CHECK(played.samples.back().T_odom_base.x() == Approx(10).margin(0.25));
 }
 
@@ -149,8 +149,8 @@ TEST_CASE("a jump of the odometry is a new frame, in which the robot goes on fro
 TEST_CASE("a scan out of reach of the odometry is left out and counted") {
   const auto played = play({scan_at(0.5), odometry(10, 0), scan_at(9.5), scan_at(10.5), scan_at(12.5)});
   REQUIRE(played.samples.size() == 2);
-  CHECK(played.samples[0].scan.stamp_s == 9.5);  // nearest odometry, in reach
-  CHECK(played.samples[1].scan.stamp_s == 10.5);
+  CHECK(played.samples[0].views.front().scan.stamp_s == 9.5);  // nearest odometry, in reach
+  CHECK(played.samples[1].views.front().scan.stamp_s == 10.5);
   CHECK(played.counts.at("scan without odometry") == 2);
   const auto blind = play({scan_at(1), scan_at(2)});
   CHECK(blind.samples.empty());
@@ -187,13 +187,13 @@ TEST_CASE("a window sees nothing of what is outside of it") {
   const auto played = play(records, window);
   CHECK(played.counts == Counts{});
   REQUIRE(played.samples.size() == 4);
-  CHECK(played.samples.front().scan.stamp_s == Approx(3.0));
-  CHECK(played.samples.back().scan.stamp_s == Approx(4.5));
+  CHECK(played.samples.front().views.front().scan.stamp_s == Approx(3.0));
+  CHECK(played.samples.back().views.front().scan.stamp_s == Approx(4.5));
   CHECK(played.samples.back().T_odom_base.x() == Approx(4.5));
 }
 
 TEST_CASE("replaying a reader is replaying its records, with its defects among the counts") {
-  Replay replay(std::make_unique<ListReader>(drive()), LaserModel{});
+  Replay replay(std::make_unique<ListReader>(drive()), {LaserModel{}});
   CHECK(replay.progress() == 0.25);
   CHECK(read_all(replay).size() == 21);
   CHECK(replay.counts() == Counts{{"malformed line", 3}});

@@ -30,7 +30,7 @@ RawScan sweep_at(double stamp_s, const LaserModel& laser) {
   for (int beam = 0; beam < laser.beams; ++beam) {
     const double now_s = stamp_s + *laser.sweep_s * beam / (laser.beams - 1);
     const Pose2 T_odom_laser = driven(now_s) * laser.T_base_laser;
-    const Point from = T_odom_laser.position();
+    const Point& from = T_odom_laser.position();
     const Point along = T_odom_laser.rotate(unit_vector(laser.angle_min_rad + beam * laser.angle_increment_rad));
     const double half = from.dot(along);
     raw.ranges_m.push_back(
@@ -44,7 +44,7 @@ OdometryRecord odometry_at(double stamp_s) { return {stamp_s, driven(stamp_s)}; 
 /// How far returns lie from the wall of the room, at worst [m].
 double worst_off_m(const Sample& sample, const LaserModel& laser) {
   double worst = 0;
-  for (const ScanPoint& point : sample.scan.points)
+  for (const ScanPoint& point : sample.views.front().scan.points)
     worst = std::max(worst, std::abs((sample.T_odom_base * laser.T_base_laser * point.position).norm() - 10));
   return worst;
 }
@@ -58,7 +58,7 @@ RawScan plain(double stamp_s, float range_m = 2) {
 
 std::vector<double> stamps_of(ScanPairing& pairing) {
   std::vector<double> stamps;
-  while (const auto sample = pairing.next()) stamps.push_back(sample->scan.stamp_s);
+  while (const auto sample = pairing.next()) stamps.push_back(sample->stamp_s);
   return stamps;
 }
 
@@ -66,7 +66,7 @@ std::vector<double> stamps_of(ScanPairing& pairing) {
 
 TEST_CASE("a scan leaves as soon as odometry has passed the end of its sweep") {
   const LaserModel laser = all_around(0.1);
-  ScanPairing pairing(laser);
+  ScanPairing pairing({laser});
   pairing.take(odometry_at(0.95));
   pairing.take(sweep_at(1.0, laser));
   pairing.take(odometry_at(1.05));
@@ -80,19 +80,19 @@ TEST_CASE("returns of a sweep lie where they were at the scan's stamp, and are s
   const RawScan raw = sweep_at(1.0, laser);
   const bool is_corrected = GENERATE(true, false);
   if (!is_corrected) laser.sweep_s = 0;
-  ScanPairing pairing(laser);
+  ScanPairing pairing({laser});
   for (double stamp_s : {0.95, 1.0, 1.03, 1.06, 1.09, 1.12}) pairing.take(odometry_at(stamp_s));
   pairing.take(raw);
   const auto sample = pairing.next();
   REQUIRE(sample);
-  REQUIRE(sample->scan.points.size() == 360);
+  REQUIRE(sample->views.front().scan.points.size() == 360);
   CHECK(sample->T_odom_base.heading_rad() == Approx(1.2));
   if (is_corrected)
     CHECK(worst_off_m(*sample, laser) < 0.001);
   else
     CHECK(worst_off_m(*sample, laser) > 0.05);
-  for (std::size_t k = 1; k < sample->scan.points.size(); ++k)
-    CHECK(sample->scan.points[k - 1].bearing_rad <= sample->scan.points[k].bearing_rad);
+  for (std::size_t k = 1; k < sample->views.front().scan.points.size(); ++k)
+    CHECK(sample->views.front().scan.points[k - 1].bearing_rad <= sample->views.front().scan.points[k].bearing_rad);
 }
 
 TEST_CASE("beams that met nothing are turned as the returns between them are") {
@@ -101,17 +101,18 @@ TEST_CASE("beams that met nothing are turned as the returns between them are") {
   RawScan raw = sweep_at(1.0, laser);
   for (float& range_m : raw.ranges_m) range_m = 90;
   raw.ranges_m[180] = 5;
-  ScanPairing pairing(laser);
+  ScanPairing pairing({laser});
   for (double stamp_s : {0.9, 1.2}) pairing.take(odometry_at(stamp_s));
   pairing.take(raw);
   const auto sample = pairing.next();
   REQUIRE(sample);
-  REQUIRE(sample->scan.free_bearings_rad.size() == 359);
+  REQUIRE(sample->views.front().scan.free_bearings_rad.size() == 359);
   const double turned_rad = 1.2 * 0.1;
-  CHECK(sample->scan.free_bearings_rad.front() == Approx(-kPi).margin(1e-6));
-  CHECK(sample->scan.free_bearings_rad.back() < kPi);
+  CHECK(sample->views.front().scan.free_bearings_rad.front() == Approx(-kPi).margin(1e-6));
+  CHECK(sample->views.front().scan.free_bearings_rad.back() < kPi);
   // The last beams turned on beyond the first ones.
-  const auto beyond = std::count_if(sample->scan.free_bearings_rad.begin(), sample->scan.free_bearings_rad.end(),
+  const auto beyond = std::count_if(sample->views.front().scan.free_bearings_rad.begin(),
+                                    sample->views.front().scan.free_bearings_rad.end(),
                                     [&](double bearing) { return bearing < -kPi + turned_rad - kPi / 180; });
   CHECK(beyond > 7);
 }
@@ -121,7 +122,7 @@ TEST_CASE("the log's own time between beams holds where the laser's description 
   RawScan raw = sweep_at(1.0, laser);
   raw.time_increment_s = 0.1 / 359;
   laser.sweep_s.reset();
-  ScanPairing pairing(laser);
+  ScanPairing pairing({laser});
   for (double stamp_s : {0.95, 1.05, 1.15}) pairing.take(odometry_at(stamp_s));
   pairing.take(raw);
   CHECK(worst_off_m(*pairing.next(), laser) < 0.001);
@@ -129,7 +130,7 @@ TEST_CASE("the log's own time between beams holds where the laser's description 
 
 TEST_CASE("sweeps of a log whose only odometry is that of its scans are corrected by those before and after") {
   const LaserModel laser = all_around(0.1);
-  ScanPairing pairing(laser);
+  ScanPairing pairing({laser});
   double worst = 0;
   int samples = 0;
   for (int k = 0; k < 10; ++k) {
@@ -148,7 +149,7 @@ TEST_CASE("sweeps of a log whose only odometry is that of its scans are correcte
 }
 
 TEST_CASE("scans that come in another order leave in the order of their stamps, if they are still waited with") {
-  ScanPairing pairing(LaserModel{});
+  ScanPairing pairing({LaserModel{}});
   pairing.take(odometry_at(0.9));
   for (double stamp_s : {1.1, 1.0, 1.2}) pairing.take(plain(stamp_s, static_cast<float>(stamp_s)));
   pairing.take(odometry_at(1.3));
@@ -160,7 +161,7 @@ TEST_CASE("scans that come in another order leave in the order of their stamps, 
 }
 
 TEST_CASE("a scan that comes twice counts once") {
-  ScanPairing pairing(LaserModel{});
+  ScanPairing pairing({LaserModel{}});
   pairing.take(odometry_at(0.9));
   pairing.take(plain(1));
   pairing.take(plain(1));
@@ -174,7 +175,7 @@ TEST_CASE("however many scans come without odometry, few wait") {
   PairingOptions options;
   options.most_waiting = 8;
   options.odometry_wait_s = 1e6;
-  ScanPairing pairing(LaserModel{}, options);
+  ScanPairing pairing({LaserModel{}}, options);
   int left = 0;
   for (int k = 0; k < 1000; ++k) {
     pairing.take(plain(k * 0.1, 1 + static_cast<float>(k) * 0.01f));
@@ -186,7 +187,7 @@ TEST_CASE("however many scans come without odometry, few wait") {
 }
 
 TEST_CASE("scans of before a clock went back leave with what was known then") {
-  ScanPairing pairing(LaserModel{});
+  ScanPairing pairing({LaserModel{}});
   pairing.take(odometry_at(100));
   pairing.take(plain(100.1));
   pairing.take(odometry_at(0.5));

@@ -1,5 +1,5 @@
 // A simulated robot drives in a generated building; what is described of it is right, or wrong in one way.
-#include "sensor_health/sensor_monitor.hpp"
+#include "sensor_health/sensor_monitors.hpp"
 #include "simulation/buildings/building.hpp"
 #include "simulation/simulation.hpp"
 
@@ -54,20 +54,21 @@ std::vector<Reading> driven_with(const std::string& kind, const Change& change) 
   return readings;
 }
 
-SensorMonitor watched(const std::vector<Reading>& readings, const LaserModel& described) {
-  SensorMonitor monitor(described, matcher());
-  for (const Reading& reading : readings) monitor.add(make_scan(reading.scan, described), reading.T_odom_base);
+SensorMonitors watched(const std::vector<Reading>& readings, const LaserModel& described) {
+  SensorMonitors monitor({described}, matcher());
+  for (const Reading& reading : readings)
+    monitor.add(sample_of(make_scan(reading.scan, described), reading.T_odom_base, described.T_base_laser));
   return monitor;
 }
 
-bool contradicts(const SensorMonitor& monitor, Subject subject) {
+bool contradicts(const SensorMonitors& monitor, Subject subject) {
   const auto& all = monitor.findings();
   return std::any_of(all.begin(), all.end(), [&](const SensorFinding& finding) {
     return finding.subject == subject && finding.verdict == Verdict::contradicted;
   });
 }
 
-std::string words(const SensorMonitor& monitor) {
+std::string words(const SensorMonitors& monitor) {
   std::string text;
   for (const SensorFinding& finding : monitor.findings()) text += finding.words + '\n';
   return text;
@@ -80,7 +81,7 @@ LaserModel true_laser() { return simulation::SimulationOptions::default_laser();
 TEST_CASE("a description that is right is found fine, whatever the building") {
   const std::string kind = GENERATE("office", "hall", "warehouse", "corridor");
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const SensorMonitor monitor = watched(driven(true_laser(), kind, seed), true_laser());
+    SensorMonitors monitor = watched(driven(true_laser(), kind, seed), true_laser());
     INFO(kind << " " << seed << ":\n" << words(monitor));
     CHECK(monitor.contradiction().empty());
   }
@@ -90,7 +91,7 @@ TEST_CASE("a laser that is mounted backwards is noticed") {
   LaserModel described = true_laser();
   described.T_base_laser = Pose2(described.T_base_laser.position(), described.T_base_laser.heading_rad() + 3.14);
   const std::string kind = GENERATE("office", "hall", "warehouse");
-  const SensorMonitor monitor = watched(driven(true_laser(), kind, 1), described);
+  SensorMonitors monitor = watched(driven(true_laser(), kind, 1), described);
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::mount_heading));
   CHECK_THAT(monitor.contradiction(), Catch::Contains("backwards"));
@@ -99,7 +100,7 @@ TEST_CASE("a laser that is mounted backwards is noticed") {
 TEST_CASE("a laser that is turned by 30 degrees is noticed") {
   LaserModel described = true_laser();
   described.angle_min_rad += 0.52;
-  const SensorMonitor monitor = watched(driven(true_laser(), "office", 1), described);
+  SensorMonitors monitor = watched(driven(true_laser(), "office", 1), described);
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::mount_heading));
 }
@@ -107,7 +108,7 @@ TEST_CASE("a laser that is turned by 30 degrees is noticed") {
 TEST_CASE("beams that turn the other way are noticed") {
   const auto readings = driven_with(
       "office", [](Reading& reading) { std::reverse(reading.scan.ranges_m.begin(), reading.scan.ranges_m.end()); });
-  const SensorMonitor monitor = watched(readings, true_laser());
+  SensorMonitors monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::mirroring));
 }
@@ -116,14 +117,14 @@ TEST_CASE("odometry in other units is noticed") {
   const auto readings = driven_with("office", [](Reading& reading) {
     reading.T_odom_base = Pose2(3.28 * reading.T_odom_base.position(), reading.T_odom_base.heading_rad());
   });
-  const SensorMonitor monitor = watched(readings, true_laser());
+  SensorMonitors monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::odometry_distance));
 }
 
 TEST_CASE("odometry that never comes is noticed") {
   const auto readings = driven_with("office", [](Reading& reading) { reading.T_odom_base = Pose2(); });
-  const SensorMonitor monitor = watched(readings, true_laser());
+  SensorMonitors monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::standing_odometry));
 }
@@ -132,7 +133,7 @@ TEST_CASE("a range that stands for no return, and is described as a hit, is noti
   const auto readings = driven_with("hall", [](Reading& reading) {
     for (float& range_m : reading.scan.ranges_m) range_m = std::min(range_m, 5.6f);
   });
-  const SensorMonitor monitor = watched(readings, true_laser());
+  SensorMonitors monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::no_return));
   CHECK_THAT(monitor.contradiction(), Catch::Contains("5.6"));
@@ -149,12 +150,12 @@ TEST_CASE("ranges in millimetres are noticed") {
 }
 
 TEST_CASE("empty scans, NaN and a robot that stands say nothing") {
-  SensorMonitor monitor(true_laser(), matcher());
+  SensorMonitors monitor({true_laser()}, matcher());
   Scan nan;
   nan.points.push_back({{NAN, NAN}, NAN, NAN, 0});
   for (int k = 0; k < 50; ++k) {
-    monitor.add({}, Pose2());
-    monitor.add(nan, Pose2(NAN, 0, 0));
+    monitor.add(sample_of({}, Pose2()));
+    monitor.add(sample_of(nan, Pose2(NAN, 0, 0)));
   }
   CHECK(monitor.contradiction().empty());
 }

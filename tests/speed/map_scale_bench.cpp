@@ -21,7 +21,8 @@ std::vector<Feature> columns(int count) {
   std::vector<Feature> features;
   for (int k = 0; k < count; ++k)
     features.push_back(
-        {"opal:Column", Circle{{6.0 * (k % side) + aside(random), 6.0 * (k / side) + aside(random)}, radius(random)}});
+        {"opal:Column", Circle{{6.0 * (k % side) + aside(random), 6.0 * static_cast<double>(k / side) + aside(random)},
+                               radius(random)}});
   return features;
 }
 

@@ -33,7 +33,7 @@ TEST_CASE("stages of the pipeline on recorded logs", "[!benchmark]") {
     Localizer localizer(site.parts());
     std::vector<StageTimes> updates;
     for (const Sample& sample : site.samples)
-      if (localizer.update(sample.scan, sample.T_odom_base)) updates.push_back(localizer.last_times());
+      if (localizer.update(sample)) updates.push_back(localizer.last_times());
     REQUIRE_FALSE(updates.empty());
     std::printf("\n%s, %zu keyframes       median      p95  [ms]\n", name, updates.size());
     for (const Stage& stage : kStages) {

@@ -120,7 +120,7 @@ void LocalizingRunner::set_up(std::size_t arm) {
 
 /// In the world that is entered, with the plugins of an arm.
 opal::LocalizerParts LocalizingRunner::parts_of(opal::Deployment deployment, std::size_t arm) const {
-  deployment = with_laser(std::move(deployment), world_->place.deployment.laser);
+  deployment = with_lasers(std::move(deployment), world_->place.deployment.lasers);
   if (world_->region)
     deployment.stages.search.region = opal::RegionPrior{world_->region->center, world_->region->radius_m};
   return build_parts(deployment, *plugins_[arm].registry, world_->place.site.map);
@@ -131,11 +131,11 @@ void LocalizingRunner::record(const ab::Task& task, std::size_t arm, const std::
   EventFile events(folder + "/events.jsonl");
   const opal::LocalizerParts parts = parts_of(experiment_.arms[arm].deployment, arm);
   const opal::Query& query = world_->query(task.query);
-  events.write(
-      opal::run_event({world_->place.site.name, experiment_.arms[arm].name, parts.map->map().name()}, parts.laser));
+  events.write(opal::run_event({world_->place.site.name, experiment_.arms[arm].name, parts.map->map().name()},
+                               parts.lasers.front()));
   events.write(opal::map_event(*parts.map));
   events.write(opal::start_event(query.id));
-  events.write(truth_event_of(world_->truth, query, parts.laser));
+  events.write(truth_event_of(world_->truth, query, parts.lasers.front()));
   opal::Localizer localizer(parts, &events);
   run_query(localizer, world_->place, query);
   events.finish();
@@ -143,7 +143,7 @@ void LocalizingRunner::record(const ab::Task& task, std::size_t arm, const std::
 
 void LocalizingRunner::run(const ab::Task& task, ab::CellResult& result) {
   const opal::Query& query = world_->query(task.query);
-  RankedRun ranked(*localizer_, world_->truth, world_->place.deployment.laser.T_base_laser, observed_);
+  RankedRun ranked(*localizer_, world_->truth, world_->place.deployment.lasers.front().T_base_laser, observed_);
   RunObserver observer;
   if (experiment_.observes) observer.updated = [&](const RunRecord& so_far) { ranked.look(so_far.last.stamp_s); };
   const RunRecord record = run_query(*localizer_, world_->place, query, observer);

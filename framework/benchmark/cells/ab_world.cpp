@@ -148,7 +148,7 @@ World WorldSource::recorded(const ab::Scenario& scenario, const ab::RecordedPlac
   world.place.queries = queries_of(place);
   std::string& log = log_digests_[place.prefix];
   if (log.empty()) log = ab::sha256_of_file(place.prefix + ".log.gz");
-  world.digest = Digest().add(digest_of(*map)).add(log).add(world.place.deployment.laser).finish();
+  world.digest = Digest().add(digest_of(*map)).add(log).add(world.place.deployment.lasers.front()).finish();
   return world;
 }
 
@@ -158,7 +158,7 @@ World WorldSource::simulated(const ab::Scenario& scenario, const ab::SimulatedDr
   const sim::ChallengeDrive drive = driven(drives, building, seed);
   World world;
   world.place.site = {"", scenario.name, map, opal::Pose2(), 0};
-  world.place.deployment = with_laser(experiment_.arms[experiment_.baseline].deployment, drive.recording.laser);
+  world.place.deployment = with_lasers(experiment_.arms[experiment_.baseline].deployment, {drive.recording.laser});
   world.place.queries = drive.recording.queries;
   for (const sim::RecordedScan& scan : drive.recording.scans) world.place.records.emplace_back(scan.scan);
   world.truth = truth_of(drive.recording);

@@ -58,7 +58,7 @@ void LocalizeRun::play(const std::vector<opal::LogRecord>& records, const std::v
     opal::ReplayOptions window;
     window.from_s = windows[k].start_s;
     window.to_s = windows[k].end_s;
-    opal::Replay replay(records, laser_, window);
+    opal::Replay replay(records, lasers_, window);
     play_window(replay, windows[k], observer);
     // Half a query would count as a whole one in the results; the events have it.
     if (!is_cut || windows.size() == 1) all_.append(newest_);
@@ -70,8 +70,8 @@ void LocalizeRun::play(const std::vector<opal::LogRecord>& records, const std::v
 void LocalizeRun::play_window(opal::Replay& replay, const opal::Query& window, const RunObserver& observer) {
   localizer_.reset();
   events_.write(opal::start_event(window.id));
-  if (truth_) events_.write(truth_event_of(*truth_, window, laser_));
-  newest_ = run_log(localizer_, laser_, replay, window.id, observer);
+  if (truth_) events_.write(truth_event_of(*truth_, window, lasers_.front()));
+  newest_ = run_log(localizer_, lasers_.front(), replay, window.id, observer);
   for (const auto& [cause, count] : replay.counts()) oddities_[cause] += count;
   answers_.push_back(answer_of(window.id, newest_, localizer_.why(), truth_));
   for (const opal::SensorFinding& finding : localizer_.sensor_findings())
@@ -101,8 +101,8 @@ void LocalizeRun::print() const {
 }
 
 void LocalizeRun::draw(const std::string& moment, const RunRecord& record, const fs::path& without_extension) const {
-  opal::DrawingScene scene = scene_of(localizer_, laser_, record);
-  if (truth_) add_truth(scene, truth_->poses(), laser_);
+  opal::DrawingScene scene = scene_of(localizer_, lasers_.front(), record);
+  if (truth_) add_truth(scene, truth_->poses(), lasers_.front());
   scene.title = log_ + ": " + moment;
   opal::write_svg(scene, without_extension.string() + ".svg");
   opal::write_png(scene, without_extension.string() + ".png");

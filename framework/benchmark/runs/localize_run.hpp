@@ -31,9 +31,9 @@ class LocalizeRun {
   /// says
   ///                why it is not localized yet.
   /// @param log  name for the pictures.
-  LocalizeRun(opal::Localizer& localizer, const opal::LaserModel& laser, opal::EventSink& events,
+  LocalizeRun(opal::Localizer& localizer, const std::vector<opal::LaserModel>& lasers, opal::EventSink& events,
               const std::string& log)
-      : localizer_(localizer), laser_(laser), events_(events), log_(log) {}
+      : localizer_(localizer), lasers_(lasers), events_(events), log_(log) {}
 
   /// Truth as poses of the laser; drawn, recorded and compared with.
   void set_truth(opal::GroundTruth truth) { truth_ = std::move(truth); }
@@ -56,7 +56,7 @@ class LocalizeRun {
   void draw(const std::string& moment, const RunRecord& record, const std::filesystem::path& without_extension) const;
 
   opal::Localizer& localizer_;
-  const opal::LaserModel& laser_;
+  const std::vector<opal::LaserModel>& lasers_;  ///< poses are told of the first one
   opal::EventSink& events_;
   const std::string log_;
   std::optional<opal::GroundTruth> truth_;

@@ -24,6 +24,16 @@ void add_rows(RunRecord& record, const std::string& query, const opal::LaserMode
   record.trajectory.push_back({said.stamp_s, said.T_map_base});
 }
 
+/// Of all lasers, in the frame of the one whose poses are told.
+void add_points(std::vector<opal::Point>& points, const opal::Sample& sample, const opal::Pose2& T_base_told) {
+  for (const opal::LaserView& view : sample.views) {
+    const bool is_told = view.laser == 0;
+    const opal::Pose2 T_told_laser = is_told ? opal::Pose2() : T_base_told.inverse() * view.T_base_laser;
+    for (const opal::ScanPoint& point : view.scan.points)
+      points.push_back(is_told ? point.position : T_told_laser * point.position);
+  }
+}
+
 /// Carries the progress of a replay on to its newest scan.
 class Odometer {
  public:
@@ -66,18 +76,18 @@ RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser,
   Odometer odometer;
   double before_s = opal::thread_cpu_s();  // the replay cleans the scan: that is part of an update's cost
   while (const auto sample = next()) {
-    if (observer.ready && !observer.ready(sample->scan.stamp_s)) break;
-    const auto updated = localizer.update(sample->scan, sample->T_odom_base);
+    if (observer.ready && !observer.ready(sample->stamp_s)) break;
+    const auto updated = localizer.update(*sample);
     if (updated) {
       record.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
       add(record.stages, localizer.last_times());
       record.hypotheses += updated->hypotheses;
       record.last_points.clear();
-      for (const opal::ScanPoint& point : sample->scan.points) record.last_points.push_back(point.position);
+      add_points(record.last_points, *sample, laser.T_base_laser);
       record.last_T_odom_base = sample->T_odom_base;
     }
-    record.last = localizer.estimate_at(sample->scan.stamp_s, sample->T_odom_base);
-    record.whole = odometer.at(sample->scan.stamp_s, sample->T_odom_base);
+    record.last = localizer.estimate_at(sample->stamp_s, sample->T_odom_base);
+    record.whole = odometer.at(sample->stamp_s, sample->T_odom_base);
     if (!record.localized_after && record.last.status == opal::Status::localized) record.localized_after = record.whole;
     if (record.last.has_pose) add_rows(record, query, laser);
     if (updated && observer.updated) observer.updated(record);

@@ -7,7 +7,7 @@ std::size_t restore_stamps(RunRecord& record, const opal::KidnappingLog& log) {
   std::size_t sample = 0, alternative = 0, first_after = record.rows.size();
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     double& stamp_s = record.rows[row].stamp_s;
-    while (log.samples[sample].scan.stamp_s != stamp_s) ++sample;
+    while (log.samples[sample].views.front().scan.stamp_s != stamp_s) ++sample;
     if (sample >= log.cut) first_after = std::min(first_after, row);
     for (; alternative < record.alternatives.size() && record.alternatives[alternative].stamp_s == stamp_s;
          ++alternative)
@@ -34,7 +34,7 @@ KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& pla
       return *next++;
     };
     const RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
-    RunRecord record = run_samples(localizer, place.deployment.laser, source, sequence.id, observer);
+    RunRecord record = run_samples(localizer, place.deployment.lasers.front(), source, sequence.id, observer);
     runs.is_cut = stop.stop_requested();
     if (runs.is_cut) break;
     const std::size_t cut = restore_stamps(record, log);

@@ -36,11 +36,12 @@ struct Timed {
 /// All motions of the log that its scans tell.
 std::vector<Timed> motions_of(const std::vector<opal::LogRecord>& records, const opal::LaserModel& laser,
                               std::shared_ptr<const opal::ScanMatcher> matcher) {
-  opal::Replay replay(records, laser);
+  opal::Replay replay(records, {laser});
   opal::MotionPairs motions(std::move(matcher), laser.T_base_laser);
   std::vector<Timed> pairs;
   while (const auto sample = replay.next())
-    if (auto pair = motions.add(sample->scan, sample->T_odom_base)) pairs.push_back({sample->scan.stamp_s, *pair});
+    if (auto pair = motions.add(sample->views.front().scan, sample->T_odom_base))
+      pairs.push_back({sample->stamp_s, *pair});
   return pairs;
 }
 
@@ -85,10 +86,11 @@ void write_deployment(const opal::MotionCalibration& drive, const CalibrateOptio
 int calibrate(const CalibrateOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = opal::read_deployment(options.config);
-  opal::LaserModel laser = options.info.empty() ? deployment.laser : opal::read_site_laser(options.info);
+  opal::LaserModel laser = options.info.empty() ? deployment.lasers.front() : opal::read_site_laser(options.info);
   const std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, options.log, deployment));
-  laser = opal::laser_of_log(records, laser, options.log,
-                             options.info.empty() ? options.config + ": /sensor" : options.info);
+  laser = opal::lasers_of_log(records, {laser}, options.log,
+                              options.info.empty() ? options.config + ": /sensor" : options.info)
+              .front();
   const auto motions = motions_of(records, laser, matcher_of(registry, deployment));
   if (!options.motions.empty()) write_motions(motions, options.motions);
   std::vector<opal::MotionPair> pairs;

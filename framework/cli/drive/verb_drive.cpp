@@ -110,9 +110,9 @@ std::unique_ptr<behaviours::Localization> localization_of(const DriveVerbOptions
                                                           const opal::Deployment& deployment,
                                                           const opal::PluginRegistry& registry,
                                                           const std::shared_ptr<const opal::SemanticMap>& map) {
-  if (!options.localizer.empty()) return connected(options.localizer, deployment.laser, *map);
+  if (!options.localizer.empty()) return connected(options.localizer, deployment.lasers.front(), *map);
   return std::make_unique<OwnLocalization>(
-      std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.laser);
+      std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.lasers.front());
 }
 
 /// Drives one after the other, as a recording: each begins a while after the one before.
@@ -156,7 +156,7 @@ DriveSetup set_up(DriveVerbOptions& options) {
   options.loop.motion.radius_m = options.world.robot_radius_m;
   DriveSetup setup{load_plugins(), opal::read_deployment(config_file(options.config)), {}, {}, {}};
   options.take_laser(setup.deployment);
-  setup.deployment.laser = options.world.laser;
+  setup.deployment.lasers.front() = options.world.laser;
   setup.deployment.map = options.map;
   setup.map = load_map(setup.plugins, setup.deployment);
   options.furnish(setup.plugins, *setup.map);
@@ -193,7 +193,7 @@ int drive(DriveVerbOptions options) {
   options.loop.stop = signals.token();
   opal::OutputFolder folder(options.out, "opal drive", {"summary.json", "drive_*.svg", "drive_*.png"});
   DriveReport report(setup.map, options.behaviour, folder.path());
-  DriveRecording recording(setup.deployment.laser);
+  DriveRecording recording(setup.deployment.lasers.front());
   if (!options.record.empty())
     options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) {
       recording.witness(scan, T_map_base);

@@ -1,6 +1,13 @@
 #include "cli/info/deployment_lines.hpp"
 
+#include "common/text_file.hpp"
+#include "session/shipped_files.hpp"
+
+#include <opal/deployment/deployment.hpp>
+
 #include <cmath>
+#include <fstream>
+#include <iostream>
 
 namespace opal {
 namespace {
@@ -70,6 +77,16 @@ nlohmann::ordered_json deployment_lines(const LogContents& contents, const std::
   for (const auto& [name, value] : contents.options) options[name] = value;
   lines["log_sources"] = nlohmann::ordered_json::array({{{"@type", source}, {"options", options}}});
   return lines;
+}
+
+void write_deployment(const nlohmann::ordered_json& lines, const std::string& config, const std::string& out) {
+  const std::string start = config_file(config);
+  read_deployment(start);  // what is wrong with it is told here
+  auto document = nlohmann::ordered_json::parse(std::ifstream(start));
+  document.erase("comment");
+  document.merge_patch(lines);
+  write_text(out, document.dump(2) + '\n');
+  std::cerr << "written: " << out << '\n';
 }
 
 }  // namespace opal

@@ -10,4 +10,8 @@ namespace opal {
 /// @param source  the log source that recognizes the log: "opal:Ros2Bag"
 nlohmann::ordered_json deployment_lines(const LogContents& contents, const std::string& source);
 
+/// A deployment to go on with: an existing one with these lines in it.
+/// @param config  its path, or the name of one that ships. @throws ConfigError if something is wrong with it.
+void write_deployment(const nlohmann::ordered_json& lines, const std::string& config, const std::string& out);
+
 }  // namespace opal

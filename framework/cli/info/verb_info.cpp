@@ -2,13 +2,10 @@
 #include "cli/info/deployment_lines.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
-#include "common/text_file.hpp"
 #include "session/session.hpp"
-#include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
 
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -18,17 +15,6 @@ struct InfoOptions {
   std::vector<std::string> words;
   bool as_json = false;
 };
-
-/// A deployment to go on with: CONFIG with what the log tells of its laser.
-void write_deployment_of(const nlohmann::ordered_json& lines, const InfoOptions& options) {
-  const std::string config = config_file(options.config);
-  opal::read_deployment(config);  // what is wrong with it is told here
-  auto document = nlohmann::ordered_json::parse(std::ifstream(config));
-  document.erase("comment");
-  document.merge_patch(lines);
-  opal::write_text(options.out, document.dump(2) + '\n');
-  std::cerr << "written: " << options.out << '\n';
-}
 
 int info(const InfoOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
@@ -47,7 +33,7 @@ int info(const InfoOptions& options) {
     std::cout << opal::contents_text(contents);
     if (!lines.empty()) std::cout << "\nfor the deployment (-o FILE writes one)\n" << lines.dump(2) << '\n';
   }
-  if (!options.out.empty()) write_deployment_of(lines, options);
+  if (!options.out.empty()) opal::write_deployment(lines, options.config, options.out);
   return lines.empty() ? kNo : kDone;
 }
 

@@ -40,7 +40,7 @@ LocalizeSetup set_up(const LocalizeOptions& options) {
   LocalizeSetup setup{load_plugins(), options.deployment(), {}, {}, {}, {}};
   const auto map = load_map(setup.plugins, setup.deployment);
   setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
-  setup.deployment.laser = options.laser_of(setup.log.records, setup.deployment.laser);
+  setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
   setup.windows = options.windows();
   if (!options.queries.empty()) expect_scans(setup.windows, setup.log, options.queries);
   if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
@@ -52,7 +52,8 @@ LocalizeSetup set_up(const LocalizeOptions& options) {
 void tell(const LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
   run.print();
   for (const auto& [cause, count] : setup.log.defects) std::printf("log: %s: %d times\n", cause.c_str(), count);
-  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.laser)) std::printf("log: %s\n", doubt.c_str());
+  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.lasers.front()))
+    std::printf("log: %s\n", doubt.c_str());
   std::printf("written to %s: trajectory.tum, results.csv, events.jsonl, first_scan and picture as .svg and .png\n",
               out.c_str());
   if (!run.complete() && setup.windows.size() > 1)
@@ -68,11 +69,11 @@ int localize(const LocalizeOptions& options) {
   EventFile recorder(folder.file("events.jsonl"));
   opal::NullEventSink nobody;
   EventSplitter events(recorder, live ? live->events() : nobody);
-  events.write(opal::run_event({options.log, options.config, setup.deployment.map}, setup.parts.laser));
+  events.write(opal::run_event({options.log, options.config, setup.deployment.map}, setup.parts.lasers.front()));
   events.write(opal::map_event(*setup.parts.map));
 
   opal::Localizer localizer(setup.parts, &events);
-  LocalizeRun run(localizer, setup.deployment.laser, events, fs::path(options.log).filename().string());
+  LocalizeRun run(localizer, setup.deployment.lasers, events, fs::path(options.log).filename().string());
   if (setup.truth) run.set_truth(*setup.truth);
   run.play(setup.log.records, setup.windows, {options.speed, signals.token()}, folder.path());
   recorder.finish();

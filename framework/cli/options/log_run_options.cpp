@@ -25,13 +25,13 @@ opal::Deployment LogRunOptions::deployment() const {
   if (!map.empty()) deployment.map = map;
   deployment.overlays.insert(deployment.overlays.end(), overlays.files.begin(), overlays.files.end());
   if (deployment.map.empty()) throw opal::ConfigError(config + ": /map: missing; name a map here or with --map");
-  if (!info.empty()) deployment = opal::with_laser(std::move(deployment), opal::read_site_laser(info));
+  if (!info.empty()) deployment = opal::with_lasers(std::move(deployment), {opal::read_site_laser(info)});
   return deployment;
 }
 
-opal::LaserModel LogRunOptions::laser_of(const std::vector<opal::LogRecord>& records,
-                                         const opal::LaserModel& described) const {
-  return opal::laser_of_log(records, described, log, info.empty() ? config + ": /sensor" : info);
+std::vector<opal::LaserModel> LogRunOptions::lasers_of(const std::vector<opal::LogRecord>& records,
+                                                       const std::vector<opal::LaserModel>& described) const {
+  return opal::lasers_of_log(records, described, log, info.empty() ? config + ": /sensor" : info);
 }
 
 std::vector<opal::Query> LogRunOptions::windows() const {

@@ -24,7 +24,8 @@ struct LogRunOptions {
   /// The deployment with what was said instead or besides. @throws opal::ConfigError if it has no map.
   opal::Deployment deployment() const;
   /// `described` with what the log states of its laser. @throws opal::ConfigError if it states something else.
-  opal::LaserModel laser_of(const std::vector<opal::LogRecord>& records, const opal::LaserModel& described) const;
+  std::vector<opal::LaserModel> lasers_of(const std::vector<opal::LogRecord>& records,
+                                          const std::vector<opal::LaserModel>& described) const;
   /// What to play: the queries, or the whole log.
   std::vector<opal::Query> windows() const;
 };

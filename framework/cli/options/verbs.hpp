@@ -48,6 +48,10 @@ void add_drive_verb(CLI::App& app, int& exit_code);
 /// `opal serve CONFIG`: localizes a robot whose behaviours are another program on this machine.
 void add_serve_verb(CLI::App& app, int& exit_code);
 
+/// `opal ros2 CONFIG --map MAP`: localizes a running robot as a node of ROS 2. With --check the exit code is 1 if
+/// something that is needed is missing.
+void add_ros2_verb(CLI::App& app, int& exit_code);
+
 /// `opal experiment thesis3 --map MAP -o OUT`: the thesis' challenges in simulation, in its table.
 void add_experiment_verb(CLI::App& app, int& exit_code);
 

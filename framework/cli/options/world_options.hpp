@@ -17,10 +17,13 @@ struct WorldOptions {
       world.furniture = opal::simulation::furniture_solids(*load_map(registry, furnished), building);
   }
 
-  /// The laser that a deployment describes; the simulator's, if it describes none or leaves it to the log.
+  /// The lasers that a deployment describes; the simulator's, if it describes none or leaves it to the log.
   void take_laser(const opal::Deployment& deployment) {
-    if (deployment.describes_laser && !deployment.laser.geometry_from_log) world.laser = deployment.laser;
-    world.laser.id = deployment.laser.id;
+    if (deployment.describes_laser && !deployment.lasers.front().geometry_from_log) {
+      world.laser = deployment.lasers.front();
+      world.more_lasers.assign(deployment.lasers.begin() + 1, deployment.lasers.end());
+    }
+    world.laser.id = deployment.lasers.front().id;
   }
 
   void add_to(CLI::App& verb) {

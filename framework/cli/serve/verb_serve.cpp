@@ -26,10 +26,10 @@ int serve(const ServeOptions& options) {
   const auto map = load_map(registry, deployment);
   opal::build_parts(deployment, registry, map);  // what cannot run is said now, not to the first robot
   const auto localizer_for = [&](const opal::LaserModel& laser) {
-    return std::make_unique<opal::Localizer>(opal::build_parts(with_laser(deployment, laser), registry, map));
+    return std::make_unique<opal::Localizer>(opal::build_parts(with_lasers(deployment, {laser}), registry, map));
   };
   const StopSignals signals;  // before the server's threads
-  const LocalizationServer server(map, deployment.laser.id, localizer_for, options.port);
+  const LocalizationServer server(map, deployment.lasers.front().id, localizer_for, options.port);
   std::cout << "localizes at " << server.address() << " (on this machine only; Ctrl-C ends it)" << std::endl;
   std::mutex mutex;
   std::unique_lock lock(mutex);

@@ -36,7 +36,7 @@ void set_laser(SimulateOptions& options) {
   }
   if (!options.config.empty()) {
     const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
-    if (!deployment.describes_laser || deployment.laser.geometry_from_log)
+    if (!deployment.describes_laser || deployment.lasers.front().geometry_from_log)
       throw opal::ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
     return options.take_laser(deployment);
   }

@@ -8,7 +8,7 @@ StopSignals::StopSignals() {
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &signals_, &before_);
-  thread_ = std::jthread([this](std::stop_token over) { wait(std::move(over)); });
+  thread_ = std::jthread([this](const std::stop_token& over) { wait(over); });
 }
 
 StopSignals::~StopSignals() {
@@ -17,7 +17,7 @@ StopSignals::~StopSignals() {
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
-void StopSignals::wait(std::stop_token over) {
+void StopSignals::wait(const std::stop_token& over) {
   constexpr timespec kPatience{0, 100'000'000};  // how long the program's end may take longer for this thread
   while (!over.stop_requested()) {
     const int signal = sigtimedwait(&signals_, nullptr, &kPatience);

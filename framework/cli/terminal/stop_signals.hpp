@@ -19,7 +19,7 @@ class StopSignals {
   int signal() const { return signal_; }  ///< that asked to stop; 0: none has
 
  private:
-  void wait(std::stop_token over);
+  void wait(const std::stop_token& over);
 
   std::stop_source requested_;
   std::atomic<int> signal_{0};

@@ -15,23 +15,23 @@ TrackedWindow track_window(opal::PoseTracker& tracker, const opal::LaserModel& l
   while (const auto sample = replay.next()) {
     window.is_cut = stop.stop_requested();
     if (window.is_cut) break;
-    const double stamp_s = sample->scan.stamp_s;
+    const double stamp_s = sample->stamp_s;
     if (!T_map_odom) {
       const auto start = start_at(stamp_s);
       if (!start) continue;
       tracker.start(start->T_map_base, start->sigma);
       T_map_odom = start->T_map_base * sample->T_odom_base.inverse();
     }
-    if (tracker.update(sample->scan, sample->T_odom_base))
-      window.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
+    if (tracker.update(*sample)) window.update_cpu_ms.push_back(1e3 * (opal::thread_cpu_s() - before_s));
     const opal::Pose2 T_map_base = tracker.T_map_base_at(sample->T_odom_base);
     window.trajectory.push_back({stamp_s, T_map_base});
     window.rows.push_back({id, stamp_s, T_map_base * laser.T_base_laser,
                            tracker.last().lost ? opal::Status::lost : opal::Status::localized});
     window.dead_reckoned.push_back({id, stamp_s, *T_map_odom * sample->T_odom_base * laser.T_base_laser});
     window.last_points.clear();
-    for (const opal::ScanPoint& point : sample->scan.points)
-      window.last_points.push_back(window.rows.back().T_map_laser * point.position);
+    for (const opal::LaserView& view : sample->views)
+      for (const opal::ScanPoint& point : view.scan.points)
+        window.last_points.push_back(T_map_base * view.T_base_laser * point.position);
     before_s = opal::thread_cpu_s();
   }
   window.track = tracker.track();

@@ -60,7 +60,7 @@ TrackSetup set_up(const TrackOptions& options) {
   setup.map = load_map(setup.plugins, setup.deployment);
   if (options.damage.any()) setup.map = opal::damaged_map(*setup.map, options.damage.damage());
   setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
-  setup.deployment.laser = options.laser_of(setup.log.records, setup.deployment.laser);
+  setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
   if (!options.queries.empty()) expect_scans(options.windows(), setup.log, options.queries);
   if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
   if (setup.truth) expect_overlap(*setup.truth, setup.log, options.truth);
@@ -79,7 +79,7 @@ TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup
                             TrackOutput& output, const std::stop_token& stop) {
   const auto pose = options.pose.empty() ? std::nullopt : std::make_optional(read_pose(options.pose));
   const Disturbance disturbance = options.disturb.empty() ? Disturbance{} : read_disturbance(options.disturb);
-  const opal::LaserModel& laser = setup.deployment.laser;
+  const opal::LaserModel& laser = setup.deployment.lasers.front();
   std::optional<StartPoses> starts;
   if (setup.truth) starts.emplace(*setup.truth, laser.T_base_laser, disturbance, options.disturb_seed);
   TrackedWindow window;
@@ -89,7 +89,7 @@ TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup
     opal::ReplayOptions cut;
     cut.from_s = query.start_s;
     cut.to_s = query.end_s;
-    opal::Replay replay(setup.log.records, laser, cut);
+    opal::Replay replay(setup.log.records, setup.deployment.lasers, cut);
     window = track_window(tracker, laser, replay, query.id, pose ? given_start(*pose) : starts->next(), stop);
     if (!window.is_cut || windows.size() == 1) output.add(window);
     if (window.is_cut) break;
@@ -103,7 +103,7 @@ int track(const TrackOptions& options) {
   opal::PoseTracker tracker(setup.parts);
   const StopSignals signals;
   opal::OutputFolder folder(options.out, "opal track", products(options));
-  TrackOutput output(folder.path(), setup.deployment.laser, setup.map, setup.truth);
+  TrackOutput output(folder.path(), setup.deployment.lasers.front(), setup.map, setup.truth);
   const TrackedWindow window = track_windows(options, setup, tracker, output, signals.token());
   opal::MapBelief belief = tracker.belief();
   if (options.offline && !window.is_cut) {
@@ -117,7 +117,8 @@ int track(const TrackOptions& options) {
   if (window.rows.empty() && !window.is_cut)
     throw opal::LogError(options.log + ": no scan with odometry to track" +
                          (setup.truth ? " that the truth covers" : ""));
-  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.laser)) std::printf("log: %s\n", doubt.c_str());
+  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.lasers.front()))
+    std::printf("log: %s\n", doubt.c_str());
   if (window.last.lost) std::printf("lost: at the end the scans do not fit the map where the track is\n");
   return end_run(folder, window.is_cut ? signals.signal() : 0, window.last.lost ? kNo : kDone);
 }

@@ -32,4 +32,16 @@ Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double t
   return by_all.allFinite() ? stepped(predicted, by_all) : scan.T_map_base;
 }
 
+Eigen::Matrix3d PoseFilter::covariance() const {
+  // Points of one wall share their errors: together they say as much as a few of 0.06 m would.
+  constexpr double kPoint_m = 0.3;
+  // The map's own error does not average out; position and heading on the recorded sites.
+  constexpr double kMap_m = 0.04, kMap_rad = 0.008;
+  // Nobody knows less than that, 5 m and half a turn.
+  const Eigen::Vector3d least(1 / 25.0, 1 / 25.0, 0.1);
+  const Eigen::Matrix3d information = known_ / (kPoint_m * kPoint_m) + Eigen::Matrix3d(least.asDiagonal());
+  const Eigen::Vector3d map(kMap_m * kMap_m, kMap_m * kMap_m, kMap_rad * kMap_rad);
+  return information.inverse() + Eigen::Matrix3d(map.asDiagonal());
+}
+
 }  // namespace opal

@@ -25,6 +25,10 @@ class OPAL_EXPORT PoseFilter {
   Pose2 update(const Pose2& predicted, const Alignment& scan, double tempering_weight, const Pose2& T_local_base,
                const PoseFilterOptions& options);
 
+  /// Of the pose of the newest update, (x, y, heading) in the map frame [m, m, rad]: what scans leave open, and what
+  /// the map itself is wrong by. It grows where nothing fixes the robot, as along a bare corridor.
+  Eigen::Matrix3d covariance() const;
+
   /// Nothing is known any more.
   void reset() { known_.setZero(); }
 

@@ -40,33 +40,43 @@ Residual residual_to(const Surface& surface, const Point& p) {
   return {surface.normal().dot(from), surface.normal(), along > -kOverhang_m && along < surface.size_m + kOverhang_m};
 }
 
-NormalEquations linearize(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& pose,
-                          double sigma_m) {
-  NormalEquations equations;
-  const Point eye = pose * laser;
-  for (const Point& point : points) {
+void linearize(const MapView& map, const ObservedScan& scan, const Pose2& pose, double sigma_m,
+               NormalEquations& equations) {
+  const Point eye = pose * scan.laser_position;
+  for (const Point& point : scan.points) {
     const Point lever = pose.rotate(point), p = pose.position() + lever;
     const int number = map.nearest_facing(p, p - eye);
     if (number < 0) continue;
     const Residual residual = residual_to(map.surface(number), p);
     if (residual.valid) equations.add(residual.normal, lever, residual.error, robust_weight(residual.error, sigma_m));
   }
+}
+
+NormalEquations linearize(const MapView& map, std::span<const ObservedScan> scans, const Pose2& pose, double sigma_m) {
+  NormalEquations equations;
+  for (const ObservedScan& scan : scans) linearize(map, scan, pose, sigma_m, equations);
   return equations;
+}
+
+double number_of_points(std::span<const ObservedScan> scans) {
+  std::size_t points = 0;
+  for (const ObservedScan& scan : scans) points += scan.points.size();
+  return static_cast<double>(points);
 }
 
 }  // namespace
 
-Alignment align_with_map(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& guess,
+Alignment align_with_map(const MapView& map, std::span<const ObservedScan> scans, const Pose2& guess,
                          const RefinementOptions& options) {
   Alignment aligned{guess};
   Pose2& pose = aligned.T_map_base;
-  const double n = static_cast<double>(points.size());
+  const double n = number_of_points(scans);
   const Eigen::Vector3d prior(options.prior_position * n, options.prior_position * n, options.prior_heading * n);
   aligned.by_guess = prior.asDiagonal();
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     // The first step looks twice as far, so that a poor guess is not stuck.
     const double sigma = iteration == 0 ? 2 * options.sigma_m : options.sigma_m;
-    NormalEquations equations = linearize(map, points, laser, pose, sigma);
+    NormalEquations equations = linearize(map, scans, pose, sigma);
     aligned.by_points = equations.H;
     equations.H.diagonal() += prior + Eigen::Vector3d(1e-3, 1e-3, 1e-2);
     equations.g += prior.cwiseProduct(step_between(guess, pose));
@@ -82,9 +92,9 @@ Alignment align_with_map(const MapView& map, std::span<const Point> points, cons
   return aligned;
 }
 
-Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Point& laser, const Pose2& guess,
+Pose2 refine_on_map(const MapView& map, std::span<const ObservedScan> scans, const Pose2& guess,
                     const RefinementOptions& options) {
-  return align_with_map(map, points, laser, guess, options).T_map_base;
+  return align_with_map(map, scans, guess, options).T_map_base;
 }
 
 double likelihood_field_score(const MapView& map, std::span<const Point> points, const Pose2& T_map_base) {

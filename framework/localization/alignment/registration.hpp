@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
+#include <opal/localization/scoring/score.hpp>
 #include <opal/map/view/map_view.hpp>
 
 #include <Eigen/Core>
@@ -55,14 +56,13 @@ struct Alignment {
 
 /// Slides a scan onto the mapped surfaces near it: robust point-to-surface Gauss-Newton (Censi 2008 for the metric;
 /// weights after Geman and McClure). Surfaces that would be seen from behind are not used.
-/// @param points  in the base frame [m].
-/// @param laser   where the beams start, base frame.
+/// @param scans  base frame.
 /// @return T_map_base near `guess`.
-OPAL_EXPORT Alignment align_with_map(const MapView& map, std::span<const Point> points, const Point& laser,
-                                     const Pose2& guess, const RefinementOptions& options);
+OPAL_EXPORT Alignment align_with_map(const MapView& map, std::span<const ObservedScan> scans, const Pose2& guess,
+                                     const RefinementOptions& options);
 /// The same, its pose only.
-OPAL_EXPORT Pose2 refine_on_map(const MapView& map, std::span<const Point> points, const Point& laser,
-                                const Pose2& guess, const RefinementOptions& options);
+OPAL_EXPORT Pose2 refine_on_map(const MapView& map, std::span<const ObservedScan> scans, const Pose2& guess,
+                                const RefinementOptions& options);
 
 /// Mean likelihood-field score of points to mapped surfaces at a pose, in [0, 1].
 OPAL_EXPORT double likelihood_field_score(const MapView& map, std::span<const Point> points, const Pose2& T_map_base);

@@ -80,7 +80,10 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
   sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.tempering_weight : 0;
   constexpr double kMemory = 0.8;
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat : alive.front().scan_nat;
-  if (!contradiction_.empty()) return because(while_contradicted(estimate), contradiction_);
+  if (!contradiction_.empty()) {
+    sure_ = 0;  // what was seen under a wrong description is no evidence
+    return because(while_contradicted(estimate), contradiction_);
+  }
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
     return because(Status::lost, sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
                                           options_.lost_scan_nat));
@@ -137,6 +140,7 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.has_pose = true;
   estimate.best = alive.front().hypothesis.id;
   estimate.T_map_base = alive.front().hypothesis.T_map_local * T_local_base;
+  estimate.covariance = alive.front().pose.covariance();
   weigh(alive, T_local_base, estimate);
   estimate.status = judge(alive, T_local_base, estimate, now);
   reckon_with(now.kidnapped, estimate);

@@ -25,6 +25,24 @@ bool has_moved(const Geometry& now, const Geometry& before) {
   return off.position_m > kMoved_m || off.heading_rad > kTurned_rad;
 }
 
+std::size_t returns_in(const Sample& sample) {
+  std::size_t returns = 0;
+  for (const LaserView& view : sample.views) returns += view.scan.points.size();
+  return returns;
+}
+
+/// One outline; of several lasers one after the other, each closed: filled, they are what all beams passed through.
+std::vector<Point> free_space_of(const Sample& sample) {
+  if (sample.views.size() == 1) return free_space_outline(sample.views.front().scan, sample.views.front().T_base_laser);
+  std::vector<Point> outlines;
+  for (const LaserView& view : sample.views) {
+    const std::vector<Point> outline = free_space_outline(view.scan, view.T_base_laser);
+    outlines.insert(outlines.end(), outline.begin(), outline.end());
+    if (!outline.empty()) outlines.push_back(outline.front());
+  }
+  return outlines;
+}
+
 double milliseconds(double seconds) { return std::round(1e6 * seconds) / 1e3; }
 
 }  // namespace
@@ -45,9 +63,8 @@ void RunJournal::reset() {
 
 // ---------------------------------------------------------------------------------------------- what is seen
 
-void RunJournal::keyframe(double stamp_s, int keyframe, const Scan& scan, const Pose2& T_base_laser,
-                          const Observation& observation) {
-  stamp_s_ = stamp_s;
+void RunJournal::keyframe(const Sample& sample, int keyframe, const Observation& observation) {
+  stamp_s_ = sample.stamp_s;
   keyframe_ = keyframe;
   observation_ = &observation;
   rejected_ = Json::array();
@@ -55,12 +72,12 @@ void RunJournal::keyframe(double stamp_s, int keyframe, const Scan& scan, const 
   const LocalMap& local_map = observation.local_map;
   auto e = event("keyframe");
   e["T_local_base"] = pose_json(local_map.T_local_base());
-  e["points"] = scan.points.size();
+  e["points"] = returns_in(sample);
   e["features"] = observation.features.size();
   e["local_features"] = local_map.features().size();
   e["scan_match"] = local_map.last_match().converged;
-  e["scan"] = points_json(thinned(scan.points, T_base_laser, kScanSpacing_m, kMostScanPoints).points);
-  e["free_space"] = points_json(free_space_outline(scan, T_base_laser));
+  e["scan"] = points_json(thinned_points(sample, kScanSpacing_m, kMostScanPoints));
+  e["free_space"] = points_json(free_space_of(sample));
   events_.write(e);
   local_features(local_map);
 }

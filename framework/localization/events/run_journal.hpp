@@ -22,8 +22,7 @@ class RunJournal final : public HypothesisListener {
 
   /// Begins an update.
   /// @param observation  what hypotheses are judged by; must outlive the update.
-  void keyframe(double stamp_s, int keyframe, const Scan& scan, const Pose2& T_base_laser,
-                const Observation& observation);
+  void keyframe(const Sample& sample, int keyframe, const Observation& observation);
   /// What the drive says of the sensor; the estimates that follow write what is not fine.
   void sensor(const std::vector<SensorFinding>& findings);
   void searched(std::span<const CandidateGenerator::LookedUp> looked_up, std::size_t proposed);

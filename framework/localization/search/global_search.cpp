@@ -39,7 +39,7 @@ Hypothesis GlobalSearch::aligned(Candidate& candidate, const Observation& observ
   refinement.prior_position = 0.01;
   refinement.prior_heading = 0.05;
   Pose2& pose = candidate.T_map_base;
-  pose = refine_on_map(*map_, observation.points, observation.laser_position, pose, refinement);
+  pose = refine_on_map(*map_, observation.scans, pose, refinement);
   Hypothesis trial;
   trial.T_map_local = pose * observation.local_map.T_local_base().inverse();
   trial.associations = candidate.pairs;
@@ -62,18 +62,48 @@ void GlobalSearch::keep_best(std::vector<VerifiedCandidate>& candidates, const C
   candidates = std::move(kept);
 }
 
+/// The places about a hint where a few points lie best, one per place.
+std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::span<const Point> coarse) const {
+  constexpr double kSigmas = 2, kMost_m = 2, kMost_rad = 0.6, kStep_m = 0.25, kStep_rad = 0.1;
+  constexpr double kApart_m = 0.3, kApart_rad = 0.12;
+  constexpr std::size_t kPlaces = 20;
+  const int steps = static_cast<int>(std::ceil(std::min(kMost_m, kSigmas * hint.sigma_m) / kStep_m));
+  const int turns = static_cast<int>(std::ceil(std::min(kMost_rad, kSigmas * hint.sigma_rad) / kStep_rad));
+  std::vector<std::pair<double, Pose2>> places;
+  for (int turn = -turns; turn <= turns; ++turn)
+    for (int i = -steps; i <= steps; ++i)
+      for (int j = -steps; j <= steps; ++j) {
+        const Pose2 pose(hint.T_map_base.x() + i * kStep_m, hint.T_map_base.y() + j * kStep_m,
+                         hint.T_map_base.heading_rad() + turn * kStep_rad);
+        places.emplace_back(likelihood_field_score(*map_, coarse, pose), pose);
+      }
+  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Pose2> poses;
+  for (const auto& [score, pose] : places) poses.push_back(pose);
+  std::vector<Candidate> candidates;
+  for (std::size_t k : distinct_places(poses, kApart_m, kApart_rad, kPlaces)) candidates.push_back({poses[k]});
+  return candidates;
+}
+
+/// Returns only, and few of them.
+Observation GlobalSearch::with_few_points(const Context& context) {
+  const Observation& full = context.observation;
+  Observation few{full.local_map, {}, full.features, full.feature_scans};
+  const std::vector<ThinnedScan> seen = thinned(context.sample, kFewSpacing_m, kCoarsePoints);
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    few.scans.push_back({.laser_position = full.scans[k].laser_position,
+                         .points = seen[k].points,
+                         .range_max_m = full.scans[k].range_max_m,
+                         .evidence_cells = full.local_map.evidence_cells(seen[k].points)});
+  return few;
+}
+
 /// Coarse to fine: a few beams for all candidates, all beams for those that look good.
 std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> candidates, const Context& context,
                                                       Result& result) const {
   constexpr double kCoarseSigma_m = 0.15, kFineSigma_m = 0.12;
   const Observation& full = context.observation;
-  Observation few{.local_map = full.local_map,
-                  .points = thinned(context.scan.points, context.T_base_laser, kFewSpacing_m, kCoarsePoints).points,
-                  .free_bearings_rad = {},
-                  .range_max_m = full.range_max_m,
-                  .laser_position = full.laser_position,
-                  .features = full.features};
-  few.evidence_cells = full.local_map.evidence_cells(few.points);
+  const Observation few = with_few_points(context);
   std::vector<VerifiedCandidate> verified;
   for (Candidate& candidate : candidates) {
     const double nat = ensemble_.decide(aligned(candidate, few, kCoarseSigma_m), few);
@@ -89,7 +119,7 @@ std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> can
 }
 
 GlobalSearch::Result GlobalSearch::search(const Context& context, StageTimes& times) const {
-  const auto coarse = thinned(context.scan.points, context.T_base_laser, kCoarseSpacing_m, kCoarsePoints).points;
+  const std::vector<Point> coarse = thinned_points(context.sample, kCoarseSpacing_m, kCoarsePoints);
   const std::vector<SearchFeature> features = features_for(context);
   Result result;
   for (const bool under_constrained : {false, true}) {
@@ -109,6 +139,11 @@ GlobalSearch::Result GlobalSearch::search(const Context& context, StageTimes& ti
       result.looked_up.push_back(std::move(pattern));
     }
     for (VerifiedCandidate& each : verified(std::move(proposed.candidates), context, result))
+      result.candidates.push_back(std::move(each));
+  }
+  if (context.hint) {
+    StageClock clock(times.verify_s);
+    for (VerifiedCandidate& each : verified(candidates_near(*context.hint, coarse), context, result))
       result.candidates.push_back(std::move(each));
   }
   std::stable_sort(result.candidates.begin(), result.candidates.end(), better);

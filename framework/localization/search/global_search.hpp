@@ -4,9 +4,11 @@
 #include "localization/search/candidate_generation.hpp"
 
 #include <opal/common/stage_times.hpp>
-#include <opal/sensing/scan.hpp>
+#include <opal/localization/search/pose_hint.hpp>
+#include <opal/sensing/sample.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,11 +31,11 @@ class OPAL_EXPORT GlobalSearch {
 
   /// What is known beside the scan.
   struct Context {
-    const Scan& scan;  ///< sensor frame
-    const Pose2& T_base_laser;
-    const Observation& observation;  ///< of this scan
-    bool under_constrained;          ///< patterns with a free parameter may be looked up, too
-    bool keep_rejected;              ///< somebody wants to know
+    const Sample& sample;               ///< the scans as they are
+    const Observation& observation;     ///< of these scans
+    bool under_constrained;             ///< patterns with a free parameter may be looked up, too
+    bool keep_rejected;                 ///< somebody wants to know
+    std::optional<PoseHint> hint = {};  ///< look here, too
   };
   struct Result {
     std::vector<VerifiedCandidate> candidates;  ///< best first, one per place
@@ -52,12 +54,15 @@ class OPAL_EXPORT GlobalSearch {
   /// A scan with fewer points tells no place.
   static constexpr std::size_t kFewestPoints = 15;
 
-  const std::string& pattern_name(int pattern) const { return generator_.pattern_name(pattern); }
+  /// Of a candidate: what proposed it.
+  std::string pattern_name(int pattern) const { return pattern < 0 ? "hint" : generator_.pattern_name(pattern); }
 
  private:
   std::vector<SearchFeature> features_for(const Context& context) const;
+  std::vector<Candidate> candidates_near(const PoseHint& hint, std::span<const Point> coarse) const;
   std::vector<VerifiedCandidate> verified(std::vector<Candidate> candidates, const Context& context,
                                           Result& result) const;
+  static Observation with_few_points(const Context& context);
   Hypothesis aligned(Candidate& candidate, const Observation& observation, double sigma_m) const;
   void keep_best(std::vector<VerifiedCandidate>& candidates, const Context& context, Result& result) const;
 

@@ -13,16 +13,25 @@ std::vector<T> every_other(const std::vector<T>& all) {
   return half;
 }
 
+std::vector<ObservedScan> every_other_beam(const std::vector<ObservedScan>& scans) {
+  std::vector<ObservedScan> half;
+  for (const ObservedScan& scan : scans)
+    half.push_back({.laser_position = scan.laser_position,
+                    .points = every_other(scan.points),
+                    .free_bearings_rad = every_other(scan.free_bearings_rad),
+                    .range_max_m = scan.range_max_m,
+                    .evidence_cells = every_other(scan.evidence_cells)});
+  return half;
+}
+
 }  // namespace
 
 void RetrospectiveVerification::remember(const Observation& observation, int keyframe, double tempering_weight,
                                          double best_nat) {
   pending_ += tempering_weight;
-  if (options_.scans == 0 || observation.points.empty() || (pending_ < 1 && !scans_.empty())) return;
-  scans_.push_front({observation.local_map.T_local_base(), every_other(observation.points),
-                     every_other(observation.evidence_cells), every_other(observation.free_bearings_rad),
-                     observation.range_max_m, observation.laser_position, observation.features, pending_, best_nat,
-                     keyframe});
+  if (options_.scans == 0 || observation.points() == 0 || (pending_ < 1 && !scans_.empty())) return;
+  scans_.push_front({observation.local_map.T_local_base(), every_other_beam(observation.scans), observation.features,
+                     observation.feature_scans, pending_, best_nat, keyframe});
   pending_ = 0;
   if (scans_.size() > static_cast<std::size_t>(options_.scans)) scans_.pop_back();
 }
@@ -43,17 +52,11 @@ RetrospectiveVerification::Verdict RetrospectiveVerification::verify(const Hypot
       verdict.memories = trial.memories;
       kidnapped = if_kidnapped(verdict);
     }
-    T_map_base = refine_on_map(*map_, scan.points, scan.laser_position,
-                               T_map_base * (T_later_local * scan.T_local_base), refinement);
+    T_map_base = refine_on_map(*map_, scan.scans, T_map_base * (T_later_local * scan.T_local_base), refinement);
     T_later_local = scan.T_local_base.inverse();
     trial.T_map_local = T_map_base * T_now_local;  // scorers place the robot by the newest pose
-    const Observation seen{.local_map = local_map,
-                           .points = scan.points,
-                           .free_bearings_rad = scan.free_bearings_rad,
-                           .range_max_m = scan.range_max_m,
-                           .laser_position = scan.laser_position,
-                           .features = scan.features,
-                           .evidence_cells = scan.evidence_cells};
+    const Observation seen{
+        .local_map = local_map, .scans = scan.scans, .features = scan.features, .feature_scans = scan.feature_scans};
     weight *= std::pow(evidence_memory_, scan.tempering_weight);
     ScorerEnsemble::Verdict judged = ensemble_.judge(trial, seen);
     const double nat = judged.nat;

@@ -58,12 +58,9 @@ class OPAL_EXPORT RetrospectiveVerification {
  private:
   struct PastScan {
     Pose2 T_local_base;
-    std::vector<Point> points;
-    std::vector<int> evidence_cells;
-    std::vector<double> free_bearings_rad;
-    double range_max_m = 0;
-    Point laser_position;
+    std::vector<ObservedScan> scans;
     std::vector<Feature> features;
+    std::vector<int> feature_scans;
     double tempering_weight = 0;  ///< of the observations since the one before
     double best_nat = 0;
     int keyframe = 0;

@@ -81,11 +81,11 @@ Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Po
 }
 
 Alignment HypothesisSet::align(const Pose2& predicted, const Observation& observation) const {
-  if (growth_.register_by_associations || observation.points.empty()) return {predicted};
+  if (growth_.register_by_associations || observation.points() == 0) return {predicted};
   RefinementOptions refinement;
   refinement.prior_position = tracking_.prior_position;
   refinement.prior_heading = tracking_.prior_heading;
-  return align_with_map(*map_, observation.points, observation.laser_position, predicted, refinement);
+  return align_with_map(*map_, observation.scans, predicted, refinement);
 }
 
 void HypothesisSet::track(const Observation& observation, double tempering_weight, std::span<const Point> coarse,
@@ -95,7 +95,7 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
   for (Live& live : alive_) {
     Hypothesis& hypothesis = live.hypothesis;
     Pose2 predicted = hypothesis.T_map_local * T_local_base;
-    if (!observation.points.empty() && window.x() > 0 && rank++ < kSearchedHypotheses) {
+    if (observation.points() > 0 && window.x() > 0 && rank++ < kSearchedHypotheses) {
       predicted = search_alignment(predicted, coarse, window);
       live.pose.reset();  // dead reckoning has failed, and what was known goes with it
     }

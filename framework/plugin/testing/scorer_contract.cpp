@@ -39,7 +39,7 @@ class Visit {
       const Pose2 T_odom_base(0.1 * (step - steps + 1), 0, 0);
       scan_ = simulated_scan(surfaces, T_map_base * T_odom_base, static_cast<unsigned>(step));
       see_features(view, T_map_base * T_odom_base);
-      local_map_.add(scan_, features_, T_odom_base, Pose2());
+      local_map_.add(sample_of(scan_, T_odom_base), features_);
     }
     associate(T_map_base);
   }
@@ -47,11 +47,11 @@ class Visit {
   const Hypothesis& truth() const { return truth_; }
 
   Observation observation() const {
-    Observation seen{local_map_, {}, {}, scan_.range_max_m, Point::Zero(), features_};
+    ObservedScan seen{.range_max_m = scan_.range_max_m};
     for (std::size_t i = 0; i < scan_.points.size(); i += 4) seen.points.push_back(scan_.points[i].position);
     for (std::size_t i = 0; i < scan_.free_bearings_rad.size(); i += 4)
       seen.free_bearings_rad.push_back(scan_.free_bearings_rad[i]);
-    return seen;
+    return {local_map_, {std::move(seen)}, features_};
   }
 
  private:
@@ -192,15 +192,25 @@ class Judging {
 
   void check_poor(const std::string& name, const Hypothesis& hypothesis, const Observation& seen, const MapView& view) {
     const LocalMap nothing(LocalMapOptions{}, nullptr);
-    check(name + " of an empty observation", hypothesis, Observation{nothing, {}, {}, 12, Point::Zero(), {}}, view);
+    check(name + " of an empty observation", hypothesis, Observation{nothing, {}}, view);
     Observation dark = seen;
-    dark.points.clear();
+    dark.scans.front().points.clear();
     dark.features.clear();
     check(name + " of a scan without returns", hypothesis, dark, view);
     Observation point = dark;
-    point.free_bearings_rad.clear();
-    if (!seen.points.empty()) point.points.push_back(seen.points.front());
+    point.scans.front().free_bearings_rad.clear();
+    if (seen.points() > 0) point.scans.front().points.push_back(seen.scans.front().points.front());
     check(name + " of a scan with one return", hypothesis, point, view);
+    check(name + " of two lasers", hypothesis, seen_by_two(seen), view);
+  }
+
+  /// What a second laser at the robot's back sees of the same surfaces.
+  static Observation seen_by_two(Observation seen) {
+    ObservedScan second = seen.scans.front();
+    second.laser_position = Point(-0.2, 0);
+    seen.scans.push_back(std::move(second));
+    for (std::size_t k = 0; k < seen.features.size(); ++k) seen.feature_scans.push_back(static_cast<int>(k % 2));
+    return seen;
   }
 
   void check_moved(const Visit& visit, const MapView& view, const Pose2& motion) {

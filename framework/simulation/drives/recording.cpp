@@ -24,21 +24,33 @@ class RecordedDrive {
   /// From where the robot stands, up to a distance or a time, whichever comes first.
   void run(const std::string& id, double distance_m, double duration_s) {
     const double start_s = simulation_.now_s();
-    read();
-    double next_scan_s = start_s + options_.scan_every_s;
+    read(0);
+    std::vector<double> next_scan_s = first_scans_s(start_s);
     while (driven_m_ < distance_m && simulation_.now_s() < start_s + duration_s) {
       step();
-      if (simulation_.now_s() + 1e-9 < next_scan_s) continue;
-      next_scan_s += options_.scan_every_s;
-      read();
+      for (std::size_t laser = 0; laser < next_scan_s.size(); ++laser) {
+        if (simulation_.now_s() + 1e-9 < next_scan_s[laser]) continue;
+        next_scan_s[laser] += options_.scan_every_s;
+        read(laser);
+      }
     }
     recording_.queries.push_back({id, start_s, simulation_.now_s()});
     recording_.distances_m.push_back(driven_m_);
   }
 
  private:
-  void read() {
-    RawScan scan = simulation_.scan();
+  /// Lasers scan one after the other, not all at once.
+  std::vector<double> first_scans_s(double start_s) const {
+    const std::size_t lasers = 1 + recording_.more_lasers.size();
+    std::vector<double> next_s;
+    for (std::size_t k = 0; k < lasers; ++k)
+      next_s.push_back(start_s + options_.scan_every_s * (1 + static_cast<double>(k) / static_cast<double>(lasers)));
+    return next_s;
+  }
+
+  void read(std::size_t laser) {
+    RawScan scan = simulation_.scan(laser);
+    if (laser > 0) return recording_.more_scans.push_back(std::move(scan));
     const Pose2 T_map_base = simulation_.T_map_base_at(scan.stamp_s);
     recording_.scans.push_back({std::move(scan), T_map_base});
   }
@@ -48,7 +60,8 @@ class RecordedDrive {
     if (follower_.arrived())
       if (auto way = simulation_.floor().way(before.position(), goal_())) follower_.follow(std::move(*way));
     if (simulation_.drive(follower_.steer(before), kStep_s)) give_way();
-    if (recording_.laser.sweep_s) recording_.odometry.push_back({simulation_.now_s(), simulation_.T_odom_base()});
+    if (recording_.laser.sweep_s || !recording_.more_lasers.empty())
+      recording_.odometry.push_back({simulation_.now_s(), simulation_.T_odom_base()});
     driven_m_ += distance_m(before, simulation_.T_map_base());
   }
 
@@ -71,6 +84,13 @@ class RecordedDrive {
   int waited_ = 0;
 };
 
+Recording recording_by(const Simulation& simulation) {
+  Recording recording;
+  recording.laser = simulation.options().laser;
+  recording.more_lasers = simulation.options().more_lasers;
+  return recording;
+}
+
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -82,8 +102,7 @@ std::string query_name(int number) {
 }
 
 Recording record(Simulation& simulation, const DriveOptions& options, Random random) {
-  Recording recording;
-  recording.laser = simulation.options().laser;
+  Recording recording = recording_by(simulation);
   const auto anywhere = [&] { return simulation.floor().anywhere(random); };
   const double longest_s = 30 + 8 * options.distance_m / options.follower.speed_mps;
   for (int k = 1; k <= options.drives; ++k) {
@@ -97,8 +116,7 @@ Recording record(Simulation& simulation, const DriveOptions& options, Random ran
 
 Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s,
                        const DriveOptions& options, Random random) {
-  Recording recording;
-  recording.laser = simulation.options().laser;
+  Recording recording = recording_by(simulation);
   std::size_t next = 0;
   const auto goal = [&] {
     return simulation.floor().nearest(places[next++ % places.size()]).value_or(simulation.floor().anywhere(random));

@@ -30,8 +30,10 @@ struct RecordedScan {
 
 /// Drives through a building, as a recording of them would be.
 struct Recording {
-  LaserModel laser;
-  std::vector<RecordedScan> scans;
+  LaserModel laser;                      ///< the first one
+  std::vector<LaserModel> more_lasers;   ///< those beside it
+  std::vector<RecordedScan> scans;       ///< of the first laser
+  std::vector<RawScan> more_scans;       ///< of the others, by the time at which they end; the frame tells the laser
   std::vector<OdometryRecord> odometry;  ///< of a laser whose sweeps take time: more than one in a sweep; else empty
   std::vector<Query> queries;            ///< one per drive
   std::vector<double> distances_m;       ///< by query
@@ -52,6 +54,9 @@ Recording record_route(Simulation& simulation, const std::vector<Point>& places,
 /// The same poses at the same times as another recording: one drive.
 /// @param T_map_laser  poses of the laser by increasing stamp.
 Recording record_along(Simulation& simulation, std::span<const StampedPose> T_map_laser);
+
+/// What a robot would have written down, in this order: a scan after its last beam.
+std::vector<LogRecord> records_of(const Recording& recording);
 
 /// PREFIX.log.gz, .gt.csv, .info.json, .queries.json as recorded places have them; `name` stands before the ids of
 /// queries.

@@ -23,29 +23,24 @@ std::string pose_text(const Pose2& pose) {
 
 std::string when_text(double stamp_s) { return fmt::format("{0:.4f} nohost {0:.4f}\n", stamp_s); }
 
-std::string line_of_odometry(double stamp_s, const Pose2& T_odom_base) {
-  return "ODOM " + pose_text(T_odom_base) + " 0 0 0 " + when_text(stamp_s);
+std::string line_of(const OdometryRecord& odometry) {
+  return "ODOM " + pose_text(odometry.T_odom_base) + " 0 0 0 " + when_text(odometry.stamp_s);
 }
 
-std::string line_of_scan(const RawScan& scan) {
+std::string line_of(const RawScan& scan) {
   const std::string odometry = pose_text(scan.T_odom_base.value_or(Pose2()));
-  std::string line = "FLASER " + std::to_string(scan.ranges_m.size());
+  const std::string message = scan.frame.empty() ? "FLASER" : scan.frame;
+  std::string line = message + " " + std::to_string(scan.ranges_m.size());
   for (float range : scan.ranges_m) line += fmt::format(" {:.3f}", static_cast<double>(range));
   return line + " " + odometry + " " + odometry + " " + when_text(scan.stamp_s);
 }
 
-/// The lines of a log in the order in which a robot would write them: a scan after its last beam.
+std::string line_of(const MountRecord&) { return ""; }
+
 std::vector<std::string> lines_of(const Recording& recording) {
   std::vector<std::string> lines;
-  const double sweep_s = recording.laser.sweep_s.value_or(0);
-  auto odometry = recording.odometry.begin();
-  for (const RecordedScan& recorded : recording.scans) {
-    const RawScan& scan = recorded.scan;
-    for (; odometry != recording.odometry.end() && odometry->stamp_s <= scan.stamp_s + sweep_s; ++odometry)
-      lines.push_back(line_of_odometry(odometry->stamp_s, odometry->T_odom_base));
-    if (recording.odometry.empty()) lines.push_back(line_of_odometry(scan.stamp_s, scan.T_odom_base.value_or(Pose2())));
-    lines.push_back(line_of_scan(scan));
-  }
+  for (const LogRecord& record : records_of(recording))
+    lines.push_back(std::visit([](const auto& kind) { return line_of(kind); }, record));
   return lines;
 }
 

@@ -32,9 +32,9 @@ inline opal::simulation::SimulationOptions world() {
 
 inline std::unique_ptr<opal::Localizer> localizer_of(const opal::LaserModel& laser) {
   opal::Deployment deployment = opal::read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld");
-  const std::string sensor = deployment.laser.id;
-  deployment.laser = laser;
-  deployment.laser.id = sensor;
+  const std::string sensor = deployment.lasers.front().id;
+  deployment.lasers.front() = laser;
+  deployment.lasers.front().id = sensor;
   return std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry(), room()));
 }
 

@@ -20,13 +20,14 @@ PoseEstimate sure_of_one_place(StatusEstimator& estimator, int scans) {
 
 }  // namespace
 
-TEST_CASE("while the sensor description is contradicted nothing is called localized") {
+TEST_CASE("while the sensor description is contradicted nothing is called localized, nor is it evidence for later") {
   StatusEstimator estimator({}, 0.99);
   estimator.contradict("scans move backwards");
   CHECK(sure_of_one_place(estimator, 20).status == Status::searching);
   CHECK(estimator.belief().why == "scans move backwards");
   estimator.contradict("");
-  CHECK(sure_of_one_place(estimator, 1).status == Status::localized);
+  CHECK(sure_of_one_place(estimator, 1).status != Status::localized);
+  CHECK(sure_of_one_place(estimator, 20).status == Status::localized);
 }
 
 TEST_CASE("a robot that is localized is lost once the sensor description is contradicted, between scans, too") {

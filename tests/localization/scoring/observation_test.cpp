@@ -61,8 +61,8 @@ TEST_CASE("what is observed is where the map has it, in the base's frame") {
   const auto map = view_of(room());
   const Robot robot(map, kInRoom);
   const Observation seen = robot.observation();
-  CHECK(seen.points.size() == 100);
-  for (const Point& point : seen.points) CHECK(map->clearance_m(kInRoom * point) < 0.15);
+  REQUIRE(seen.points() == 100);
+  for (const Point& point : seen.scans.front().points) CHECK(map->clearance_m(kInRoom * point) < 0.15);
   REQUIRE(seen.features.size() == 5);
   const auto& column = std::get<Circle>(seen.features[0].geometry);
   CHECK((kInRoom * column.center - Point(3, 2.2)).norm() == Approx(0).margin(1e-9));
@@ -72,17 +72,19 @@ TEST_CASE("every observed point has a beam and an evidence cell, and there are f
   const auto map = view_of({{"opal:Wall", Segment{{0, 0}, {10, 0}}}});
   const Robot robot(map, Pose2(5, 2, 0));
   const Observation seen = robot.observation();
-  CHECK_FALSE(seen.points.empty());
-  CHECK(seen.beams.size() == seen.points.size());
-  CHECK(seen.evidence_cells.size() == seen.points.size());
-  CHECK(seen.free_bearings_rad.size() == 25);
+  REQUIRE(seen.scans.size() == 1);
+  const ObservedScan& scan = seen.scans.front();
+  CHECK_FALSE(scan.points.empty());
+  CHECK(scan.beams.size() == scan.points.size());
+  CHECK(scan.evidence_cells.size() == scan.points.size());
+  CHECK(scan.free_bearings_rad.size() == 25);
 }
 
 TEST_CASE("an empty scan is an empty observation") {
   Robot robot(view_of(room()), kInRoom);
   robot.drive_blind_to(kInRoom * Pose2(1, 0, 0));
   const Observation seen = robot.observation();
-  CHECK(seen.points.empty());
+  CHECK(seen.points() == 0);
   CHECK(seen.features.empty());
-  CHECK(seen.free_bearings_rad.empty());
+  CHECK(seen.scans.front().free_bearings_rad.empty());
 }

@@ -30,7 +30,7 @@ struct Searching {
   }
   GlobalSearch::Result find(const Observation& seen, bool under_constrained, bool keep_rejected = false) const {
     StageTimes times;
-    return search.search({robot.scan(), T_base_laser, seen, under_constrained, keep_rejected}, times);
+    return search.search({robot.sample(), seen, under_constrained, keep_rejected}, times);
   }
   std::shared_ptr<const MapView> map;
   Judges judges;
@@ -71,14 +71,9 @@ Observation with_wall(const Searching& searching, LocalMap& local_map) {
   Features features = detected_from(*searching.map, searching.robot.T_map_base());
   features.push_back(transformed(T_laser_map, Feature{"opal:Wall", Segment{{1, 0}, {9, 0}}}));
   features.back().support_m = 8;
-  local_map.add(searching.robot.scan(), features, searching.robot.T_map_base(), T_base_laser);
-  Observation seen{.local_map = local_map,
-                   .points = searching.robot.observation().points,
-                   .free_bearings_rad = {},
-                   .laser_position = T_base_laser.position(),
-                   .features = {}};
-  for (const Feature& feature : features) seen.features.push_back(transformed(T_base_laser, feature));
-  return seen;
+  for (Feature& feature : features) feature = transformed(T_base_laser, feature);
+  local_map.add(searching.robot.sample(), features);
+  return {local_map, searching.robot.observation().scans, features};
 }
 
 }  // namespace

@@ -66,13 +66,9 @@ struct Line {
     });
   }
   /// Without points, hypotheses stay where dead reckoning has them.
-  Observation nothing_seen() const {
-    return {.local_map = local_map, .points = {}, .free_bearings_rad = {}, .features = {}};
-  }
+  Observation nothing_seen() const { return {local_map, {}}; }
   /// @param features  frame of the base.
-  void see(const Features& features, const Pose2& T_odom_base) {
-    local_map.add(Scan{}, features, T_odom_base, Pose2());
-  }
+  void see(const Features& features, const Pose2& T_odom_base) { local_map.add(sample_of({}, T_odom_base), features); }
   void spawn(const std::vector<double>& places_m, double tempering_weight = 1) {
     std::vector<VerifiedCandidate> candidates;
     for (const double x_m : places_m) {
@@ -454,7 +450,7 @@ struct InRoom {
     set.spawn(std::move(candidates), robot.observation(), tempering_weight, past);
   }
   void track(double tempering_weight = 1, const Eigen::Vector2d& window = {0, 0}) {
-    set.track(robot.observation(), tempering_weight, robot.observation().points, window);
+    set.track(robot.observation(), tempering_weight, robot.observation().scans.front().points, window);
   }
   Pose2 pose_of(std::size_t rank) const {
     return set.alive()[rank].hypothesis.T_map_local * robot.local_map().T_local_base();

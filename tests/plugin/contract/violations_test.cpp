@@ -229,7 +229,7 @@ TEST_CASE("a scorer that breaks a promise is told which") {
   CHECK_THAT(offences([](const Hypothesis& h, const Observation&) { return h.T_map_local.x(); }),
              Contains("after map and hypothesis were moved together"));
   CHECK_THAT(offences([](const Hypothesis&, const Observation& seen) {
-               return 1 - std::log(static_cast<double>(seen.points.size()));
+               return 1 - std::log(static_cast<double>(seen.points()));
              }),
              Contains("of an empty observation a score of inf"));
   double calls = 0;
@@ -240,8 +240,7 @@ TEST_CASE("a scorer that breaks a promise is told which") {
                return 0.1 * static_cast<double>(h.associations.size());
              }),
              Contains("another score than without its associations, which it says it does not judge"));
-  CHECK(offences([](const Hypothesis&, const Observation& seen) { return static_cast<double>(seen.points.size()); }) ==
-        "");
+  CHECK(offences([](const Hypothesis&, const Observation& seen) { return static_cast<double>(seen.points()); }) == "");
 }
 
 TEST_CASE("a scorer that explains itself badly is told so") {
@@ -299,7 +298,7 @@ struct CountingScorer final : HypothesisScorer {
   void fade(ScorerMemory& memory, double weight) const override { forget(scans_of(memory), weight); }
 };
 
-std::string memory_offences(std::function<void(CountingScorer&)> change) {
+std::string memory_offences(const std::function<void(CountingScorer&)>& change) {
   CountingScorer scorer;
   change(scorer);
   return text(testing::scorer_violations(scorer, {"acme:Scorer", {}, {}}));

@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -34,7 +35,7 @@ class CdrWriter {
   }
   CdrWriter& header(double stamp_s, const std::string& frame) {
     const auto seconds = static_cast<std::int32_t>(stamp_s);
-    return number(seconds).number(static_cast<std::uint32_t>((stamp_s - seconds) * 1e9 + 0.5)).text(frame);
+    return number(seconds).number(static_cast<std::uint32_t>(std::lround((stamp_s - seconds) * 1e9))).text(frame);
   }
   CdrWriter& pose(const std::vector<double>& position_and_quaternion) {
     for (const double value : position_and_quaternion) number(value);

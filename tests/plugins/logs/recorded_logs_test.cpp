@@ -53,10 +53,10 @@ TEST_CASE("every scan of every site is read and replayed, and every query has th
     CHECK(scans_in(records) == announced.at("n_scans").get<int>());
 
     const LaserModel laser = read_site_laser(site + ".info.json");
-    Replay whole(records, laser);
+    Replay whole(records, {laser});
     const std::vector<Sample> samples = read_all(whole);
     CHECK(samples.size() == announced.at("n_scans").get<std::size_t>());
-    for (const Sample& sample : samples) REQUIRE(sample.scan.invalid <= laser.beams);
+    for (const Sample& sample : samples) REQUIRE(sample.views.front().scan.invalid <= laser.beams);
     CHECK(whole.counts().count("clock reset") == 0);
     CHECK(whole.counts().count("odometry jump") == 0);
 
@@ -67,7 +67,7 @@ TEST_CASE("every scan of every site is read and replayed, and every query has th
       ReplayOptions window;
       window.from_s = queries[i].start_s;
       window.to_s = queries[i].end_s;
-      Replay replay(records, laser, window);
+      Replay replay(records, {laser}, window);
       INFO(queries[i].id);
       CHECK(read_all(replay).size() == announced_queries[i].at("n_scans").get<std::size_t>());
     }
@@ -97,13 +97,13 @@ TEST_CASE("a genuine ROS 2 recording gives its scans, odometry and mount") {
 
   LaserModel laser;
   laser.geometry_from_log = true;
-  Replay replay(records, laser);
+  Replay replay(records, {laser});
   const std::vector<Sample> samples = read_all(replay);
   CHECK(samples.size() == 357);
   CHECK(replay.counts().empty());
   for (const Sample& sample : samples) {
-    CHECK(sample.scan.invalid == 0);
-    CHECK(sample.scan.points.size() + sample.scan.free_bearings_rad.size() == 720);
+    CHECK(sample.views.front().scan.invalid == 0);
+    CHECK(sample.views.front().scan.points.size() + sample.views.front().scan.free_bearings_rad.size() == 720);
   }
 }
 

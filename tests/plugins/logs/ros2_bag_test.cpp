@@ -193,13 +193,13 @@ TEST_CASE("of several topics the usual one is read, or the one that is asked for
   CHECK_THROWS_WITH(walk_bag(path), path +
                                         ": several topics of type nav_msgs/Odometry (/fused, /wheels), expected an "
                                         "option to choose one: odometry_topic=/fused");
-  const WalkedBag usual = walk_bag(path, {"", "/wheels"});
+  const WalkedBag usual = walk_bag(path, {{}, "/wheels"});
   REQUIRE(usual.records.size() == 2);
   CHECK(std::get<RawScan>(usual.records[0]).stamp_s == 1);
   CHECK(std::get<OdometryRecord>(usual.records[1]).stamp_s == 3);
-  CHECK(std::get<RawScan>(walk_bag(path, {"/rear/scan", "/fused"}).records[0]).stamp_s == 2);
+  CHECK(std::get<RawScan>(walk_bag(path, {{"/rear/scan"}, "/fused"}).records[0]).stamp_s == 2);
   CHECK_THROWS_WITH(
-      walk_bag(path, {"/front", ""}),
+      walk_bag(path, {{"/front"}, ""}),
       path + ": no topic /front of type sensor_msgs/LaserScan that can be read, there is /rear/scan, /scan");
 }
 

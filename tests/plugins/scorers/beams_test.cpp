@@ -25,12 +25,12 @@ std::vector<Thing> room(int pieces = 1, const Pose2& moved = Pose2()) {
 
 /// @param from_rad, to_rad  where the laser sees the room's walls.
 Observation seen(double from_rad = -std::numbers::pi, double to_rad = std::numbers::pi) {
-  Observation observation{no_local_map(), {}, {}, 30, Point::Zero(), {}};
+  Observation observation{no_local_map(), {{.range_max_m = 30}}};
   for (double bearing = from_rad + 0.0123; bearing < to_rad; bearing += 0.0628) {
     const Point direction = unit_vector(bearing);
     const double to_x = (direction.x() > 0 ? kHigh.x() : kLow.x()) / direction.x();
     const double to_y = (direction.y() > 0 ? kHigh.y() : kLow.y()) / direction.y();
-    observation.points.push_back(std::min(to_x, to_y) * direction);
+    observation.scans.front().points.push_back(std::min(to_x, to_y) * direction);
   }
   return observation;
 }
@@ -93,9 +93,10 @@ TEST_CASE("what was seen from here before is hardly news, and what is new is") {
 
 TEST_CASE("who judges a scan of before by its evidence_cells of then judges as then") {
   Observation then = seen();
-  then.evidence_cells = no_local_map().evidence_cells(then.points);
+  then.scans.front().evidence_cells = no_local_map().evidence_cells(then.scans.front().points);
   CHECK(nat(room(), at(Pose2()), then) == nat(room()));
-  std::fill(then.evidence_cells.begin(), then.evidence_cells.end(), 7);  // all of it one thing
+  std::fill(then.scans.front().evidence_cells.begin(), then.scans.front().evidence_cells.end(),
+            7);  // all of it one thing
   CHECK(nat(room(), at(Pose2()), then) < nat(room()) - 1);
 }
 
@@ -103,7 +104,7 @@ TEST_CASE(
     "an object that some beams end on and others pass through speaks against a hypothesis more than one that is "
     "absent") {
   Observation observation = seen();
-  for (Point& point : observation.points) {  // the lower half of a wall at x = 2
+  for (Point& point : observation.scans.front().points) {  // the lower half of a wall at x = 2
     const double bearing_rad = std::atan2(point.y(), point.x());
     if (bearing_rad > -0.6 && bearing_rad < 0) point *= 2 / point.x();
   }
@@ -124,7 +125,7 @@ TEST_CASE(
 TEST_CASE("what beams ended on before must not be passed through now") {
   const std::vector<Thing> with_wall = {{"Wall", Segment{{2, -1.4}, {2, 1.4}}}};
   Observation ends = seen(-0.5, 0.5);
-  for (Point& point : ends.points) point *= 2 / point.x();
+  for (Point& point : ends.scans.front().points) point *= 2 / point.x();
   const auto one = scorer();
   const MapView map = map_of(with_wall);
   Remembering hypothesis(*one, map);
@@ -139,7 +140,7 @@ namespace {
 /// A scan without returns of which a detector has found this face.
 Observation with_face(const Segment& face, std::array<bool, 2> true_end, const Pose2& T_map_base = Pose2()) {
   Observation observation = seen();
-  observation.points.clear();
+  observation.scans.front().points.clear();
   Feature feature;
   feature.geometry = Segment{T_map_base.inverse() * face.begin, T_map_base.inverse() * face.end};
   feature.true_end = true_end;
@@ -236,6 +237,6 @@ TEST_CASE("without evidence of ends no end counts") {
 
 TEST_CASE("an empty scan says nothing") {
   Observation empty = seen();
-  empty.points.clear();
+  empty.scans.front().points.clear();
   CHECK(nat(room(), at(Pose2()), empty) == 0);
 }

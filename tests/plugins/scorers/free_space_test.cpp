@@ -11,9 +11,9 @@ std::shared_ptr<const HypothesisScorer> free_space_scorer(const nlohmann::json& 
 
 /// @param from_rad, to_rad  where the laser sees the room's wall.
 Observation seen_around(double radius_m = 5, double from_rad = -std::numbers::pi, double to_rad = std::numbers::pi) {
-  Observation observation{no_local_map(), {}, {}, 12, Point::Zero(), {}};
+  Observation observation{no_local_map(), {{.range_max_m = 12}}};
   for (double bearing = from_rad; bearing < to_rad; bearing += 0.05)
-    observation.points.push_back(radius_m * unit_vector(bearing));
+    observation.scans.front().points.push_back(radius_m * unit_vector(bearing));
   return observation;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("an explanation names the object and where it stands, in the map") {
 
 TEST_CASE("a scan with hardly a beam is no evidence") {
   Observation one = seen_around();
-  one.points.resize(1);
+  one.scans.front().points.resize(1);
   CHECK(overlap_m(map_of({{"Wall", kWall}}), one) == 0);
 }
 

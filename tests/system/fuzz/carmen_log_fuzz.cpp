@@ -15,7 +15,7 @@ namespace {
 class MemoryFile {
  public:
   MemoryFile(const std::uint8_t* data, std::size_t size) : descriptor_(memfd_create("log", 0)) {
-    if (descriptor_ < 0 || write(descriptor_, data, size) != static_cast<ssize_t>(size)) std::abort();
+    if (descriptor_ < 0 || ::write(descriptor_, data, size) != static_cast<ssize_t>(size)) std::abort();
   }
   ~MemoryFile() { close(descriptor_); }
   MemoryFile(const MemoryFile&) = delete;
@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::shared_ptr<const opal::LogSource> source = carmen_log();
   const MemoryFile file(data, size);
   if (!source->recognizes(file.path())) return 0;
-  opal::Replay replay(source->open(file.path()), opal::LaserModel{});
+  opal::Replay replay(source->open(file.path()), {opal::LaserModel{}});
   while (const auto sample = replay.next())
     if (!sample->T_odom_base.position().allFinite()) std::abort();
   return 0;

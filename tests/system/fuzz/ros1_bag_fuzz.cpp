@@ -1,6 +1,6 @@
 // Bags of ROS 1, whole or not. Their reader is compiled in: it is not part of a library.
-#include "plugins/ros1_bag/bag_recording.cpp"
-#include "plugins/ros1_bag/bzip2_chunk.cpp"
+#include "plugins/ros1_bag/bag_recording.cpp"  // NOLINT(bugprone-suspicious-include): see above
+#include "plugins/ros1_bag/bzip2_chunk.cpp"    // NOLINT(bugprone-suspicious-include): see above
 #include "tests/system/fuzz/recording_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -17,6 +17,14 @@ def no_mount(document):
     del document["sensor"]["T_base_laser"]
 
 
+def two_lasers(front, rear):
+    def change(document):
+        sensor = document["sensor"]
+        document["sensor"] = [dict(sensor, frame=front), dict(sensor, frame=rear)]
+
+    return change
+
+
 def both_scans(log):
     for words in log.lines:
         if words[0] == "FLASER":
@@ -32,6 +40,12 @@ MISTAKES = [
             make=sensor(T_base_laser={"x_m": 780, "y_m": 0, "heading_rad": 0}), absent=["out"]),
     Mistake("no mount", "The configuration does not say where the laser is.", RUN, 3,
             ["config.jsonld", "/sensor", "T_base_laser"], make=config(no_mount), absent=["out"]),
+    Mistake("two lasers of one name", "Two lasers are described, and nothing tells them apart.", RUN, 3,
+            ["config.jsonld", "/sensor/1/frame", "that no other sensor has"],
+            make=config(two_lasers("FLASER", "FLASER")), absent=["out"]),
+    Mistake("a laser that the log has not", "Two lasers are described, and the log has one.", RUN, 3,
+            ["config.jsonld", "/sensor/1", "has no scan of frame", "FLASER"],
+            make=config(two_lasers("FLASER", "RLASER")), absent=["out"]),
     Mistake("more beams than the log", "The configuration has 541 beams, the log 361.", RUN, 3,
             ["541", "361", "config.jsonld"], make=sensor(beams=541), never=NONSENSE),
     Mistake("laser backwards", "The laser looks to the rear, and the configuration says forwards.", RUN, 1,

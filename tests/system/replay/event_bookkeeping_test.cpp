@@ -76,7 +76,7 @@ TEST_CASE("hypotheses, associations and local features can be followed from even
   Books books;
   std::size_t read = 0;
   for (const Sample& sample : site.samples) {
-    localizer.update(sample.scan, sample.T_odom_base);
+    localizer.update(sample);
     for (; read < recorder.events.size(); ++read) {
       const ordered_json& e = recorder.events[read];
       CAPTURE(read, e["event"], e["keyframe"]);

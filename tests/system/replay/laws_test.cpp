@@ -109,8 +109,8 @@ TEST_CASE("poor scans are a status, and the robot is found again after them") {
   const RecordedSite site("malaga-demo");
   std::vector<Sample> samples = site.samples;
   for (std::size_t k = 5; k < 9; ++k) {  // blind for a while: nothing valid, nothing at all, one point, all free
-    samples[k].scan.points.resize(k == 7 ? 1 : 0);
-    samples[k].scan.free_bearings_rad.assign(k == 8 ? 361 : 0, 0.1);
+    samples[k].views.front().scan.points.resize(k == 7 ? 1 : 0);
+    samples[k].views.front().scan.free_bearings_rad.assign(k == 8 ? 361 : 0, 0.1);
   }
   Localizer localizer(site.parts());
   const auto scans = replay(localizer, samples);
@@ -126,4 +126,58 @@ TEST_CASE("a map of somewhere else never makes the robot localized") {
     CAPTURE(scan.stamp_s);
     CHECK(scan.estimate.status != Status::localized);
   }
+}
+
+namespace {
+
+/// A scan as two lasers at the same place would see it: one the left half of the view, the other the right.
+Sample in_two_views(const Sample& whole) {
+  Sample both{whole.stamp_s, whole.T_odom_base, {}, whole.T_odom_recorded};
+  const LaserView& view = whole.views.front();
+  for (const bool left : {false, true}) {
+    LaserView half{left ? 1 : 0, view.scan, view.T_base_laser};
+    std::erase_if(half.scan.points, [&](const ScanPoint& point) { return (point.bearing_rad >= 0) != left; });
+    std::erase_if(half.scan.free_bearings_rad, [&](double bearing_rad) { return (bearing_rad >= 0) != left; });
+    both.views.push_back(std::move(half));
+  }
+  return both;
+}
+
+/// How far the poses of localized scans are from the truth, in standard deviations squared, on average per dimension.
+double mean_normalized_error(const std::vector<ReplayedScan>& scans, const RecordedSite& site) {
+  double sum = 0;
+  int count = 0;
+  for (const ReplayedScan& scan : scans) {
+    const auto truth = site.truth.T_map_laser_at(scan.stamp_s);
+    if (!truth || scan.estimate.status != Status::localized) continue;
+    const Pose2 base = *truth * site.laser.T_base_laser.inverse();
+    const Eigen::Vector3d off(scan.estimate.T_map_base.x() - base.x(), scan.estimate.T_map_base.y() - base.y(),
+                              wrap_angle(scan.estimate.T_map_base.heading_rad() - base.heading_rad()));
+    sum += off.dot(scan.estimate.covariance.inverse() * off) / 3;
+    ++count;
+  }
+  REQUIRE(count > 10);
+  return sum / count;
+}
+
+}  // namespace
+
+TEST_CASE("two lasers that see what one sees give its answer") {
+  const RecordedSite site("malaga-demo");
+  LocalizerParts parts = site.parts();
+  parts.lasers.push_back(parts.lasers.front());
+  std::vector<Sample> halves;
+  for (const Sample& sample : site.samples) halves.push_back(in_two_views(sample));
+  Localizer one(site.parts()), two(parts);
+  CHECK(worst_disagreement_m(replay(one, site.samples), replay(two, halves), Pose2()) < 0.1);
+}
+
+TEST_CASE("a covariance is as large as the errors are") {
+  const char* name = GENERATE("malaga-demo", "malaga");
+  CAPTURE(name);
+  const RecordedSite site(name, RecordedSite::Extent::whole_log);
+  Localizer localizer(site.parts());
+  const double normalized = mean_normalized_error(replay(localizer, site.samples), site);
+  CHECK(normalized > 0.1);
+  CHECK(normalized < 2.5);
 }

@@ -32,23 +32,23 @@ RecordedSite::RecordedSite(const std::string& name, Extent extent)
     window.from_s = query.start_s;
     window.to_s = query.end_s;
   }
-  Replay log(registry().make<LogSource>("opal:CarmenLog")->open(prefix_of(name) + ".log.gz"), laser, window);
+  Replay log(registry().make<LogSource>("opal:CarmenLog")->open(prefix_of(name) + ".log.gz"), {laser}, window);
   samples = read_all(log);
 }
 
 LocalizerParts RecordedSite::parts(std::shared_ptr<const SemanticMap> other_map) const {
   Deployment deployment = read_deployment(std::string(OPAL_SOURCE_DIR) + "/configs/default.jsonld");
-  const std::string sensor = deployment.laser.id;
-  deployment.laser = laser;
-  deployment.laser.id = sensor;
+  const std::string sensor = deployment.lasers.front().id;
+  deployment.lasers.front() = laser;
+  deployment.lasers.front().id = sensor;
   return build_parts(deployment, registry(), std::move(other_map));
 }
 
 std::vector<ReplayedScan> replay(Localizer& localizer, const std::vector<Sample>& samples) {
   std::vector<ReplayedScan> scans;
   for (const Sample& sample : samples) {
-    const bool keyframe = localizer.update(sample.scan, sample.T_odom_base).has_value();
-    scans.push_back({sample.scan.stamp_s, localizer.estimate_at(sample.scan.stamp_s, sample.T_odom_base), keyframe});
+    const bool keyframe = localizer.update(sample).has_value();
+    scans.push_back({sample.stamp_s, localizer.estimate_at(sample.stamp_s, sample.T_odom_base), keyframe});
   }
   return scans;
 }

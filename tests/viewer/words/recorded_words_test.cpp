@@ -31,13 +31,13 @@ const std::vector<ordered_json>& events_of(const std::string& name, bool branchi
     MapDamage damage;
     damage.plan_m = 1.5;
     damage.drop = 0.5;
-    parts.map = std::make_shared<MapView>(damaged_map(parts.map->map(), damage), parts.laser.id);
+    parts.map = std::make_shared<MapView>(damaged_map(parts.map->map(), damage), parts.lasers.front().id);
     parts.stages.growth.max_branches = 2;
     parts.stages.growth.branch_not_on_map = true;
     parts.stages.hypotheses.max_hypotheses = 60;
   }
   EventRecorder recorder;
-  recorder.write(run_event({"log", "config", "map"}, parts.laser));
+  recorder.write(run_event({"log", "config", "map"}, parts.lasers.front()));
   recorder.write(map_event(*parts.map));
   Localizer localizer(parts, &recorder);
   recorder.write(start_event("run"));

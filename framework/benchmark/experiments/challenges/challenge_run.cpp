@@ -47,7 +47,7 @@ void judge(ChallengeRun& run) {
 ChallengeRun run_challenge(const Contender& contender, const PluginRegistry& registry,
                            std::shared_ptr<const SemanticMap> map, const simulation::ChallengeDrive& driven) {
   const simulation::Recording& recording = driven.recording;
-  Deployment deployment = with_laser(contender.deployment, recording.laser);
+  Deployment deployment = with_lasers(contender.deployment, {recording.laser});
   if (driven.region)
     deployment.stages.search.region = opal::RegionPrior{driven.region->center, driven.region->radius_m};
   Localizer localizer(build_parts(deployment, registry, std::move(map)));
@@ -60,8 +60,10 @@ ChallengeRun run_challenge(const Contender& contender, const PluginRegistry& reg
   for (const simulation::RecordedScan& recorded : recording.scans) {
     driven_m += distance_m(before, recorded.T_map_base);
     before = recorded.T_map_base;
-    const Scan scan = make_scan(recorded.scan, deployment.laser);
-    const bool updated = localizer.update(scan, *recorded.scan.T_odom_base).has_value();
+    const Scan scan = make_scan(recorded.scan, deployment.lasers.front());
+    const bool updated =
+        localizer.update(sample_of(scan, *recorded.scan.T_odom_base, deployment.lasers.front().T_base_laser))
+            .has_value();
     said = localizer.estimate_at(scan.stamp_s, *recorded.scan.T_odom_base);
     run.moments.push_back({scan.stamp_s - recording.scans.front().scan.stamp_s, driven_m, recorded.T_map_base,
                            said.T_map_base, said.has_pose, said.status, said.hypotheses,

@@ -15,7 +15,7 @@ Point free_place(const FloorGrid& floor, const Point& wanted) {
 }
 
 Deployment deployment_for(const Contender& contender, const GoalTask& task, const LaserModel& laser) {
-  Deployment deployment = with_laser(contender.deployment, laser);
+  Deployment deployment = with_lasers(contender.deployment, {laser});
   if (!deployment.patterns) return deployment;
   deployment.patterns->clear();
   for (const std::string& type : task.patterns)

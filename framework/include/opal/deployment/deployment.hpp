@@ -35,12 +35,12 @@ struct Deployment {
   std::string file;  ///< path of the document, for messages
   std::string map;   ///< path of the map, resolved against the document's folder; empty: the caller says
   std::vector<std::string>
-      overlays;                  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
-  LaserModel laser;              ///< the sensor
-  bool describes_laser = false;  ///< the document says more of the sensor than its id
-  OdometryScale odometry;        ///< by which odometry is corrected
-  KeyframeOptions keyframes;     ///< how densely scans are taken
-  LocalMapOptions local_map;     ///< how features of several scans are put together
+      overlays;  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
+  std::vector<LaserModel> lasers{1};  ///< the sensors; at least one
+  bool describes_laser = false;       ///< the document says more of the sensors than their id
+  OdometryScale odometry;             ///< by which odometry is corrected
+  KeyframeOptions keyframes;          ///< how densely scans are taken
+  LocalMapOptions local_map;          ///< how features of several scans are put together
   std::optional<PartConfig> matcher;  ///< none: odometry as it is
   /// Absent: all that the map calls for (see plan_pipeline). Present: of these, the ones the map calls for.
   std::optional<std::vector<PartConfig>> detectors;
@@ -62,8 +62,11 @@ OPAL_EXPORT Deployment read_deployment(const std::string& path);
 /// @param file  what messages call the document, and what a relative map path starts from.
 OPAL_EXPORT Deployment parse_deployment(const std::string& text, const std::string& file);
 
-/// The same with the laser that was recorded or simulated, under the name that the deployment gives its own.
-OPAL_EXPORT Deployment with_laser(Deployment deployment, const LaserModel& laser);
+/// The same with the lasers that recorded or simulated, under the name that the deployment gives its own.
+OPAL_EXPORT Deployment with_lasers(Deployment deployment, std::vector<LaserModel> lasers);
+
+/// Whether one of the lasers takes its geometry from the log, or from the robot.
+OPAL_EXPORT bool takes_geometry_from_log(const Deployment& deployment);
 
 /// The options that a deployment gives to an importer; an empty object if it gives none.
 /// @throws ConfigError as `build_parts` does, for any of its importers.

@@ -2,7 +2,7 @@
 
 #include <opal/common/feature.hpp>
 #include <opal/local_map/scan_matcher.hpp>
-#include <opal/sensing/scan.hpp>
+#include <opal/sensing/sample.hpp>
 
 #include <deque>
 #include <memory>
@@ -33,7 +33,7 @@ struct Keyframe {
   Pose2 T_local_base;         ///< the robot's pose, as scan matching and the factor graph improved it
   Pose2 T_odom_base;          ///< what odometry said
   double driven_m = 0;        ///< odometer at this pose; turning counts by LocalMapOptions::horizon_m_per_rad
-  std::vector<Point> points;  ///< in base_link [m], by increasing bearing
+  std::vector<Point> points;  ///< in base_link [m]; laser after laser, of each by increasing bearing
 };
 
 /// When things are forgotten, associated, called stable and optimized; how good odometry is.
@@ -74,11 +74,9 @@ class OPAL_EXPORT LocalMap {
   /// Adds one keyframe (Algorithm 1). A keyframe that does not differ from the one before it (pose_change_m,
   /// pose_change_rad) is replaced by the next one, so a standing robot does not fill the map. Points and features
   /// that are not finite are left out; odometry that is not finite counts as no motion.
-  /// @param scan      in the sensor frame.
-  /// @param features  detected in it, in the sensor frame.
-  /// @param T_odom_base  odometry at the scan's stamp.
-  /// @param T_base_laser  where the sensor sits on the robot.
-  void add(const Scan& scan, const std::vector<Feature>& features, const Pose2& T_odom_base, const Pose2& T_base_laser);
+  /// @param sample    the scans, with odometry.
+  /// @param features  detected in them; base_link frame.
+  void add(const Sample& sample, const std::vector<Feature>& features);
 
   /// Forgets everything; ids go on.
   void clear();

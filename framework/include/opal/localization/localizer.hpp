@@ -10,6 +10,7 @@
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
 #include <opal/localization/scoring/score.hpp>
+#include <opal/localization/search/pose_hint.hpp>
 #include <opal/map/view/map_view.hpp>
 #include <opal/patterns/pattern_template.hpp>
 #include <opal/sensing/feature_detector.hpp>
@@ -33,7 +34,7 @@ struct KeyframeOptions {
 /// Everything a localizer is made of. `Deployment` (deployment.hpp) builds it from files.
 struct LocalizerParts {
   std::shared_ptr<const MapView> map;  ///< what the sensor perceives of the building
-  LaserModel laser;                    ///< the sensor that the scans come from
+  std::vector<LaserModel> lasers{1};   ///< the sensors that the scans come from; at least one
   KeyframeOptions keyframes;           ///< how densely scans are taken
   /// How features of several scans are put together.
   LocalMapOptions local_map;
@@ -53,14 +54,16 @@ class OPAL_EXPORT Localizer {
   explicit Localizer(LocalizerParts parts, EventSink* events = nullptr);
   ~Localizer();
 
-  /// Takes one scan. Never throws for a poor scan: that is a status.
-  /// @param scan  in the sensor frame.
-  /// @param T_odom_base  odometry at the scan's stamp.
-  /// @return the estimate if the scan became a keyframe (the robot has moved or turned enough), else nullopt.
-  std::optional<PoseEstimate> update(const Scan& scan, const Pose2& T_odom_base);
+  /// Takes what the lasers saw at one time. Never throws for poor scans: that is a status.
+  /// @return the estimate if the sample became a keyframe (the robot has moved or turned enough), else nullopt.
+  std::optional<PoseEstimate> update(const Sample& sample);
 
   /// The newest estimate carried on by odometry to now.
   PoseEstimate estimate_at(double stamp_s, const Pose2& T_odom_base) const;
+
+  /// The next sample is a keyframe, and the search looks here, too. A hint is one more place to look at: scans judge
+  /// it as they judge every other. A hint that is not finite is left out.
+  void hint(const PoseHint& hint);
 
   /// Forgets hypotheses and local map: the next scan is the first one.
   void reset();

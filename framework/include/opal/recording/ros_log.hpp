@@ -9,13 +9,14 @@ namespace opal::recording {
 
 /// What to read of a recording.
 struct TopicChoice {
-  std::string scan = {};            ///< topic; empty: the one of the usual name (/scan), or the first by name
+  std::vector<std::string> scans = {};  ///< topics; empty: the one of the usual name (/scan), or the first by name
   std::string odometry = {};        ///< topic; empty: the only one of its type, or the one of the usual name (/odom)
   std::string odom_frame = "odom";  ///< where no topic has odometry: the transforms from this frame are it,
   std::string base_frame = {};      ///< to this one; empty: to the first that a transform leads to
 };
 
-/// The choice that the options of a plugin state: scan_topic, odometry_topic, odom_frame, base_frame.
+/// The choice that the options of a plugin state: scan_topic, scan_topics (with commas), odometry_topic, odom_frame,
+/// base_frame.
 TopicChoice topic_choice(const nlohmann::json& options);
 
 /// One recording may have several files.
@@ -26,7 +27,7 @@ class RosLogSource : public LogSource {
  public:
   /// @param topics  what to read
   explicit RosLogSource(TopicChoice topics) : topics_(std::move(topics)) {}
-  /// Before anything else the reader tells where the laser is mounted, if the transforms say so.
+  /// Before anything else the reader tells where the lasers are mounted, if the transforms say so.
   std::unique_ptr<LogReader> open(const std::string& path) const final;
   LogContents contents(const std::string& path) const final;
 

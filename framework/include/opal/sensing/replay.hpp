@@ -25,9 +25,9 @@ struct ReplayOptions {
 class OPAL_EXPORT Replay {
  public:
   /// Plays a log from where its reader stands.
-  Replay(std::unique_ptr<LogReader> reader, const LaserModel& laser, const ReplayOptions& options = {});
+  Replay(std::unique_ptr<LogReader> reader, std::vector<LaserModel> lasers, const ReplayOptions& options = {});
   /// Plays records that were read before, e.g. many windows of one log. They must outlive the replay.
-  Replay(std::span<const LogRecord> records, const LaserModel& laser, const ReplayOptions& options = {});
+  Replay(std::span<const LogRecord> records, std::vector<LaserModel> lasers, const ReplayOptions& options = {});
   ~Replay();
   /// Takes over another replay, which must not be used any more.
   Replay(Replay&&) noexcept;
@@ -52,8 +52,8 @@ OPAL_EXPORT std::vector<Sample> read_all(Replay& replay);
 /// All remaining records, in file order.
 OPAL_EXPORT std::vector<LogRecord> read_all(LogReader& reader);
 
-/// `laser` with the beam geometry of the first scan that states one, and with the mount of that scan's laser; unchanged
-/// unless `laser.geometry_from_log`, and as far as the log states neither.
+/// `laser` with the beam geometry of its first scan that states one, and with the mount that the log states for that
+/// scan's frame; unchanged unless `laser.geometry_from_log`, and as far as the log states neither.
 OPAL_EXPORT LaserModel with_log_geometry(const LaserModel& laser, std::span<const LogRecord> records);
 
 }  // namespace opal

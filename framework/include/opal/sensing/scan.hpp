@@ -11,6 +11,8 @@ namespace opal {
 /// What a planar LiDAR can see and where it sits. Comes from the deployment's sensor description.
 struct LaserModel {
   std::string id = "PlanarLidar2D";                     ///< the sensor that map features are `perceivable_by`
+  std::string frame = {};                               ///< RawScan::frame of its scans; empty: of any
+  std::string topic = {};                               ///< where its scans are found, in a log or live; may be empty
   double angle_min_rad = -std::numbers::pi / 2;         ///< bearing of beam 0, in the sensor frame
   double angle_increment_rad = std::numbers::pi / 360;  ///< from one beam to the next; negative: clockwise
   int beams = 361;                                      ///< number of beams in a sweep
@@ -24,6 +26,10 @@ struct LaserModel {
   /// Beam geometry and mount are those that the log states (ROS bags do); what is above holds where it states none.
   bool geometry_from_log = false;
 };
+
+/// What messages call one of a robot's lasers: its frame, or its topic, or its number.
+/// @param laser  one of them. @param position  among the robot's lasers, from 0.
+OPAL_EXPORT std::string name_of(const LaserModel& laser, std::size_t position);
 
 /// One range reading as recorded; invalid and missing ranges still in it.
 struct RawScan {

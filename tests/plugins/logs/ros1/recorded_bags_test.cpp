@@ -36,7 +36,7 @@ TEST_CASE("a genuine bag with two lasers gives the one that is asked for, and te
   const std::string bag = "guardian_3.bag";
   if (!is_there(bag)) return;
   recording::TopicChoice rear;
-  rear.scan = "/hokuyo_back_scan";
+  rear.scans = {"/hokuyo_back_scan"};
   CHECK(scans_and_poses(bag) == std::pair(1036, 2079));
   CHECK(scans_and_poses(bag, rear) == std::pair(1038, 2079));
   const LogContents contents = ros1_bag::Ros1Bag({}).contents(kBags + bag);

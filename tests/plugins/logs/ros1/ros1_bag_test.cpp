@@ -136,10 +136,27 @@ TEST_CASE("of several lasers that nobody chose between, the first by name is rea
   CHECK(usual.defects.count("several lasers (/front, /rear): /front is read, the option scan_topic may name another "
                             "one") == 1);
   recording::TopicChoice choice;
-  choice.scan = "/rear";
+  choice.scans = {"/rear"};
   const WalkedRos1Bag asked = walk_ros1_bag(bag.closed(), choice);
   CHECK(asked.scans == 2);
   for (const auto& [cause, times] : asked.defects) CHECK_THAT(cause, !Catch::Contains("several lasers"));
+}
+
+TEST_CASE("several lasers that were asked for are read together, and tell apart by their frames") {
+  Ros1BagWriter bag;
+  const auto rear = bag.connection("/rear", "sensor_msgs/LaserScan");
+  const auto front = bag.connection("/front", "sensor_msgs/LaserScan");
+  bag.message(rear, 1, ros1_scan(1, {1, 2}, "rear_laser"));
+  bag.message(front, 2, ros1_scan(2, {1, 2, 3}, "front_laser"));
+  const recording::TopicChoice both = recording::topic_choice({{"scan_topic", ""},
+                                                               {"scan_topics", "/rear, /front"},
+                                                               {"odometry_topic", ""},
+                                                               {"odom_frame", "odom"},
+                                                               {"base_frame", ""}});
+  CHECK(both.scans == std::vector<std::string>{"/rear", "/front"});
+  const WalkedRos1Bag walked = walk_ros1_bag(bag.closed(), both);
+  CHECK(walked.scans == 2);
+  for (const auto& [cause, times] : walked.defects) CHECK_THAT(cause, !Catch::Contains("several lasers"));
 }
 
 TEST_CASE("the contents of a bag name all lasers with their mounts, and what is read") {

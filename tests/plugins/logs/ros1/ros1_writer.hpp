@@ -4,6 +4,7 @@
 
 #include <bzlib.h>
 
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <stdexcept>
@@ -27,7 +28,7 @@ class Ros1Writer {
   }
   Ros1Writer& stamp(double stamp_s) {
     const auto seconds = static_cast<std::uint32_t>(stamp_s);
-    return number(seconds).number(static_cast<std::uint32_t>((stamp_s - seconds) * 1e9 + 0.5));
+    return number(seconds).number(static_cast<std::uint32_t>(std::lround((stamp_s - seconds) * 1e9)));
   }
   Ros1Writer& header(double stamp_s, const std::string& frame) {
     return number(std::uint32_t{7}).stamp(stamp_s).text(frame);

@@ -2,6 +2,8 @@
 
 #include <opal/common/geometry.hpp>
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace opal {
@@ -22,10 +24,12 @@ struct PoseEstimate {
   Status status = Status::searching;  ///< what the pose is worth
   Pose2 T_map_base;                   ///< of the best hypothesis; meaningless while searching without hypotheses
   bool has_pose = false;              ///< false: there is no hypothesis
-  double probability = 0;             ///< that the best hypothesis is right, "none of these" included
-  double none = 1;                    ///< that neither the best nor any other hypothesis is right
-  int hypotheses = 0;                 ///< number that are alive
-  int best = -1;                      ///< Hypothesis::id
+  /// Of (x, y, heading) in the map frame [m, m, rad], if the best hypothesis is right. `probability` is that it is.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double probability = 0;  ///< that the best hypothesis is right, "none of these" included
+  double none = 1;         ///< that neither the best nor any other hypothesis is right
+  int hypotheses = 0;      ///< number that are alive
+  int best = -1;           ///< Hypothesis::id
   /// Another place that explains what was seen.
   struct Alternative {
     int hypothesis = -1;     ///< Hypothesis::id of the best one there

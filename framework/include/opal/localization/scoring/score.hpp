@@ -29,22 +29,38 @@ struct Finding {
   std::vector<Point> line;  ///< where: two points in the `map` frame [m], or empty
 };
 
-/// What hypotheses are judged against: what the robot sees now.
-struct Observation {
-  const LocalMap& local_map;  ///< features and pose in the `local` frame, the newest scan included
-  /// Returns of the newest scan, thinned evenly in space by the framework; base_link frame [m].
-  std::vector<Point> points;
-  /// Directions [rad, base_link] that returned nothing up to range_max_m, thinned.
-  std::vector<double> free_bearings_rad;
-  double range_max_m = 0;                ///< how far a beam that returned nothing is known to be free
-  Point laser_position = Point::Zero();  ///< where beams start, base_link frame
-  /// Features of the newest scan, base_link frame.
-  std::vector<Feature> features;
-  /// For each of `points`, the number of its beam.
-  std::vector<int> beams = {};
+/// What one laser sees now; base_link frame.
+struct ObservedScan {
+  Point laser_position = Point::Zero();  ///< where beams start
+  std::vector<Point> points = {};        ///< returns, thinned evenly in space by the framework [m]
+  /// Directions [rad] that returned nothing up to range_max_m, thinned.
+  std::vector<double> free_bearings_rad = {};
+  double range_max_m = 0;       ///< how far a beam that returned nothing is known to be free
+  std::vector<int> beams = {};  ///< for each of `points`, the number of its beam
   /// For each of `points`, its evidence cell of the local map (LocalMap::evidence_cells): the same for whoever is
   /// judged. Empty: as they are now.
   std::vector<int> evidence_cells = {};
+};
+
+/// What hypotheses are judged against: what the robot sees now, with all its lasers.
+struct Observation {
+  const LocalMap& local_map;            ///< features and pose in the `local` frame, the newest scans included
+  std::vector<ObservedScan> scans;      ///< of the lasers that took part
+  std::vector<Feature> features = {};   ///< of the newest scans; base_link frame
+  std::vector<int> feature_scans = {};  ///< for each of `features`, the position in `scans` of the one that has it;
+                                        ///< empty: the first one has all
+
+  /// How many returns the scans have together.
+  std::size_t points() const {
+    std::size_t sum = 0;
+    for (const ObservedScan& scan : scans) sum += scan.points.size();
+    return sum;
+  }
+  /// Where the laser was that saw a feature. @param feature  position in `features`.
+  Point viewpoint_of(std::size_t feature) const {
+    const std::size_t scan = feature < feature_scans.size() ? static_cast<std::size_t>(feature_scans[feature]) : 0;
+    return scan < scans.size() ? scans[scan].laser_position : Point(0, 0);
+  }
 };
 
 }  // namespace opal

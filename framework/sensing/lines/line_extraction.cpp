@@ -1,4 +1,4 @@
-#include "sensing/split_and_merge.hpp"
+#include "sensing/lines/split_and_merge.hpp"
 
 #include <Eigen/Cholesky>
 

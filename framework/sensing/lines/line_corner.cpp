@@ -1,4 +1,4 @@
-#include <opal/sensing/line_corner.hpp>
+#include <opal/sensing/lines/line_corner.hpp>
 
 #include <Eigen/LU>
 

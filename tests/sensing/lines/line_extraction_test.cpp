@@ -1,5 +1,5 @@
-#include <opal/sensing/line_corner.hpp>
-#include <opal/sensing/line_extraction.hpp>
+#include <opal/sensing/lines/line_corner.hpp>
+#include <opal/sensing/lines/line_extraction.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <opal/sensing/line_extraction.hpp>
+#include <opal/sensing/lines/line_extraction.hpp>
 
 #include <algorithm>
 

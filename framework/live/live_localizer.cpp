@@ -1,0 +1,162 @@
+#include <opal/live/live_localizer.hpp>
+
+#include "live/live_core.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace opal {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_of(Clock::time_point time) { return std::chrono::duration<double>(time.time_since_epoch()).count(); }
+
+struct Hint {
+  Pose2 T_map_base;
+  double sigma_m, sigma_rad;
+};
+struct Forget {};
+
+/// What the localizing thread is asked to do.
+struct Task {
+  std::variant<LogRecord, Hint, Forget> what;
+  double received_s;
+  double now_s;
+};
+
+bool is_record(const Task& task) { return std::holds_alternative<LogRecord>(task.what); }
+
+}  // namespace
+
+struct LiveLocalizer::State {
+  State(LocalizerParts parts, const LiveOptions& options_given, EventSink* events)
+      : options(options_given), core(std::move(parts), options, events) {}
+
+  void give(Task task);
+  void make_room();
+  void work(const std::stop_token& stop);
+  std::optional<Task> next_task(const std::stop_token& stop);
+  void carry_out(const Task& task);
+  void publish(LiveAnswer answer, const Task& task);
+
+  LiveOptions options;
+  LiveCore core;  ///< touched by the thread only
+
+  mutable std::mutex mutex;  ///< of all below
+  mutable std::condition_variable_any changed;
+  std::deque<Task> queue;
+  bool is_busy = false;
+  int dropped = 0;
+  LiveAnswer newest;
+  std::vector<HealthFinding> health;
+  std::map<std::string, int> counts;
+
+  std::jthread thread;  ///< last: it ends before what it uses
+};
+
+void LiveLocalizer::State::give(Task task) {
+  {
+    const std::lock_guard lock(mutex);
+    if (is_record(task) && queue.size() >= options.most_queued) make_room();
+    queue.push_back(std::move(task));
+  }
+  changed.notify_all();
+}
+
+/// The oldest record says least about now.
+void LiveLocalizer::State::make_room() {
+  const auto oldest = std::find_if(queue.begin(), queue.end(), is_record);
+  if (oldest == queue.end()) return;
+  queue.erase(oldest);
+  ++dropped;
+}
+
+/// @return nullopt if it is time to end, or once a while so that health is judged though nothing comes.
+std::optional<Task> LiveLocalizer::State::next_task(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kHealthEvery(200);
+  std::unique_lock lock(mutex);
+  is_busy = false;
+  changed.notify_all();
+  changed.wait_for(lock, stop, kHealthEvery, [this] { return !queue.empty(); });
+  if (stop.stop_requested() || queue.empty()) return std::nullopt;
+  Task task = std::move(queue.front());
+  queue.pop_front();
+  is_busy = true;
+  return task;
+}
+
+void LiveLocalizer::State::carry_out(const Task& task) {
+  if (const auto* hint = std::get_if<Hint>(&task.what))
+    return core.hint(hint->T_map_base, hint->sigma_m, hint->sigma_rad);
+  if (std::holds_alternative<Forget>(task.what)) return core.forget();
+  core.take(std::get<LogRecord>(task.what), task.received_s, task.now_s,
+            [&](LiveAnswer answer) { publish(std::move(answer), task); });
+}
+
+/// The time in which the answer was found is part of its latency.
+void LiveLocalizer::State::publish(LiveAnswer answer, const Task& task) {
+  answer.latency_s += seconds_of(Clock::now()) - task.received_s;
+  {
+    const std::lock_guard lock(mutex);
+    newest = std::move(answer);
+  }
+  changed.notify_all();
+}
+
+void LiveLocalizer::State::work(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    if (const std::optional<Task> task = next_task(stop)) carry_out(*task);
+    std::vector<HealthFinding> now = core.health(seconds_of(Clock::now()));
+    const std::lock_guard lock(mutex);
+    health = std::move(now);
+    counts = core.counts();
+    if (dropped > 0) counts["record dropped from a full queue"] = dropped;
+  }
+}
+
+LiveLocalizer::LiveLocalizer(LocalizerParts parts, const LiveOptions& options, EventSink* events)
+    : state_(std::make_unique<State>(std::move(parts), options, events)) {
+  state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) { state->work(stop); });
+}
+
+LiveLocalizer::~LiveLocalizer() = default;
+
+void LiveLocalizer::take(LogRecord record, double now_s) {
+  state_->give({std::move(record), seconds_of(Clock::now()), now_s});
+}
+
+void LiveLocalizer::hint(const Pose2& T_map_base, double sigma_m, double sigma_rad) {
+  state_->give({Hint{T_map_base, sigma_m, sigma_rad}, 0, 0});
+}
+
+void LiveLocalizer::forget() { state_->give({Forget{}, 0, 0}); }
+
+LiveAnswer LiveLocalizer::newest() const {
+  const std::lock_guard lock(state_->mutex);
+  LiveAnswer answer = state_->newest;
+  answer.health = state_->health;
+  return answer;
+}
+
+std::optional<LiveAnswer> LiveLocalizer::newer_than(std::uint64_t number, double timeout_s) const {
+  std::unique_lock lock(state_->mutex);
+  const bool is_there = state_->changed.wait_for(lock, std::chrono::duration<double>(timeout_s),
+                                                 [&] { return state_->newest.number > number; });
+  return is_there ? std::optional(state_->newest) : std::nullopt;
+}
+
+bool LiveLocalizer::drain(double timeout_s) const {
+  std::unique_lock lock(state_->mutex);
+  return state_->changed.wait_for(lock, std::chrono::duration<double>(timeout_s),
+                                  [&] { return state_->queue.empty() && !state_->is_busy; });
+}
+
+std::map<std::string, int> LiveLocalizer::counts() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->counts;
+}
+
+}  // namespace opal

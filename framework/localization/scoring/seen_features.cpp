@@ -1,0 +1,19 @@
+#include "localization/scoring/seen_features.hpp"
+
+namespace opal {
+
+SeenFeatures detect(const std::vector<Named<FeatureDetector>>& detectors, const Sample& sample,
+                    PluginFailures& failures) {
+  SeenFeatures seen;
+  for (std::size_t k = 0; k < sample.views.size(); ++k)
+    for (const auto& detector : detectors)
+      failures.guard(detector.name, [&] {
+        for (const Feature& feature : detector.part->detect(sample.views[k].scan)) {
+          seen.features.push_back(transformed(sample.views[k].T_base_laser, feature));
+          seen.views.push_back(static_cast<int>(k));
+        }
+      });
+  return seen;
+}
+
+}  // namespace opal
