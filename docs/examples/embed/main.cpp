@@ -30,9 +30,9 @@ int main(int argc, char** argv) try {
   opal::Localizer localizer(opal::build_parts(deployment, registry, opal::SemanticMap::read(argv[2])));
 
   // On a robot, a driver stands here: it gives a scan and the odometry at the scan's stamp.
-  opal::Replay replay(registry.make<opal::LogSource>("opal:CarmenLog")->open(argv[3]), deployment.laser);
+  opal::Replay replay(registry.make<opal::LogSource>("opal:CarmenLog")->open(argv[3]), deployment.lasers);
   while (const auto sample = replay.next())
-    if (const auto answer = localizer.update(sample->scan, sample->T_odom_base)) print(*answer);  // none: no keyframe
+    if (const auto answer = localizer.update(*sample)) print(*answer);  // none: no keyframe
 } catch (const opal::Error& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

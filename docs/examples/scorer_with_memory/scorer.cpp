@@ -18,7 +18,7 @@ std::unique_ptr<opal::ScorerMemory> NewObjectsScorer::new_memory(const opal::Map
 // Reads the memory and leaves it as it is. What the scan adds is returned, and the framework decides whether it counts.
 opal::Score NewObjectsScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                     const opal::MapView& map, const opal::ScorerMemory* memory) const {
-  if (observation.points.empty()) return {};
+  if (observation.points() == 0) return {};
   const auto& before = static_cast<const SeenObjects&>(*memory);  // new_memory made it
   auto now = std::make_shared<SeenObjects>(seen_now(hypothesis, observation, map));
   double seen_nat = 0, seen = 0;
@@ -46,15 +46,17 @@ void NewObjectsScorer::fade(opal::ScorerMemory& memory, double weight) const {
 SeenObjects NewObjectsScorer::seen_now(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                        const opal::MapView& map) const {
   const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
-  const opal::Point eye = T_map_base * observation.laser_position;
-  const double share = 1.0 / static_cast<double>(observation.points.size());
+  const double share = 1.0 / static_cast<double>(observation.points());
   SeenObjects now;
-  for (const opal::Point& point : observation.points) {
-    const opal::Point end = T_map_base * point;
-    const int face = map.nearest_facing(end, end - eye);
-    if (face < 0) continue;
-    const double off = map.surface(face).distance_m(end) / sigma_m_;
-    now.scans[map.surface(face).object] += share * std::exp(-0.5 * off * off);
+  for (const opal::ObservedScan& scan : observation.scans) {  // one a laser
+    const opal::Point eye = T_map_base * scan.laser_position;
+    for (const opal::Point& point : scan.points) {
+      const opal::Point end = T_map_base * point;
+      const int face = map.nearest_facing(end, end - eye);
+      if (face < 0) continue;
+      const double off = map.surface(face).distance_m(end) / sigma_m_;
+      now.scans[map.surface(face).object] += share * std::exp(-0.5 * off * off);
+    }
   }
   return now;
 }
