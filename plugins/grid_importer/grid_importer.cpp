@@ -1,9 +1,11 @@
 #include "grid_importer.hpp"
 
+#include "blur.hpp"
 #include "map_assembly.hpp"
 #include "report.hpp"
 #include "smear.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -25,7 +27,16 @@ bool names_an_image(const std::string& path) {
   return false;
 }
 
+/// No face is known better than the cells that it runs through.
+constexpr double kToleranceCells = 1.2;
+
 }  // namespace
+
+VectorizerLimits GridImporter::limits_for(const OccupancyGrid& grid) const {
+  VectorizerLimits limits = limits_;
+  limits.line_tolerance_m = std::max(limits.line_tolerance_m, kToleranceCells * grid.resolution_m());
+  return limits;
+}
 
 bool GridImporter::recognizes(const std::string& path) const {
   return (path.ends_with(".yaml") || path.ends_with(".yml")) && names_an_image(path);
@@ -35,10 +46,11 @@ MapImport GridImporter::import(const std::string& path) const {
   GridDescription description;
   OccupancyGrid grid = read_grid(path, description);
   if (limits_.thicken_m > 0) grid = smeared(grid, limits_.thicken_m);
+  grid = sharpened(grid);
   const double smear_m = estimate_smear_m(grid);
   if (smear_m > 0) grid = unsmeared(grid, smear_m);
   Boundary boundary(grid);
-  const VectorMap vectors = vectorize(boundary, limits_);
+  const VectorMap vectors = vectorize(boundary, limits_for(grid));
   return {assemble(name_of(path), vectors, grid, smear_m), report(description, boundary, vectors, smear_m)};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grid.hpp"
 #include "vectorizer_limits.hpp"
 
 #include <opal/map/map_importer.hpp>
@@ -15,6 +16,8 @@ class GridImporter : public MapImporter {
   MapImport import(const std::string& path) const override;
 
  private:
+  VectorizerLimits limits_for(const OccupancyGrid& grid) const;
+
   VectorizerLimits limits_;
 };
 

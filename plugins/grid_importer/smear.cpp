@@ -1,5 +1,6 @@
 #include "smear.hpp"
 
+#include "boundary.hpp"
 #include "distance_transform.hpp"
 
 #include <algorithm>
@@ -18,7 +19,9 @@ constexpr double kLeast_m = 0.15;
 /// Walls that are thick in the building do not count: the thinnest strokes tell.
 constexpr double kThinShare = 0.25;
 /// Of the middle lines of strokes; less tells nothing: a few thick pillars are a few thick pillars.
-constexpr double kEnough_m = 20;
+constexpr double kEnough_m = 10;
+/// Of strokes that were seen from one side only.
+constexpr double kMiddle = 0.25;
 
 /// Visits all cells.
 template <class Visit>
@@ -67,6 +70,23 @@ float stroke_width(const OccupancyGrid& grid, const std::vector<float>& depth, c
   return 2 * (here - 1) + (as_deep > 2 ? 1 : 0);
 }
 
+/// Whether free space lies on one side of a stroke's middle and nothing that was ever seen on the other: what stands
+/// there was marked by beams from one side.
+bool is_seen_from_one_side(const OccupancyGrid& grid, const Cell& c, float depth) {
+  CellPoint to_free = CellPoint::Zero(), to_unknown = CellPoint::Zero();
+  const int farthest = static_cast<int>(std::ceil(depth)) + 2;
+  for (int sector = 0; sector < DirectionSet::kSectors; ++sector) {
+    const CellPoint direction = DirectionSet::direction_of(sector);
+    for (int k = 1; k <= farthest; ++k) {
+      const Occupancy there = grid.at(cell_at(centre_of(c) + k * direction));
+      if (there == Occupancy::occupied) continue;
+      (there == Occupancy::free ? to_free : to_unknown) += direction;
+      break;
+    }
+  }
+  return to_free.norm() > 1 && to_unknown.norm() > 1 && to_free.normalized().dot(to_unknown.normalized()) < -0.8;
+}
+
 /// What is nearest to a cell and not occupied, within `reach` cells; free space goes first.
 Occupancy nearest_unoccupied(const OccupancyGrid& grid, const Cell& c, int reach) {
   int best = std::numeric_limits<int>::max();
@@ -83,6 +103,14 @@ Occupancy nearest_unoccupied(const OccupancyGrid& grid, const Cell& c, int reach
   return found;
 }
 
+/// A quantile of the widths of strokes [m]; 0 if there are too few.
+double width_of(std::vector<float>& widths, double share, const OccupancyGrid& grid) {
+  if (static_cast<double>(widths.size()) * grid.resolution_m() < kEnough_m) return 0;
+  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(widths.size() - 1));
+  std::nth_element(widths.begin(), widths.begin() + k, widths.end());
+  return widths[static_cast<std::size_t>(k)] * grid.resolution_m();
+}
+
 }  // namespace
 
 OccupancyGrid smeared(const OccupancyGrid& grid, double smear_m) {
@@ -93,15 +121,14 @@ OccupancyGrid smeared(const OccupancyGrid& grid, double smear_m) {
 
 double estimate_smear_m(const OccupancyGrid& grid) {
   const std::vector<float> depth = distance_to_unoccupied(grid);
-  std::vector<float> widths;
+  std::vector<float> widths, one_sided;
   for_each_cell(grid, [&](const Cell& c) {
     const float here = depth[grid.index_of(c)];
-    if (here > 0 && is_ridge(grid, depth, c)) widths.push_back(stroke_width(grid, depth, c));
+    if (here == 0 || !is_ridge(grid, depth, c)) return;
+    widths.push_back(stroke_width(grid, depth, c));
+    if (is_seen_from_one_side(grid, c, here)) one_sided.push_back(widths.back());
   });
-  if (static_cast<double>(widths.size()) * grid.resolution_m() < kEnough_m) return 0;
-  const auto k = static_cast<std::ptrdiff_t>(kThinShare * static_cast<double>(widths.size() - 1));
-  std::nth_element(widths.begin(), widths.begin() + k, widths.end());
-  const double width_m = widths[static_cast<std::size_t>(k)] * grid.resolution_m();
+  const double width_m = std::max(width_of(widths, kThinShare, grid), width_of(one_sided, kMiddle, grid));
   const double smear_m = width_m - std::max(0.0, kCleanStroke_m - grid.resolution_m() / 2);
   return smear_m >= kLeast_m ? smear_m : 0;
 }

@@ -107,6 +107,18 @@ TEST_CASE("taking smear off leaves the middle of every stroke, and gives the res
   }
 }
 
+TEST_CASE("strokes that were seen from one side tell the smear, whatever thin things stand in the room") {
+  const std::string free(160, '.'), wall(160, '#'), unknown(160, '?');
+  std::string posts(160, '.');
+  for (std::size_t k = 2; k < posts.size(); k += 4) posts[k] = '#';  // each is one cell
+  std::vector<std::string> rows{free, wall, wall, wall, wall, wall, unknown, unknown};
+  for (int k = 0; k < 6; ++k) {
+    rows.insert(rows.begin(), posts);
+    rows.insert(rows.begin(), free);
+  }
+  CHECK(grid_importer::estimate_smear_m(grid_of(rows, 0.1)) == Approx(0.4));
+}
+
 TEST_CASE("a clean grid has no smear, however thick a wall is once") {
   DrawnGrid grid = two_smeared_rooms();
   CHECK(import(grid).map->origin().smear_m == 0);
