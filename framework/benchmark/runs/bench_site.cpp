@@ -19,16 +19,17 @@ std::shared_ptr<const opal::SemanticMap> site_map(const opal::PluginRegistry& re
 }
 
 std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const std::vector<std::string>& prefixes,
-                                  const std::optional<opal::MapDamage>& damage) {
+                                  const SiteMaps& maps) {
   std::vector<BenchSite> sites;
   for (const std::string& prefix : prefixes) {
     const std::string name = std::filesystem::path(prefix).filename().string();
     if (std::any_of(sites.begin(), sites.end(), [&](const BenchSite& site) { return site.name == name; }))
       throw opal::ConfigError("bench: two places are called '" + name + "', expected a name for each");
     const double start_s = opal::process_cpu_s();
-    auto map = site_map(registry, prefix, damage.value_or(opal::MapDamage()));
+    const std::string map_prefix = maps.folder.empty() ? prefix : (std::filesystem::path(maps.folder) / name).string();
+    auto map = site_map(registry, map_prefix, maps.damage.value_or(opal::MapDamage()));
     const double import_s = opal::process_cpu_s() - start_s;
-    if (damage) map = opal::damaged_map(*map, *damage);
+    if (maps.damage) map = opal::damaged_map(*map, *maps.damage);
     sites.push_back({prefix, name, std::move(map), opal::Pose2(), import_s});
   }
   return sites;

@@ -29,6 +29,7 @@ struct BenchOptions {
   std::vector<std::string> prefixes;
   std::string out;
   std::string config = "default";
+  std::string maps;  ///< folder; empty: the maps beside the recordings
   DamageOptions damage;
   bool joined = false;
   JoinOptions join;
@@ -158,7 +159,7 @@ opal::MapJoin join_of(const BenchOptions& options) {
 std::vector<BenchSite> sites_of(const BenchOptions& options, const opal::PluginRegistry& registry,
                                 const opal::Deployment& deployment) {
   const opal::MapJoin join = join_of(options);
-  std::vector<BenchSite> sites = load_sites(registry, options.prefixes, options.damage.asked());
+  std::vector<BenchSite> sites = load_sites(registry, options.prefixes, {options.maps, options.damage.asked()});
   std::vector<std::string> overlays = deployment.overlays;
   overlays.insert(overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
   lay_overlays(sites, overlays, options.damage);
@@ -237,6 +238,8 @@ void opal::add_bench_verb(CLI::App& app, int& exit_code) {
                    "folder for results.csv, alternatives.csv and summary.json; for several places: NAME.csv and the "
                    "rest in NAME/")
       ->required();
+  verb->add_option("--maps", options->maps,
+                   "folder with other maps of these places, in the same frame: NAME.map.jsonld or NAME.map.yaml each");
   options->damage.add_to(*verb);
   options->overlays.add_to(*verb, ", beside those of the deployment; of a single place");
   verb->add_flag(

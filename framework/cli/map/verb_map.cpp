@@ -4,6 +4,7 @@
 #include "cli/map/map_import.hpp"
 #include "cli/map/map_overlay.hpp"
 #include "cli/map/map_patterns.hpp"
+#include "cli/map/map_redraw.hpp"
 #include "cli/options/damage_options.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/join_options.hpp"
@@ -144,7 +145,7 @@ void add_raster(CLI::App& map, int& exit_code) {
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
   CLI::App* map = app.add_subcommand("map",
                                      "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, "
-                                     "raster, push, pull, list, diff, generate");
+                                     "raster, redraw, push, pull, list, diff, generate");
   map->require_subcommand(1);
   add_map_import(*map, exit_code);
   add_map_storeys(*map, exit_code);
@@ -155,6 +156,7 @@ void opal::add_map_verb(CLI::App& app, int& exit_code) {
   add_damage(*map, exit_code);
   add_join(*map, exit_code);
   add_raster(*map, exit_code);
+  add_map_redraw(*map, exit_code);
   add_map_fleet(*map, exit_code);
   add_map_diff(*map, exit_code);
   add_map_generate(*map, exit_code);

@@ -1,0 +1,212 @@
+#include "map_tools/cone_mapping.hpp"
+
+#include "common/random.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace opal {
+namespace {
+
+// Evidence in log odds.
+constexpr double kFreeEvidence = -0.35, kArcEvidence = 0.5, kMostEvidence = 4, kDecidedEvidence = 0.3;
+// The arc of a range, from before it to behind it; what is nearer is free.
+constexpr double kArcBefore_m = 0.1, kArcBehind_m = 0.15;
+// A robot that stands says the same again and again.
+constexpr double kNextScan_m = 0.1, kNextScan_rad = 0.1;
+
+void expect(bool holds, const char* name, double found, const char* expected) {
+  if (!holds) throw ConfigError(fmt::format("cone mapping: {} {:g}, expected {}", name, found, expected));
+}
+
+void expect_sense(const ConeMapping& mapping) {
+  const auto is_share = [](double value, double most) { return value >= 0 && value <= most; };
+  expect(mapping.cone_rad >= 0.01 && mapping.cone_rad <= 1.6, "cone", mapping.cone_rad, "0.01 to 1.6 rad");
+  expect(is_share(mapping.range_sigma_m, 2), "range noise", mapping.range_sigma_m, "0 to 2 m");
+  expect(mapping.reach_m >= 1 && mapping.reach_m <= 100, "reach", mapping.reach_m, "1 to 100 m");
+  expect(is_share(mapping.drift_m, 5), "drift", mapping.drift_m, "0 to 5 m");
+  expect(is_share(mapping.drift_rad, 0.5), "drift of the heading", mapping.drift_rad, "0 to 0.5 rad");
+  expect(mapping.resolution_m >= 0.02 && mapping.resolution_m <= 1, "cell", mapping.resolution_m, "0.02 to 1 m");
+  expect(is_share(mapping.blur_m, 2), "blur", mapping.blur_m, "0 to 2 m");
+}
+
+/// An error that changes slowly along the way: waves of some tens of metres.
+class Drift {
+ public:
+  Drift(opal::simulation::Random& random, double sigma) : sigma_(sigma) {
+    for (Wave& wave : waves_) wave = {random.uniform(15, 60), random.uniform(0, 2 * std::numbers::pi)};
+  }
+  double at(double driven_m) const {
+    double sum = 0;
+    for (const Wave& wave : waves_) sum += std::sin(2 * std::numbers::pi * driven_m / wave.length_m + wave.phase_rad);
+    return sigma_ * std::sqrt(2.0 / kWaves) * sum;
+  }
+
+ private:
+  static constexpr int kWaves = 4;
+  struct Wave {
+    double length_m = 1, phase_rad = 0;
+  };
+  std::array<Wave, kWaves> waves_;
+  double sigma_;
+};
+
+/// The nearest return of each cone of a scan; infinite where nothing was hit.
+struct Cone {
+  double bearing_rad = 0;
+  double range_m = std::numeric_limits<double>::infinity();
+};
+
+std::vector<Cone> cones_of(const Scan& scan, const ConeMapping& mapping) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  const auto look = [&](double bearing) { first = std::min(first, bearing), last = std::max(last, bearing); };
+  for (const ScanPoint& point : scan.points) look(point.bearing_rad);
+  for (const double bearing : scan.free_bearings_rad) look(bearing);
+  const int count = last > first ? std::max(1, static_cast<int>((last - first) / mapping.cone_rad)) : 0;
+  std::vector<Cone> cones(static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < cones.size(); ++k)
+    cones[k].bearing_rad = first + (static_cast<double>(k) + 0.5) * mapping.cone_rad;
+  for (const ScanPoint& point : scan.points) {
+    const auto k = static_cast<std::size_t>((point.bearing_rad - first) / mapping.cone_rad);
+    if (k < cones.size()) cones[k].range_m = std::min(cones[k].range_m, point.range_m);
+  }
+  return cones;
+}
+
+/// Log odds of the cells.
+class EvidenceGrid {
+ public:
+  EvidenceGrid(const std::vector<PlacedScan>& scans, const ConeMapping& mapping) : mapping_(mapping) {
+    Point low = scans.front().T_map_laser.position(), high = low;
+    for (const PlacedScan& placed : scans) {
+      low = low.cwiseMin(placed.T_map_laser.position());
+      high = high.cwiseMax(placed.T_map_laser.position());
+    }
+    const Point border = Point::Constant(mapping.reach_m + 4 * mapping.drift_m + 1);
+    grid_.resolution_m = mapping.resolution_m;
+    grid_.origin = low - border;
+    const Point size = (high - low + 2 * border) / mapping.resolution_m;
+    expect(size.x() * size.y() < 1e8, "cells", size.x() * size.y(), "at most 10^8");
+    grid_.columns = static_cast<int>(size.x()) + 1;
+    grid_.rows = static_cast<int>(size.y()) + 1;
+    evidence_.assign(static_cast<std::size_t>(grid_.columns) * grid_.rows, 0);
+  }
+
+  /// All cells of the cone up to the range are free, those of the arc at it occupied.
+  void add(const Pose2& T_map_laser, const Cone& cone, double range_m) {
+    const double free_m = std::min(range_m - kArcBefore_m, mapping_.reach_m);
+    const double end_m = std::isfinite(range_m) ? range_m + kArcBehind_m : free_m;
+    if (!(end_m > 0)) return;
+    cells_.clear();
+    const double step_m = 0.7 * mapping_.resolution_m;
+    const int rays = std::max(3, static_cast<int>(mapping_.cone_rad * end_m / step_m) + 1);
+    for (int ray = 0; ray < rays; ++ray) {
+      const double bearing = cone.bearing_rad + mapping_.cone_rad * (ray / (rays - 1.0) - 0.5);
+      const Point direction = T_map_laser.rotate(unit_vector(bearing));
+      for (double range = step_m; range < end_m; range += step_m)
+        touch(T_map_laser.position() + range * direction, range >= free_m);
+    }
+    std::sort(cells_.begin(), cells_.end());
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      if (k == 0 || cells_[k].index != cells_[k - 1].index) weigh(cells_[k]);
+  }
+
+  MapRaster drawn() {
+    smooth();
+    grid_.cells.resize(evidence_.size());
+    for (std::size_t k = 0; k < evidence_.size(); ++k)
+      grid_.cells[k] = evidence_[k] > kDecidedEvidence    ? MapRaster::Cell::occupied
+                       : evidence_[k] < -kDecidedEvidence ? MapRaster::Cell::free
+                                                          : MapRaster::Cell::unknown;
+    return std::move(grid_);
+  }
+
+ private:
+  struct Touched {
+    std::size_t index = 0;
+    bool is_free = true;  ///< a cell of both is occupied: it sorts first
+    auto operator<=>(const Touched&) const = default;
+  };
+
+  void touch(const Point& p, bool in_arc) {
+    const Point cell = (p - grid_.origin) / grid_.resolution_m;
+    if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() < grid_.columns && cell.y() < grid_.rows)) return;
+    cells_.push_back(
+        {static_cast<std::size_t>(cell.y()) * grid_.columns + static_cast<std::size_t>(cell.x()), !in_arc});
+  }
+
+  void weigh(const Touched& cell) {
+    double& evidence = evidence_[cell.index];
+    evidence = std::clamp(evidence + (cell.is_free ? kFreeEvidence : kArcEvidence), -kMostEvidence, kMostEvidence);
+  }
+
+  void smooth() {
+    const double sigma = mapping_.blur_m / mapping_.resolution_m;
+    if (sigma < 0.1) return;
+    const int reach = static_cast<int>(std::ceil(3 * sigma));
+    std::vector<double> kernel;
+    for (int k = -reach; k <= reach; ++k) kernel.push_back(std::exp(-0.5 * k * k / (sigma * sigma)));
+    double sum = 0;
+    for (const double weight : kernel) sum += weight;
+    for (double& weight : kernel) weight /= sum;
+    smooth_along(kernel, 1, 0);
+    smooth_along(kernel, 0, 1);
+  }
+
+  void smooth_along(const std::vector<double>& kernel, int right, int up) {
+    const std::vector<double> before = evidence_;
+    const int reach = static_cast<int>(kernel.size() / 2);
+    const auto at = [&](int column, int row) {
+      const bool inside = column >= 0 && row >= 0 && column < grid_.columns && row < grid_.rows;
+      return inside ? before[static_cast<std::size_t>(row) * grid_.columns + column] : 0.0;
+    };
+    for (int row = 0; row < grid_.rows; ++row)
+      for (int column = 0; column < grid_.columns; ++column) {
+        double sum = 0;
+        for (int k = -reach; k <= reach; ++k)
+          sum += kernel[static_cast<std::size_t>(k + reach)] * at(column + k * right, row + k * up);
+        evidence_[static_cast<std::size_t>(row) * grid_.columns + column] = sum;
+      }
+  }
+
+  const ConeMapping& mapping_;
+  MapRaster grid_;  ///< its cells only at the end
+  std::vector<double> evidence_;
+  std::vector<Touched> cells_;  ///< of one cone
+};
+
+}  // namespace
+
+MapRaster cone_mapped(const std::vector<PlacedScan>& scans, const ConeMapping& mapping) {
+  expect_sense(mapping);
+  if (scans.empty()) throw ConfigError("cone mapping: no scan has a known place, expected at least one");
+  simulation::Random random(mapping.seed);
+  const Drift x(random, mapping.drift_m), y(random, mapping.drift_m), heading(random, mapping.drift_rad);
+  EvidenceGrid grid(scans, mapping);
+  const PlacedScan* last = nullptr;
+  double driven_m = 0;
+  for (const PlacedScan& placed : scans) {
+    if (last && distance_m(last->T_map_laser, placed.T_map_laser) < kNextScan_m &&
+        angle_between_rad(last->T_map_laser, placed.T_map_laser) < kNextScan_rad)
+      continue;
+    if (last) driven_m += distance_m(last->T_map_laser, placed.T_map_laser);
+    last = &placed;
+    const Point off(x.at(driven_m), y.at(driven_m));
+    const Pose2 T_map_laser(placed.T_map_laser.position() + off,
+                            placed.T_map_laser.heading_rad() + heading.at(driven_m));
+    for (const Cone& cone : cones_of(placed.scan, mapping)) {
+      const double noise_m = random.normal(mapping.range_sigma_m);
+      const bool is_met = cone.range_m < mapping.reach_m;
+      grid.add(T_map_laser, cone, is_met ? cone.range_m + noise_m : std::numeric_limits<double>::infinity());
+    }
+  }
+  return grid.drawn();
+}
+
+}  // namespace opal
