@@ -133,7 +133,12 @@ const Fields<StatusOptions>& fields_of(const StatusOptions&) {
       {"localized_weight_per_m", &O::localized_weight_per_m, "1/m", 0, kMany,
        "more of it per metre of straight walls that are seen and not mapped"},
       {"localized_unmapped_m", &O::localized_unmapped_m, "m", 0, kMany, "so many metres of these walls cost nothing"},
-      {"localized_most_weight", &O::localized_most_weight, "", 0, kMany, "whatever walls are missing, this is enough"},
+      {"localized_agreement", &O::localized_agreement, "", 0, 1,
+       "share of the beams that end on mapped surfaces, of those that end there or pass through; below, more is asked "
+       "for"},
+      {"localized_weight_per_share", &O::localized_weight_per_share, "", 0, kMany,
+       "more of the sum of tempering weights, times what the share lacks"},
+      {"localized_most_weight", &O::localized_most_weight, "", 0, kMany, "whatever is missing, this is enough"},
       {"lost_scan_nat", &O::lost_scan_nat, "nat", -kMany, kMany,
        "mean of the newest scans below which the robot is lost"},
   };

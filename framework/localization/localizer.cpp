@@ -2,6 +2,7 @@
 
 #include "common/plugin_failures.hpp"
 #include "common/stage_clock.hpp"
+#include "localization/alignment/pose_step.hpp"
 #include "localization/alignment/registration.hpp"
 #include "localization/decision/kidnap_detector.hpp"
 #include "localization/decision/status.hpp"
@@ -38,7 +39,7 @@ struct Localizer::State {
   bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Sample& sample) const;
   double tempering_weight() const;  ///< of the newest scan
-  PoseEstimate estimate();
+  PoseEstimate estimate(const Observation& observation);
   void track(const Observation& observation, const Sample& sample);
   void watch();
   void settle();
@@ -71,7 +72,7 @@ struct Localizer::State {
   Pose2 T_odom_base;                ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   std::optional<PoseHint> hint;     ///< for the next search
-  bool search_now = false;          ///< there is reason to believe that the robot was kidnapped, since this scan
+  bool search_now = false;          ///< the robot may have been kidnapped, since this scan
   double sensor_s = 0;              ///< CPU time of the sensor check since the newest keyframe
   StageTimes times;
 };
@@ -109,7 +110,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), best_nat);
-  const PoseEstimate estimate = s.estimate();
+  const PoseEstimate estimate = s.estimate(observation);
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
@@ -149,13 +150,16 @@ double Localizer::State::tempering_weight() const {
   return std::clamp(step_m / tempering.distance_m + turn_rad / tempering.angle_rad, tempering.least_weight, 1.0);
 }
 
-PoseEstimate Localizer::State::estimate() {
+PoseEstimate Localizer::State::estimate(const Observation& observation) {
   StageClock clock(times.status_s);
   const auto& all = hypotheses.alive();
-  const double unmapped_m =
-      all.empty() ? 0 : unmapped_walls_m(local_map, *parts.map, all.front().hypothesis.T_map_local);
-  return status.estimate(all, local_map.T_local_base(), stamp_s,
-                         {tempering_weight(), kidnapping.probability(), unmapped_m});
+  const Pose2 T_local_base = local_map.T_local_base();
+  if (all.empty()) return status.estimate(all, T_local_base, stamp_s, {tempering_weight(), kidnapping.probability()});
+  const Pose2& T_map_local = all.front().hypothesis.T_map_local;
+  return status.estimate(
+      all, T_local_base, stamp_s,
+      {tempering_weight(), kidnapping.probability(), unmapped_walls_m(local_map, *parts.map, T_map_local),
+       agreement(observation, *parts.map, T_map_local * T_local_base)});
 }
 
 void Localizer::State::track(const Observation& observation, const Sample& sample) {
@@ -163,7 +167,7 @@ void Localizer::State::track(const Observation& observation, const Sample& sampl
   // Where the scan matcher could not tell, odometry may be wrong by its usual share.
   Eigen::Vector2d window(0, 0);
   if (started && !local_map.last_match().converged && (step_m > 0.2 || turn_rad > 0.1))
-    window = {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
+    window = odometry_window(step_m, turn_rad);
   constexpr std::size_t kCoarsePoints = 40;  // of the alignment search after odometry has failed
   const std::vector<Point> coarse = thinned_points(sample, 0.2, kCoarsePoints);
   hypotheses.track(observation, tempering_weight(), coarse, window);
@@ -203,9 +207,8 @@ int Localizer::State::searched_every() const {
 /// Some hypothesis has gathered so much evidence that patterns with a free parameter are not worth their many
 /// candidates.
 bool Localizer::State::has_gathered_much() const {
-  const auto& alive_now = hypotheses.alive();
-  return !alive_now.empty() &&
-         alive_now.front().hypothesis.log_likelihood >= parts.stages.search.under_constrained_until_nat;
+  const auto& all = hypotheses.alive();
+  return !all.empty() && all.front().hypothesis.log_likelihood >= parts.stages.search.under_constrained_until_nat;
 }
 
 void Localizer::State::search_map(const Observation& observation, const Sample& sample) {
@@ -232,13 +235,10 @@ void Localizer::State::grow() {
   hypotheses.grow(stable, local_map);
 }
 
-/// Local features of the first node of its branch.
 std::vector<int> Localizer::State::pattern_of_best() const {
-  const AssociationTree& tree = hypotheses.tree();
-  int node = hypotheses.alive().front().leaf;
-  while (tree.node(node).parent >= 0) node = tree.node(node).parent;
   std::vector<int> features;
-  for (const Association& pair : tree.node(node).pairs) features.push_back(pair.local_feature);
+  for (const Association& pair : hypotheses.tree().first_pairs(hypotheses.alive().front().leaf))
+    features.push_back(pair.local_feature);
   return features;
 }
 

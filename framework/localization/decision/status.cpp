@@ -36,6 +36,7 @@ void StatusEstimator::reset() {
   was_localized_ = false;
   mean_scan_nat_ = 0;
   contradiction_.clear();
+  agreement_.clear();
 }
 
 void StatusEstimator::believe(const std::vector<Live>& alive) {
@@ -70,7 +71,9 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
 
 double StatusEstimator::weight_asked(double unmapped_walls_m) const {
   const double beyond_m = std::max(0.0, unmapped_walls_m - options_.localized_unmapped_m);
-  const double asked = options_.localized_weight + options_.localized_weight_per_m * beyond_m;
+  const double disagreed = std::max(0.0, options_.localized_agreement - agreement_.share());
+  const double asked = options_.localized_weight + options_.localized_weight_per_m * beyond_m +
+                       options_.localized_weight_per_share * disagreed;
   return std::max(options_.localized_weight, std::min(asked, options_.localized_most_weight));
 }
 
@@ -78,6 +81,8 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
                               const Circumstances& now) {
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
   sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.tempering_weight : 0;
+  if (!same) agreement_.clear();
+  agreement_.add(now.agreement, now.tempering_weight);
   constexpr double kMemory = 0.8;
   mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat : alive.front().scan_nat;
   if (!contradiction_.empty()) {
@@ -107,8 +112,13 @@ Status StatusEstimator::because_held(Status status, double asked, double unmappe
   const std::string held =
       sentence("the probability that is asked for has held here for %.2f of %.2f pieces of new evidence", sure_, asked);
   if (asked <= options_.localized_weight) return because(status, held);
-  return because(status, held + sentence(", so many since %.1f m of straight walls that were seen are not on the map",
-                                         unmapped_walls_m));
+  std::string why;
+  if (unmapped_walls_m > options_.localized_unmapped_m)
+    why = sentence(", so many since %.1f m of straight walls that were seen are not on the map", unmapped_walls_m);
+  if (agreement_.share() < options_.localized_agreement)
+    why += sentence(", %s %.0f %% of the beams that the map speaks about pass through what it has",
+                    why.empty() ? "so many since" : "and", 100 * (1 - agreement_.share()));
+  return because(status, held + why);
 }
 
 Status StatusEstimator::because(Status status, std::string why) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "localization/decision/map_agreement.hpp"
 #include "localization/tree/hypothesis_set.hpp"
 
 #include <opal/localization/decision/pose_estimate.hpp>
@@ -14,6 +15,7 @@ struct Circumstances {
   double tempering_weight = 1;  ///< how much of a new piece of evidence the scan was, in (0, 1]
   double kidnapped = 0;         ///< probability that the robot has been kidnapped from all hypotheses
   double unmapped_walls_m = 0;  ///< straight walls around the robot that the best hypothesis does not find on the map
+  MapAgreement agreement{};     ///< of the map with the scan, at the best hypothesis
 };
 
 /// Turns hypotheses into one answer with a status.
@@ -73,6 +75,7 @@ class OPAL_EXPORT StatusEstimator {
   double sure_ = 0;      ///< tempering_weight since the required probability holds at one place
   bool was_localized_ = false;
   double mean_scan_nat_ = 0;  ///< of the best hypothesis, over the newest scans
+  MeanAgreement agreement_;   ///< since the best place is the same
 };
 
 }  // namespace opal

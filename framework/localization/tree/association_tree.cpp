@@ -36,6 +36,12 @@ std::vector<Association> AssociationTree::branch(int leaf) const {
   return pairs;
 }
 
+const std::vector<Association>& AssociationTree::first_pairs(int leaf) const {
+  int number = leaf;
+  while (nodes_[number].parent >= 0) number = nodes_[number].parent;
+  return nodes_[number].pairs;
+}
+
 void AssociationTree::clear() {
   nodes_.clear();
   free_.clear();

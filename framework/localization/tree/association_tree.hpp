@@ -23,6 +23,8 @@ class OPAL_EXPORT AssociationTree {
   const Node& node(int number) const { return nodes_[number]; }
   /// Pairs along the branch, root first.
   std::vector<Association> branch(int leaf) const;
+  /// Pairs of the first node of a branch: the pattern that it began with.
+  const std::vector<Association>& first_pairs(int leaf) const;
   std::size_t size() const { return nodes_.size() - free_.size(); }
   void clear();
 

@@ -142,6 +142,26 @@ TEST_CASE("the more walls are not on the map, the longer a place has to hold, up
   CHECK(asked(1000) == options.localized_most_weight);
 }
 
+TEST_CASE("the less a map agrees with what is seen, the longer a place has to hold, up to the most") {
+  const StatusOptions options;
+  const auto asked = [](double met, double passed) {
+    Circumstances now;
+    now.agreement = {met, passed};
+    return Answer().weight_until_localized(now);
+  };
+  CHECK(asked(0.5, 0.2) == options.localized_weight);
+  CHECK(asked(0.2, 0.2) == options.localized_weight);
+  CHECK(asked(0, 0) == options.localized_weight);  // nothing mapped is in view: others say what that means
+  const double missing = options.localized_agreement - 0.4;
+  CHECK(asked(0.2, 0.3) ==
+        Approx(options.localized_weight + options.localized_weight_per_share * missing).margin(1.01));
+  StatusOptions strict;
+  strict.localized_weight_per_share = 1000;
+  Circumstances none;
+  none.agreement = {0, 0.5};
+  CHECK(Answer(strict).weight_until_localized(none) == strict.localized_most_weight);
+}
+
 TEST_CASE("missing walls never ask for less than is always asked for") {
   StatusOptions options;
   options.localized_weight = 30;  // more than the most for missing walls

@@ -3,7 +3,7 @@
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
 A name is a table (full, stages, calibration, damage, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives,
-drives-models) or a kind of map
+drives-models, faults, redrawn) or a kind of map
 (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then only the rows of that kind are made.
 """
 
@@ -17,6 +17,7 @@ import sys
 
 import drives
 import judge
+import redrawn
 import tables
 
 PLAN = ["--plan", "1.5"]
@@ -35,7 +36,7 @@ JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies"
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = {"detect": "detect", "local_map": "local map", "track": "track", "associate": "associate", "verify": "verify"}
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models", "faults")
+DRIVEN = ("drives", "drives-models", "faults", "redrawn")  # tables that make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS = range(1, 21)
 CUT_SEEDS = range(1, 5)
@@ -277,7 +278,7 @@ class Selection:
 
     TABLES = {"full": ["full"], "stages": ["full"], "calibration": ["full"], "damage": DAMAGED, "sites": list(KINDS),
               "seeds": list(SEEDED), "ten-maps": list(SEEDED), "kidnapping": ["kidnapping"], "cuts": ["kidnapping"], "large": list(JOINED),
-              "large-cpu": ["copies"], "drives": ["driven"], "drives-models": ["driven"], "faults": ["driven"]}
+              "large-cpu": ["copies"], "drives": ["driven"], "drives-models": ["driven"], "faults": ["driven"], "redrawn": ["driven"]}
 
     def __init__(self, names):
         known = {*self.TABLES, *KINDS, *JOINED, "kidnapping"}
@@ -293,7 +294,7 @@ class Selection:
         single, joined = set(), set()
         for table, kinds in self.kinds.items():
             if table in DRIVEN:
-                continue  # makes its runs itself
+                continue
             if table in ("large", "large-cpu"):
                 joined |= set(kinds) if complete else set()
                 single |= {("full", 1, site) for site in sites if table == "large-cpu" and complete}
@@ -335,6 +336,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "large-cpu": lambda: large_cpu_table(bench),
         "drives": driven.buildings_table, "drives-models": driven.models_table,
         "faults": driven.faults_table,
+        "redrawn": lambda: redrawn.redrawn_table(bench, judged_cells, driven.options.jobs),
     }
     return {table: makers[table]() for table in kinds}
 

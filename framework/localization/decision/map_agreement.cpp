@@ -1,0 +1,43 @@
+#include "localization/decision/map_agreement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace opal {
+namespace {
+
+constexpr std::size_t kReturns = 60;  // per scan; more tell hardly more
+constexpr double kOnSurface_m = 0.2, kPassed_m = 0.2, kPassedPer_m = 0.012;
+
+/// Of one return.
+MapAgreement agreement(const MapView& map, const Point& eye, const Point& end) {
+  const double range_m = (end - eye).norm();
+  if (map.first_crossing(eye, end, kPassed_m + kPassedPer_m * range_m).feature >= 0) return {0, 1};
+  const int nearest = map.nearest_facing(end, end - eye);
+  return {nearest >= 0 && map.surface(nearest).distance_m(end) < kOnSurface_m ? 1.0 : 0.0, 0};
+}
+
+}  // namespace
+
+MapAgreement agreement(const Observation& observation, const MapView& map, const Pose2& T_map_base) {
+  MapAgreement all;
+  const std::size_t points = observation.points(), step = std::max<std::size_t>(1, (points + kReturns - 1) / kReturns);
+  double looked = 0;
+  for (const ObservedScan& scan : observation.scans) {
+    const Point eye = T_map_base * scan.laser_position;
+    for (std::size_t k = 0; k < scan.points.size(); k += step, ++looked) {
+      const MapAgreement one = agreement(map, eye, T_map_base * scan.points[k]);
+      all.met += one.met;
+      all.passed += one.passed;
+    }
+  }
+  return looked > 0 ? MapAgreement{all.met / looked, all.passed / looked} : MapAgreement{};
+}
+
+void MeanAgreement::add(const MapAgreement& scan, double tempering_weight) {
+  constexpr double kMemory = 0.8;
+  const double kept = std::pow(kMemory, tempering_weight);
+  sum_ = {kept * sum_.met + (1 - kept) * scan.met, kept * sum_.passed + (1 - kept) * scan.passed};
+}
+
+}  // namespace opal

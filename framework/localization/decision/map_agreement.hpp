@@ -1,0 +1,33 @@
+#pragma once
+
+#include <opal/localization/scoring/score.hpp>
+#include <opal/map/view/map_view.hpp>
+
+namespace opal {
+
+/// Shares of the returns on which a map has a say. All others ended before they reached anything mapped.
+struct MapAgreement {
+  double met = 0;     ///< they end on a mapped surface
+  double passed = 0;  ///< they pass through one
+
+  /// Of these the share that agrees; 1 if the map has no say.
+  double share() const { return met + passed > 0 ? met / (met + passed) : 1; }
+};
+
+/// What the map says of the scans if the robot is at a pose. Scorers have no part in it: whatever scorer runs, a
+/// pose is called localized by the same rule.
+OPAL_EXPORT MapAgreement agreement(const Observation& observation, const MapView& map, const Pose2& T_map_base);
+
+/// Mean of the newest agreements, where a whole piece of evidence counts more than a part of one.
+class OPAL_EXPORT MeanAgreement {
+ public:
+  /// @param tempering_weight  how much of a new piece of evidence the scan was, in (0, 1].
+  void add(const MapAgreement& scan, double tempering_weight);
+  void clear() { sum_ = {}; }
+  double share() const { return sum_.share(); }
+
+ private:
+  MapAgreement sum_;
+};
+
+}  // namespace opal

@@ -1,0 +1,54 @@
+#include "localization/decision/map_agreement.hpp"
+#include "tests/localization/synthetic_scene.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+using namespace opal::synthetic;
+
+TEST_CASE("a map agrees with what is seen in it, and less with what is seen elsewhere") {
+  const auto map = view_of(room());
+  const Robot robot(map, {4, 3, 0.4});
+  const Observation seen = robot.observation();
+  const MapAgreement here = agreement(seen, *map, robot.T_map_base());
+  CHECK(here.share() > 0.95);
+  CHECK(here.met > 0.9);
+  const MapAgreement turned = agreement(seen, *map, robot.T_map_base() * Pose2(0, 0, 1.2));
+  CHECK(turned.share() < 0.7);
+  CHECK(turned.met + turned.passed <= 1 + 1e-9);
+}
+
+TEST_CASE("agreement does not depend on where the map's origin is") {
+  const Pose2 motion(30, -12, 0.7);
+  const auto map = view_of(room()), elsewhere = view_of(moved(motion, room()));
+  const Robot robot(map, {4, 3, 0.4});
+  const Observation seen = robot.observation();
+  const Pose2 off = robot.T_map_base() * Pose2(0.5, 0.3, 0.1);
+  const MapAgreement a = agreement(seen, *map, off), b = agreement(seen, *elsewhere, motion * off);
+  CHECK(a.met == Approx(b.met).margin(0.05));  // lookups are by cells of 0.1 m
+  CHECK(a.passed == Approx(b.passed).margin(0.05));
+}
+
+TEST_CASE("nothing that is seen, or nothing mapped in view, disagrees with nothing") {
+  const auto map = view_of(room());
+  Robot robot(map, {4, 3, 0});
+  CHECK(agreement(robot.observation(), *map, Pose2(500, 500, 0)).share() == 1);
+  robot.drive_blind_to({5, 3, 0});
+  CHECK(agreement(robot.observation(), *map, robot.T_map_base()).share() == 1);
+}
+
+TEST_CASE("a mean of agreements follows the newest, and parts of evidence count as parts") {
+  MeanAgreement mean;
+  CHECK(mean.share() == 1);
+  mean.add({0.2, 0.6}, 1);
+  CHECK(mean.share() == Approx(0.25));
+  for (int k = 0; k < 40; ++k) mean.add({0.6, 0.2}, 1);
+  CHECK(mean.share() == Approx(0.75).margin(0.001));
+  MeanAgreement whole, halves;
+  whole.add({0.5, 0.5}, 1);
+  halves.add({0.5, 0.5}, 1);
+  whole.add({0.9, 0.1}, 1);
+  halves.add({0.9, 0.1}, 0.5);
+  halves.add({0.9, 0.1}, 0.5);
+  CHECK(whole.share() == Approx(halves.share()));
+}

@@ -1,0 +1,44 @@
+"""The recorded sites on maps as another team draws them: `opal map redraw`, then `opal bench --maps`."""
+
+import concurrent.futures
+import pathlib
+import subprocess
+
+import judge
+
+SEEDS = (1, 2, 3)
+TEAMS = {  # the row's label in docs/results.md, and how they draw
+    "15 degrees, noise 0.1 m, drift 0.1 m": [],
+    "20 degrees, noise 0.15 m, drift 0.15 m, blur 0.2 m": ["--cone", "0.349", "--noise", "0.15", "--drift", "0.15", "--blur", "0.2"],
+    "15 degrees, noise 0.3 m, drift 0.1 m, blur 0.15 m": ["--noise", "0.3", "--blur", "0.15"],
+}
+
+
+def run(*words):
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise SystemExit(f"{' '.join(map(str, words))}\nfailed and said\n{done.stderr.strip()}")
+
+
+def verdicts(bench, label, seed, site):
+    folder = pathlib.Path(bench.out) / "redrawn" / f"{list(TEAMS).index(label)}-{seed}"
+    results = folder / site / "results.csv"
+    if not (bench.reuse and results.exists()):
+        run(bench.opal, "map", "redraw", bench.folder / site, "-o", folder / "maps", "--seed", seed, *TEAMS[label])
+        run(bench.opal, "bench", bench.folder / site, "--maps", folder / "maps", "-o", folder / site)
+    return judge.judge_site(bench.folder / site, results)
+
+
+def redrawn_table(bench, cells_of, jobs):
+    """Sums over the maps of all seeds. @param cells_of  of a judge.Total."""
+    if not bench.complete:
+        return {}
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        turns = {label: [pool.submit(verdicts, bench, label, seed, site) for seed in SEEDS for site in bench.sites]
+                 for label in TEAMS}
+        made = {}
+        for label, of in turns.items():
+            total = judge.totals([verdict for turn in of for verdict in turn.result()])
+            made[label] = {"queries": str(total.queries), **cells_of(total)}
+            made[label].pop("median distance m")
+    return made
