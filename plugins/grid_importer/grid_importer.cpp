@@ -20,8 +20,10 @@ std::string name_of(const std::string& path) {
 bool names_an_image(const std::string& path) {
   std::ifstream file(path);
   std::string line;
-  for (int k = 0; k < 100 && std::getline(file, line); ++k)
-    if (line.rfind("image:", 0) == 0) return true;
+  for (int k = 0; k < 100 && std::getline(file, line); ++k) {
+    if (k == 0 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+    if (line.starts_with("image:") || line.starts_with("\"image\":")) return true;
+  }
   return false;
 }
 

@@ -182,7 +182,9 @@ TEST_CASE("a bad image is refused with its name, the place, what was found and w
   CHECK_THAT(message_of(yaml, "P5 8000 8000 255\n"), Contains("expected 64000000 for 8000 x 8000"));
   CHECK_THAT(message_of(yaml, "P5 2 2 0\n"), Contains("0, expected a brightest value from 1 to 65535"));
   CHECK_THAT(message_of(yaml, "P2 2 1 9 5 10"), Contains("10, expected a pixel of at most 9"));
-  CHECK_THAT(message_of(yaml, "P6 2 2 255\n"), Contains("room.pgm: byte 0: neither"));
+  CHECK_THAT(message_of(yaml, "P6 2 2 255\n"), Contains("0 bytes of pixels until the end of the file, expected 12"));
+  CHECK_THAT(message_of(yaml, "P7 2 2 255\n"), Contains("room.pgm: byte 0: neither"));
+  CHECK_THAT(message_of(yaml, "\xFF\xD8\xFF\xE0 JFIF"), Contains("expected a PNG, PGM, PPM or BMP image"));
   CHECK_THAT(message_of(yaml, ""), Contains("room.pgm: byte 0: neither"));
   CHECK_THAT(message_of(yaml, "\x89PNG\r\n\x1a\n"), Contains("room.pgm: header: libpng"));
   CHECK_THAT(message_of(yaml, room().png().substr(0, 60)), Contains("room.pgm: pixels: libpng"));
