@@ -1,5 +1,6 @@
 #include "grid_importer.hpp"
 
+#include "drawn_faces.hpp"
 #include "map_assembly.hpp"
 #include "report.hpp"
 #include "smear.hpp"
@@ -38,9 +39,10 @@ MapImport GridImporter::import(const std::string& path) const {
   OccupancyGrid grid = read_grid(path, description);
   if (limits_.thicken_m > 0) grid = smeared(grid, limits_.thicken_m);
   const double smear_m = estimate_smear_m(grid);
+  const bool is_drawn = is_drawn_plan(Boundary(grid));
   if (smear_m > 0) grid = unsmeared(grid, smear_m);
   Boundary boundary(grid);
-  const VectorMap vectors = vectorize(boundary, limits_);
+  const VectorMap vectors = vectorize(boundary, limits_, is_drawn);
   return {assemble(name_of(path), vectors, grid, smear_m), report(description, boundary, vectors, smear_m)};
 }
 
