@@ -78,12 +78,14 @@ std::string GeoJsonImporter::chosen_level(const std::string& path, const Feature
 }
 
 std::vector<Storey> GeoJsonImporter::storeys(const std::string& path) const {
-  const FeatureCollection collection = read_plan(path);
+  FeatureCollection collection = read_plan(path);
+  mark_used(collection);
   std::vector<Storey> storeys;
   for (const std::string& level : all_levels(collection)) {
-    Storey storey{level, level};
+    const auto label = collection.label_of_level.find(level);
+    Storey storey{level, label == collection.label_of_level.end() ? level : label->second};
     for (const Feature& feature : collection.features)
-      if (is_on_level(feature, level)) ++storey.gives[classes_of(feature, class_property_).shown];
+      if (feature.is_used && is_on_level(feature, level)) ++storey.gives[classes_of(feature, class_property_).shown];
     storeys.push_back(std::move(storey));
   }
   return storeys;

@@ -43,9 +43,10 @@ struct Feature {
 struct FeatureCollection {
   std::string name;  ///< empty: the file does not say
   std::vector<Feature> features;
-  std::string crs;                                   ///< name in the member `crs` of 2008; empty: there is none
-  std::map<std::string, std::string> level_of_name;  ///< what else than by `level` a level is called
-  std::vector<std::string> notes;                    ///< sentences about the reading
+  std::string crs;                                    ///< name in the member `crs` of 2008; empty: there is none
+  std::map<std::string, std::string> level_of_name;   ///< what else than by `level` a level is called
+  std::map<std::string, std::string> label_of_level;  ///< for people, where `level` is a number of a level with a name
+  std::vector<std::string> notes;                     ///< sentences about the reading
 };
 
 /// Reads GeoJSON (RFC 7946): a FeatureCollection, or one Feature.

@@ -55,8 +55,10 @@ std::map<std::string, ArchiveLevel> levels_in(const fs::path& folder, FeatureCol
     levels[level.id] = {ordinal, is_outdoor};
     archive.level_of_name.emplace(level.id, ordinal);
     for (const char* key : {"name", "short_name"})
-      if (const std::string label = label_of(level.properties, key); !label.empty())
+      if (const std::string label = label_of(level.properties, key); !label.empty()) {
         archive.level_of_name.emplace(label, ordinal);
+        archive.label_of_level.emplace(ordinal, label);
+      }
   }
   return levels;
 }

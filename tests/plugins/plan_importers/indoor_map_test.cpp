@@ -144,6 +144,12 @@ TEST_CASE("an archive of IMDF is read as one, by any of its files or its folder"
     CHECK(has_wall(plan, {5, 2}));
     CHECK(check_map(*plan.map).objects_by_type.at("opal:Door") == 1);
   }
+  PluginRegistry registry;
+  registry.load(OPAL_PLUGIN_DIR "/geojson_importer.so");
+  const auto storeys = registry.make<MapImporter>("opal:GeoJsonImporter", json::object())->storeys(archive.path());
+  REQUIRE(storeys.size() == 2);
+  CHECK(storeys[1].name == "Concourse");
+  CHECK(storeys[1].gives == std::map<std::string, int>{{"category=room", 1}});
   const MapImport above = import_path(archive.path(), {{"geographic", false}, {"storey", "Concourse"}});
   CHECK(all<Segment>(*above.map).size() == 8);
 }
