@@ -103,7 +103,9 @@ constexpr std::array kBeside{"IFCPROPERTY",
                              "IFCSTRUCTURAL",
                              "IFCSPACE",
                              "IFCANNOTATION",
-                             "IFCVIRTUALELEMENT"};
+                             "IFCVIRTUALELEMENT",
+                             "IFCDERIVEDUNIT",
+                             "IFCMONETARYUNIT"};
 // Of these, what they refer to tells more of a thing, but is no part of it.
 constexpr std::array kSoft{"IFCRELASSOCIATESMATERIAL", "IFCRELDEFINESBYTYPE", "IFCTYPEOBJECT", "IFCTYPEPRODUCT"};
 // Of a GlobalId; some exporters write longer ones.
@@ -123,15 +125,28 @@ bool is_soft(const StepInstance& instance) {
   return (has_identity(instance) && is_type) || std::find(kSoft.begin(), kSoft.end(), instance.type) != kSoft.end();
 }
 
-/// Who made and changed it: the second argument of everything with an identity. -1: not said.
-int owner_of(const StepInstance& instance) {
-  if (!has_identity(instance)) return -1;
+/// The reference that stands alone at a place among the arguments; -1: none does.
+int reference_at(const StepInstance& instance, std::size_t place) {
   const std::vector<std::string_view> arguments = split_arguments(instance.arguments);
   int number = -1;
-  if (arguments.size() < 2) return number;
-  const std::string_view owner = trimmed(arguments[1]);
-  if (owner.starts_with('#')) std::from_chars(owner.data() + 1, owner.data() + owner.size(), number);
+  if (place >= arguments.size()) return number;
+  const std::string_view argument = trimmed(arguments[place]);
+  if (argument.starts_with('#')) std::from_chars(argument.data() + 1, argument.data() + argument.size(), number);
   return number;
+}
+
+/// Who made and changed it: the second argument of everything with an identity. -1: not said.
+int owner_of(const StepInstance& instance) { return has_identity(instance) ? reference_at(instance, 1) : -1; }
+
+/// Of a site or a building: the last argument. -1: not said.
+int address_of(const StepInstance& instance) {
+  if (instance.type != "IFCSITE" && instance.type != "IFCBUILDING") return -1;
+  return reference_at(instance, split_arguments(instance.arguments).size() - 1);
+}
+
+bool is_spatial(std::string_view type) {
+  return type == "IFCPROJECT" || type == "IFCSITE" || type == "IFCBUILDING" || type == "IFCBUILDINGSTOREY" ||
+         type == "IFCSPACE";
 }
 
 /// Finds what is unsound: what refers to nothing or in a circle, and what cannot do without such an instance.
@@ -154,7 +169,8 @@ class Soundness {
   /// Whether an instance stays sound without the reference: it tells more, or what it names is beside the building.
   bool may_go(std::size_t from, int number) const {
     const StepInstance& instance = instances_[from];
-    if (is_soft(instance) || owner_of(instance) == number) return true;
+    if (is_soft(instance) || owner_of(instance) == number || address_of(instance) == number) return true;
+    if (instance.type == "IFCRELAGGREGATES" && is_part_of_space(instance, number)) return true;
     const auto found = by_number_.find(number);
     return found != by_number_.end() && is_side_information(instances_[found->second].type) &&
            !is_side_information(instance.type);
@@ -165,6 +181,13 @@ class Soundness {
   }
 
  private:
+  /// A space of a storey, or a storey of a building. (What stands in a missing storey refers to it, and is refused.)
+  bool is_part_of_space(const StepInstance& relation, int number) const {
+    const int whole = reference_at(relation, 4);
+    const auto found = by_number_.find(whole);
+    return whole != number && found != by_number_.end() && is_spatial(instances_[found->second].type);
+  }
+
   enum class State : char { unseen, open, done };
   struct Step {
     std::size_t instance, next_reference;

@@ -112,6 +112,21 @@ TEST_CASE("space boundaries may refer to each other, and a space to nothing") {
   CHECK(imported.map->features().size() == import_text(text).map->features().size());
 }
 
+TEST_CASE("addresses, units of no length and spaces may be missing") {
+  const std::string text = drawn();
+  const std::size_t at = text.find("IFCBUILDINGSTOREY");
+  const std::string storey = text.substr(text.rfind('#', at), at - 1 - text.rfind('#', at));
+  const auto with = [&](const std::string& line) {
+    return refusal(replaced(text, "DATA;\n", "DATA;\n" + line + "\n"));
+  };
+  CHECK(with("#900=IFCBUILDING('0123456789012345678901',$,'b',$,$,$,$,$,.ELEMENT.,$,$,#77777);") == "accepted");
+  CHECK(with("#900=IFCDERIVEDUNIT((#77777),.MASSDENSITYUNIT.,$);") == "accepted");
+  CHECK(with("#900=IFCRELAGGREGATES('0123456789012345678901',$,$,$," + storey + ",(#77777,#77778));") == "accepted");
+  CHECK_THAT(with("#900=IFCRELAGGREGATES('0123456789012345678901',$,$,$,#901,(#77777));\n"
+                  "#901=IFCCURTAINWALL('0123456789012345678902',$,$,$,$,$,$,$);"),
+             Contains("(IFCRELAGGREGATES) refers to #77777"));
+}
+
 TEST_CASE("a wall, its place and its body must be whole") {
   const std::string text = drawn();
   const auto with = [&](const std::string& line) {
