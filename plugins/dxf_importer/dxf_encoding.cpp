@@ -52,7 +52,7 @@ class CodePage {
   CodePage(const CodePage&) = delete;
   CodePage& operator=(const CodePage&) = delete;
 
-  bool is_known() const { return converter_ != reinterpret_cast<iconv_t>(-1); }
+  bool is_known() const { return reinterpret_cast<std::intptr_t>(converter_) != -1; }
 
   std::string to_utf8(std::string text) const {
     std::string converted(4 * text.size(), '\0');

@@ -136,9 +136,11 @@ class Scanner {
     if (name == "ENTITIES") {
       has_entities_ = true;
       std::move(records.begin(), records.end(), std::back_inserter(scan_.entities));
+    } else if (name == "TABLES") {
+      layers(records);
+    } else {
+      blocks(std::move(records));
     }
-    if (name == "BLOCKS") blocks(std::move(records));
-    if (name == "TABLES") layers(records);
     advance();
   }
 

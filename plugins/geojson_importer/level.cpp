@@ -33,7 +33,7 @@ void add_levels(const std::string& part, std::vector<std::string>& levels) {
   const auto from = number(part.substr(0, dash));
   const auto to = dash == std::string::npos ? from : number(part.substr(dash + 1));
   if (from && to && *from <= *to && *to - *from < kMostLevels)
-    for (double level = *from; level <= *to; ++level) levels.push_back(written(level));
+    for (int k = 0; *from + k <= *to; ++k) levels.push_back(written(*from + k));
   else if (!part.empty())
     levels.push_back(part);
 }

@@ -164,7 +164,7 @@ TEST_CASE("an image that was copied with its yaml file is found beside it") {
 }
 
 TEST_CASE("a BMP that is damaged or compressed is refused with the place") {
-  const auto message = [](std::string bytes) {
+  const auto message = [](const std::string& bytes) {
     try {
       map_of(bytes, "room.bmp");
     } catch (const MapError& error) {
