@@ -5,11 +5,15 @@
 #include "import_kit/plan_pairs.hpp"
 #include "import_kit/plan_sides.hpp"
 
+#include "map/check/map_check_geometry.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -60,9 +64,35 @@ class PlanObjects {
 
   bool has(int element) const { return object_[static_cast<std::size_t>(element)] >= 0; }
 
-  std::shared_ptr<const SemanticMap> map(const std::string& source, const std::string& name) {
+  /// Takes away what no sensor perceives and another such thing has, too. An object that has nothing else goes with it.
+  /// @return the elements that go, each with the one that has what it had.
+  std::map<int, int> take_away_repeated(const std::string& source, const std::string& name) {
+    const std::shared_ptr<const SemanticMap> all = made(source, name);
+    std::map<std::string, std::string> repeated;  // by id of the feature
+    for (const auto& [first, second] : duplicate_features(*all))
+      if (const MapFeature& feature = all->features()[static_cast<std::size_t>(second)]; feature.sensor.empty())
+        repeated.emplace(feature.id, all->features()[static_cast<std::size_t>(first)].id);
+    std::vector<MapFeature> kept;
+    std::set<int> objects_left;
+    std::map<std::string, int> object_of;
+    for (const MapFeature& feature : features_) {
+      object_of[feature.id] = feature.object;
+      if (repeated.contains(feature.id)) continue;
+      objects_left.insert(feature.object);
+      kept.push_back(feature);
+    }
+    std::map<int, int> gone;
+    for (const auto& [second, first] : repeated)
+      if (const int object = object_of.at(second); !objects_left.contains(object))
+        gone[element_of(object)] = element_of(object_of.at(first));
+    features_ = std::move(kept);
+    for (const auto& [element, other] : gone) remove_object(element);
+    return gone;
+  }
+
+  std::shared_ptr<const SemanticMap> made(const std::string& source, const std::string& name) const {
     try {
-      return SemanticMap::make(name, std::move(objects_), std::move(features_));
+      return SemanticMap::make(name, objects_, features_);
     } catch (const MapError& error) {
       throw MapError(source + ": " + error.what());
     }
@@ -71,6 +101,17 @@ class PlanObjects {
  private:
   std::string own_id(int element, const char* part, int number) const {
     return elements_[static_cast<std::size_t>(element)].id + part + std::to_string(number);
+  }
+
+  int element_of(int object) const {
+    return static_cast<int>(std::find(object_.begin(), object_.end(), object) - object_.begin());
+  }
+
+  void remove_object(int element) {
+    const int removed = std::exchange(object_[static_cast<std::size_t>(element)], -1);
+    objects_.erase(objects_.begin() + removed);
+    for (int& object : object_) object -= object > removed;
+    for (MapFeature& feature : features_) feature.object -= feature.object > removed;
   }
 
   const std::string& name(int node, const std::string& proposal) {
@@ -128,7 +169,10 @@ class Assembly {
         objects.add_circle(static_cast<int>(k), static_cast<int>(circle));
       if (objects.has(static_cast<int>(k))) result_.outcomes[k] = {elements_[k].id, PlanOutcome::Status::mapped, ""};
     }
-    result_.map = objects.map(source_, name);
+    for (const auto& [element, other] : objects.take_away_repeated(source_, name))
+      outcome(element) = {elements_[static_cast<std::size_t>(element)].id, PlanOutcome::Status::merged,
+                          elements_[static_cast<std::size_t>(other)].id};
+    result_.map = objects.made(source_, name);
     return std::move(result_);
   }
 

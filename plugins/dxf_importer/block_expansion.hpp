@@ -13,8 +13,9 @@ namespace opal::dxf_importer {
 struct PlacedEntity {
   const DxfEntity* entity = nullptr;
   Eigen::Affine2d T_drawing_entity = Eigen::Affine2d::Identity();  ///< may scale, also differently by axis, and mirror
-  std::string insert;   ///< ids of the INSERTs that it came by, "2F/31" or "2F[0,2]" in arrays; empty: by none
-  std::string layer;    ///< that of its INSERT, if it is on layer 0 of a block
+  std::string insert;  ///< ids of the INSERTs that it came by, "2F/31" or "2F[0,2]" in arrays; empty: by none
+  std::vector<std::pair<std::string, std::string>> inserts;  ///< these ids and their layers, from the outermost on
+  std::string layer;                                         ///< that of its INSERT, if it is on layer 0 of a block
   std::string trouble;  ///< why it cannot be used, as far as blocks are to blame; then it may be an INSERT
   bool is_frozen = false;
 };

@@ -45,6 +45,7 @@ struct DxfLines {
 /// Closed lines, filled between them.
 struct DxfFill {
   std::vector<std::vector<DxfVertex>> loops;
+  int open_loops = 0;  ///< that were left out, since their edges do not meet
 };
 
 /// A block put at a place, or at all places of an array of `columns` by `rows`.
@@ -68,7 +69,9 @@ struct DxfEntity {
   std::string id;    ///< its handle; "line-1204" if it has none; "2F-line-1204" if another has the same
   std::string layer;
   bool is_in_paper_space = false;
+  bool is_hidden = false;  ///< as those states of a dynamic block that are not chosen
   bool has_width = false;
+  std::string damage;   ///< a whole message, if its record is damaged: a map must not be made of it
   std::string trouble;  ///< why there is no shape, if there should be one
   DxfShape shape;
 };

@@ -1,5 +1,7 @@
 #include "dxf_importer.hpp"
 
+#include "layer_classes.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/import_kit/class_tally.hpp>
 
@@ -7,48 +9,28 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 namespace opal::dxf_importer {
 namespace {
 
-/// Layer names by the US National CAD Standard (AIA; "PLAN$0$A-WALL" in a bound reference), ISO 13567 with SfB
-/// elements, and plain words.
-const std::map<std::string, std::string>& default_classes() {
-  static const std::map<std::string, std::string> kClasses{{"*-WALL*", "Wall"},
-                                                           {"WALL*", "Wall"},
-                                                           {"*_WALL*", "Wall"},
-                                                           {"*WALLS", "Wall"},
-                                                           {"*MUREN*", "Wall"},
-                                                           {"*WAND", "Wall"},
-                                                           {"*WAENDE*", "Wall"},
-                                                           {"A-21*", "Wall"},
-                                                           {"A-22*", "Wall"},
-                                                           {"*-COLS*", "Column"},
-                                                           {"*COLUMN*", "Column"},
-                                                           {"*KOLOM*", "Column"},
-                                                           {"*STUETZE*", "Column"},
-                                                           {"A-28*", "Column"},
-                                                           {"*-DOOR*", "Door"},
-                                                           {"*DOORS", "Door"},
-                                                           {"DOOR*", "Door"},
-                                                           {"*DEUREN*", "Door"},
-                                                           {"*TUEREN*", "Door"},
-                                                           {"A-32*", "Door"},
-                                                           {"*-GLAZ*", "Window"},
-                                                           {"*WINDOW*", "Window"},
-                                                           {"*FENSTER*", "Window"},
-                                                           {"*KOZIJN*", "Window"},
-                                                           {"A-31*", "Window"},
-                                                           {"*-WALL-HEAD*", "leave_out"},
-                                                           {"*-WALL-CNTR*", "leave_out"},
-                                                           {"*-WALL-IDEN*", "leave_out"},
-                                                           {"*-WALL-ABOV*", "leave_out"},
-                                                           {"*-COLS-GRID*", "leave_out"},
-                                                           {"*-COLS-IDEN*", "leave_out"},
-                                                           {"*-DOOR-IDEN*", "leave_out"},
-                                                           {"*-GLAZ-IDEN*", "leave_out"}};
-  return kClasses;
+// A drawing that says mm and is one in inches becomes a building of a metre.
+constexpr double kSmallestBuilding_m = 2;
+
+/// Width or depth of everything that shall become map, whichever is larger.
+double extent_m(const std::vector<PlanElement>& elements) {
+  Point low = Point::Constant(std::numeric_limits<double>::max()), high = -low;
+  const auto take = [&](const Point& p, double radius_m) {
+    low = low.cwiseMin(p - Point::Constant(radius_m));
+    high = high.cwiseMax(p + Point::Constant(radius_m));
+  };
+  for (const PlanElement& element : elements) {
+    for (const PlanLine& line : element.lines)
+      for (const Point& p : line.points) take(p, 0);
+    for (const Circle& circle : element.circles) take(circle.center, circle.radius_m);
+  }
+  return (high - low).maxCoeff();
 }
 
 /// "plans/office.dxf" is called "office".
@@ -66,20 +48,21 @@ class Sorting {
   void add(const PlacedEntity& placed) {
     const std::optional<std::string> type = plan_.rules.class_of(placed.layer);
     const std::string why = why_left_out(placed, type);
-    if (!why.empty())
-      leave_out(placed, why, ImportStatus::left_out);
-    else if (const std::string trouble = use(placed, *type); !trouble.empty())
+    if (!why.empty()) return leave_out(placed, why, ImportStatus::left_out);
+    if (!placed.entity->damage.empty()) throw MapError(placed.entity->damage);
+    if (const std::string trouble = use(placed, *type); !trouble.empty())
       leave_out(placed, trouble, ImportStatus::unreadable);
   }
 
   std::vector<PlanElement> elements;
   std::vector<ImportedElement> things;
   ClassTally tally{"layer"};
-  int refitted = 0, chorded = 0, wide = 0;
+  int refitted = 0, chorded = 0, wide = 0, open_loops = 0;
 
  private:
   std::string why_left_out(const PlacedEntity& placed, const std::optional<std::string>& type) const {
     if (placed.entity->is_in_paper_space) return "it is on a sheet, not in the model";
+    if (placed.entity->is_hidden) return "it is hidden";
     if (placed.is_frozen) return "its layer is frozen";
     if (const auto layer = drawing_.layers.find(placed.layer); layer != drawing_.layers.end() && layer->second.is_off)
       return "its layer is off";
@@ -91,13 +74,18 @@ class Sorting {
     return placed.insert.empty() ? placed.entity->id : placed.insert + "/" + placed.entity->id;
   }
 
-  /// Lines of one block that are no wall are one thing: the leaf and the swing of a door.
-  static bool is_part_of_insert(const PlacedEntity& placed, const std::string& type) {
-    const auto* path = std::get_if<DxfPath>(&placed.entity->shape);
+  /// Lines of one block that are no wall are one thing: the leaf and the swing of a door. A block that lies on a layer
+  /// of doors is one door with all that is in it.
+  std::string thing_of(const PlacedEntity& placed, const std::string& type) const {
+    if (placed.insert.empty() || type == "opal:Wall") return "";
+    if (type != "opal:Column")
+      for (const auto& [insert, layer] : placed.inserts)
+        if (plan_.rules.class_of(layer) == type) return insert + "/" + layer;
     const DxfShape& shape = placed.entity->shape;
+    const auto* path = std::get_if<DxfPath>(&shape);
     const bool is_open = (path != nullptr && !path->closed) || std::holds_alternative<DxfArc>(shape) ||
                          std::holds_alternative<DxfEllipse>(shape) || std::holds_alternative<BSpline>(shape);
-    return !placed.insert.empty() && type != "opal:Wall" && is_open;
+    return is_open ? placed.insert + "/" + placed.layer : "";
   }
 
   std::string use(const PlacedEntity& placed, const std::string& type) {
@@ -111,6 +99,7 @@ class Sorting {
     refitted += shapes.refitted;
     chorded += shapes.chorded;
     wide += placed.entity->has_width;
+    if (const auto* fill = std::get_if<DxfFill>(&placed.entity->shape)) open_loops += fill->open_loops;
     PlanElement& element = element_for(placed, type);
     std::move(shapes.lines.begin(), shapes.lines.end(), std::back_inserter(element.lines));
     std::move(shapes.circles.begin(), shapes.circles.end(), std::back_inserter(element.circles));
@@ -118,8 +107,9 @@ class Sorting {
   }
 
   PlanElement& element_for(const PlacedEntity& placed, const std::string& type) {
-    const bool is_part = is_part_of_insert(placed, type);
-    const std::string id = is_part ? placed.insert + "/" + placed.layer : id_of(placed);
+    const std::string whole = thing_of(placed, type);
+    const bool is_part = !whole.empty();
+    const std::string id = is_part ? whole : id_of(placed);
     if (is_part)
       if (const auto known = parts_.find(id); known != parts_.end()) return elements[known->second];
     parts_[id] = elements.size();
@@ -141,7 +131,7 @@ class Sorting {
 
 }  // namespace
 
-DxfImporter::DxfImporter(const nlohmann::json& options) : plan_(options, default_classes()) {
+DxfImporter::DxfImporter(const nlohmann::json& options) : plan_(options, classes_of_layers()) {
   shape_.origin_m = {options.at("origin_x_m").get<double>(), options.at("origin_y_m").get<double>()};
   shape_.circle_tolerance_m = options.at("circle_tolerance_m");
   shape_.max_column_radius_m = options.at("max_column_radius_m");
@@ -165,9 +155,17 @@ Unit DxfImporter::unit_of(const std::string& path, const DxfDrawing& drawing) co
   const std::optional<Unit> unit = unit_of_insunits(*drawing.insunits);
   if (!unit)
     throw MapError(fmt::format(
-        "{}: is drawn in the unit $INSUNITS {}, expected 1, 2, 4, 5, 6, 10 or 14, or the option unit: one of {}", path,
-        *drawing.insunits, unit_names()));
+        "{}: is drawn in the unit $INSUNITS {}, expected 1, 2, 4, 5, 6, 10, 14 or 21, or the option unit: one of {}",
+        path, *drawing.insunits, unit_names()));
   return *unit;
+}
+
+void DxfImporter::expect_building(const std::string& path, const Unit& unit, double size_m) {
+  if (size_m >= kSmallestBuilding_m) return;
+  throw MapError(fmt::format(
+      "{}: is {:.2f} m large in {}, as $INSUNITS says, expected a building of at least {:.0f} m; the option unit says "
+      "what it is drawn in: one of {}",
+      path, size_m, unit.name, kSmallestBuilding_m, unit_names()));
 }
 
 MapImport DxfImporter::import(const std::string& path) const {
@@ -180,6 +178,7 @@ MapImport DxfImporter::import(const std::string& path) const {
   if (sorting.elements.empty())
     throw MapError(path + ": no layer gives anything for a map, expected the option classes to name one of: " +
                    sorting.tally.overview());
+  if (!unit_) expect_building(path, unit, extent_m(sorting.elements));
 
   const PlanAssembly assembly = assemble_plan(path, name_of(path), sorting.elements, plan_.plan);
   MapImport imported{assembly.map, {}, std::move(sorting.things), {}};
@@ -202,6 +201,9 @@ MapImport DxfImporter::import(const std::string& path) const {
   if (sorting.wide > 0)
     imported.report.push_back(fmt::format(
         "doubtful: polylines that are drawn with a width, of which the middle was taken: {}", sorting.wide));
+  if (sorting.open_loops > 0)
+    imported.report.push_back(
+        fmt::format("left out: loops of hatches whose edges do not meet: {}", sorting.open_loops));
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;
 }

@@ -16,6 +16,8 @@ class DxfImporter final : public MapImporter {
   MapImport import(const std::string& path) const override;
 
  private:
+  /// @throws MapError if the unit that the drawing says makes it smaller than any building.
+  static void expect_building(const std::string& path, const Unit& unit, double size_m);
   Unit unit_of(const std::string& path, const DxfDrawing& drawing) const;
 
   PlanImportOptions plan_;

@@ -1,3 +1,4 @@
+#include "boundary_loop.hpp"
 #include "dxf_curves.hpp"
 #include "dxf_drawing.hpp"
 #include "dxf_record_check.hpp"
@@ -46,20 +47,23 @@ class EntityListener final : public DL_CreationAdapter {
   void addHatch(const DL_HatchData&) override { take(DxfFill{}); }
   /// Before the loop of a polyline, dxflib names an empty one.
   void addHatchLoop(const DL_HatchLoopData& d) override {
-    if (d.numEdges > 0) fill().loops.emplace_back();
+    if (d.numEdges <= 0) return;
+    fill().loops.emplace_back();
+    edges.emplace_back();
   }
   void addHatchEdge(const DL_HatchEdgeData& d) override {
-    if (fill().loops.empty()) fill().loops.emplace_back();
+    if (fill().loops.empty()) addHatchLoop(DL_HatchLoopData(1));
     std::vector<DxfVertex>& loop = fill().loops.back();
     if (d.type == 0)
       for (const std::vector<double>& v : d.vertices) add_boundary_vertex(v, loop);
     else if (d.type == 1)
-      loop.push_back({{d.x1, d.y1}, 0});
+      edges.back().push_back({{d.x1, d.y1}, {d.x2, d.y2}, 0});
     else if (d.type == 2)
-      loop.push_back(arc_vertex(d));
+      edges.back().push_back(arc_edge(d));
     else
       has_curves = true;
   }
+  std::vector<std::vector<BoundaryEdge>> edges;  ///< of each loop of a hatch that is made of edges
   bool has_curves = false;
   bool is_incomplete = false;
 
@@ -83,11 +87,12 @@ class EntityListener final : public DL_CreationAdapter {
     take(DxfFill{{{{{d.x[0], d.y[0]}, 0}, {{d.x[1], d.y[1]}, 0}, {{d.x[3], d.y[3]}, 0}, {{d.x[2], d.y[2]}, 0}}}});
   }
   /// dxflib gives angles in radians; of a clockwise arc they are mirrored.
-  static DxfVertex arc_vertex(const DL_HatchEdgeData& d) {
+  static BoundaryEdge arc_edge(const DL_HatchEdgeData& d) {
     const double sign = d.ccw ? 1 : -1;
     const double sweep_rad =
         std::fmod(std::fmod(d.angle2 - d.angle1, 2 * std::numbers::pi) + 2 * std::numbers::pi, 2 * std::numbers::pi);
-    return {Point(d.cx, d.cy) + d.radius * unit_vector(sign * d.angle1),
+    const Point center(d.cx, d.cy);
+    return {center + d.radius * unit_vector(sign * d.angle1), center + d.radius * unit_vector(sign * d.angle2),
             sign * std::tan((sweep_rad > 0 ? sweep_rad : 1e-9) / 4)};
   }
 };
@@ -124,6 +129,7 @@ DxfShape read_shape(const std::string& path, const DxfEntityRecords& entity, std
         fmt::format("{}:{}: HATCH: its boundary is incomplete, expected {} loops (code 91) of vertices with x and y",
                     path, entity.head.line, entity.head.text(91)));
   if (listener.has_curves) trouble = "its boundary has elliptic arcs or splines";
+  if (auto* loops = std::get_if<DxfFill>(&listener.shape)) close_loops(listener.edges, *loops);
   return std::move(listener.shape);
 }
 
@@ -218,18 +224,30 @@ class Reader {
 
   DxfEntity read(const DxfEntityRecords& records) {
     const DxfRecord& head = records.head;
-    DxfEntity entity{head.type, id_of(head), head.text(8, "0"), head.text(67) == "1", false, "", {}};
+    DxfEntity entity{head.type, id_of(head), head.text(8, "0"), head.text(67) == "1", head.text(60) == "1", false, "",
+                     "",        {}};
     entity.has_width = head.real(43, 0) > 0 || (head.type == "POLYLINE" && head.real(40, 0) > 0);
     if (!is_understood(head.type)) return entity;
     if (head.type == "POLYLINE" && (flags_of(head) & kThreeDimensionalMesh) != 0) {
       entity.trouble = "a mesh in space";
       return entity;
     }
+    try {
+      read_shape_of(records, entity);
+    } catch (const MapError& error) {
+      if (head.type == "INSERT") throw;  // what is in its block may be anything
+      entity.damage = error.what();
+      entity.shape = std::monostate();
+    }
+    return entity;
+  }
+
+  void read_shape_of(const DxfEntityRecords& records, DxfEntity& entity) const {
+    const DxfRecord& head = records.head;
     check_records(path_, records);
     entity.shape = is_curve(head.type) ? read_curve(head, entity.trouble) : read_shape(path_, records, entity.trouble);
     apply_extrusion(head, entity);
     if (!entity.trouble.empty()) entity.shape = std::monostate();
-    return entity;
   }
 
   std::string id_of(const DxfRecord& record) {

@@ -1,5 +1,7 @@
 #include "dxf_scan.hpp"
 
+#include "dxf_encoding.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <fmt/format.h>
@@ -17,6 +19,8 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = 256u << 20;
 constexpr std::size_t kShownCharacters = 40;
+// Zero bytes and control-Z at the end, as old programs fill a file up.
+constexpr std::string_view kPadding{"\0\x1A \t\r\n", 6};
 
 std::string read_text(const std::string& path) {
   std::error_code error;
@@ -56,6 +60,8 @@ class Pairs {
  public:
   Pairs(const std::string& path, const std::string& text) : path_(path), text_(text) {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
+    text_.erase(text_.find_last_not_of(kPadding) + 1);
+    text_ += '\n';
     if (const std::size_t zero = text_.find('\0'); zero != std::string::npos) {
       line_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(zero), '\n'));
       fail("holds a zero byte, expected text");
@@ -125,13 +131,26 @@ class Scanner {
     const std::string name = pair_.value;
     advance();
     if (name == "HEADER") header();
+    if (name != "ENTITIES" && name != "BLOCKS" && name != "TABLES") return skip(name);
     std::vector<DxfRecord> records = records_of(name);
     if (name == "ENTITIES") {
       has_entities_ = true;
       std::move(records.begin(), records.end(), std::back_inserter(scan_.entities));
+    } else if (name == "TABLES") {
+      layers(records);
+    } else {
+      blocks(std::move(records));
     }
-    if (name == "BLOCKS") blocks(std::move(records));
-    if (name == "TABLES") layers(records);
+    advance();
+  }
+
+  void expect_inside(const std::string& name) const {
+    if (is_record("SECTION") || is_record("EOF")) pairs_.fail("section " + name + " has no end, expected 0 ENDSEC");
+  }
+
+  /// Over a section that is no part of the plan: objects, the picture of the drawing, what later releases add.
+  void skip(const std::string& name) {
+    for (; !is_record("ENDSEC"); advance()) expect_inside(name);
     advance();
   }
 
@@ -139,7 +158,7 @@ class Scanner {
   std::vector<DxfRecord> records_of(const std::string& name) {
     std::vector<DxfRecord> records;
     while (!is_record("ENDSEC")) {
-      if (is_record("SECTION") || is_record("EOF")) pairs_.fail("section " + name + " has no end, expected 0 ENDSEC");
+      expect_inside(name);
       if (pair_.code == 0)
         records.push_back({pair_.value, pair_.line, {}});
       else if (records.empty())
@@ -215,7 +234,7 @@ double DxfRecord::real(int code, double otherwise) const {
 DxfScan scan_dxf(const std::string& path) {
   const std::string text = read_text(path);
   check_format(path, text);
-  return Scanner(path, text).run();
+  return Scanner(path, as_utf8(text)).run();
 }
 
 }  // namespace opal::dxf_importer

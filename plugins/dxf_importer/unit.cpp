@@ -20,6 +20,10 @@ constexpr std::array<CodedUnit, 7> kUnits{{{6, "m", 1},
                                            {2, "ft", 0.3048},
                                            {10, "yd", 0.9144}}};
 
+// Longer than a foot by 2 parts in a million.
+constexpr int kSurveyFoot = 21;
+constexpr double kSurveyFoot_m = 1200.0 / 3937;
+
 }  // namespace
 
 std::optional<Unit> unit_called(const std::string& name) {
@@ -29,6 +33,7 @@ std::optional<Unit> unit_called(const std::string& name) {
 }
 
 std::optional<Unit> unit_of_insunits(int code) {
+  if (code == kSurveyFoot) return Unit{"ft", kSurveyFoot_m};
   for (const CodedUnit& unit : kUnits)
     if (code == unit.insunits) return Unit{unit.name, unit.metres};
   return std::nullopt;

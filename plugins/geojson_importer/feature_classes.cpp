@@ -1,5 +1,8 @@
 #include "feature_classes.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace opal::geojson_importer {
 namespace {
 
@@ -12,7 +15,42 @@ constexpr std::pair<const char*, const char*> kWords[] = {
     {"door", "Door"},    {"doors", "Door"},    {"opening", "Door"},     {"window", "Window"},  {"windows", "Window"},
     {"glass", "Window"}, {"IfcWall*", "Wall"}, {"IfcColumn", "Column"}, {"IfcDoor", "Door"},   {"IfcWindow", "Window"}};
 
+/// Of a feature of IMDF with a category; else empty.
+std::string imdf_type_of(const Feature& feature) {
+  const nlohmann::json& properties = feature.properties;
+  const bool has_both = properties.contains("feature_type") && properties.at("feature_type").is_string() &&
+                        properties.contains("category") && properties.at("category").is_string();
+  return has_both ? properties.at("feature_type").get<std::string>() : "";
+}
+
 std::string text_of(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+// Units of IMDF that corridors and halls are: no wall stands between two of them. All other units are rooms.
+constexpr const char* kOpenUnits[] = {
+    "walkway*",    "movingwalkway", "ramp",     "parking",   "opentobelow*", "lobby",    "waitingroom", "platform",
+    "foodservice", "concession",    "terrace*", "courtyard", "road",         "sidewalk", "landscape",   "vegetation",
+    "sand",        "brick",         "concrete", "asphalt",   "grass",        "water",    "unspecified"};
+
+// Beside the keys above, these say what a thing is in OpenStreetMap.
+constexpr const char* kTagKeys[] = {"door",    "entrance", "window", "buildingpart", "building:part", "building",
+                                    "highway", "stairs",   "room",   "amenity",      "natural",       "landuse"};
+// These say who drew it, and when.
+constexpr const char* kMetadata[] = {"timestamp=", "version=", "changeset=", "user=", "uid=", "id=", "@"};
+
+std::string shown_class(const Feature& feature, const std::vector<std::string>& names) {
+  const auto said = [&](const char* key) {
+    return feature.properties.contains(key) ? std::string(key) + "=" + text_of(feature.properties.at(key)) : "";
+  };
+  for (const char* key : kClassKeys)
+    if (const std::string text = said(key); !text.empty()) return text;
+  for (const char* key : kTagKeys)
+    if (const std::string text = said(key); !text.empty()) return text;
+  for (const std::string& name : names)
+    if (std::none_of(std::begin(kMetadata), std::end(kMetadata),
+                     [&](const char* key) { return name.starts_with(key); }))
+      return name;
+  return names.empty() ? "without properties" : "without tags";
+}
 
 }  // namespace
 
@@ -26,16 +64,29 @@ FeatureClasses classes_of(const Feature& feature, const std::string& class_prope
   }
   for (const auto& [key, value] : feature.properties.items())
     if (value.is_primitive() && !value.is_null()) classes.names.push_back(key + "=" + text_of(value));
-  for (const char* key : kClassKeys)
-    if (classes.shown.empty() && feature.properties.contains(key))
-      classes.shown = std::string(key) + "=" + text_of(feature.properties.at(key));
-  if (classes.shown.empty()) classes.shown = classes.names.empty() ? "without properties" : classes.names.front();
+  if (const std::string type = imdf_type_of(feature); !type.empty())
+    classes.names.push_back(
+        "feature_type=" + type + " category=" + text_of(feature.properties.at("category")) +
+        (feature.properties.contains("outdoor") && feature.properties.at("outdoor") == true ? " outdoor" : ""));
+  classes.shown = shown_class(feature, classes.names);
   return classes;
 }
 
 std::map<std::string, std::string> default_classes() {
-  std::map<std::string, std::string> rules{
-      {"door=*", "Door"}, {"door=no", "leave_out"}, {"window=*", "Window"}, {"window=no", "leave_out"}};
+  std::map<std::string, std::string> rules{{"door=*", "Door"},
+                                           {"door=no", "Opening"},
+                                           {"window=*", "Window"},
+                                           {"window=no", "leave_out"},
+                                           {"entrance=*", "Door"},
+                                           {"entrance=no", "leave_out"},
+                                           {"indoor=room", "Room"},
+                                           {"indoor=corridor", "Corridor"},
+                                           {"indoor=area", "Area"},
+                                           {"buildingpart=room", "Room"},
+                                           {"buildingpart=hall", "Room"},
+                                           {"buildingpart=corridor", "Corridor"},
+                                           {"feature_type=unit", "Room"}};
+  for (const char* category : kOpenUnits) rules[std::string("feature_type=unit category=") + category] = "Corridor";
   for (const char* key : kClassKeys)
     for (const auto& [word, type] : kWords) rules[std::string(key) + "=" + word] = type;
   return rules;

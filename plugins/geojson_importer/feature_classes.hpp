@@ -18,6 +18,13 @@ struct FeatureClasses {
 /// @param class_property  name of the property that holds the class; empty: all may say it.
 FeatureClasses classes_of(const Feature& feature, const std::string& class_property);
 
+/// What parts of a floor become: not things by themselves, but the walls around them.
+inline constexpr const char* kRoom = "opal:Room";          ///< walls on all sides
+inline constexpr const char* kCorridor = "opal:Corridor";  ///< walls, but not towards corridors and open areas
+inline constexpr const char* kArea = "opal:Area";          ///< no walls of its own
+/// An opening without a leaf: walls are cut there.
+inline constexpr const char* kOpening = "opal:Opening";
+
 /// Rules for tags of OpenStreetMap's simple indoor tagging, for IMDF, and for plain words.
 std::map<std::string, std::string> default_classes();
 

@@ -37,22 +37,34 @@ class Reader {
     const json all = document(path_);
     const std::string type = type_of(all, "", "FeatureCollection or Feature");
     FeatureCollection collection;
-    collection.has_crs = all.contains("crs");
+    collection.crs = crs_of(all);
     if (all.contains("name") && all.at("name").is_string()) collection.name = all.at("name");
     if (type == "Feature") {
       collection.features.push_back(feature(all, "", 0));
+      collection.notes = std::move(notes_);
       return collection;
     }
     if (type != "FeatureCollection") fail("/type", shown(all.at("type")), "FeatureCollection or Feature");
     const json& features = list(all, "features", "");
     for (std::size_t k = 0; k < features.size(); ++k)
       collection.features.push_back(feature(features[k], "/features/" + std::to_string(k), k));
+    if (repeated_ids_ > 0)
+      notes_.push_back(fmt::format("features whose id another one has, and that have another now: {}", repeated_ids_));
+    collection.notes = std::move(notes_);
     return collection;
   }
 
  private:
   [[noreturn]] void fail(const std::string& where, const std::string& found, const std::string& expected) const {
     throw MapError(path_ + ": " + (where.empty() ? "the document" : where) + ": " + found + ", expected " + expected);
+  }
+
+  static std::string crs_of(const json& all) {
+    if (!all.contains("crs") || !all.at("crs").is_object()) return "";
+    const json& crs = all.at("crs");
+    const bool is_named = crs.contains("properties") && crs.at("properties").is_object() &&
+                          crs.at("properties").contains("name") && crs.at("properties").at("name").is_string();
+    return is_named ? crs.at("properties").at("name").get<std::string>() : "";
   }
 
   std::string type_of(const json& object, const std::string& where, const std::string& expected) const {
@@ -75,13 +87,26 @@ class Reader {
       if (!object.at("properties").is_object())
         fail(where + "/properties", shown(object.at("properties")), "an object or null");
       feature.properties = object.at("properties");
+      add_tags(feature.properties);
     }
     if (object.contains("feature_type")) feature.properties["feature_type"] = object.at("feature_type");  // IMDF
     if (!object.contains("geometry")) fail(where, "no geometry", "an object or null");
     if (object.at("geometry").is_null()) return feature;
-    feature.geometry = type_of(object.at("geometry"), where + "/geometry", "a geometry");
-    add_geometry(object.at("geometry"), where + "/geometry", feature.shapes);
+    try {
+      feature.geometry = type_of(object.at("geometry"), where + "/geometry", "a geometry");
+      add_geometry(object.at("geometry"), where + "/geometry", feature.shapes);
+    } catch (const MapError& error) {
+      feature.damage = error.what();
+    }
     return feature;
+  }
+
+  /// Some exports of OpenStreetMap have the tags in an object of their own.
+  static void add_tags(json& properties) {
+    if (!properties.contains("tags") || !properties.at("tags").is_object()) return;
+    const json tags = properties.at("tags");
+    for (const auto& [key, value] : tags.items())
+      if (!properties.contains(key)) properties[key] = value;
   }
 
   std::string id_of(const json& object, const std::string& where, std::size_t number) {
@@ -90,13 +115,14 @@ class Reader {
     if (given == nullptr && object.contains("properties") && object.at("properties").is_object() &&
         object.at("properties").contains("@id"))
       given = &object.at("properties").at("@id");  // as exports of OpenStreetMap have it
-    if (given != nullptr) {
-      if (!given->is_string() && !given->is_number_integer())
-        fail(where + "/id", shown(*given), "a text or an integer");
-      id = given->is_string() ? given->get<std::string>() : given->dump();
+    if (given != nullptr && !given->is_null()) {
+      if (!given->is_string() && !given->is_number()) fail(where + "/id", shown(*given), "a text or a number");
+      if (const std::string text = given->is_string() ? given->get<std::string>() : given->dump(); !text.empty())
+        id = text;
     }
-    if (id.empty()) fail(where + "/id", "an empty id", "a name");
-    if (!ids_.insert(id).second) fail(where + "/id", "\"" + id + "\" for a second feature", "an id of its own");
+    const std::string first = id;
+    for (int k = 2; !ids_.insert(id).second; ++k) id = fmt::format("{}-{}", first, k);
+    repeated_ids_ += id != first;
     return id;
   }
 
@@ -113,6 +139,7 @@ class Reader {
     if (single != "Point" && single != "LineString" && single != "Polygon")
       fail(where + "/type", shown(geometry.at("type")), "a geometry of RFC 7946");
     const json& coordinates = list(geometry, "coordinates", where);
+    if (coordinates.empty()) return;  // RFC 7946: as if there were none
     if (!is_multiple) return add_single(single, coordinates, where + "/coordinates", shapes);
     for (std::size_t k = 0; k < coordinates.size(); ++k)
       add_single(single, coordinates[k], where + "/coordinates/" + std::to_string(k), shapes);
@@ -157,6 +184,8 @@ class Reader {
 
   const std::string& path_;
   std::set<std::string> ids_;
+  int repeated_ids_ = 0;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

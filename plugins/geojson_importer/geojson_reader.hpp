@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,17 +20,33 @@ struct Shapes {
   std::vector<std::vector<Ring>> polygons;  ///< outer ring, holes
 };
 
+/// Calls visit(point) for every position.
+template <class Visit>
+void visit_positions(Shapes& shapes, Visit&& visit) {
+  for (Point& p : shapes.points) visit(p);
+  for (auto& line : shapes.lines)
+    for (Point& p : line) visit(p);
+  for (auto& polygon : shapes.polygons)
+    for (Ring& ring : polygon)
+      for (Point& p : ring) visit(p);
+}
+
 struct Feature {
   std::string id;        ///< "feature-3" if it has none
   std::string geometry;  ///< "Polygon"; "" if it has none
   nlohmann::json properties = nlohmann::json::object();
   Shapes shapes;
+  std::string damage;    ///< a whole message, if its geometry is damaged: a map must not be made of it
+  bool is_used = false;  ///< something becomes of it on some level
 };
 
 struct FeatureCollection {
   std::string name;  ///< empty: the file does not say
   std::vector<Feature> features;
-  bool has_crs = false;  ///< the member `crs` of 2008, which RFC 7946 took away
+  std::string crs;                                    ///< name in the member `crs` of 2008; empty: there is none
+  std::map<std::string, std::string> level_of_name;   ///< what else than by `level` a level is called
+  std::map<std::string, std::string> label_of_level;  ///< for people, where `level` is a number of a level with a name
+  std::vector<std::string> notes;                     ///< sentences about the reading
 };
 
 /// Reads GeoJSON (RFC 7946): a FeatureCollection, or one Feature.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -31,24 +33,32 @@ void add_levels(const std::string& part, std::vector<std::string>& levels) {
   const auto from = number(part.substr(0, dash));
   const auto to = dash == std::string::npos ? from : number(part.substr(dash + 1));
   if (from && to && *from <= *to && *to - *from < kMostLevels)
-    for (double level = *from; level <= *to; ++level) levels.push_back(written(level));
+    for (int k = 0; *from + k <= *to; ++k) levels.push_back(written(*from + k));
   else if (!part.empty())
     levels.push_back(part);
+}
+
+/// "0;1", "0, 1": levels one by one.
+void add_property(const Feature& feature, const char* key, std::vector<std::string>& levels) {
+  if (!feature.properties.contains(key)) return;
+  const nlohmann::json& value = feature.properties.at(key);
+  std::string text = value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : "";
+  std::replace(text.begin(), text.end(), ',', ';');
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ';');) {
+    part.erase(0, part.find_first_not_of(' '));
+    part.erase(part.find_last_not_of(' ') + 1);
+    add_levels(part, levels);
+  }
 }
 
 }  // namespace
 
 std::vector<std::string> levels_of(const Feature& feature) {
   std::vector<std::string> levels;
-  for (const char* key : {"level", "level_id"}) {
-    if (!levels.empty() || !feature.properties.contains(key)) continue;
-    const nlohmann::json& value = feature.properties.at(key);
-    std::istringstream parts(value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : "");
-    for (std::string part; std::getline(parts, part, ';');) {
-      part.erase(0, part.find_first_not_of(' '));
-      add_levels(part, levels);
-    }
-  }
+  for (const char* key : {"level", "level_id"})
+    if (levels.empty()) add_property(feature, key, levels);
+  add_property(feature, "repeat_on", levels);
   return levels;
 }
 
@@ -65,6 +75,23 @@ std::vector<std::string> all_levels(const FeatureCollection& collection) {
   std::vector<std::string> names;
   for (const auto& [height, name] : levels) names.push_back(name);
   return names;
+}
+
+std::string level_at_ground(const FeatureCollection& collection) {
+  std::string nearest;
+  double least = std::numeric_limits<double>::max();
+  FeatureCollection used;
+  for (const Feature& feature : collection.features)
+    if (feature.is_used && !levels_of(feature).empty()) used.features.push_back(feature);
+  for (const std::string& level : all_levels(used)) {
+    const double height = number(level).value_or(1e9);
+    const double distance = std::abs(height) + (height < 0 ? 0.5 : 0);  // of 1 and -1, the one above
+    if (nearest.empty() || distance < least) {
+      nearest = level;
+      least = distance;
+    }
+  }
+  return nearest;
 }
 
 }  // namespace opal::geojson_importer

@@ -84,6 +84,12 @@ void DirectionSet::add(int sector, int spread) {
     bits_ = static_cast<std::uint16_t>(bits_ | 1U << (sector + k + kSectors) % kSectors);
 }
 
+bool BoundaryCell::is_partly_unexplained() const {
+  for (int sector = 0; sector < DirectionSet::kSectors; ++sector)
+    if (visible.contains(sector) && !explained.contains(sector)) return true;
+  return false;
+}
+
 double BoundaryCell::agreement(const CellPoint& tangent) const {
   if (axis.isZero()) return kAgreementUnknown;
   const double cosine = std::abs(axis.dot(tangent));

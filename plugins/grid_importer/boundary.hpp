@@ -37,6 +37,8 @@ struct BoundaryCell {
   /// Unit vector along the surface if the cells around the cell lie in a line; zero if they do not.
   CellPoint axis = CellPoint::Zero();
 
+  /// Whether it is seen from a direction that no feature accounts for.
+  bool is_partly_unexplained() const;
   /// How much the cell speaks for a surface along `tangent`, 0 to 1, by the angle between that and its axis.
   double agreement(const CellPoint& tangent) const;
 };

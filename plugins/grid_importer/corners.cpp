@@ -14,6 +14,8 @@ constexpr double kMaxExtension_m = 0.35;
 constexpr double kMinSine = 0.4;
 // Shorter faces have no direction to speak of.
 constexpr double kMinArm_m = 0.25;
+// Of a drawing, they have.
+constexpr double kMinDrawnArm_m = 0.1;
 // Cells at the ends of an extension, in cells, that are the surface's own or its smear.
 constexpr double kSmear = 1.5;
 
@@ -68,11 +70,11 @@ bool is_crossed(const OccupancyGrid& grid, const Line& line, const CellPoint& fr
 
 class CornerSearch {
  public:
-  CornerSearch(const std::vector<Face>& faces, const OccupancyGrid& grid)
+  CornerSearch(const std::vector<Face>& faces, const OccupancyGrid& grid, bool is_drawn)
       : faces_(faces),
         grid_(grid),
         max_extension_(grid.to_cells(kMaxExtension_m)),
-        min_arm_(grid.to_cells(kMinArm_m)) {}
+        min_arm_(grid.to_cells(is_drawn ? kMinDrawnArm_m : kMinArm_m)) {}
 
   std::vector<CornerCandidate> run() const {
     const Begins begins(faces_, max_extension_);
@@ -114,11 +116,11 @@ class CornerSearch {
 
 }  // namespace
 
-std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& grid) {
+std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& grid, bool is_drawn) {
   std::vector<Corner> corners;
   std::vector<bool> end_used(faces.size());
   std::vector<bool> begin_used(faces.size());
-  for (const CornerCandidate& candidate : CornerSearch(faces, grid).run()) {
+  for (const CornerCandidate& candidate : CornerSearch(faces, grid, is_drawn).run()) {
     const auto before = static_cast<std::size_t>(candidate.corner.before);
     const auto after = static_cast<std::size_t>(candidate.corner.after);
     if (end_used[before] || begin_used[after]) continue;

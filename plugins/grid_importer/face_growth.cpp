@@ -50,9 +50,10 @@ struct Candidate {
 
 class Growth {
  public:
-  Growth(Boundary& boundary, const VectorizerLimits& limits, const Pass& pass)
+  Growth(Boundary& boundary, const VectorizerLimits& limits, const Pass& pass, bool is_drawn)
       : boundary_(boundary),
         pass_(pass),
+        is_drawn_(is_drawn),
         tolerance_(boundary.grid().to_cells(limits.line_tolerance_m)),
         gap_(boundary.grid().to_cells(limits.bridge_gap_m)),
         min_length_(boundary.grid().to_cells(std::max(pass.min_length_m, limits.min_face_m))) {}
@@ -71,12 +72,17 @@ class Growth {
     return boundary_[cell].visible.contains(sector) && !boundary_[cell].explained.contains(sector);
   }
 
+  /// Of a drawing, one side of a thin wall is often found before the other.
+  bool may_grow(const BoundaryCell& cell) const {
+    return is_drawn_ ? cell.is_partly_unexplained() : cell.explained.empty();
+  }
+
   LineFit surroundings(const BoundaryCell& cell) const {
     const double radius = boundary_.grid().to_cells(pass_.view_radius_m);
     LineFit fit(centre_of(cell.cell));
     boundary_.visit_near(cell.cell, static_cast<int>(radius), [&](int other) {
       const CellPoint p = centre_of(boundary_[other].cell);
-      if (boundary_[other].explained.empty() && (p - centre_of(cell.cell)).squaredNorm() <= radius * radius) fit.add(p);
+      if (may_grow(boundary_[other]) && (p - centre_of(cell.cell)).squaredNorm() <= radius * radius) fit.add(p);
     });
     return fit;
   }
@@ -160,6 +166,7 @@ class Growth {
 
   Boundary& boundary_;
   Pass pass_;
+  bool is_drawn_;
   double tolerance_;
   double gap_;
   double min_length_;
@@ -167,9 +174,9 @@ class Growth {
 
 }  // namespace
 
-std::vector<Face> grow_faces(Boundary& boundary, const VectorizerLimits& limits) {
+std::vector<Face> grow_faces(Boundary& boundary, const VectorizerLimits& limits, bool is_drawn) {
   std::vector<Face> faces;
-  for (const Pass& pass : kPasses) Growth(boundary, limits, pass).run(faces);
+  for (const Pass& pass : kPasses) Growth(boundary, limits, pass, is_drawn).run(faces);
   return faces;
 }
 

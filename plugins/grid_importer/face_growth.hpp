@@ -10,6 +10,7 @@ namespace opal::grid_importer {
 
 /// Finds faces by growing lines from the straightest places, longest first, over gaps and through noise, each side
 /// of a wall for itself. Marks what they explain in `boundary`.
-std::vector<Face> grow_faces(Boundary& boundary, const VectorizerLimits& limits);
+/// @param is_drawn  some faces were found as they were drawn; their cells may have another side.
+std::vector<Face> grow_faces(Boundary& boundary, const VectorizerLimits& limits, bool is_drawn);
 
 }  // namespace opal::grid_importer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,11 @@ struct GreyImage {
   std::vector<float> opacity;     ///< empty: the file has no alpha channel
 };
 
-/// Reads PGM (P2, P5, 8 and 16 bit) and PNG, told apart by their first bytes.
+/// @throws MapError for an image without pixels, or one larger than any building.
+void check_size(std::uint64_t width, std::uint64_t height, const std::string& name);
+
+/// Reads Netpbm (P1 to P6, 8 and 16 bit), PNG (grey, colour, palette, alpha, 1 to 16 bit) and BMP without compression,
+/// told apart by their first bytes.
 /// @param bytes  the whole file. @param name  what it is called in messages.
 /// @throws MapError naming the file and the place, for a damaged, truncated, foreign or oversized file.
 GreyImage decode_image(const std::string& bytes, const std::string& name);

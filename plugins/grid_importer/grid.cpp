@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +25,7 @@ class PixelRules {
 
   Occupancy operator()(std::size_t pixel) const {
     const double opacity = image_.opacity.empty() ? 1.0 : image_.opacity[pixel];
+    if (opacity == 0) return Occupancy::unknown;  // whatever colour nobody sees
     const double brightness = image_.brightness[pixel];
     switch (description_.mode) {
       case GridMode::raw: return raw(brightness);
@@ -53,8 +55,12 @@ class PixelRules {
   const GridDescription& description_;
 };
 
+/// An absolute image replaces the folder. If it is not there, its name beside the yaml file may be: both were copied.
 std::string image_path(const std::string& yaml_path, const std::string& image) {
-  return (fs::path(yaml_path).parent_path() / image).string();  // an absolute image replaces the folder
+  const fs::path folder = fs::path(yaml_path).parent_path(), named = folder / image;
+  const fs::path beside = folder / fs::path(image).filename();
+  std::error_code error;
+  return (!fs::exists(named, error) && fs::is_regular_file(beside, error) ? beside : named).string();
 }
 
 }  // namespace
@@ -66,12 +72,27 @@ OccupancyGrid::OccupancyGrid(int columns, int rows, double resolution_m, const P
       T_map_grid_(T_map_grid),
       cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), Occupancy::unknown) {}
 
+namespace {
+
+/// Of a plan that was drawn on nothing: what is transparent is the paper.
+void free_transparent(const GreyImage& image, OccupancyGrid& grid) {
+  const auto is_free = [](Occupancy occupancy) { return occupancy == Occupancy::free; };
+  if (image.opacity.empty() || std::any_of(grid.cells().begin(), grid.cells().end(), is_free)) return;
+  std::size_t pixel = 0;
+  for (int row = image.height - 1; row >= 0; --row)
+    for (int column = 0; column < image.width; ++column)
+      if (image.opacity[pixel++] == 0) grid.set({column, row}, Occupancy::free);
+}
+
+}  // namespace
+
 OccupancyGrid classify(const GreyImage& image, const GridDescription& description) {
   OccupancyGrid grid(image.width, image.height, description.resolution_m, description.T_map_grid);
   const PixelRules occupancy_of(image, description);
   std::size_t pixel = 0;
   for (int row = image.height - 1; row >= 0; --row)  // the image begins at the top
     for (int column = 0; column < image.width; ++column) grid.set({column, row}, occupancy_of(pixel++));
+  if (description.mode != GridMode::raw) free_transparent(image, grid);
   return grid;
 }
 

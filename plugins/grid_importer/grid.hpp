@@ -58,7 +58,8 @@ class OccupancyGrid {
 };
 
 /// The rules of map_server: brightness, thresholds and mode make each pixel free, occupied or unknown. What `scale`
-/// and `raw` leave between the thresholds is unknown here.
+/// and `raw` leave between the thresholds is unknown here, and so is what is transparent. If nothing is free, the
+/// transparent part is the paper that a plan was drawn on, and free.
 OccupancyGrid classify(const GreyImage& image, const GridDescription& description);
 
 /// The whole file. @throws MapError, also if there are more than max_bytes.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -43,8 +44,8 @@ class Entry {
 
   bool flag() const {
     const std::string word = text();
-    if (word == "0" || word == "false") return false;
-    if (word == "1" || word == "true") return true;
+    if (word == "0" || word == "false" || word == "False") return false;
+    if (word == "1" || word == "true" || word == "True") return true;
     refuse("0 or 1");
   }
 
@@ -89,7 +90,9 @@ Pose2 origin(const Entry& entry) {
 GridMode mode(const Entry& entry) {
   static const std::map<std::string, GridMode> kModes{
       {"trinary", GridMode::trinary}, {"scale", GridMode::scale}, {"raw", GridMode::raw}};
-  const auto known = kModes.find(entry.text());
+  std::string word = entry.text();
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto known = kModes.find(word);
   if (known == kModes.end()) entry.refuse("trinary, scale or raw");
   return known->second;
 }

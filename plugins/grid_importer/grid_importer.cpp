@@ -1,6 +1,7 @@
 #include "grid_importer.hpp"
 
 #include "blur.hpp"
+#include "drawn_faces.hpp"
 #include "map_assembly.hpp"
 #include "report.hpp"
 #include "smear.hpp"
@@ -22,8 +23,10 @@ std::string name_of(const std::string& path) {
 bool names_an_image(const std::string& path) {
   std::ifstream file(path);
   std::string line;
-  for (int k = 0; k < 100 && std::getline(file, line); ++k)
-    if (line.rfind("image:", 0) == 0) return true;
+  for (int k = 0; k < 100 && std::getline(file, line); ++k) {
+    if (k == 0 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+    if (line.starts_with("image:") || line.starts_with("\"image\":")) return true;
+  }
   return false;
 }
 
@@ -48,9 +51,10 @@ MapImport GridImporter::import(const std::string& path) const {
   if (limits_.thicken_m > 0) grid = smeared(grid, limits_.thicken_m);
   grid = sharpened(grid);
   const double smear_m = estimate_smear_m(grid);
+  const bool is_drawn = is_drawn_plan(Boundary(grid));
   if (smear_m > 0) grid = unsmeared(grid, smear_m);
   Boundary boundary(grid);
-  const VectorMap vectors = vectorize(boundary, limits_for(grid));
+  const VectorMap vectors = vectorize(boundary, limits_for(grid), is_drawn);
   return {assemble(name_of(path), vectors, grid, smear_m), report(description, boundary, vectors, smear_m)};
 }
 

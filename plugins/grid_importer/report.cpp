@@ -153,6 +153,9 @@ std::vector<std::string> report(const GridDescription& description, const Bounda
   if (smear_m > 0)
     sentences.push_back(
         sentence("walls stood %.2f m thicker in the grid than they are: faces were moved back by half of it", smear_m));
+  if (vectors.drawn_faces > 0)
+    sentences.push_back(
+        sentence("a drawn plan: %d faces run along its rows and columns as they are drawn", vectors.drawn_faces));
   for (const std::string& key : description.ignored_keys)
     sentences.push_back("ignored in the yaml file: \"" + key + "\", which map_server does not define");
   return sentences;

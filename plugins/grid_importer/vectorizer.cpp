@@ -1,14 +1,18 @@
 #include "vectorizer.hpp"
 
+#include "drawn_faces.hpp"
 #include "face_growth.hpp"
 
 namespace opal::grid_importer {
 
-VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits) {
+VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits, bool is_drawn) {
   VectorMap map;
   map.columns = find_round_columns(boundary, limits);
-  map.faces = grow_faces(boundary, limits);
-  map.corners = join_corners(map.faces, boundary.grid());
+  if (is_drawn) map.faces = find_drawn_faces(boundary, limits);
+  map.drawn_faces = static_cast<int>(map.faces.size());
+  const std::vector<Face> grown = grow_faces(boundary, limits, is_drawn);
+  map.faces.insert(map.faces.end(), grown.begin(), grown.end());
+  map.corners = join_corners(map.faces, boundary.grid(), is_drawn);
   return map;
 }
 

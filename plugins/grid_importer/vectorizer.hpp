@@ -13,8 +13,10 @@ struct VectorMap {
   std::vector<Face> faces;
   std::vector<Corner> corners;  ///< of `faces`, by number
   std::vector<RoundColumn> columns;
+  int drawn_faces = 0;  ///< so many of `faces`, the first ones, run along rows and columns as they were drawn
 };
 
-VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits);
+/// @param is_drawn  the grid is a plan that was drawn along its rows and columns: `is_drawn_plan`.
+VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits, bool is_drawn);
 
 }  // namespace opal::grid_importer

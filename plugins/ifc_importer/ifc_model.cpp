@@ -3,6 +3,7 @@
 
 #include "ifcpp/elements.hpp"
 #include "ifcpp/units.hpp"
+#include "side_information.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -47,6 +48,7 @@ class Reading {
     const LengthUnit unit = unit_of_length();
     Building building;
     building.schema = step_.schema();
+    building.notes = step_.left_out();
     building.unit_m = unit.metres;
     building.unit_name = unit.name;
     Bodies bodies(model_->getUnitConverter(), unit.metres, indexed_curves());
@@ -91,10 +93,10 @@ class Reading {
     for (const StepInstance& instance : step_.instances()) {
       if (loaded.count(instance.number)) continue;
       const std::string type(instance.type);
-      if (known.count(type))
+      if (known.count(type) && !is_side_information(type))
         throw MapError(
             fmt::format("{}: #{} ({}) cannot be read, expected a whole model", name_, instance.number, type));
-      unknown_[type].push_back(std::string(instance.global_id));
+      (known.count(type) ? unread_ : unknown_)[type].push_back(std::string(instance.global_id));
     }
   }
 
@@ -206,6 +208,9 @@ class Reading {
         if (!id.empty()) note += " " + id;
       building.notes.push_back(note);
     }
+    for (const auto& [type, global_ids] : unread_)
+      building.notes.push_back(
+          fmt::format("left out: {} {} that cannot be read, and is no part of the building", global_ids.size(), type));
     for (const auto& [message, count] : messages_.counts)
       building.notes.push_back("while reading: " + message + (count > 1 ? fmt::format(" ({} times)", count) : ""));
   }
@@ -215,7 +220,7 @@ class Reading {
   const Point origin_m_;
   Messages messages_;
   shared_ptr<BuildingModel> model_;
-  std::map<std::string, std::vector<std::string>> unknown_;  // GlobalIds by type
+  std::map<std::string, std::vector<std::string>> unknown_, unread_;  // GlobalIds by type
 };
 
 }  // namespace

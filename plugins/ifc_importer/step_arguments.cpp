@@ -22,6 +22,14 @@ std::string_view inside(std::string_view text) {
              : text.substr(begin + 1, end - begin - 1);
 }
 
+/// Whether a text is "#12" and 12 one of some numbers.
+bool is_reference_to(std::string_view text, const std::vector<int>& numbers) {
+  if (!text.starts_with('#')) return false;
+  int number = -1;
+  std::from_chars(text.data() + 1, text.data() + text.size(), number);
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
 }  // namespace
 
 std::vector<std::string_view> split_arguments(std::string_view arguments) {
@@ -49,6 +57,21 @@ std::string arguments_of_ifc4(const StepInstance& instance) {
   if (is_list && parts.size() == 2) parts.pop_back();
   if (is_faces && parts.size() == 5 && trimmed(parts[1]).starts_with('.')) std::swap(parts[1], parts[2]);
   return joined(parts);
+}
+
+std::string arguments_without(std::string_view arguments, const std::vector<int>& numbers) {
+  std::vector<std::string> kept;
+  for (const std::string_view argument : split_arguments(arguments)) {
+    const std::string_view part = trimmed(argument);
+    if (!part.starts_with('(')) {
+      kept.emplace_back(is_reference_to(part, numbers) ? "$" : argument);
+      continue;
+    }
+    std::vector<std::string_view> members = split_arguments(inside(part));
+    std::erase_if(members, [&](std::string_view member) { return is_reference_to(trimmed(member), numbers); });
+    kept.push_back("(" + joined(members) + ")");
+  }
+  return joined({kept.begin(), kept.end()});
 }
 
 std::vector<IndexedSegment> indexed_segments(std::string_view argument) {

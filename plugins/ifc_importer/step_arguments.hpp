@@ -15,6 +15,10 @@ std::vector<std::string_view> split_arguments(std::string_view arguments);
 /// what they are relative to, lists of points may have tags, sets of triangles say earlier whether they are closed.
 std::string arguments_of_ifc4(const StepInstance& instance);
 
+/// The arguments of an instance without some of its references: `$` where one stood alone, nothing where it stood in a
+/// list.
+std::string arguments_without(std::string_view arguments, const std::vector<int>& numbers);
+
 /// A piece of an IfcIndexedPolyCurve, by numbers of its points from 1 on.
 struct IndexedSegment {
   bool is_arc = false;  ///< from the first of three points through the second to the third

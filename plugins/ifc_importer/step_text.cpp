@@ -1,6 +1,7 @@
 #include "step_text.hpp"
 
 #include "reference_check.hpp"
+#include "side_information.hpp"
 #include "step_arguments.hpp"
 
 #include <opal/common/error.hpp>
@@ -21,6 +22,8 @@ namespace {
 constexpr std::uintmax_t kMaxBytes = 400'000'000;
 constexpr const char* kBegin = "ISO-10303-21;";
 constexpr const char* kEnd = "END-ISO-10303-21;";
+// Zero bytes and control-Z at the end, as old programs fill a file up.
+constexpr std::string_view kPadding{"\0\x1A \t\r\n", 6};
 
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -148,14 +151,15 @@ StepInstance read_instance(const Statements& statements, std::string_view statem
 /// "IFC4" of FILE_SCHEMA(('IFC4')).
 std::string schema_of(std::string_view statement) {
   const std::size_t begin = statement.find('\''), end = statement.find('\'', begin + 1);
-  return begin == std::string_view::npos || end == std::string_view::npos
-             ? ""
-             : std::string(statement.substr(begin + 1, end - begin - 1));
+  if (begin == std::string_view::npos || end == std::string_view::npos) return "";
+  std::string schema(trimmed(statement.substr(begin + 1, end - begin - 1)));
+  for (char& c : schema) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return schema;
 }
 
 void expect_known(const std::string& schema, const std::string& name) {
-  if (!schema.starts_with("IFC2X3") && !schema.starts_with("IFC4"))
-    throw MapError(name + ": FILE_SCHEMA: '" + schema + "', expected IFC2X3, IFC4 or IFC4X3");
+  if (!schema.starts_with("IFC2X") && !schema.starts_with("IFC4"))
+    throw MapError(name + ": FILE_SCHEMA: '" + schema + "', expected IFC2X, IFC2X2, IFC2X3, IFC4 or IFC4X3");
 }
 
 }  // namespace
@@ -182,6 +186,7 @@ StepText StepText::read(const std::string& path) {
 StepText StepText::parse(std::string content, const std::string& name) {
   StepText step;
   step.text_ = std::move(content);
+  step.text_.erase(step.text_.find_last_not_of(kPadding) + 1);
   const std::string_view whole = trimmed(step.text_);
   if (whole.find(kBegin) > 16)
     throw MapError(name + ": does not begin with " + kBegin + ", expected an IFC model (STEP)");
@@ -193,7 +198,7 @@ StepText StepText::parse(std::string content, const std::string& name) {
     if (statement.empty()) throw MapError(name + ": has an empty statement or ends early, expected " + kEnd);
     if (statement.starts_with("FILE_SCHEMA"))
       step.schema_ = schema_of(statement);
-    else if (statement == "DATA")
+    else if (statement == "DATA" || statement.starts_with("DATA("))
       in_data = true;
     else if (statement == "ENDSEC")
       in_data = false;
@@ -204,6 +209,7 @@ StepText StepText::parse(std::string content, const std::string& name) {
   expect_known(step.schema_, name);
   if (in_data) throw MapError(name + ": the data section has no end, expected ENDSEC");
   if (step.instances_.empty()) throw MapError(name + ": has no instances, expected a building model");
+  step.left_out_ = leave_out_unsound(step.instances_, name);
   check_references(step.instances_, name);
   return step;
 }
@@ -212,11 +218,13 @@ std::string StepText::for_parser() const {
   const bool is_4x3 = schema_.starts_with("IFC4X");
   std::string text = std::string(kBegin) +
                      "\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('" +
-                     (schema_.starts_with("IFC2X3") ? "IFC2X3" : "IFC4") + "'));\nENDSEC;\nDATA;\n";
+                     (schema_.starts_with("IFC2X") ? "IFC2X3" : "IFC4") + "'));\nENDSEC;\nDATA;\n";
   text.reserve(text_.size() + text.size());
   for (const StepInstance& instance : instances_) {
     text.append("#").append(std::to_string(instance.number)).append("=").append(instance.type).append("(");
-    if (is_4x3)
+    if (!instance.ignored.empty())
+      text.append(arguments_without(instance.arguments, instance.ignored));
+    else if (is_4x3)
       text.append(arguments_of_ifc4(instance));
     else
       text.append(instance.arguments);

@@ -16,10 +16,12 @@ struct StepInstance {
   std::string_view arguments;   ///< between the parentheses
   std::string_view global_id;   ///< its first argument, if that is a text; else empty
   std::vector<int> references;  ///< numbers of the instances that it mentions
+  std::vector<int> ignored;     ///< of those that it mentions and does without
 };
 
 /// A STEP file (ISO 10303-21) as text, looked over before a parser builds objects of it: whole, closed, without
-/// references to nothing and without circles, so that what a parser leaves out can be told.
+/// references to nothing and without circles, so that what a parser leaves out can be told. Side information that is
+/// not so is left out.
 class StepText {
  public:
   /// @throws MapError naming the file, the place (line or instance), what was found and what was expected.
@@ -29,15 +31,17 @@ class StepText {
 
   const std::string& schema() const { return schema_; }  ///< "IFC2X3", "IFC4", "IFC4X3_ADD2": as the file says
   const std::vector<StepInstance>& instances() const { return instances_; }
+  const std::vector<std::string>& left_out() const { return left_out_; }  ///< sentences about what was
 
   /// The same instances, one a line and without comments, in a schema that the parser knows: IFC4X3 as IFC4, with
-  /// arguments as they were there.
+  /// arguments as they were there; IFC2x and IFC2x2 as IFC2X3, which changed nothing of what is read here.
   std::string for_parser() const;
 
  private:
   std::string text_;
   std::string schema_;
   std::vector<StepInstance> instances_;
+  std::vector<std::string> left_out_;
 };
 
 /// Whether a file begins like a STEP file; false if it cannot be read.

@@ -122,13 +122,14 @@ TEST_CASE("a map is called after its file, and keys that map_server does not kno
 
 TEST_CASE("the report says what was found and what was left out") {
   const auto report = import_yaml(yaml_for("room.pgm")).report;
-  REQUIRE(report.size() == 6);
+  REQUIRE(report.size() == 7);
   CHECK(report[0] == "grid of 60 x 50 cells of 0.05 m: 136 occupied, 1064 free (3 m2)");
   CHECK(report[1] == "4 wall faces, 7 m: 0 of at least 5 m, 4 of 1 to 5 m, 0 shorter");
   CHECK(report[2] == "4 corners: 0 convex, 4 concave; 0 round columns");
   CHECK_THAT(report[3], Contains("left out: 0 of 136 boundary cells"));
   CHECK_THAT(report[4], Contains("boundary cells lie 0.000 m"));
   CHECK_THAT(report[5], Contains("0.05 m of occupied cells thick"));
+  CHECK(report[6] == "a drawn plan: 4 faces run along its rows and columns as they are drawn");
 }
 
 TEST_CASE("the importer recognizes map_server yaml files, and nothing else") {
@@ -182,7 +183,9 @@ TEST_CASE("a bad image is refused with its name, the place, what was found and w
   CHECK_THAT(message_of(yaml, "P5 8000 8000 255\n"), Contains("expected 64000000 for 8000 x 8000"));
   CHECK_THAT(message_of(yaml, "P5 2 2 0\n"), Contains("0, expected a brightest value from 1 to 65535"));
   CHECK_THAT(message_of(yaml, "P2 2 1 9 5 10"), Contains("10, expected a pixel of at most 9"));
-  CHECK_THAT(message_of(yaml, "P6 2 2 255\n"), Contains("room.pgm: byte 0: neither"));
+  CHECK_THAT(message_of(yaml, "P6 2 2 255\n"), Contains("0 bytes of pixels until the end of the file, expected 12"));
+  CHECK_THAT(message_of(yaml, "P7 2 2 255\n"), Contains("room.pgm: byte 0: neither"));
+  CHECK_THAT(message_of(yaml, "\xFF\xD8\xFF\xE0 JFIF"), Contains("expected a PNG, PGM, PPM or BMP image"));
   CHECK_THAT(message_of(yaml, ""), Contains("room.pgm: byte 0: neither"));
   CHECK_THAT(message_of(yaml, "\x89PNG\r\n\x1a\n"), Contains("room.pgm: header: libpng"));
   CHECK_THAT(message_of(yaml, room().png().substr(0, 60)), Contains("room.pgm: pixels: libpng"));

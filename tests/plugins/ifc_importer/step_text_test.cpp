@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace opal;
 using Catch::Contains;
 
@@ -36,6 +38,11 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), by);
 }
 
+bool told_of(const MapImport& imported, const std::string& words) {
+  return std::any_of(imported.report.begin(), imported.report.end(),
+                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+}
+
 }  // namespace
 
 TEST_CASE("a file that ends early is refused, wherever it ends") {
@@ -59,10 +66,98 @@ TEST_CASE("references to nothing, in circles, and numbers given twice are refuse
   const std::string text = drawn();
   CHECK_THAT(refusal(replaced(text, "IFCUNITASSIGNMENT((#1", "IFCUNITASSIGNMENT((#99999")),
              Contains("(IFCUNITASSIGNMENT) refers to #99999, which the file does not define"));
-  CHECK_THAT(
-      refusal(replaced(text, "DATA;\n", "DATA;\n#900=IFCLOCALPLACEMENT(#901,$);\n#901=IFCLOCALPLACEMENT(#900,$);\n")),
-      Contains("in a circle"));
+  CHECK_THAT(refusal(replaced(text, "DATA;\n",
+                              "DATA;\n#900=IFCLOCALPLACEMENT(#901,$);\n#901=IFCLOCALPLACEMENT(#900,$);\n"
+                              "#902=IFCWALL('0123456789012345678901',$,$,$,$,#900,$,$);\n")),
+             Contains("in a circle"));
   CHECK_THAT(refusal(replaced(text, "DATA;\n", "DATA;\n#1=IFCDIRECTION((1.,0.,0.));\n")), Contains("is there twice"));
+}
+
+TEST_CASE("properties that refer to nothing are left out and told about; the building comes in as without them") {
+  const std::string text = drawn();
+  const MapImport whole = import_text(text);
+  const std::string wall =
+      text.substr(text.rfind('#', text.find("IFCWALL")), text.find("=IFCWALL") - text.rfind('#', text.find("IFCWALL")));
+  const MapImport imported = import_text(
+      replaced(text, "DATA;\n",
+               "DATA;\n#900=IFCPROPERTYSINGLEVALUE('a',$,IFCLABEL('b'),#77777);\n"
+               "#901=IFCPROPERTYSET('0123456789012345678901',#77778,'set',$,(#900,#77779));\n"
+               "#902=IFCRELDEFINESBYPROPERTIES('0123456789012345678902',$,$,$,(" +
+                   wall +
+                   "),#901);\n"
+                   "#903=IFCWALLTYPE('0123456789012345678903',$,'type',$,$,(#901,#77780),$,$,$,.STANDARD.);\n"
+                   "#904=IFCRELDEFINESBYTYPE('0123456789012345678904',#77781,$,$,(" +
+                   wall + ",#77782),#903);\n"));
+  CHECK(imported.map->features().size() == whole.map->features().size());
+  CHECK(told_of(imported, "1 IFCPROPERTYSET, which need what the file does not define"));
+  CHECK(told_of(imported, "#901"));
+  CHECK(told_of(imported, "1 IFCRELDEFINESBYTYPE"));
+}
+
+TEST_CASE("space boundaries may refer to each other, and a space to nothing") {
+  const std::string text = drawn();
+  const std::string end = ",$,$,.PHYSICAL.,.INTERNAL.,$,";
+  const MapImport imported = import_text(
+      replaced(text, "DATA;\n",
+               "DATA;\n#900=IFCRELSPACEBOUNDARY2NDLEVEL('0123456789012345678901',$,$,'2a',$" + end +
+                   "#901);\n"
+                   "#901=IFCRELSPACEBOUNDARY2NDLEVEL('0123456789012345678902',$,$,'2a',$" +
+                   end +
+                   "#900);\n"
+                   "#902=IFCSPACE('0123456789012345678903',$,'hall',$,$,#77777,#77778,$,.ELEMENT.,.INTERNAL.,$);\n"
+                   "#903=IFCRELSPACEBOUNDARY('0123456789012345678904',$,$,$,#902" +
+                   end.substr(2, end.size() - 3) + ");\n"));
+  CHECK(told_of(imported, "2 IFCRELSPACEBOUNDARY2NDLEVEL, which refer to each other"));
+  CHECK(told_of(imported, "1 IFCSPACE, which need"));
+  CHECK(imported.map->features().size() == import_text(text).map->features().size());
+}
+
+TEST_CASE("addresses, units of no length and spaces may be missing") {
+  const std::string text = drawn();
+  const std::size_t at = text.find("IFCBUILDINGSTOREY");
+  const std::string storey = text.substr(text.rfind('#', at), at - 1 - text.rfind('#', at));
+  const auto with = [&](const std::string& line) {
+    return refusal(replaced(text, "DATA;\n", "DATA;\n" + line + "\n"));
+  };
+  CHECK(with("#900=IFCBUILDING('0123456789012345678901',$,'b',$,$,$,$,$,.ELEMENT.,$,$,#77777);") == "accepted");
+  CHECK(with("#900=IFCDERIVEDUNIT((#77777),.MASSDENSITYUNIT.,$);") == "accepted");
+  CHECK(with("#900=IFCRELAGGREGATES('0123456789012345678901',$,$,$," + storey + ",(#77777,#77778));") == "accepted");
+  CHECK_THAT(with("#900=IFCRELAGGREGATES('0123456789012345678901',$,$,$,#901,(#77777));\n"
+                  "#901=IFCCURTAINWALL('0123456789012345678902',$,$,$,$,$,$,$);"),
+             Contains("(IFCRELAGGREGATES) refers to #77777"));
+}
+
+TEST_CASE("a wall, its place and its body must be whole") {
+  const std::string text = drawn();
+  const auto with = [&](const std::string& line) {
+    return refusal(replaced(text, "DATA;\n", "DATA;\n" + line + "\n"));
+  };
+  CHECK(with("#900=IFCWALL('0123456789012345678901',#77777,$,$,$,$,$,$);") == "accepted");
+  CHECK_THAT(with("#900=IFCWALL('0123456789012345678901',$,$,$,$,#77777,$,$);"),
+             Contains("#900 (IFCWALL) refers to #77777, which the file does not define"));
+  CHECK_THAT(
+      with("#900=IFCWALL('0123456789012345678901',$,$,$,$,$,#901,$);\n#901=IFCPRODUCTDEFINITIONSHAPE($,$,(#7777));"),
+      Contains("#901 (IFCPRODUCTDEFINITIONSHAPE) refers to #7777"));
+  CHECK_THAT(with("#900=IFCRELVOIDSELEMENT('0123456789012345678901',$,$,$,#77777,#77778);"),
+             Contains("(IFCRELVOIDSELEMENT) refers to #77777"));
+}
+
+TEST_CASE("files of IFC2x and IFC2x2 are read as the IFC2x3 that followed") {
+  std::string text = drawn();
+  for (const char* schema : {"IFC2X_FINAL", "IFC2X2_FINAL", "IFC2X2_ADD1", "ifc2x3"}) {
+    CAPTURE(schema);
+    const std::string as_2x = replaced(text, "FILE_SCHEMA(('IFC4'))", std::string("FILE_SCHEMA(('") + schema + "'))");
+    CHECK(refusal(as_2x) == refusal(replaced(text, "FILE_SCHEMA(('IFC4'))", "FILE_SCHEMA(('IFC2X3'))")));
+  }
+}
+
+TEST_CASE("a mark of Unicode, lines of Windows and a file that is filled up are no damage") {
+  const std::string text = drawn();
+  std::string windows;
+  for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  CHECK(refusal("\xEF\xBB\xBF" + windows) == "accepted");
+  CHECK(refusal(text + std::string(512, '\0')) == "accepted");
+  CHECK(refusal(text + "\x1A") == "accepted");
 }
 
 TEST_CASE("statements that are none are refused with their line") {
@@ -83,7 +178,7 @@ TEST_CASE("other schemas are refused, IFC4X3 is read as IFC4") {
   const std::string text = drawn();
   CHECK(refusal(replaced(text, "FILE_SCHEMA(('IFC4'))", "FILE_SCHEMA(('IFC4X3_ADD2'))")) == "accepted");
   CHECK(refusal(replaced(text, "FILE_SCHEMA(('IFC4'))", "FILE_SCHEMA(('AP214'))")) ==
-        "FILE_SCHEMA: 'AP214', expected IFC2X3, IFC4 or IFC4X3");
+        "FILE_SCHEMA: 'AP214', expected IFC2X, IFC2X2, IFC2X3, IFC4 or IFC4X3");
   CHECK_THAT(refusal("a text\n"), Contains("does not begin with ISO-10303-21;"));
   CHECK(refusal("") != "accepted");
 }

@@ -188,7 +188,7 @@ TEST_CASE("a hatch or a filled shape says where the wall is") {
   CHECK(all<Segment>(*import_dxf(dxf.text()).map).size() == 4);
   DxfText alone(6);
   alone.entity("SOLID", "S-COLS").point(10, {0, 0}).point(11, {0.4, 0}).point(12, {0, 0.3}).point(13, {0.4, 0.3});
-  CHECK(has_face(*import_dxf(alone.text()).map, {0.4, 0}, {0, 0}));
+  CHECK(has_face(*import_dxf(alone.text(), {{"unit", "m"}}).map, {0.4, 0}, {0, 0}));
   const auto hatched = [](bool as_polyline) {
     DxfText text(6);
     text.box("A-WALL", 0, 0, 3, 2)
@@ -275,6 +275,7 @@ TEST_CASE("a file that is damaged is refused with the line") {
   CHECK_THROWS_WITH(import_dxf("\xFF\xFE" + good), Contains("UTF-16"));
   CHECK_THROWS_WITH(import_dxf("AutoCAD Binary DXF\r\n\x1a"), Contains("binary DXF"));
   CHECK_THROWS_WITH(import_dxf(good + "more"), Contains("goes on after EOF"));
+  CHECK_NOTHROW(import_dxf(good + std::string("\x1A\0\0", 3)));
   CHECK(all<Segment>(*import_dxf("\xEF\xBB\xBF" + good).map).size() == 6);
   std::string crlf;
   for (const char c : good) crlf += c == '\n' ? "\r\n" : std::string(1, c);

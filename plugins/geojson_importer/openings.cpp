@@ -1,0 +1,86 @@
+#include "openings.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace opal::geojson_importer {
+namespace {
+
+constexpr double kAlongSine = 0.17;  // 10 degrees
+constexpr double kShortestWall_m = 0.02;
+constexpr double kNarrowest_m = 0.3, kWidest_m = 20;
+
+const WallLine* nearest_to(const Point& p, double at_most_m, const std::vector<WallLine>& walls) {
+  const WallLine* nearest = nullptr;
+  for (const WallLine& wall : walls)
+    if (const double d = opal::distance_m(wall.line, p); d <= at_most_m) {
+      nearest = &wall;
+      at_most_m = d;
+    }
+  return nearest;
+}
+
+/// The place of a door within its wall; at the end of a wall, it does not go on into the next one.
+std::optional<Segment> place_of(const Opening& opening, double thickness_m, const std::vector<WallLine>& walls) {
+  if (!opening.is_point()) return opening.line;
+  const WallLine* wall = nearest_to(opening.line.begin, thickness_m, walls);
+  if (wall == nullptr) return std::nullopt;
+  const Point along = wall->line.direction();
+  const double length_m = wall->line.length_m(), half_m = std::min(opening.width_m, length_m) / 2;
+  const double middle = std::clamp(along.dot(opening.line.begin - wall->line.begin), half_m, length_m - half_m);
+  return Segment{wall->line.begin + (middle - half_m) * along, wall->line.begin + (middle + half_m) * along};
+}
+
+/// What is left of a wall where an opening is: none, one or two pieces. @return whether anything was taken.
+bool cut(const WallLine& wall, const Segment& opening, double thickness_m, std::vector<WallLine>& left) {
+  const Point along = wall.line.direction();
+  const double length_m = wall.line.length_m();
+  const double begin = along.dot(opening.begin - wall.line.begin), end = along.dot(opening.end - wall.line.begin);
+  const double from = std::min(begin, end), to = std::max(begin, end);
+  const Point middle = (opening.begin + opening.end) / 2;
+  const bool is_beside = std::abs(cross(along, opening.direction())) < kAlongSine &&
+                         std::abs(cross(along, middle - wall.line.begin)) <= thickness_m;
+  if (!is_beside || to < kShortestWall_m || from > length_m - kShortestWall_m) {
+    left.push_back(wall);
+    return false;
+  }
+  if (from > kShortestWall_m) left.push_back({wall.element, {wall.line.begin, wall.line.begin + from * along}});
+  if (to < length_m - kShortestWall_m) left.push_back({wall.element, {wall.line.begin + to * along, wall.line.end}});
+  return true;
+}
+
+}  // namespace
+
+std::optional<double> width_m_of(const Feature& feature) {
+  for (const char* key : {"width", "door:width", "width_m", "est_width"}) {
+    if (!feature.properties.contains(key)) continue;
+    const nlohmann::json& value = feature.properties.at(key);
+    const std::string text = value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : "";
+    double width = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), width);
+    if (error != std::errc()) continue;
+    const std::string unit(end, text.data() + text.size());
+    if (unit.find("cm") != std::string::npos) width /= 100;
+    if (unit.find("mm") != std::string::npos) width /= 1000;
+    if (width >= kNarrowest_m && width <= kWidest_m) return width;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::optional<Segment>> cut_openings(const std::vector<Opening>& openings, double thickness_m,
+                                                 std::vector<WallLine>& walls) {
+  std::vector<std::optional<Segment>> places;
+  for (const Opening& opening : openings) places.push_back(place_of(opening, thickness_m, walls));
+  for (std::optional<Segment>& place : places) {
+    if (!place || place->length_m() < kShortestWall_m) continue;
+    std::vector<WallLine> left;
+    bool is_cut = false;
+    for (const WallLine& wall : walls) is_cut |= cut(wall, *place, thickness_m, left);
+    walls = std::move(left);
+    if (!is_cut) place.reset();
+  }
+  return places;
+}
+
+}  // namespace opal::geojson_importer

@@ -1,0 +1,112 @@
+#include "placement.hpp"
+
+#include "local_projection.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace opal::geojson_importer {
+namespace {
+
+// No building is smaller than 5 cm, and none is larger than 0.05 degrees (5 km).
+constexpr double kGeographicExtent = 0.05;
+constexpr double kHighestLatitude_deg = 85;
+constexpr double kDegreesPerRad = 180 / std::numbers::pi;
+constexpr double kWebRadius_m = 6378137;
+// Names of coordinate systems end so: longitude and latitude, and the plane of web maps, whose metres are none.
+constexpr std::array kDegrees{"CRS84", ":4326", "/4326"};
+constexpr std::array kWebMercator{":3857", "/3857", ":900913", ":102100"};
+
+struct Bounds {
+  Point low = Point::Constant(std::numeric_limits<double>::max());
+  Point high = -low;
+
+  bool is_empty() const { return low.x() > high.x(); }
+  double size() const { return (high - low).maxCoeff(); }
+  bool is_on_earth() const { return low.x() >= -180 && high.x() <= 180 && low.y() >= -90 && high.y() <= 90; }
+  bool looks_like_degrees() const { return !is_empty() && is_on_earth() && size() < kGeographicExtent; }
+};
+
+Bounds bounds_of(FeatureCollection& collection, bool of_used_only) {
+  Bounds bounds;
+  for (Feature& feature : collection.features)
+    if (feature.damage.empty() && (feature.is_used || !of_used_only))
+      visit_positions(feature.shapes, [&](const Point& p) {
+        bounds.low = bounds.low.cwiseMin(p);
+        bounds.high = bounds.high.cwiseMax(p);
+      });
+  return bounds;
+}
+
+/// Of everything; where that is no building, of what becomes map: a site, or a mark in another town, may be there, too.
+Bounds building_of(FeatureCollection& collection) {
+  const Bounds all = bounds_of(collection, false);
+  if (all.looks_like_degrees()) return all;
+  const Bounds used = bounds_of(collection, true);
+  return used.is_empty() ? all : used;
+}
+
+template <std::size_t N>
+bool ends_with_any(const std::string& name, const std::array<const char*, N>& ends) {
+  return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return name.ends_with(end); });
+}
+
+Point degrees_of_web_mercator(const Point& p) {
+  return Point(p.x() / kWebRadius_m, 2 * std::atan(std::exp(p.y() / kWebRadius_m)) - std::numbers::pi / 2) *
+         kDegreesPerRad;
+}
+
+std::string project(const std::string& path, const PlacementOptions& options, FeatureCollection& collection) {
+  const Bounds bounds = building_of(collection);
+  if (bounds.is_empty()) return "no coordinates";
+  if (!bounds.is_on_earth())
+    throw MapError(path + ": holds coordinates that are no longitude and latitude, expected degrees, as the " +
+                   (options.is_geographic ? "option geographic" : "file's crs") + " says");
+  if (bounds.size() > kGeographicExtent)
+    throw MapError(
+        fmt::format("{}: reaches over {} degrees, expected a building (0.05 degrees at most)", path, bounds.size()));
+  const Point origin = options.origin_deg.value_or((bounds.low + bounds.high) / 2);
+  if (std::abs(origin.y()) > kHighestLatitude_deg)
+    throw MapError(path + ": lies nearer than 5 degrees to a pole, expected another place");
+  const LocalProjection projection(origin);
+  double error_m = 0;
+  for (Feature& feature : collection.features)
+    visit_positions(feature.shapes, [&](Point& p) {
+      const bool is_there = (p.array() >= bounds.low.array()).all() && (p.array() <= bounds.high.array()).all();
+      p = projection.to_map(p);
+      if (is_there) error_m = std::max(error_m, projection.error_m(p));
+    });
+  return fmt::format("longitude and latitude (WGS 84) around {:.8f}, {:.8f}: x east, y north; off by {:.3f} m at most",
+                     origin.x(), origin.y(), error_m);
+}
+
+}  // namespace
+
+std::vector<std::string> place(const std::string& path, const PlacementOptions& options,
+                               FeatureCollection& collection) {
+  std::vector<std::string> sentences;
+  const bool is_web_mercator = ends_with_any(collection.crs, kWebMercator);
+  if (is_web_mercator) {
+    for (Feature& feature : collection.features)
+      visit_positions(feature.shapes, [](Point& p) { p = degrees_of_web_mercator(p); });
+    sentences.push_back("coordinates of web maps (" + collection.crs + "), to longitude and latitude");
+  }
+  const bool is_said = is_web_mercator || ends_with_any(collection.crs, kDegrees);
+  const bool is_likely = collection.crs.empty() && building_of(collection).looks_like_degrees();
+  if (options.is_geographic.value_or(is_said || is_likely)) {
+    sentences.push_back(project(path, options, collection));
+    return sentences;
+  }
+  for (Feature& feature : collection.features)
+    visit_positions(feature.shapes, [&](Point& p) { p -= options.origin_m; });
+  sentences.push_back("coordinates in metres" + (collection.crs.empty() ? "" : " (" + collection.crs + ")"));
+  return sentences;
+}
+
+}  // namespace opal::geojson_importer

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "geojson_reader.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace opal::geojson_importer {
+
+/// How coordinates of a file become metres in the `map` frame.
+struct PlacementOptions {
+  std::optional<bool> is_geographic;  ///< none: as the coordinates look, and as the file's crs says
+  std::optional<Point> origin_deg;    ///< none: the middle of everything
+  Point origin_m = Point::Zero();     ///< of a plan in metres
+};
+
+/// All coordinates to metres in the `map` frame.
+/// @param path  stands for the file in messages.
+/// @return sentences about it.
+/// @throws MapError for degrees that no building reaches over, and for what is no longitude and latitude if that is
+/// asked for.
+std::vector<std::string> place(const std::string& path, const PlacementOptions& options, FeatureCollection& collection);
+
+}  // namespace opal::geojson_importer

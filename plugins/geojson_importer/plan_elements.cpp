@@ -1,0 +1,201 @@
+#include "plan_elements.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace opal::geojson_importer {
+namespace {
+
+constexpr double kFarthest_m = 1e6;
+constexpr std::size_t kMostEdges = 200'000;
+
+const std::map<std::string, Area::Kind>& kinds_of_areas() {
+  static const std::map<std::string, Area::Kind> kKinds{
+      {kRoom, Area::Kind::room}, {kCorridor, Area::Kind::corridor}, {kArea, Area::Kind::open}};
+  return kKinds;
+}
+
+/// Polygons, and lines that are closed: some exports have areas so.
+std::vector<std::vector<Ring>> polygons_of(const Shapes& shapes) {
+  std::vector<std::vector<Ring>> polygons = shapes.polygons;
+  for (const auto& line : shapes.lines)
+    if (line.size() > 3 && line.front() == line.back()) polygons.push_back({Ring(line.begin(), line.end() - 1)});
+  return polygons;
+}
+
+bool is_thin_wall(const PlanElement& element) {
+  return element.type == "opal:Wall" && !element.sensor.empty() && !element.lines.empty() &&
+         std::all_of(element.lines.begin(), element.lines.end(),
+                     [](const PlanLine& line) { return line.sides == PlanSides::both && !line.closed; });
+}
+
+}  // namespace
+
+void PlanElements::add(const Feature& feature, const FeatureClasses& classes) {
+  const std::optional<std::string> type = plan_.rules.class_of(classes.names);
+  names.insert(names.end(), classes.names.begin(), classes.names.end());
+  if (!type) return leave_out(feature, classes.shown, "no class for it", ImportStatus::left_out);
+  if (*type == ClassRules::kLeaveOut)
+    return leave_out(feature, classes.shown, "a rule says so", ImportStatus::left_out);
+  if (!feature.damage.empty()) throw MapError(feature.damage);
+  expect_near(feature);
+  if (const std::string trouble = use(feature, *type); !trouble.empty())
+    return leave_out(feature, classes.shown, trouble, ImportStatus::unreadable);
+  tally.count_used(classes.shown, *type, feature.geometry);
+  things.push_back({feature.id, classes.shown, feature.geometry});
+}
+
+void PlanElements::leave_out(const Feature& feature, const std::string& source_class, const std::string& why,
+                             ImportStatus status) {
+  const std::string geometry = feature.geometry.empty() ? "null" : feature.geometry;
+  tally.count_left_out(source_class, why, geometry, feature.id);
+  things.push_back({feature.id, source_class, geometry, status, why});
+}
+
+void PlanElements::expect_near(const Feature& feature) const {
+  Shapes shapes = feature.shapes;
+  visit_positions(shapes, [&](const Point& p) {
+    if (!(p.cwiseAbs().maxCoeff() <= kFarthest_m))
+      throw MapError(fmt::format("{}: '{}': a position at {} {}, expected all within 1e6 m of the origin", source_,
+                                 feature.id, p.x(), p.y()));
+  });
+}
+
+std::string PlanElements::use(const Feature& feature, const std::string& type) {
+  const Shapes& shapes = feature.shapes;
+  if (shapes.points.empty() && shapes.lines.empty() && shapes.polygons.empty()) return "it has no geometry";
+  if (const auto kind = kinds_of_areas().find(type); kind != kinds_of_areas().end())
+    return use_area(feature, kind->second);
+  if (type == kOpening || (type == "opal:Door" && !feature.properties.contains(options_.radius_property)))
+    if (shapes.polygons.empty()) return use_opening(feature, type);
+  if (type == kOpening) return "an opening is a point or a line";
+  PlanElement element{feature.id, type, plan_.sensor_for(type)};
+  if (!shapes.points.empty()) {
+    const std::optional<double> radius_m = radius_of(feature);
+    if (!radius_m) return "a point without a positive " + options_.radius_property;
+    for (const Point& p : shapes.points) element.circles.push_back({p, *radius_m});
+  }
+  for (const auto& line : shapes.lines) element.lines.push_back({line, false, PlanSides::both});
+  int solid = 0;
+  for (const auto& polygon : shapes.polygons) add_polygon(polygon, ++solid, element);
+  elements.push_back(std::move(element));
+  return "";
+}
+
+std::string PlanElements::use_area(const Feature& feature, Area::Kind kind) {
+  Area area{feature.id, kind, polygons_of(feature.shapes)};
+  if (area.polygons.empty()) return "no polygon, of which an area would be made";
+  for (const auto& polygon : area.polygons)
+    for (const Ring& ring : polygon) area_edges_ += ring.size();
+  if (area_edges_ > kMostEdges)
+    throw MapError(fmt::format("{}: more than {} edges of areas, expected a plan of one storey", source_, kMostEdges));
+  areas_.push_back(std::move(area));
+  element_of_area_.push_back(elements.size());
+  elements.push_back({feature.id, "opal:Wall", plan_.sensor_for("opal:Wall")});
+  return "";
+}
+
+std::string PlanElements::use_opening(const Feature& feature, const std::string& type) {
+  const double width_m = width_m_of(feature).value_or(options_.door_width_m);
+  const auto add_line = [&](const Segment& line) {
+    openings_.push_back({feature.id, line, width_m});
+    type_of_opening_.push_back(type);
+    has_point_openings_ |= line.begin == line.end;
+  };
+  for (const Point& p : feature.shapes.points) add_line({p, p});
+  for (const auto& line : feature.shapes.lines)
+    for (std::size_t k = 0; k + 1 < line.size(); ++k)
+      if (line[k] != line[k + 1]) add_line({line[k], line[k + 1]});
+  return "";
+}
+
+std::optional<double> PlanElements::radius_of(const Feature& feature) const {
+  const std::string& name = options_.radius_property;
+  if (!feature.properties.contains(name) || !feature.properties.at(name).is_number()) return std::nullopt;
+  const double radius_m = feature.properties.at(name);
+  return radius_m > 0 ? std::optional<double>(radius_m) : std::nullopt;
+}
+
+void PlanElements::add_polygon(const std::vector<Ring>& polygon, int solid, PlanElement& element) {
+  const auto circle =
+      polygon.size() == 1 ? circle_drawn_by(polygon.front(), options_.circle_tolerance_m) : std::nullopt;
+  if (circle && circle->radius_m <= options_.max_column_radius_m) {
+    element.circles.push_back(*circle);
+    ++refitted;
+    return;
+  }
+  for (const Ring& ring : polygon) element.lines.push_back({ring, true, PlanSides::solid, solid});
+}
+
+/// Straight pieces of the walls that were drawn as lines; only doors that are points are cut into them.
+std::vector<WallLine> PlanElements::thin_walls() const {
+  std::vector<WallLine> walls;
+  for (std::size_t k = 0; has_point_openings_ && k < elements.size(); ++k)
+    if (is_thin_wall(elements[k]))
+      for (const PlanLine& line : elements[k].lines)
+        for (std::size_t p = 0; p + 1 < line.points.size(); ++p)
+          if (line.points[p] != line.points[p + 1])
+            walls.push_back({static_cast<int>(k), {line.points[p], line.points[p + 1]}});
+  return walls;
+}
+
+void PlanElements::put_back(const std::vector<WallLine>& walls) {
+  const auto sides_of = [&](std::size_t element) {
+    const bool is_area = std::find(element_of_area_.begin(), element_of_area_.end(), element) != element_of_area_.end();
+    return is_area ? PlanSides::to_find : PlanSides::both;
+  };
+  std::map<int, PlanSides> sides;
+  for (const WallLine& wall : walls) {
+    const auto element = static_cast<std::size_t>(wall.element);
+    const auto [found, is_new] = sides.try_emplace(wall.element, PlanSides::both);
+    if (is_new) found->second = sides_of(element);
+    elements[element].lines.push_back({{wall.line.begin, wall.line.end}, false, found->second});
+  }
+}
+
+void PlanElements::finish() {
+  std::vector<WallLine> walls = thin_walls();
+  for (const WallLine& wall : walls) elements[static_cast<std::size_t>(wall.element)].lines.clear();
+  for (WallLine wall : walls_around(areas_)) {
+    wall.element = static_cast<int>(element_of_area_[static_cast<std::size_t>(wall.element)]);
+    walls.push_back(wall);
+  }
+  const auto places = cut_openings(openings_, plan_.plan.max_wall_thickness_m, walls);
+  put_back(walls);
+  std::map<std::string, std::size_t> doors;
+  for (std::size_t k = 0; k < openings_.size(); ++k) {
+    const Opening& opening = openings_[k];
+    cut_ += places[k].has_value();
+    report_opening(opening, places[k].has_value());
+    if (type_of_opening_[k] == kOpening || (!places[k] && opening.is_point())) continue;
+    const auto [door, is_new] = doors.try_emplace(opening.id, elements.size());
+    if (is_new) elements.push_back({opening.id, "opal:Door", plan_.sensor_for("opal:Door")});
+    const Segment line = places[k].value_or(opening.line);
+    elements[door->second].lines.push_back({{line.begin, line.end}, false, PlanSides::both});
+  }
+  std::erase_if(elements, [](const PlanElement& element) { return element.lines.empty() && element.circles.empty(); });
+}
+
+void PlanElements::report_opening(const Opening& opening, bool is_in_wall) {
+  if (is_in_wall || !opening.is_point()) return;
+  const auto thing = std::find_if(things.begin(), things.end(),
+                                  [&](const ImportedElement& element) { return element.id == opening.id; });
+  thing->status = ImportStatus::unreadable;
+  thing->reason = fmt::format("no wall is within {} m of it", plan_.plan.max_wall_thickness_m);
+}
+
+std::vector<std::string> PlanElements::sentences() const {
+  std::vector<std::string> sentences;
+  if (refitted > 0) sentences.push_back(fmt::format("circles that were drawn as polygons: {}", refitted));
+  if (!areas_.empty()) sentences.push_back(fmt::format("walls were put around {} areas", areas_.size()));
+  if (!openings_.empty())
+    sentences.push_back(fmt::format("doors and openings: {} cut into walls, {} where no wall is", cut_,
+                                    openings_.size() - static_cast<std::size_t>(cut_)));
+  return sentences;
+}
+
+}  // namespace opal::geojson_importer

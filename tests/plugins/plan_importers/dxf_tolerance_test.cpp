@@ -1,0 +1,108 @@
+#include "dxf_text.hpp"
+#include "import_source.hpp"
+
+#include <opal/common/error.hpp>
+#include "map/check/map_check.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+using Catch::Contains;
+using nlohmann::json;
+
+namespace {
+
+MapImport tolerated_dxf(const std::string& text, const json& options = json::object()) {
+  return import_text("dxf_importer", "opal:DxfImporter", "plan.dxf", text, options);
+}
+
+}  // namespace
+
+TEST_CASE("a loop of a hatch whose edges do not meet is left out; edges may be written either way round") {
+  const auto hatched = [](const std::vector<std::pair<Point, Point>>& edges) {
+    DxfText text(6);
+    text.box("A-WALL", 10, 0, 15, 0.2).entity("HATCH", "A-WALL").point(10, {0, 0}).pair(2, "SOLID").pair(70, 1);
+    text.pair(71, 0).pair(91, 1).pair(92, 1).pair(93, static_cast<double>(edges.size()));
+    for (const auto& [from, to] : edges) text.pair(72, 1).point(10, from).point(11, to);
+    return tolerated_dxf(text.pair(97, 0).pair(75, 0).pair(76, 1).pair(98, 0).text());
+  };
+  const Point a(0, 0), b(3, 0), c(3, 2), d(0, 2);
+  for (const auto& edges : {std::vector<std::pair<Point, Point>>{{a, b}, {b, c}, {c, d}, {d, a}},
+                            {{b, a}, {b, c}, {d, c}, {d, a}},
+                            {{b, a}, {c, b}, {c, d}, {a, d}}})
+    CHECK(all<Segment>(*hatched(edges).map).size() == 8);
+  const MapImport open = hatched({{a, b}, {c, d}, {{50, 40}, {51, 40}}});
+  CHECK(all<Segment>(*open.map).size() == 4);
+  CHECK(thing(open, "101").reason == "it has no boundary that can be read");
+}
+
+TEST_CASE("a door of blocks inside blocks is one door, and what is drawn twice is there once") {
+  DxfText dxf(6);
+  dxf.box("A-WALL", 0, 0, 5, 0.2);
+  dxf.begin_block("HANDLE").box("0", 0, 0, 0.1, 0.1).circle("0", {0, 0}, 0.05).end_block();
+  dxf.begin_block("DOOR").line("0", {0, 0}, {1, 0}).insert("0", "HANDLE", {0.9, 0}).insert("0", "HANDLE", {0.9, 0});
+  dxf.end_block().insert("A-DOOR", "DOOR", {1, 2});
+  const MapImport imported = tolerated_dxf(dxf.text());
+  const MapCheck check = check_map(*imported.map);
+  CHECK(check.objects_by_type.at("opal:Door") == 1);
+  CHECK(check.warnings.empty());
+}
+
+TEST_CASE("sections that are no part of the plan hold anything") {
+  const std::string good = DxfText(6).box("A-WALL", 0, 0, 5, 0.2).text();
+  const std::string end = "0\nEOF\n";
+  const auto with = [&](const std::string& section) {
+    return good.substr(0, good.size() - end.size()) + section + end;
+  };
+  for (const char* section : {"0\nSECTION\n2\nTHUMBNAILIMAGE\n90\n4\n310\n00FF\n0\nENDSEC\n",
+                              "0\nSECTION\n2\nACDSDATA\n70\n2\n71\n6\n0\nACDSSCHEMA\n90\n0\n0\nENDSEC\n",
+                              "0\nSECTION\n2\nOF A LATER RELEASE\n0\nENDSEC\n"})
+    CHECK(all<Segment>(*tolerated_dxf(with(section)).map).size() == 4);
+  CHECK_THROWS_WITH(tolerated_dxf(with("0\nSECTION\n2\nTHUMBNAILIMAGE\n90\n4\n")),
+                    Contains("section THUMBNAILIMAGE has no end"));
+}
+
+TEST_CASE("what is damaged is no matter where nothing is made of it") {
+  const auto drawing = [](const std::string& layer) {
+    DxfText dxf(6);
+    dxf.box("A-WALL", 0, 0, 5, 0.2);
+    dxf.entity("LINE", layer).point(10, {0, 0}).pair(11, std::string("nan")).pair(21, 1);
+    return dxf.text();
+  };
+  const MapImport imported = tolerated_dxf(drawing("A-FURN"));
+  CHECK(all<Segment>(*imported.map).size() == 4);
+  CHECK(thing(imported, "101").reason == "no class for its layer");
+  CHECK_THROWS_WITH(tolerated_dxf(drawing("A-WALL")), Contains("\"nan\" for code 11, expected a number"));
+}
+
+TEST_CASE("entities of later releases are told about, and hidden ones stay out") {
+  DxfText dxf(6);
+  dxf.box("A-WALL", 0, 0, 5, 0.2);
+  dxf.entity("MULTILEADER", "A-WALL").pair(270, 2).pair(300, std::string("CONTEXT_DATA{")).pair(40, 1).pair(40, 2);
+  dxf.entity("LINE", "A-WALL").pair(60, 1).point(10, {0, 3}).point(11, {4, 3});
+  const MapImport imported = tolerated_dxf(dxf.text());
+  CHECK(all<Segment>(*imported.map).size() == 4);
+  CHECK(thing(imported, "101").status == ImportStatus::unreadable);
+  CHECK(thing(imported, "102").reason == "it is hidden");
+}
+
+TEST_CASE("names of layers are read in the code page of the drawing, in UTF-8 and with escapes") {
+  const auto with = [](const std::string& layer) {
+    std::string text = DxfText(6).box(layer, 0, 0, 5, 0.2).text();
+    return text.insert(text.find("9\n$INSUNITS"), "9\n$DWGCODEPAGE\n3\nANSI_1252\n");
+  };
+  for (const char* layer : {"W\xC4NDE", "W\xC3\x84NDE", "W\\U+00C4NDE"}) {
+    CAPTURE(layer);
+    CHECK(says(tolerated_dxf(with(layer)), "layer W\xC3\x84NDE as opal:Wall"));
+  }
+  std::string russian = with("\xD1\xD2\xC5\xCD\xC0");
+  russian.replace(russian.find("ANSI_1252"), 9, "ANSI_1251");
+  CHECK(says(tolerated_dxf(russian, {{"classes", {{"СТЕН*", "Wall"}}}}), "layer СТЕНА as opal:Wall"));
+}
+
+TEST_CASE("a drawing whose unit makes a doll's house of it is refused, unless the option says so") {
+  const std::string text = DxfText(4).box("A-WALL", 0, 0, 700, 500).text();
+  CHECK_THROWS_WITH(tolerated_dxf(text), Contains("is 0.70 m large in mm, as $INSUNITS says"));
+  CHECK_NOTHROW(tolerated_dxf(text, {{"unit", "in"}}));
+  CHECK_NOTHROW(tolerated_dxf(text, {{"unit", "mm"}}));
+}
