@@ -67,6 +67,7 @@ class Bench:
         self.folder = options.sites_folder
         self.out = options.out
         self.reuse = options.reuse
+        self.jobs = options.jobs
         wanted = options.sites or SITES
         self.sites = [site for site in wanted if (self.folder / f"{site}.queries.json").exists()]
         for site in wanted:
@@ -109,6 +110,9 @@ class Bench:
 
     def summary(self, kind, seed, site):
         return json.loads((self.site_folder(kind, seed, site) / "summary.json").read_text())
+
+    def redrawn_verdicts(self, label, seed, site):
+        return redrawn.verdicts(self, label, seed, site)
 
     def joined_verdicts(self, kind):
         folder = self.joined_folder(kind)
@@ -336,7 +340,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "large-cpu": lambda: large_cpu_table(bench),
         "drives": driven.buildings_table, "drives-models": driven.models_table,
         "faults": driven.faults_table,
-        "redrawn": lambda: redrawn.redrawn_table(bench, judged_cells, driven.options.jobs),
+        "redrawn": lambda: redrawn.redrawn_table(bench, judged_cells),
     }
     return {table: makers[table]() for table in kinds}
 

@@ -29,12 +29,12 @@ def verdicts(bench, label, seed, site):
     return judge.judge_site(bench.folder / site, results)
 
 
-def redrawn_table(bench, cells_of, jobs):
+def redrawn_table(bench, cells_of):
     """Sums over the maps of all seeds. @param cells_of  of a judge.Total."""
     if not bench.complete:
         return {}
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        turns = {label: [pool.submit(verdicts, bench, label, seed, site) for seed in SEEDS for site in bench.sites]
+    with concurrent.futures.ThreadPoolExecutor(bench.jobs) as pool:
+        turns = {label: [pool.submit(bench.redrawn_verdicts, label, seed, site) for seed in SEEDS for site in bench.sites]
                  for label in TEAMS}
         made = {}
         for label, of in turns.items():
