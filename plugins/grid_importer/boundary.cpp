@@ -27,10 +27,6 @@ constexpr double kAxisRadius_m = 0.25;
 constexpr double kMinAxisCells = 5;
 constexpr double kMinAxisLinearity = 0.85;
 
-Cell moved(const Cell& from, const CellPoint& by) {
-  return {from.column + static_cast<int>(std::lround(by.x())), from.row + static_cast<int>(std::lround(by.y()))};
-}
-
 bool touches_free(const OccupancyGrid& grid, const Cell& c) {
   for (int row = c.row - 1; row <= c.row + 1; ++row)
     for (int column = c.column - 1; column <= c.column + 1; ++column)
@@ -44,7 +40,7 @@ DirectionSet visible_directions(const OccupancyGrid& grid, const Cell& cell) {
   const bool is_outermost = touches_free(grid, cell);
   DirectionSet visible;
   for (int sector = 0; sector < DirectionSet::kSectors; ++sector) {
-    const Cell in_front = moved(cell, DirectionSet::direction_of(sector));
+    const Cell in_front = moved(cell, cell_at(DirectionSet::direction_of(sector)));
     if ((is_outermost || grid.at(in_front) != Occupancy::occupied) && is_open(grid, cell, sector)) visible.add(sector);
   }
   return visible;
@@ -57,7 +53,7 @@ bool is_open(const OccupancyGrid& grid, const Cell& cell, int sector) {
   const double farthest = std::max(grid.to_cells(kFarthestLook_m), kFreeLooks + 1.0);
   int free_looks = 0;
   for (double distance = kFirstLook; distance <= farthest; ++distance) {
-    const Occupancy there = grid.at(moved(cell, distance * DirectionSet::direction_of(sector)));
+    const Occupancy there = grid.at(moved(cell, cell_at(distance * DirectionSet::direction_of(sector))));
     if (there == Occupancy::occupied) break;
     free_looks += there == Occupancy::free && distance >= nearest;
   }

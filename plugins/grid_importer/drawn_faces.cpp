@@ -17,8 +17,6 @@ constexpr int kTellingCells = 6;
 constexpr double kDrawnShare = 0.3;
 // Deeper behind or before a gap, another run is no bottom of a niche.
 constexpr double kNicheDepth_m = 0.6;
-// A gap of as many cells as were asked for is not too long.
-constexpr double kGapRounding = 1e-6;
 
 /// A row or column of cells that free space touches from one side.
 struct Run {
@@ -33,9 +31,6 @@ struct Side {
 };
 constexpr std::array<Side, 4> kSides{{{{0, 1}, {1, 0}}, {{0, -1}, {-1, 0}}, {{1, 0}, {0, -1}}, {{-1, 0}, {0, 1}}}};
 
-Cell moved(const Cell& cell, const Cell& by, int times = 1) {
-  return {cell.column + times * by.column, cell.row + times * by.row};
-}
 int along(const Cell& cell, const Cell& direction) { return cell.column * direction.column + cell.row * direction.row; }
 
 class DrawnSide {

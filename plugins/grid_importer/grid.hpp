@@ -28,6 +28,11 @@ inline Cell cell_at(const CellPoint& p) {
   return {static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
 }
 
+/// So many steps from a cell.
+inline Cell moved(const Cell& from, const Cell& by, int times = 1) {
+  return {from.column + times * by.column, from.row + times * by.row};
+}
+
 /// Which parts of a plane are occupied. Row 0 is the lowest; all outside is unknown.
 class OccupancyGrid {
  public:

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 namespace opal::grid_importer {
 namespace {
@@ -51,11 +52,14 @@ MapImport GridImporter::import(const std::string& path) const {
   if (limits_.thicken_m > 0) grid = smeared(grid, limits_.thicken_m);
   grid = sharpened(grid);
   const double smear_m = estimate_smear_m(grid);
-  const bool is_drawn = is_drawn_plan(Boundary(grid));
-  if (smear_m > 0) grid = unsmeared(grid, smear_m);
-  Boundary boundary(grid);
-  const VectorMap vectors = vectorize(boundary, limits_for(grid), is_drawn);
-  return {assemble(name_of(path), vectors, grid, smear_m), report(description, boundary, vectors, smear_m)};
+  std::optional<Boundary> boundary(std::in_place, grid);
+  const bool is_drawn = is_drawn_plan(*boundary);
+  if (smear_m > 0) {
+    grid = unsmeared(grid, smear_m);
+    boundary.emplace(grid);
+  }
+  const VectorMap vectors = vectorize(*boundary, limits_for(grid), is_drawn);
+  return {assemble(name_of(path), vectors, grid, smear_m), report(description, *boundary, vectors, smear_m)};
 }
 
 }  // namespace opal::grid_importer

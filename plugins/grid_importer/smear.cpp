@@ -78,7 +78,7 @@ bool is_seen_from_one_side(const OccupancyGrid& grid, const Cell& c, float depth
   for (int sector = 0; sector < DirectionSet::kSectors; ++sector) {
     const CellPoint direction = DirectionSet::direction_of(sector);
     for (int k = 1; k <= farthest; ++k) {
-      const Occupancy there = grid.at(cell_at(centre_of(c) + k * direction));
+      const Occupancy there = grid.at(moved(c, cell_at(k * direction)));
       if (there == Occupancy::occupied) continue;
       (there == Occupancy::free ? to_free : to_unknown) += direction;
       break;

@@ -19,9 +19,6 @@ constexpr int kExplainedSectors = 2;
 constexpr double kOpenCost = 0.12;
 constexpr double kFrontierCost = 0.05;
 
-// A gap of as many cells as were asked for is not too long.
-constexpr double kSliceRounding = 1e-6;
-
 // The biweight reaches farther than the tolerance: cells of even smear across the strip must all have a say.
 constexpr double kBiweightReach = 1.5;
 
@@ -65,7 +62,7 @@ class Walk {
         strip_(strip),
         sector_(DirectionSet::sector_of(line.normal())),
         tangent_(line.tangent),
-        max_gap_(strip.gap / sliced_.slice_length() + kSliceRounding),
+        max_gap_(strip.gap / sliced_.slice_length() + kGapRounding),
         max_reach_(strip.reach / sliced_.slice_length()) {}
 
   Support run(int start, int step) const {

@@ -7,6 +7,9 @@
 
 namespace opal::grid_importer {
 
+/// In cells: a gap of as many as were asked for is not too long.
+constexpr double kGapRounding = 1e-6;
+
 /// A boundary cell that supports a line, and the slice of the line that it is in: a grid column if the line is
 /// flatter than 45 degrees, else a grid row. A slice with any cell is covered.
 struct Supporter {
