@@ -1,5 +1,7 @@
 #include "boundary_loop.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -11,13 +13,9 @@ namespace {
 constexpr double kMeeting = 1e-3;
 
 double size_of(const std::vector<BoundaryEdge>& edges) {
-  Point low = edges.front().from, high = low;
-  for (const BoundaryEdge& edge : edges)
-    for (const Point& p : {edge.from, edge.to}) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  return (high - low).maxCoeff();
+  Eigen::AlignedBox2d box;
+  for (const BoundaryEdge& edge : edges) box.extend(edge.from).extend(edge.to);
+  return box.sizes().maxCoeff();
 }
 
 BoundaryEdge turned(const BoundaryEdge& edge) { return {edge.to, edge.from, -edge.bulge}; }

@@ -7,9 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <map>
 
 namespace opal::dxf_importer {
@@ -20,17 +21,16 @@ constexpr double kSmallestBuilding_m = 2;
 
 /// Width or depth of everything that shall become map, whichever is larger.
 double extent_m(const std::vector<PlanElement>& elements) {
-  Point low = Point::Constant(std::numeric_limits<double>::max()), high = -low;
-  const auto take = [&](const Point& p, double radius_m) {
-    low = low.cwiseMin(p - Point::Constant(radius_m));
-    high = high.cwiseMax(p + Point::Constant(radius_m));
-  };
+  Eigen::AlignedBox2d box;
   for (const PlanElement& element : elements) {
     for (const PlanLine& line : element.lines)
-      for (const Point& p : line.points) take(p, 0);
-    for (const Circle& circle : element.circles) take(circle.center, circle.radius_m);
+      for (const Point& p : line.points) box.extend(p);
+    for (const Circle& circle : element.circles) {
+      const Point radius = Point::Constant(circle.radius_m);
+      box.extend(circle.center - radius).extend(circle.center + radius);
+    }
   }
-  return (high - low).maxCoeff();
+  return box.sizes().maxCoeff();
 }
 
 /// "plans/office.dxf" is called "office".

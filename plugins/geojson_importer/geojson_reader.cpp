@@ -190,6 +190,12 @@ class Reader {
 
 }  // namespace
 
+std::string text_or_number(const Feature& feature, const char* property) {
+  const auto found = feature.properties.find(property);
+  if (found == feature.properties.end()) return "";
+  return found->is_string() ? found->get<std::string>() : found->is_number() ? found->dump() : "";
+}
+
 FeatureCollection read_geojson(const std::string& path) { return Reader(path).run(); }
 
 }  // namespace opal::geojson_importer

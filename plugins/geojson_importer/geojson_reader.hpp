@@ -20,15 +20,15 @@ struct Shapes {
   std::vector<std::vector<Ring>> polygons;  ///< outer ring, holes
 };
 
-/// Calls visit(point) for every position.
-template <class Visit>
-void visit_positions(Shapes& shapes, Visit&& visit) {
-  for (Point& p : shapes.points) visit(p);
+/// Calls visit(point) for every position of Shapes, constant or not.
+template <class AnyShapes, class Visit>
+void visit_positions(AnyShapes& shapes, Visit&& visit) {
+  for (auto& p : shapes.points) visit(p);
   for (auto& line : shapes.lines)
-    for (Point& p : line) visit(p);
+    for (auto& p : line) visit(p);
   for (auto& polygon : shapes.polygons)
-    for (Ring& ring : polygon)
-      for (Point& p : ring) visit(p);
+    for (auto& ring : polygon)
+      for (auto& p : ring) visit(p);
 }
 
 struct Feature {
@@ -39,6 +39,9 @@ struct Feature {
   std::string damage;    ///< a whole message, if its geometry is damaged: a map must not be made of it
   bool is_used = false;  ///< something becomes of it on some level
 };
+
+/// A property that is a text, or a number as it is written; "" if it is neither.
+std::string text_or_number(const Feature& feature, const char* property);
 
 struct FeatureCollection {
   std::string name;  ///< empty: the file does not say

@@ -40,9 +40,7 @@ void add_levels(const std::string& part, std::vector<std::string>& levels) {
 
 /// "0;1", "0, 1": levels one by one.
 void add_property(const Feature& feature, const char* key, std::vector<std::string>& levels) {
-  if (!feature.properties.contains(key)) return;
-  const nlohmann::json& value = feature.properties.at(key);
-  std::string text = value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : "";
+  std::string text = text_or_number(feature, key);
   std::replace(text.begin(), text.end(), ',', ';');
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ';');) {
@@ -50,6 +48,18 @@ void add_property(const Feature& feature, const char* key, std::vector<std::stri
     part.erase(part.find_last_not_of(' ') + 1);
     add_levels(part, levels);
   }
+}
+
+/// Of the features that are wanted; from the lowest, names that are no numbers last.
+template <class Wanted>
+std::vector<std::string> levels_where(const FeatureCollection& collection, Wanted&& is_wanted) {
+  std::set<std::pair<double, std::string>> levels;
+  for (const Feature& feature : collection.features)
+    if (is_wanted(feature))
+      for (const std::string& level : levels_of(feature)) levels.emplace(number(level).value_or(1e9), level);
+  std::vector<std::string> names;
+  for (const auto& [height, name] : levels) names.push_back(name);
+  return names;
 }
 
 }  // namespace
@@ -69,21 +79,13 @@ bool is_on_level(const Feature& feature, const std::string& level) {
 }
 
 std::vector<std::string> all_levels(const FeatureCollection& collection) {
-  std::set<std::pair<double, std::string>> levels;
-  for (const Feature& feature : collection.features)
-    for (const std::string& level : levels_of(feature)) levels.emplace(number(level).value_or(1e9), level);
-  std::vector<std::string> names;
-  for (const auto& [height, name] : levels) names.push_back(name);
-  return names;
+  return levels_where(collection, [](const Feature&) { return true; });
 }
 
 std::string level_at_ground(const FeatureCollection& collection) {
   std::string nearest;
   double least = std::numeric_limits<double>::max();
-  FeatureCollection used;
-  for (const Feature& feature : collection.features)
-    if (feature.is_used && !levels_of(feature).empty()) used.features.push_back(feature);
-  for (const std::string& level : all_levels(used)) {
+  for (const std::string& level : levels_where(collection, [](const Feature& feature) { return feature.is_used; })) {
     const double height = number(level).value_or(1e9);
     const double distance = std::abs(height) + (height < 0 ? 0.5 : 0);  // of 1 and -1, the one above
     if (nearest.empty() || distance < least) {

@@ -54,9 +54,7 @@ bool cut(const WallLine& wall, const Segment& opening, double thickness_m, std::
 
 std::optional<double> width_m_of(const Feature& feature) {
   for (const char* key : {"width", "door:width", "width_m", "est_width"}) {
-    if (!feature.properties.contains(key)) continue;
-    const nlohmann::json& value = feature.properties.at(key);
-    const std::string text = value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : "";
+    const std::string text = text_or_number(feature, key);
     double width = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), width);
     if (error != std::errc()) continue;

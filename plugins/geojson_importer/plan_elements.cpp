@@ -57,8 +57,7 @@ void PlanElements::leave_out(const Feature& feature, const std::string& source_c
 }
 
 void PlanElements::expect_near(const Feature& feature) const {
-  Shapes shapes = feature.shapes;
-  visit_positions(shapes, [&](const Point& p) {
+  visit_positions(feature.shapes, [&](const Point& p) {
     if (!(p.cwiseAbs().maxCoeff() <= kFarthest_m))
       throw MapError(fmt::format("{}: '{}': a position at {} {}, expected all within 1e6 m of the origin", source_,
                                  feature.id, p.x(), p.y()));
@@ -144,16 +143,11 @@ std::vector<WallLine> PlanElements::thin_walls() const {
 }
 
 void PlanElements::put_back(const std::vector<WallLine>& walls) {
-  const auto sides_of = [&](std::size_t element) {
-    const bool is_area = std::find(element_of_area_.begin(), element_of_area_.end(), element) != element_of_area_.end();
-    return is_area ? PlanSides::to_find : PlanSides::both;
-  };
-  std::map<int, PlanSides> sides;
   for (const WallLine& wall : walls) {
     const auto element = static_cast<std::size_t>(wall.element);
-    const auto [found, is_new] = sides.try_emplace(wall.element, PlanSides::both);
-    if (is_new) found->second = sides_of(element);
-    elements[element].lines.push_back({{wall.line.begin, wall.line.end}, false, found->second});
+    const bool is_area = std::binary_search(element_of_area_.begin(), element_of_area_.end(), element);
+    elements[element].lines.push_back(
+        {{wall.line.begin, wall.line.end}, false, is_area ? PlanSides::to_find : PlanSides::both});
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -81,7 +80,6 @@ constexpr std::array kBeside{"IFCPROPERTY",
                              "IFCRELSERVICES",
                              "IFCRELDECLARES",
                              "IFCRELOCCUPIES",
-                             "IFCRELASSOCIATESAPPLIED",
                              "IFCGROUP",
                              "IFCZONE",
                              "IFCSYSTEM",
@@ -128,11 +126,7 @@ bool is_soft(const StepInstance& instance) {
 /// The reference that stands alone at a place among the arguments; -1: none does.
 int reference_at(const StepInstance& instance, std::size_t place) {
   const std::vector<std::string_view> arguments = split_arguments(instance.arguments);
-  int number = -1;
-  if (place >= arguments.size()) return number;
-  const std::string_view argument = trimmed(arguments[place]);
-  if (argument.starts_with('#')) std::from_chars(argument.data() + 1, argument.data() + argument.size(), number);
-  return number;
+  return place < arguments.size() ? referred_by(trimmed(arguments[place])) : -1;
 }
 
 /// Who made and changed it: the second argument of everything with an identity. -1: not said.

@@ -22,15 +22,18 @@ std::string_view inside(std::string_view text) {
              : text.substr(begin + 1, end - begin - 1);
 }
 
-/// Whether a text is "#12" and 12 one of some numbers.
-bool is_reference_to(std::string_view text, const std::vector<int>& numbers) {
-  if (!text.starts_with('#')) return false;
-  int number = -1;
-  std::from_chars(text.data() + 1, text.data() + text.size(), number);
-  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+bool is_reference_to(std::string_view argument, const std::vector<int>& numbers) {
+  const int number = referred_by(argument);
+  return number >= 0 && std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
 }  // namespace
+
+int referred_by(std::string_view argument) {
+  int number = -1;
+  if (argument.starts_with('#')) std::from_chars(argument.data() + 1, argument.data() + argument.size(), number);
+  return number;
+}
 
 std::vector<std::string_view> split_arguments(std::string_view arguments) {
   std::vector<std::string_view> parts;

@@ -11,6 +11,9 @@ namespace opal::ifc_importer {
 /// The arguments of an instance one by one: what stands between its commas, outside of texts and parentheses.
 std::vector<std::string_view> split_arguments(std::string_view arguments);
 
+/// 12 of "#12"; -1 if an argument is no reference.
+int referred_by(std::string_view argument);
+
 /// The arguments of an instance of IFC4X3 as IFC4 has them, where that makes geometry: placements by grids say first
 /// what they are relative to, lists of points may have tags, sets of triangles say earlier whether they are closed.
 std::string arguments_of_ifc4(const StepInstance& instance);
