@@ -64,28 +64,19 @@ class PlanObjects {
 
   bool has(int element) const { return object_[static_cast<std::size_t>(element)] >= 0; }
 
-  /// Takes away what no sensor perceives and another such thing has, too. An object that has nothing else goes with it.
+  /// Takes features away. An object that has nothing else goes with them.
+  /// @param repeated  ids of these features, each with the one that has the same.
   /// @return the elements that go, each with the one that has what it had.
-  std::map<int, int> take_away_repeated(const std::string& source, const std::string& name) {
-    const std::shared_ptr<const SemanticMap> all = made(source, name);
-    std::map<std::string, std::string> repeated;  // by id of the feature
-    for (const auto& [first, second] : duplicate_features(*all))
-      if (const MapFeature& feature = all->features()[static_cast<std::size_t>(second)]; feature.sensor.empty())
-        repeated.emplace(feature.id, all->features()[static_cast<std::size_t>(first)].id);
-    std::vector<MapFeature> kept;
-    std::set<int> objects_left;
+  std::map<int, int> take_away(const std::map<std::string, std::string>& repeated) {
     std::map<std::string, int> object_of;
-    for (const MapFeature& feature : features_) {
-      object_of[feature.id] = feature.object;
-      if (repeated.contains(feature.id)) continue;
-      objects_left.insert(feature.object);
-      kept.push_back(feature);
-    }
+    for (const MapFeature& feature : features_) object_of[feature.id] = feature.object;
+    std::erase_if(features_, [&](const MapFeature& feature) { return repeated.contains(feature.id); });
+    std::set<int> objects_left;
+    for (const MapFeature& feature : features_) objects_left.insert(feature.object);
     std::map<int, int> gone;
     for (const auto& [second, first] : repeated)
       if (const int object = object_of.at(second); !objects_left.contains(object))
         gone[element_of(object)] = element_of(object_of.at(first));
-    features_ = std::move(kept);
     for (const auto& [element, other] : gone) remove_object(element);
     return gone;
   }
@@ -140,6 +131,15 @@ class PlanObjects {
   std::vector<MapFeature> features_;
 };
 
+/// What no sensor perceives and another such thing has, too: ids of these features, each with the one that stays.
+std::map<std::string, std::string> unseen_repeated(const SemanticMap& map) {
+  std::map<std::string, std::string> repeated;
+  for (const auto& [first, second] : duplicate_features(map))
+    if (const MapFeature& feature = map.features()[static_cast<std::size_t>(second)]; feature.sensor.empty())
+      repeated.emplace(feature.id, map.features()[static_cast<std::size_t>(first)].id);
+  return repeated;
+}
+
 class Assembly {
  public:
   Assembly(const std::string& source, const std::vector<PlanElement>& elements, const PlanOptions& options)
@@ -169,10 +169,13 @@ class Assembly {
         objects.add_circle(static_cast<int>(k), static_cast<int>(circle));
       if (objects.has(static_cast<int>(k))) result_.outcomes[k] = {elements_[k].id, PlanOutcome::Status::mapped, ""};
     }
-    for (const auto& [element, other] : objects.take_away_repeated(source_, name))
-      outcome(element) = {elements_[static_cast<std::size_t>(element)].id, PlanOutcome::Status::merged,
-                          elements_[static_cast<std::size_t>(other)].id};
     result_.map = objects.made(source_, name);
+    if (const auto repeated = unseen_repeated(*result_.map); !repeated.empty()) {
+      for (const auto& [element, other] : objects.take_away(repeated))
+        outcome(element) = {elements_[static_cast<std::size_t>(element)].id, PlanOutcome::Status::merged,
+                            elements_[static_cast<std::size_t>(other)].id};
+      result_.map = objects.made(source_, name);
+    }
     return std::move(result_);
   }
 
