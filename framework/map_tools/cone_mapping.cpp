@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,7 +41,7 @@ void expect_sense(const ConeMapping& mapping) {
 /// An error that changes slowly along the way: waves of some tens of metres.
 class Drift {
  public:
-  Drift(opal::simulation::Random& random, double sigma) : sigma_(sigma) {
+  Drift(simulation::Random& random, double sigma) : sigma_(sigma) {
     for (Wave& wave : waves_) wave = {random.uniform(15, 60), random.uniform(0, 2 * std::numbers::pi)};
   }
   double at(double driven_m) const {
@@ -57,7 +59,7 @@ class Drift {
   double sigma_;
 };
 
-/// The nearest return of each cone of a scan; infinite where nothing was hit.
+/// The nearest return of each cone of a scan; infinite where nothing was hit within reach.
 struct Cone {
   double bearing_rad = 0;
   double range_m = std::numeric_limits<double>::infinity();
@@ -73,6 +75,7 @@ std::vector<Cone> cones_of(const Scan& scan, const ConeMapping& mapping) {
   for (std::size_t k = 0; k < cones.size(); ++k)
     cones[k].bearing_rad = first + (static_cast<double>(k) + 0.5) * mapping.cone_rad;
   for (const ScanPoint& point : scan.points) {
+    if (point.range_m >= mapping.reach_m) continue;
     const auto k = static_cast<std::size_t>((point.bearing_rad - first) / mapping.cone_rad);
     if (k < cones.size()) cones[k].range_m = std::min(cones[k].range_m, point.range_m);
   }
@@ -83,15 +86,12 @@ std::vector<Cone> cones_of(const Scan& scan, const ConeMapping& mapping) {
 class EvidenceGrid {
  public:
   EvidenceGrid(const std::vector<PlacedScan>& scans, const ConeMapping& mapping) : mapping_(mapping) {
-    Point low = scans.front().T_map_laser.position(), high = low;
-    for (const PlacedScan& placed : scans) {
-      low = low.cwiseMin(placed.T_map_laser.position());
-      high = high.cwiseMax(placed.T_map_laser.position());
-    }
+    Eigen::AlignedBox2d driven;
+    for (const PlacedScan& placed : scans) driven.extend(placed.T_map_laser.position());
     const Point border = Point::Constant(mapping.reach_m + 4 * mapping.drift_m + 1);
     grid_.resolution_m = mapping.resolution_m;
-    grid_.origin = low - border;
-    const Point size = (high - low + 2 * border) / mapping.resolution_m;
+    grid_.origin = driven.min() - border;
+    const Point size = (driven.sizes() + 2 * border) / mapping.resolution_m;
     expect(size.x() * size.y() < 1e8, "cells", size.x() * size.y(), "at most 10^8");
     grid_.columns = static_cast<int>(size.x()) + 1;
     grid_.rows = static_cast<int>(size.y()) + 1;
@@ -201,9 +201,7 @@ MapRaster cone_mapped(const std::vector<PlacedScan>& scans, const ConeMapping& m
     const Pose2 T_map_laser(placed.T_map_laser.position() + off,
                             placed.T_map_laser.heading_rad() + heading.at(driven_m));
     for (const Cone& cone : cones_of(placed.scan, mapping)) {
-      const double noise_m = random.normal(mapping.range_sigma_m);
-      const bool is_met = cone.range_m < mapping.reach_m;
-      grid.add(T_map_laser, cone, is_met ? cone.range_m + noise_m : std::numeric_limits<double>::infinity());
+      grid.add(T_map_laser, cone, cone.range_m + random.normal(mapping.range_sigma_m));
     }
   }
   return grid.drawn();

@@ -1,6 +1,5 @@
 #include "cli/map/map_redraw.hpp"
 
-#include "benchmark/runs/recorded_log.hpp"
 #include "cli/options/exit_code.hpp"
 #include "evaluation/ground_truth.hpp"
 #include "evaluation/site.hpp"
@@ -8,6 +7,7 @@
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/deployment/deployment.hpp>
 #include <opal/sensing/replay.hpp>
 
 #include <filesystem>
@@ -29,8 +29,7 @@ std::vector<opal::PlacedScan> placed_scans(const opal::PluginRegistry& registry,
   const opal::LaserModel laser = opal::read_site_laser(prefix + ".info.json");
   const opal::GroundTruth truth = opal::GroundTruth::read(prefix + ".gt.csv");
   const std::string file = prefix + ".log.gz";
-  std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, file, {}));
-  opal::Replay replay(records, {laser});
+  opal::Replay replay(open_log(registry, file, {}), {laser});
   std::vector<opal::PlacedScan> scans;
   while (auto sample = replay.next())
     if (const auto pose = truth.T_map_laser_at(sample->stamp_s))
