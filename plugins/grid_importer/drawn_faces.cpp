@@ -15,6 +15,8 @@ constexpr int kTellingCells = 6;
 // Of all cells that free space touches, so many lie in telling runs: of twelve recorded grids 0.00 to 0.03, of drawn
 // plans more than 0.5.
 constexpr double kDrawnShare = 0.3;
+// One cell has no direction, however large it is.
+constexpr int kFewestCells = 2;
 // Deeper behind or before a gap, another run is no bottom of a niche.
 constexpr double kNicheDepth_m = 0.6;
 
@@ -153,10 +155,11 @@ bool is_drawn_plan(const Boundary& boundary) {
 
 std::vector<Face> find_drawn_faces(Boundary& boundary, const VectorizerLimits& limits) {
   const auto cells = [&](double length_m) { return boundary.grid().to_cells(length_m) - kGapRounding; };
+  const double least = std::max<double>(kFewestCells, cells(limits.min_face_m));
   std::vector<std::pair<Run, Cell>> found;
   for (const Side& side : kSides)
     for (const Run& run : DrawnSide(boundary, side).joined(cells(limits.bridge_gap_m), cells(kNicheDepth_m)))
-      if (run.length >= cells(limits.min_face_m)) found.emplace_back(run, side.tangent);
+      if (run.length >= least) found.emplace_back(run, side.tangent);
   std::vector<Face> faces;
   for (const auto& [run, tangent] : found) {
     faces.push_back(face_along(run));

@@ -77,3 +77,10 @@ TEST_CASE("a niche in a drawn wall keeps its opening, a short gap is bridged") {
   CHECK(faces_at_height(*imported.map, 81.5 * 0.05) == 2);
   CHECK(faces_at_height(*imported.map, 86.5 * 0.05) == 1);
 }
+
+TEST_CASE("a cell that stands alone is no face, even where faces may be as short as it") {
+  DrawnGrid plan = jogged_room(70, 5, 1);
+  plan.fill(DrawnGrid::kOccupied, 100, 60, 100, 60);
+  const MapImport map = import(plan, {{"min_face_m", 0.01}});
+  for (const Segment& face : all<Segment>(*map.map)) CHECK(face.length_m() > 0.04);
+}
