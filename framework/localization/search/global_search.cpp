@@ -146,9 +146,7 @@ GlobalSearch::Result GlobalSearch::search(const Context& context, StageTimes& ti
     for (VerifiedCandidate& each : verified(candidates_near(*context.hint, coarse), context, result))
       result.candidates.push_back(std::move(each));
   }
-  std::stable_sort(result.candidates.begin(), result.candidates.end(), better);
-  const auto most = static_cast<std::size_t>(options_.hypotheses);
-  if (result.candidates.size() > most) result.candidates.resize(most);
+  keep_best(result.candidates, context, result);  // those that fix the pose and those that do not may be at one place
   return result;
 }
 

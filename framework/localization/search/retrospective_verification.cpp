@@ -2,6 +2,8 @@
 
 #include "localization/alignment/registration.hpp"
 
+#include <algorithm>
+
 namespace opal {
 namespace {
 
@@ -28,11 +30,13 @@ std::vector<ObservedScan> every_other_beam(const std::vector<ObservedScan>& scan
 
 void RetrospectiveVerification::remember(const Observation& observation, int keyframe, double tempering_weight,
                                          double best_nat) {
+  if (options_.scans == 0 || observation.points() == 0) return;
   pending_ += tempering_weight;
-  if (options_.scans == 0 || observation.points() == 0 || (pending_ < 1 && !scans_.empty())) return;
+  if (pending_ < 1 && !scans_.empty()) return;
+  const double piece = std::min(pending_, 1.0);  // no scan is more than one whole piece of evidence
   scans_.push_front({observation.local_map.T_local_base(), every_other_beam(observation.scans), observation.features,
-                     observation.feature_scans, pending_, best_nat, keyframe});
-  pending_ = 0;
+                     observation.feature_scans, piece, best_nat, keyframe});
+  pending_ -= piece;
   if (scans_.size() > static_cast<std::size_t>(options_.scans)) scans_.pop_back();
 }
 

@@ -11,6 +11,12 @@
 namespace opal {
 namespace {
 
+void count(const Association& choice, Live& live) {
+  const bool not_on_map = choice.map_feature < 0;
+  live.not_on_map += not_on_map;
+  live.consecutive_not_on_map = not_on_map ? live.consecutive_not_on_map + 1 : 0;
+}
+
 bool knows(const Live& live, int local_feature) {
   return std::any_of(live.hypothesis.associations.begin(), live.hypothesis.associations.end(),
                      [&](const Association& a) { return a.local_feature == local_feature; });
@@ -66,8 +72,9 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
                                Live& child) {
   child = parent;
   child.hypothesis.associations.push_back(choice);
-  child.not_on_map = parent.not_on_map + (choice.map_feature < 0);
-  child.consecutive_not_on_map = choice.map_feature < 0 ? parent.consecutive_not_on_map + 1 : 0;
+  child.not_on_map = parent.not_on_map;
+  child.consecutive_not_on_map = parent.consecutive_not_on_map;
+  count(choice, child);
   if (growth_.register_by_associations && choice.map_feature >= 0)
     if (const auto off_m = register_anew(child, local_map)) {
       listener_.branch_rejected(parent, choice, outlier_words(*off_m, growth_.outlier_m));
@@ -126,6 +133,7 @@ void HypothesisSet::grow(const std::vector<const LocalFeature*>& features, const
     for (const LocalFeature* feature : features)
       if (!knows(live, feature->id)) pairs.push_back(choices_for(live, *feature).front());
     if (pairs.empty()) continue;
+    for (const Association& choice : pairs) count(choice, live);
     auto& known = live.hypothesis.associations;
     known.insert(known.end(), pairs.begin(), pairs.end());
     listener_.associated(live, pairs);

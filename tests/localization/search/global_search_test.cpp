@@ -259,8 +259,7 @@ TEST_CASE("patterns with a free parameter are not looked up where a pose was fou
   for (const auto& pattern : looked_up) CHECK(searching.search.pattern_name(pattern.pattern) == "corner");
 }
 
-// Candidates by patterns that fix the pose and by those that do not are put together unseen.
-TEST_CASE("no two candidates of different kinds of patterns are at one place", "[!shouldfail]") {
+TEST_CASE("no two candidates of different kinds of patterns are at one place") {
   SearchOptions options;
   options.under_constrained_below_nat = 100;  // look both up
   const Searching searching(room(), kTruth, options, {corners(), walls()});
@@ -271,8 +270,7 @@ TEST_CASE("no two candidates of different kinds of patterns are at one place", "
       CHECK_FALSE(is_at(found[a], found[b].candidate.T_map_base, 0.2, 0.06));
 }
 
-// What lies outside raises the bar for what lies inside.
-TEST_CASE("places outside the region do not crowd out those inside", "[!shouldfail]") {
+TEST_CASE("places outside the region do not crowd out those inside") {
   const Pose2 T_map_second(20, 0, 0);
   Features features = room();  // where the robot seems to be, all as seen
   Features second = moved(T_map_second, room());

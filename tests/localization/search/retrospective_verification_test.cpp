@@ -229,8 +229,7 @@ TEST_CASE("a kidnapping excuses nothing that was seen since then") {
   CHECK(verdict.kidnapped_after == -1);
 }
 
-// Pieces of 0.6 are kept in pairs, and a pair counts as 1.2.
-TEST_CASE("in retrospect no scan is more than one whole piece of evidence to a scorer", "[!shouldfail]") {
+TEST_CASE("in retrospect no scan is more than one whole piece of evidence to a scorer") {
   Past past({{"count", std::make_shared<CountingScorer>(), true, 1}});
   past.see(0.6);
   past.see_scans(2, 0.6);
@@ -239,8 +238,7 @@ TEST_CASE("in retrospect no scan is more than one whole piece of evidence to a s
   CHECK(count_of(hypothesis, 0) <= 0.6 + 1);
 }
 
-// It is given the weight of all of the blind drive.
-TEST_CASE("the first scan after a blind drive counts once", "[!shouldfail]") {
+TEST_CASE("the first scan after a blind drive counts once") {
   Past past = past_of(1, verification_options(), 1);
   for (int k = 1; k <= 10; ++k) {
     past.robot.drive_blind_to(Pose2(2 + 0.4 * k, 4, 0));

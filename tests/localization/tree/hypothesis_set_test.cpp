@@ -386,8 +386,7 @@ TEST_CASE("a branch of too many features that are not on the map ends") {
   check_heard(line.listener, line.set.alive());
 }
 
-// The way that makes one node of all features does not count them.
-TEST_CASE("too many features that are not on the map end a hypothesis that never branches, too", "[!shouldfail]") {
+TEST_CASE("too many features that are not on the map end a hypothesis that never branches, too") {
   LocalizerOptions options;
   options.growth.max_consecutive_not_on_map = 2;
   Line line(options, {column(50, 0)});
