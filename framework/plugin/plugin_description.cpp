@@ -95,16 +95,19 @@ class Node {
 };
 
 /// "urn:opal:v1", or an array of it and objects that define further prefixes.
-void check_context(const Node& context) {
+std::map<std::string, std::string> read_prefixes(const Node& context) {
   const json& value = context.value();
-  if (value == kContext) return;
+  std::map<std::string, std::string> prefixes;
+  if (value == kContext) return prefixes;
   if (!value.is_array() || value.empty() || value.front() != kContext)
     context.refuse_value("\"urn:opal:v1\", or an array that begins with it");
   for (std::size_t i = 1; i < value.size(); ++i) {
-    const bool prefixes = value[i].is_object() && std::all_of(value[i].begin(), value[i].end(),
-                                                              [](const json& iri) { return iri.is_string(); });
-    if (!prefixes) context.refuse_value("an object of prefixes after \"urn:opal:v1\"");
+    const bool are_texts = value[i].is_object() && std::all_of(value[i].begin(), value[i].end(),
+                                                               [](const json& iri) { return iri.is_string(); });
+    if (!are_texts) context.refuse_value("an object of prefixes after \"urn:opal:v1\"");
+    for (const auto& [prefix, iri] : value[i].items()) prefixes[prefix] = iri.get<std::string>();
   }
+  return prefixes;
 }
 
 PluginKind read_kind(const Node& node) {
@@ -201,9 +204,9 @@ const char* name_of(PluginKind kind) { return kKindNames.at(static_cast<std::siz
 PluginDescription parse_plugin_description(const json& document, const std::string& file) {
   const Node root(document, file);
   root.expect_object({"@context", "@type", "name", "version", "types"}, {});
-  check_context(root.at("@context"));
+  std::map<std::string, std::string> prefixes = read_prefixes(root.at("@context"));
   if (root.at("@type").text() != "Plugin") root.at("@type").refuse_value("\"Plugin\"");
-  PluginDescription description{root.at("name").word(), root.at("version").word(), {}};
+  PluginDescription description{root.at("name").word(), root.at("version").word(), {}, std::move(prefixes)};
   std::set<std::string> names;
   for (const Node& node : root.at("types").elements()) {
     description.types.push_back(read_type(node));

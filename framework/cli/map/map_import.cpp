@@ -1,4 +1,5 @@
 #include "cli/map/map_import.hpp"
+#include "cli/map/map_derive.hpp"
 #include "cli/options/exit_code.hpp"
 
 #include "session/session.hpp"
@@ -17,7 +18,7 @@ namespace {
 struct ImportOptions {
   std::string source, out, svg, png, report, config, storey;
   std::optional<double> z_m;
-  std::vector<std::string> words;
+  std::vector<std::string> words, detectors;
   double thicken_m = 0;
 };
 
@@ -63,7 +64,9 @@ int import(const ImportOptions& options) {
   expect_other_file(options.source, options.out);
   const opal::PluginRegistry registry = load_plugins();
   const opal::RegisteredType& importer = importer_of(registry, options.source);
-  const opal::MapImport imported = import_map(registry, options.source, options_for(importer, registry, options));
+  opal::MapImport imported = import_map(registry, options.source, options_for(importer, registry, options));
+  for (const std::string& detector : options.detectors)
+    imported.map = derived_by(registry, *imported.map, detector, {}, {}).map;
   opal::write_map(*imported.map, options.out);
   std::cout << text_of(imported.report) << "written: " << options.out << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
@@ -113,6 +116,9 @@ void add_map_import(CLI::App& map, int& exit_code) {
   verb->add_option("--z", options->z_m, "height of the cut in the building's coordinates [m], instead of a storey")
       ->excludes(storey);
   add_choices(*verb, *options);
+  verb->add_option("--derive", options->detectors,
+                   "add the features that this detector would find (`opal map derive`); may be repeated")
+      ->allow_extra_args(false);
   verb->add_option("--thicken", options->thicken_m,
                    "for experiments: make walls of a grid so much thicker first, and its cells 0.1 m [m]");
   verb->callback([options, &exit_code] { exit_code = import(*options); });

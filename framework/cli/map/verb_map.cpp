@@ -1,3 +1,4 @@
+#include "cli/map/map_derive.hpp"
 #include "cli/map/map_fleet.hpp"
 #include "cli/map/map_frame.hpp"
 #include "cli/map/map_generate.hpp"
@@ -143,14 +144,16 @@ void add_raster(CLI::App& map, int& exit_code) {
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map = app.add_subcommand("map",
-                                     "semantic maps: import, storeys, check, patterns, frame, overlay, damage, join, "
-                                     "raster, redraw, push, pull, list, diff, generate");
+  CLI::App* map =
+      app.add_subcommand("map",
+                         "semantic maps: import, storeys, check, patterns, derive, frame, overlay, damage, join, "
+                         "raster, redraw, push, pull, list, diff, generate");
   map->require_subcommand(1);
   add_map_import(*map, exit_code);
   add_map_storeys(*map, exit_code);
   add_check(*map, exit_code);
   add_map_patterns(*map, exit_code);
+  add_map_derive(*map, exit_code);
   add_map_frame(*map, exit_code);
   add_map_overlay(*map, exit_code);
   add_damage(*map, exit_code);

@@ -177,8 +177,7 @@ void CandidateGenerator::look_up(const Lookup& lookup, int number, const Telling
       for (const Point& position : positions) {
         if (!is_in_region(position)) continue;
         const float likelihood_field = coarse_likelihood_field(on_map, *map_, position, filter.bar());
-        if (filter.passes(likelihood_field))
-          places.push_back({position, heading_rad, likelihood_field, number, k});
+        if (filter.passes(likelihood_field)) places.push_back({position, heading_rad, likelihood_field, number, k});
       }
     }
   }

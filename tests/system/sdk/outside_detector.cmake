@@ -5,3 +5,13 @@ set(installed ${work_folder}/installed/lib/opal/plugins)
 run("testing the installed plugin" ${outside_build}/check_posts ${installed}/posts.so)
 run("listing plugins" ${CMAKE_COMMAND} -E env OPAL_PLUGIN_PATH=${installed} ${opal} plugins)
 expect("opal plugins does not list acme:PostDetector:\n${output}" output MATCHES "acme:PostDetector")
+
+# A map that holds what the detector finds: derived of the columns of a map that has never heard of posts.
+set(posts ${CMAKE_COMMAND} -E env OPAL_PLUGIN_PATH=${installed} ${opal} map)
+run("generating a hall" ${opal} map generate hall --seed 3 -o ${work_folder}/hall.jsonld)
+run("deriving posts" ${posts} derive ${work_folder}/hall.jsonld --detector acme:PostDetector --set max_width_m=0.6 -o ${work_folder}/posts.jsonld)
+expect("opal map derive finds no posts:\n${output}" output MATCHES "acme:PostDetector: [1-9][0-9]* new features")
+file(READ ${work_folder}/posts.jsonld derived)
+expect("the prefix of posts has lost its IRI" derived MATCHES "https://acme.example/opal#")
+run("checking the map" ${posts} check ${work_folder}/posts.jsonld)
+expect("the map does not make acme:PostDetector run:\n${output}" output MATCHES "acme:PostDetector")

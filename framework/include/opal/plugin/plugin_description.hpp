@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -48,9 +49,10 @@ struct DescribedType {
 /// The description that stands beside every plugin: known, and checked, before any code of the plugin runs.
 /// docs/write_a_plugin.md gives the format.
 struct PluginDescription {
-  std::string name;                  ///< of the plugin
-  std::string version;               ///< of the plugin; free text
-  std::vector<DescribedType> types;  ///< in the order of the document
+  std::string name;                                  ///< of the plugin
+  std::string version;                               ///< of the plugin; free text
+  std::vector<DescribedType> types;                  ///< in the order of the document
+  std::map<std::string, std::string> prefixes = {};  ///< of names in it, with their IRIs
 };
 
 /// Strict: unknown keys, missing keys, names given twice and defaults out of range are errors.

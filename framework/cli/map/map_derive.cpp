@@ -1,0 +1,80 @@
+#include "cli/map/map_derive.hpp"
+
+#include "cli/options/exit_code.hpp"
+#include "drawing/drawing.hpp"
+#include "map/map_file.hpp"
+#include "session/session.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+struct DeriveOptions {
+  std::string map, out, detector, svg, png;
+  std::vector<std::string> words;
+  opal::DerivationOptions derivation;
+};
+
+void draw(const opal::Derivation& derivation, const DeriveOptions& options) {
+  opal::DrawingScene scene;
+  scene.title = derivation.map->name();
+  scene.map = derivation.map;
+  scene.notes = {std::to_string(derivation.added.size()) + " features derived by " + options.detector};
+  if (!options.svg.empty()) opal::write_svg(scene, options.svg);
+  if (!options.png.empty()) opal::write_png(scene, options.png);
+}
+
+int derive(const DeriveOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  const auto map = load_map(registry, options.map);
+  const opal::Derivation derivation = derived_by(registry, *map, options.detector, options.words, options.derivation);
+  for (const std::string& id : derivation.added) std::cout << "  " << id << '\n';
+  opal::write_map(*derivation.map, options.out);
+  std::cout << "written: " << options.out << '\n';
+  draw(derivation, options);
+  return derivation.added.empty() ? kNo : kDone;
+}
+
+}  // namespace
+
+opal::Derivation derived_by(const opal::PluginRegistry& registry, const opal::SemanticMap& map,
+                            const std::string& detector, const std::vector<std::string>& words,
+                            const opal::DerivationOptions& options) {
+  const opal::RegisteredType& type = registry.type(detector);
+  if (type.kind != opal::PluginKind::feature_detector)
+    throw opal::ConfigError(detector + ": is a " + name_of(type.kind) +
+                            ", expected a FeatureDetector (`opal plugins`)");
+  const auto part = registry.make<opal::FeatureDetector>(detector, opal::parse_options(detector, type.options, words));
+  const std::string description = std::filesystem::path(type.file).replace_extension(".jsonld").string();
+  opal::Derivation derivation = opal::derived_features(map, *part, type.info.produces, options,
+                                                       opal::read_plugin_description(description).prefixes);
+  std::cout << detector << ": " << derivation.added.size() << " new features, seen from " << derivation.places
+            << " places; " << derivation.known << " known before; " << derivation.doubtful
+            << " left out, seen too seldom or on no object\n";
+  return derivation;
+}
+
+void add_map_derive(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<DeriveOptions>();
+  opal::DerivationOptions& derivation = options->derivation;
+  CLI::App* verb = map.add_subcommand("derive", "add the features that a detector would find on what is mapped");
+  verb->add_option("MAP", options->map, "map document, or a source to import")->required();
+  verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
+  verb->add_option("--detector", options->detector, "type name of a detector: acme:PostDetector")->required();
+  verb->add_option("--set", options->words, "an option of the detector, NAME=VALUE; may be repeated")
+      ->allow_extra_args(false);
+  verb->add_option("--sensor", derivation.sensor, "id of the sensor that perceives them")->capture_default_str();
+  verb->add_option("--spacing", derivation.spacing_m, "between the places to look from [m]")
+      ->check(CLI::Range(0.2, 10.0))
+      ->capture_default_str();
+  verb->add_option("--reach", derivation.reach_m, "how far the laser sees [m]")
+      ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
+  verb->add_option("--svg", options->svg, "also draw the map into this file");
+  verb->add_option("--png", options->png, "the same as a PNG");
+  verb->callback([options, &exit_code] { exit_code = derive(*options); });
+}

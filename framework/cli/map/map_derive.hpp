@@ -1,0 +1,17 @@
+#pragma once
+
+#include "derivation/feature_derivation.hpp"
+
+#include <opal/plugin/plugin_registry.hpp>
+
+#include <CLI/CLI.hpp>
+
+/// `opal map derive`.
+void add_map_derive(CLI::App& map, int& exit_code);
+
+/// The map with the features that a detector finds on its objects. Says on standard output what was found.
+/// @param detector  its type name.
+/// @param words     its options, each "NAME=VALUE".
+opal::Derivation derived_by(const opal::PluginRegistry& registry, const opal::SemanticMap& map,
+                            const std::string& detector, const std::vector<std::string>& words,
+                            const opal::DerivationOptions& options);

@@ -1,0 +1,171 @@
+#include "derivation/feature_derivation.hpp"
+
+#include "derivation/sightings.hpp"
+#include "simulation/clutter.hpp"
+#include "simulation/floor.hpp"
+#include "simulation/laser.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace opal {
+namespace {
+
+using simulation::Floor;
+using simulation::RayCaster;
+
+// A detector's view of a thing lies on the object's surface but for what its fit is off.
+constexpr double kOnObject_m = 0.3;
+// What hides a thing stands farther before it than its own surface does.
+constexpr double kHides_m = 0.3;
+
+RayCaster shut_building(const SemanticMap& map) {
+  simulation::Random unused(0);
+  return RayCaster(simulation::building_solids(map, 0, unused));
+}
+
+/// One place for each square of a grid that has floor: the floor's cell next to the square's middle.
+std::vector<Point> places_to_look_from(const Floor& floor, double spacing_m) {
+  std::map<std::pair<int, int>, std::pair<double, Point>> by_square;
+  for (const int cell : floor.cells()) {
+    const Point place = floor.center_of(cell), square = (place / spacing_m).array().floor();
+    const double off_m = (place - spacing_m * (square + Point(0.5, 0.5))).norm();
+    const auto [at, is_new] = by_square.try_emplace({int(square.x()), int(square.y())}, off_m, place);
+    if (!is_new && off_m < at->second.first) at->second = {off_m, place};
+  }
+  std::vector<Point> places;
+  for (const auto& [square, best] : by_square) places.push_back(best.second);
+  return places;
+}
+
+/// A laser without errors that sees all around.
+class CleanLaser {
+ public:
+  CleanLaser(const RayCaster& solids, double reach_m) : solids_(solids) {
+    laser_.beams = 1440;
+    laser_.angle_min_rad = -std::numbers::pi;
+    laser_.angle_increment_rad = 2 * std::numbers::pi / laser_.beams;
+    laser_.range_max_m = reach_m;
+    laser_.no_return_m = 2 * reach_m;
+  }
+
+  Scan scan_at(const Pose2& T_map_laser) const {
+    constexpr simulation::LaserErrors kNone{
+        .range_sigma_m = 0, .range_sigma_share = 0, .missed_share = 0, .mixed_share = 0, .glass_share = 1};
+    simulation::Random unused(0);
+    return make_scan(swept(
+                         solids_, {}, [&](int) { return T_map_laser; }, laser_, kNone, unused),
+                     laser_);
+  }
+
+ private:
+  const RayCaster& solids_;
+  LaserModel laser_;
+};
+
+Sightings looked_around(const std::vector<Point>& places, const CleanLaser& laser, const FeatureDetector& detector,
+                        const std::set<std::string>& types) {
+  constexpr double kTurn_rad = 2.4;  // between places, so that no side of the building is always at a scan's end
+  Sightings sightings;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Pose2 T_map_laser(places[k], kTurn_rad * static_cast<double>(k));
+    for (const Feature& seen : detector.detect(laser.scan_at(T_map_laser)))
+      if (types.contains(seen.type)) sightings.add(transformed(T_map_laser, seen), places[k]);
+  }
+  return sightings;
+}
+
+/// From how many places a thing is in view, no farther than it was seen from.
+std::size_t places_in_view(const std::vector<Point>& places, const RayCaster& solids, const Geometry& thing,
+                           double farthest_m) {
+  const Point anchor = anchor_of(thing);
+  const auto* round = std::get_if<Circle>(&thing);
+  const double before_m = kHides_m + (round ? round->radius_m : 0);
+  return static_cast<std::size_t>(std::count_if(places.begin(), places.end(), [&](const Point& place) {
+    const Point way = anchor - place;
+    const double range_m = way.norm();
+    if (range_m > farthest_m || range_m <= before_m) return range_m <= before_m;
+    return solids.cast(place, way / range_m, range_m - before_m).solid < 0;
+  }));
+}
+
+/// Position in objects() of whose surface is next to a thing; -1: none is near.
+int object_at(const SemanticMap& map, const Geometry& thing) {
+  const auto* round = std::get_if<Circle>(&thing);
+  double nearest_m = kOnObject_m + (round ? round->radius_m : 0);
+  int object = -1;
+  for (const MapFeature& feature : map.features())
+    if (const double off_m = distance_m(feature.geometry, anchor_of(thing)); off_m < nearest_m) {
+      nearest_m = off_m;
+      object = feature.object;
+    }
+  return object;
+}
+
+/// "acme:Post" is called "Post".
+std::string short_name(const std::string& type) { return type.substr(type.rfind(':') + 1); }
+
+/// Adds features to objects under names that the map does not have.
+class Additions {
+ public:
+  Additions(const SemanticMap& map, const std::string& sensor) : map_(map), features_(map.features()), sensor_(sensor) {
+    for (const MapFeature& feature : features_) ids_.insert(feature.id);
+  }
+
+  bool knows(const std::string& type, const Geometry& thing) const {
+    return std::any_of(features_.begin(), features_.end(), [&](const MapFeature& feature) {
+      return feature.sensor == sensor_ && feature.type == type && is_one_thing(feature.geometry, thing);
+    });
+  }
+
+  void add(int object, const std::string& type, const Geometry& thing) {
+    const std::string stem = map_.objects()[object].id + "/" + short_name(type) + "-";
+    int number = 1;
+    while (!ids_.insert(stem + std::to_string(number)).second) ++number;
+    added_.push_back(stem + std::to_string(number));
+    features_.push_back({added_.back(), object, type, sensor_, thing});
+  }
+
+  std::shared_ptr<const SemanticMap> map_with_all(const std::map<std::string, std::string>& prefixes) const {
+    return map_.with_contents(map_.objects(), features_, map_.patterns(), prefixes);
+  }
+  const std::vector<std::string>& added() const { return added_; }
+
+ private:
+  const SemanticMap& map_;
+  std::vector<MapFeature> features_;
+  std::string sensor_;
+  std::set<std::string> ids_;
+  std::vector<std::string> added_;
+};
+
+}  // namespace
+
+Derivation derived_features(const SemanticMap& map, const FeatureDetector& detector, std::span<const std::string> types,
+                            const DerivationOptions& options, const std::map<std::string, std::string>& prefixes) {
+  const RayCaster solids = shut_building(map);
+  const Floor floor(map, solids, options.clearance_m);
+  const std::vector<Point> places = places_to_look_from(floor, options.spacing_m);
+  const Sightings seen =
+      looked_around(places, CleanLaser(solids, options.reach_m), detector, {types.begin(), types.end()});
+  Additions additions(map, options.sensor);
+  Derivation derivation;
+  derivation.places = places.size();
+  for (const Sighted& thing : seen.all()) {
+    const Geometry geometry = thing.geometry();
+    const auto views = static_cast<double>(thing.views.size());
+    const int object = object_at(map, geometry);
+    if (additions.knows(thing.type, geometry))
+      ++derivation.known;
+    else if (object < 0 || views < options.fewest_views ||
+             views < options.least_share * double(places_in_view(places, solids, geometry, thing.farthest_m)))
+      ++derivation.doubtful;
+    else
+      additions.add(object, thing.type, geometry);
+  }
+  derivation.map = additions.map_with_all(prefixes);
+  derivation.added = additions.added();
+  return derivation;
+}
+
+}  // namespace opal

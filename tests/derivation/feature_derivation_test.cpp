@@ -1,0 +1,141 @@
+#include "derivation/feature_derivation.hpp"
+
+#include "plugins/boxes/detector.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace opal;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::vector<std::string> kPillarCorner{"opal:PillarCorner"};
+constexpr double kSide_m = 0.4;
+
+/// A room of 10 m by 8 m with a square pillar in it and one in its corner.
+class Hall {
+ public:
+  explicit Hall(const Pose2& T_map_hall = {}) : T_map_hall_(T_map_hall) {
+    object("wall", "opal:Wall", {{0, 0}, {10, 0}, {10, 8}, {0, 8}});
+    object("pillar", "opal:Column", box(kPillar));
+    object("built-in", "opal:Column", box({0.2, 0.2}));
+  }
+  std::shared_ptr<const SemanticMap> map() const { return SemanticMap::make("hall", objects_, features_); }
+  inline static const Point kPillar{4, 3};
+
+ private:
+  static std::vector<Point> box(const Point& center) {
+    const double a = kSide_m / 2;  // clockwise: seen from outside
+    return {center + Point(-a, -a), center + Point(-a, a), center + Point(a, a), center + Point(a, -a)};
+  }
+  void object(const std::string& id, const std::string& type, const std::vector<Point>& corners) {
+    objects_.push_back({id, type});
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      features_.push_back({id + "/face-" + std::to_string(k), static_cast<int>(objects_.size()) - 1, "opal:Wall",
+                           "PlanarLidar2D",
+                           transformed(T_map_hall_, Segment{corners[k], corners[(k + 1) % corners.size()]})});
+  }
+  Pose2 T_map_hall_;
+  std::vector<MapObject> objects_;
+  std::vector<MapFeature> features_;
+};
+
+std::vector<MapFeature> pillar_corners(const SemanticMap& map) {
+  std::vector<MapFeature> found;
+  std::copy_if(map.features().begin(), map.features().end(), std::back_inserter(found),
+               [](const MapFeature& feature) { return feature.type == "opal:PillarCorner"; });
+  return found;
+}
+
+/// The pillar's edges as they are: open to 270 degrees, outward.
+std::vector<OrientedPoint> true_edges(const Pose2& T_map_hall) {
+  std::vector<OrientedPoint> edges;
+  for (const Point& side : {Point(1, 1), Point(-1, 1), Point(-1, -1), Point(1, -1)})
+    edges.push_back({T_map_hall * Point(Hall::kPillar + kSide_m / 2 * side),
+                     wrap_angle(T_map_hall.heading_rad() + std::atan2(side.y(), side.x())), 1.5 * std::numbers::pi});
+  return edges;
+}
+
+/// Finds a thing somewhere else from each place.
+class Restless final : public FeatureDetector {
+ public:
+  std::vector<Feature> detect(const Scan& scan) const override {
+    if (scan.points.empty()) return {};
+    return {{.type = "acme:Ghost", .geometry = scan.points[scan.points.size() / 3].position}};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the edges of a pillar are derived where they are, and belong to it, wherever the map has its origin") {
+  const Pose2 T_map_hall = GENERATE(Pose2(), Pose2(30, -12, 0.7));
+  const auto map = Hall(T_map_hall).map();
+  const Derivation derivation = derived_features(*map, boxes::BoxDetector({}), kPillarCorner);
+  const std::vector<MapFeature> found = pillar_corners(*derivation.map);
+  CHECK(derivation.added.size() == 4);
+  CHECK(derivation.known == 0);
+  REQUIRE(found.size() == 4);
+  for (const OrientedPoint& edge : true_edges(T_map_hall)) {
+    CAPTURE(edge.position.transpose());
+    CHECK(std::count_if(found.begin(), found.end(), [&](const MapFeature& feature) {
+            const auto& at = std::get<OrientedPoint>(feature.geometry);
+            return (at.position - edge.position).norm() < 0.03 &&
+                   std::abs(wrap_angle(at.heading_rad - edge.heading_rad)) < 0.05 &&
+                   std::abs(at.opening_rad - edge.opening_rad) < 0.1;
+          }) == 1);
+  }
+  for (const MapFeature& feature : found) {
+    CHECK(derivation.map->objects()[feature.object].id == "pillar");
+    CHECK(feature.sensor == "PlanarLidar2D");
+    CHECK_THAT(feature.id, Contains("pillar/PillarCorner-"));
+  }
+}
+
+TEST_CASE("what the map has keeps its name and place, and is not derived again") {
+  const auto map = Hall().map();
+  const Derivation once = derived_features(*map, boxes::BoxDetector({}), kPillarCorner);
+  for (const MapFeature& feature : map->features())
+    CHECK(std::any_of(once.map->features().begin(), once.map->features().end(), [&](const MapFeature& kept) {
+      return kept.id == feature.id && kept.type == feature.type && kept.geometry.index() == feature.geometry.index();
+    }));
+  CHECK(once.map->features().size() == map->features().size() + once.added.size());
+  const Derivation twice = derived_features(*once.map, boxes::BoxDetector({}), kPillarCorner);
+  CHECK(twice.added.empty());
+  CHECK(twice.known == once.added.size());
+  CHECK(twice.map->features().size() == once.map->features().size());
+}
+
+TEST_CASE("what a detector finds at another place from each place is no feature of the building") {
+  const std::vector<std::string> ghost{"acme:Ghost"};
+  const Derivation derivation = derived_features(*Hall().map(), Restless(), ghost);
+  CHECK(derivation.added.empty());
+  CHECK(derivation.doubtful > 0);
+}
+
+TEST_CASE("only the types that are asked for are derived") {
+  const std::vector<std::string> other{"acme:Post"};
+  CHECK(derived_features(*Hall().map(), boxes::BoxDetector({}), other).added.empty());
+}
+
+TEST_CASE("a type's prefix keeps the IRI that its author gave it") {
+  class Post final : public FeatureDetector {
+    std::vector<Feature> detect(const Scan& scan) const override {
+      std::vector<Feature> edges = boxes::BoxDetector({}).detect(scan);
+      for (Feature& edge : edges) edge.type = "acme:Post";
+      return edges;
+    }
+  };
+  const std::vector<std::string> post{"acme:Post"};
+  const auto map = derived_features(*Hall().map(), Post(), post, {}, {{"acme", "https://acme.example/opal#"}}).map;
+  CHECK(map->prefixes().at("acme") == "https://acme.example/opal#");
+}
+
+TEST_CASE("a building in which nobody can stand is an error") {
+  DerivationOptions options;
+  options.clearance_m = 20;
+  CHECK_THROWS_AS(derived_features(*Hall().map(), boxes::BoxDetector({}), kPillarCorner, options), MapError);
+}
