@@ -361,6 +361,8 @@ def parse(arguments):
     parser.add_argument("--reuse", action="store_true", help="do not repeat runs that are complete in the folder of --out")
     parser.add_argument("--keep-cost", action="store_true", help="leave CPU, memory and import times as they are")
     parser.add_argument("--check", action="store_true", help="write nothing; exit 1 if anything but CPU, memory or time changed")
+    parser.add_argument("--tolerance", type=float, metavar="SHARE",
+                        help="with --check: numbers that differ by this share, or by 2, have not changed")
     return parser.parse_args(arguments)
 
 
@@ -380,7 +382,8 @@ def main(arguments=None):
     new, changes = tables.rewritten(page, make_tables(bench, drives.Drives(options), selection, options.seeds, page), options.keep_cost)
     for change in changes:
         print(change)
-    results = [change for change in changes if not change.is_cost]
+    results = [change for change in changes if not change.is_cost
+               and not (options.tolerance is not None and change.is_within(options.tolerance))]
     print(f"{len(results)} results changed, and {len(changes) - len(results)} numbers of CPU, memory or time")
     if options.check:
         return 1 if results else 0

@@ -25,6 +25,14 @@ class Change:
         """CPU, memory and time differ from run to run."""
         return any(word in self.column or word in self.row for word in COST)
 
+    def is_within(self, share):
+        """Whether two numbers differ by no more than another processor may make them: by a share, or by two of what is counted."""
+        try:
+            old, new = float(self.old), float(self.new)
+        except ValueError:
+            return False
+        return abs(new - old) <= max(2, share * abs(old))
+
     def __str__(self):
         return f"{self.table}, {self.row}, {self.column}: {self.old or '(empty)'} -> {self.new}"
 
