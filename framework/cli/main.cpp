@@ -34,6 +34,7 @@ void add_verbs(CLI::App& app, int& exit_code) {
   opal::add_info_verb(app, exit_code);
   opal::add_localize_verb(app, exit_code);
   opal::add_track_verb(app, exit_code);
+  opal::add_learn_verb(app, exit_code);
   opal::add_view_verb(app, exit_code);
   opal::add_explain_verb(app, exit_code);
   opal::add_simulate_verb(app, exit_code);

@@ -54,7 +54,8 @@ class PointNodes {
  private:
   std::int64_t square(double x) const { return static_cast<std::int64_t>(std::floor(x / same_m_)); }
   static std::int64_t key(std::int64_t column, std::int64_t row) {
-    return column * 0x100000001B3 ^ row * 0x9E3779B97F4A7C1;
+    const auto wrapped = [](std::int64_t number) { return static_cast<std::uint64_t>(number); };  // products overflow
+    return static_cast<std::int64_t>(wrapped(column) * 0x100000001B3 ^ wrapped(row) * 0x9E3779B97F4A7C1);
   }
 
   double same_m_;

@@ -28,6 +28,10 @@ void add_localize_verb(CLI::App& app, int& exit_code);
 /// differs from its map. Exit code 1 if it is lost at the end.
 void add_track_verb(CLI::App& app, int& exit_code);
 
+/// `opal learn MAP LOG...`: where the building differs from its map, as drives say that nobody told the pose of. Exit
+/// code 1 if nothing was learned.
+void add_learn_verb(CLI::App& app, int& exit_code);
+
 /// `opal explain OUT --at T`: why the localizer believed what it believed, in words.
 void add_explain_verb(CLI::App& app, int& exit_code);
 

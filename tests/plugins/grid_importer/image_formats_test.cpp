@@ -92,7 +92,7 @@ std::string netpbm(const DrawnGrid& grid, const std::string& kind) {
 
 std::string little_endian(std::uint64_t value, int size) {
   std::string bytes;
-  for (int k = 0; k < size; ++k) bytes += static_cast<char>((value >> (8 * k)) & 0xFF);
+  for (int k = 0; k < size; ++k, value >>= 8) bytes += static_cast<char>(value & 0xFF);
   return bytes;
 }
 

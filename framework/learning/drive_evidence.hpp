@@ -1,0 +1,52 @@
+#pragma once
+
+#include "learning/unmapped_faces.hpp"
+#include "survey/deviation_report.hpp"
+
+#include <opal/localization/localizer.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+/// What one visit to a part of the building says: a stretch of one drive along which the robot was localized.
+struct VisitEvidence {
+  std::vector<Deviation> objects;      ///< what was recognized, or was looked for and seen through
+  std::vector<UnmappedFace> unmapped;  ///< by place
+};
+
+/// What one drive says of a map. It does not matter how it started.
+struct DriveEvidence {
+  std::string map;    ///< name of the map
+  std::string drive;  ///< name of the drive: a log, a window of it
+  std::vector<VisitEvidence> visits;
+  double learned_m = 0;   ///< driven while localizer and tracker agreed [m]
+  double left_out_m = 0;  ///< driven along stretches of which nothing was learned [m]
+};
+
+/// Watches a drive: the localizer says where the robot is, the tracker of `survey` what it sees of the map there.
+class DriveObserver {
+ public:
+  /// @param parts  of a localizer with a map.
+  explicit DriveObserver(const LocalizerParts& parts);
+  ~DriveObserver();
+
+  /// In time order.
+  void update(const Sample& sample);
+  /// What the drive has said. The observer must not be used afterwards.
+  DriveEvidence finish(const std::string& drive);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The document of one drive, and back. @throws ConfigError naming file, place, what was found and what was expected.
+nlohmann::ordered_json to_json(const DriveEvidence& evidence);
+DriveEvidence drive_evidence_from(const nlohmann::json& document, const std::string& file);
+
+}  // namespace opal

@@ -1,0 +1,208 @@
+#include "learning/learned_overlay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace opal {
+namespace {
+
+// Before anybody drove: of a hundred objects, so many are as the map says, elsewhere, gone.
+constexpr std::array<double, 3> kPrior{0.9, 0.05, 0.05};
+constexpr double kPriorAdded = 0.1;  // of straight faces that the map lacks; the others are furniture for a day
+// Two visits that see one thing at places farther apart than this, and three sigma, do not agree.
+constexpr double kOnePlace_m = 0.1;
+constexpr double kSeenThrough = 0.3;
+
+/// How often a visit is right about an object: it may have taken something before it for it, however long it looked.
+double reliability(int keyframes) { return std::min(0.98, 1 - 0.5 * std::exp(-keyframes / 3.0)); }
+
+struct Visit {
+  const Deviation* deviation;
+  const std::string* drive;
+};
+
+/// Probabilities that an object is as mapped, moved, gone (Bayes), of visits whose verdict is right as often as
+/// `reliability` says, and else one of the others.
+std::array<double, 3> posterior(const std::vector<Visit>& visits) {
+  std::array<double, 3> probability = kPrior;
+  for (const Visit& visit : visits) {
+    const double right = reliability(visit.deviation->observations);
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      probability[k] *= static_cast<int>(visit.deviation->verdict) == k ? right : (1 - right) / 2;
+      sum += probability[k];
+    }
+    for (double& each : probability) each /= sum;
+  }
+  return probability;
+}
+
+void name_drives(Proposal& proposal, const std::set<std::string>& drives) {
+  proposal.drives.assign(drives.begin(), drives.end());
+}
+
+/// Where visits have seen a moved object: their mean by information. Conflicting if one of them is far from it.
+void place(Proposal& proposal, const std::vector<Visit>& visits) {
+  double information = 0;
+  Point pull = Point::Zero();
+  for (const Visit& visit : visits) {
+    if (visit.deviation->verdict != DeviationVerdict::moved) continue;
+    const double weight = 1 / std::max(1e-6, visit.deviation->sigma_m * visit.deviation->sigma_m);
+    information += weight;
+    pull += weight * visit.deviation->moved;
+  }
+  proposal.moved = pull / information;
+  proposal.sigma_m = 1 / std::sqrt(information);
+  for (const Visit& visit : visits) {
+    const double off_m = (visit.deviation->moved - proposal.moved).norm();
+    if (visit.deviation->verdict == DeviationVerdict::moved &&
+        off_m > std::max(kOnePlace_m, 3 * visit.deviation->sigma_m))
+      proposal.is_conflicting = true;
+  }
+}
+
+Proposal proposal_for(const MapObject& object, const std::vector<Visit>& visits, DeviationVerdict verdict,
+                      double probability) {
+  Proposal proposal{object.id, object.type};
+  proposal.change = verdict == DeviationVerdict::moved ? Change::moved : Change::gone;
+  proposal.probability = probability;
+  std::set<std::string> drives;
+  bool was_there = false, was_away = false;
+  for (const Visit& visit : visits) {
+    const bool agrees = visit.deviation->verdict == verdict;
+    ++(agrees ? proposal.visits_for : proposal.visits_against);
+    if (agrees) drives.insert(*visit.drive);
+    (visit.deviation->verdict == DeviationVerdict::probably_absent ? was_away : was_there) = true;
+  }
+  proposal.moves_about = was_there && was_away;
+  if (proposal.change == Change::moved) place(proposal, visits);
+  name_drives(proposal, drives);
+  return proposal;
+}
+
+/// The same unmapped face on several visits: the view that most keyframes have.
+struct FaceGroup {
+  UnmappedFace best;
+  std::map<const VisitEvidence*, UnmappedFace> seen = {};  ///< a visit may see it in pieces: the best seen one counts
+  std::set<std::string> drives = {};
+
+  void add(const VisitEvidence& visit, const UnmappedFace& face) {
+    if (face.views > best.views) best = face;
+    const auto [piece, is_first] = seen.try_emplace(&visit, face);
+    if (!is_first && face.views > piece->second.views) piece->second = face;
+  }
+};
+
+bool is_same_face(const Segment& a, const Segment& b) {
+  constexpr double kTurn_rad = 0.15, kOff_m = 0.2;
+  const Segment& longer = a.length_m() < b.length_m() ? b : a;
+  const Segment& shorter = a.length_m() < b.length_m() ? a : b;
+  return std::abs(wrap_angle(a.heading_rad() - b.heading_rad())) < kTurn_rad &&
+         std::abs(longer.normal().dot(shorter.midpoint() - longer.begin)) < kOff_m &&
+         distance_m(longer, shorter.midpoint()) < kOff_m;
+}
+
+std::vector<FaceGroup> grouped_faces(const std::vector<const DriveEvidence*>& drives) {
+  std::vector<FaceGroup> groups;
+  for (const DriveEvidence* drive : drives)
+    for (const VisitEvidence& visit : drive->visits)
+      for (const UnmappedFace& face : visit.unmapped) {
+        auto group = std::find_if(groups.begin(), groups.end(),
+                                  [&](const FaceGroup& each) { return is_same_face(each.best.face, face.face); });
+        if (group == groups.end()) group = groups.insert(groups.end(), FaceGroup{face});
+        group->add(visit, face);
+        group->drives.insert(drive->drive);
+      }
+  return groups;
+}
+
+Proposal proposal_for(const FaceGroup& group, std::size_t number) {
+  Proposal proposal{"learned-" + std::to_string(number), "opal:Wall", Change::added};
+  proposal.face = group.best.face;
+  double odds = kPriorAdded / (1 - kPriorAdded);
+  for (const auto& [visit, face] : group.seen) {
+    const bool stands = face.seen_through_share < kSeenThrough;
+    ++(stands ? proposal.visits_for : proposal.visits_against);
+    const double right = reliability(face.views);
+    odds *= stands ? right / (1 - right) : (1 - right) / right;
+  }
+  proposal.probability = odds / (1 + odds);
+  proposal.moves_about = proposal.visits_against > 0;
+  name_drives(proposal, group.drives);
+  return proposal;
+}
+
+/// Each once, in an order that only their contents decide.
+std::vector<const DriveEvidence*> in_order(std::span<const DriveEvidence> drives) {
+  std::map<std::string, const DriveEvidence*> by_text;
+  for (const DriveEvidence& drive : drives) by_text.emplace(drive.drive + '\n' + to_json(drive).dump(), &drive);
+  std::vector<const DriveEvidence*> ordered;
+  for (const auto& [text, drive] : by_text) ordered.push_back(drive);
+  return ordered;
+}
+
+bool is_first(const Proposal& a, const Proposal& b) {
+  return a.probability != b.probability ? a.probability > b.probability : a.id < b.id;
+}
+
+}  // namespace
+
+const char* name_of(Change change) {
+  switch (change) {
+    case Change::moved: return "moved";
+    case Change::gone: return "gone";
+    case Change::added: return "added";
+  }
+  return "";
+}
+
+Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> drives) {
+  const std::vector<const DriveEvidence*> ordered = in_order(drives);
+  std::map<std::string, std::vector<Visit>> by_object;
+  for (const DriveEvidence* drive : ordered)
+    for (const VisitEvidence& visit : drive->visits)
+      for (const Deviation& deviation : visit.objects)
+        by_object[deviation.object].push_back({&deviation, &drive->drive});
+  Learned learned;
+  for (const MapObject& object : map.objects()) {
+    const auto visits = by_object.find(object.id);
+    if (visits == by_object.end()) {
+      ++learned.unseen;
+      continue;
+    }
+    const std::array<double, 3> probability = posterior(visits->second);
+    const auto best = std::max_element(probability.begin(), probability.end()) - probability.begin();
+    if (best == static_cast<int>(DeviationVerdict::as_mapped))
+      ++learned.sound;
+    else
+      learned.proposals.push_back(
+          proposal_for(object, visits->second, static_cast<DeviationVerdict>(best), probability[best]));
+  }
+  std::size_t number = 0;
+  for (const FaceGroup& group : grouped_faces(ordered)) learned.proposals.push_back(proposal_for(group, ++number));
+  std::stable_sort(learned.proposals.begin(), learned.proposals.end(), is_first);
+  return learned;
+}
+
+std::string sentence_of(const Proposal& proposal) {
+  std::string words;
+  switch (proposal.change) {
+    case Change::moved:
+      words = fmt::format("stands elsewhere by {:.2f} m, {:.2f} m (+- {:.2f} m)", proposal.moved.x(),
+                          proposal.moved.y(), proposal.sigma_m);
+      break;
+    case Change::gone: words = "is gone: beams pass through it"; break;
+    case Change::added: words = fmt::format("a face of {:.1f} m that the map lacks", proposal.face.length_m()); break;
+  }
+  words += fmt::format("; on {} of {} visits, probability {:.3f}; ", proposal.visits_for,
+                       proposal.visits_for + proposal.visits_against, proposal.probability);
+  if (proposal.is_conflicting) words += "visits place it differently; ";
+  if (proposal.moves_about) words += "there on one visit and not on another; ";
+  return words + fmt::format("drives: {}", fmt::join(proposal.drives, ", "));
+}
+
+}  // namespace opal

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "learning/drive_evidence.hpp"
+
+#include <opal/map/semantic_map.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+enum class Change { moved, gone, added };
+const char* name_of(Change change);
+
+/// A difference between the building and its map that drives agree on, or do not.
+struct Proposal {
+  std::string id;    ///< of the object; of something added "learned-1", ...
+  std::string type;  ///< of the object
+  Change change = Change::moved;
+  double probability = 0;       ///< that it is so
+  bool is_conflicting = false;  ///< visits say different things; never part of the overlay
+  bool moves_about = false;     ///< it was there on one visit and not on another; never part of the overlay
+  Point moved = Point::Zero();  ///< from where the map says [m], frame `map`
+  double sigma_m = 0;           ///< one-sigma of `moved`, per axis
+  Segment face = {};            ///< of something added
+  int visits_for = 0, visits_against = 0;
+  std::vector<std::string> drives = {};  ///< that say so, in order
+};
+
+/// What many drives say together.
+struct Learned {
+  std::vector<Proposal> proposals;  ///< most probable first, then by id
+  std::size_t sound = 0;            ///< objects that stand where the map says, as far as drives tell
+  std::size_t unseen = 0;           ///< objects that no drive tells anything of
+};
+
+/// Puts the evidence of drives together. Visits are independent; within a visit beams are not, so a visit counts once,
+/// the more the more keyframes it has. The same set of drives gives the same answer, whatever their order; a drive that
+/// comes twice counts once.
+Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> drives);
+
+/// The overlay of all proposals that are as probable and not in conflict (docs/overlays.md), as a JSON-LD document.
+/// @param sensor  that perceives what is added, and does not perceive any more what is gone.
+nlohmann::ordered_json overlay_of(const SemanticMap& map, const Learned& learned, const std::string& sensor,
+                                  double least_probability);
+
+/// What was seen, how often, and by which drives, in a sentence.
+std::string sentence_of(const Proposal& proposal);
+
+}  // namespace opal

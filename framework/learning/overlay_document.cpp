@@ -1,0 +1,107 @@
+#include "learning/learned_overlay.hpp"
+
+#include <Eigen/Dense>
+
+#include <map>
+
+namespace opal {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+double rounded(double value) { return std::round(1000 * value) / 1000; }
+
+/// Where a point that several faces share goes: along the normal of each face by that face's displacement, and not
+/// otherwise. Least squares.
+struct PointShift {
+  Point at = Point::Zero();
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  Point pull = Point::Zero();
+  std::string because;
+
+  void pull_by(const Eigen::Matrix2d& weight, const Point& moved) {
+    information += weight;
+    pull += weight * moved;
+  }
+  Point place() const {
+    constexpr double kStay = 1e-3;  // directions that no face fixes
+    return at + (information + kStay * Eigen::Matrix2d::Identity()).ldlt().solve(pull);
+  }
+};
+
+using Shifts = std::map<std::string, PointShift>;
+
+void shift(Shifts& shifts, const MapFeature& feature, const Point& moved, const std::string& because) {
+  const auto at = [&](std::size_t k, const Point& p, const Eigen::Matrix2d& weight) {
+    PointShift& point = shifts[feature.points[k]];
+    point.at = p;
+    point.pull_by(weight, moved);
+    if (point.because.empty()) point.because = because;
+  };
+  if (const auto* face = std::get_if<Segment>(&feature.geometry)) {
+    const Eigen::Matrix2d across = face->normal() * face->normal().transpose();
+    at(0, face->begin, across);
+    at(1, face->end, across);
+  } else {
+    at(0, anchor_of(feature.geometry), Eigen::Matrix2d::Identity());
+  }
+}
+
+bool is_written(const Proposal& proposal, double least_probability) {
+  return proposal.probability >= least_probability && !proposal.is_conflicting && !proposal.moves_about;
+}
+
+const MapObject* object_of(const SemanticMap& map, const std::string& id) {
+  for (const MapObject& object : map.objects())
+    if (object.id == id) return &object;
+  return nullptr;
+}
+
+json node_of(const Proposal& proposal, const std::string& sensor) {
+  constexpr double kSigma_m = 0.1;  // as far as the pose from which it was seen follows what the map has wrong
+  const auto point = [&](const char* end, const Point& p) -> json {
+    return {{"@id", proposal.id + "/" + end}, {"@type", "Point"}, {"x", rounded(p.x())}, {"y", rounded(p.y())}};
+  };
+  return {{"@id", proposal.id},
+          {"@type", "Wall"},
+          {"represented_by",
+           {{"@type", "ObjectFeatureRepresentation"},
+            {"perceivable_by", sensor},
+            {"represented_by",
+             {{"@id", proposal.id + "/face"},
+              {"@type", "LineSegment"},
+              {"existence", rounded(proposal.probability)},
+              {"position_sigma_m", kSigma_m},
+              {"begin", point("begin", proposal.face.begin)},
+              {"end", point("end", proposal.face.end)}}}}}};
+}
+
+}  // namespace
+
+json overlay_of(const SemanticMap& map, const Learned& learned, const std::string& sensor, double least_probability) {
+  json changes = json::array(), graph = json::array(), added = json::array();
+  Shifts shifts;
+  for (const Proposal& proposal : learned.proposals) {
+    if (!is_written(proposal, least_probability)) continue;
+    const MapObject* object = object_of(map, proposal.id);
+    if (proposal.change == Change::added) added.push_back(node_of(proposal, sensor));
+    if (proposal.change == Change::gone)
+      changes.push_back({{"target", proposal.id}, {"not_perceivable_by", sensor}, {"because", sentence_of(proposal)}});
+    if (proposal.change == Change::moved && object)
+      for (const int feature : object->features)
+        shift(shifts, map.features()[feature], proposal.moved, object->id + " " + sentence_of(proposal));
+  }
+  for (const auto& [id, point] : shifts) {
+    const Point place = point.place();
+    changes.push_back({{"target", id},
+                       {"x", rounded(place.x())},
+                       {"y", rounded(place.y())},
+                       {"was", {{"x", point.at.x()}, {"y", point.at.y()}}},
+                       {"because", point.because}});
+  }
+  graph.push_back({{"@type", "MapOverlay"}, {"name", "Learned while driving"}, {"changes", std::move(changes)}});
+  for (json& node : added) graph.push_back(std::move(node));
+  return {{"@context", "urn:opal:v1"}, {"@graph", std::move(graph)}};
+}
+
+}  // namespace opal

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <opal/map/view/map_view.hpp>
+#include "survey/map_belief.hpp"
+
+#include <span>
+#include <vector>
+
+namespace opal {
+
+/// A straight face that a drive has seen where the map has nothing. Frame: `map`; the visible side is on the left.
+struct UnmappedFace {
+  Segment face;
+  int views = 0;                  ///< keyframes that saw it
+  double seen_through_share = 0;  ///< of the keyframes that saw it or through it: through it, in [0, 1]
+};
+
+/// What one keyframe saw, in the frame of the robot then.
+struct KeyframeView {
+  std::vector<Segment> faces;                  ///< straight pieces, the robot on their left
+  std::vector<std::pair<Point, Point>> beams;  ///< some of the beams: from the laser to where they ended
+};
+
+/// Gathers the straight faces of a drive for which the map has no surface, where it is believed to be, within 0.25 m.
+/// @param views       of the keyframes. @param T_map_base  of each of them.
+/// @param belief      what the drive says of the mapped features.
+/// @return longer than 0.8 m and seen from 5 keyframes at least, by place.
+std::vector<UnmappedFace> unmapped_faces(const MapView& map, const MapBelief& belief,
+                                         std::span<const KeyframeView> views, std::span<const Pose2> T_map_base);
+
+}  // namespace opal

@@ -1,0 +1,185 @@
+#include "learning/learned_overlay.hpp"
+
+#include "map/overlay/map_overlay.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace opal;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const char* const kSensor = "PlanarLidar2D";
+
+/// A room of 8 m by 6 m whose walls share their corners.
+std::shared_ptr<const SemanticMap> room() {
+  const Point corners[] = {{0, 0}, {8, 0}, {8, 6}, {0, 6}};
+  std::vector<MapObject> objects;
+  std::vector<MapFeature> features;
+  for (int k = 0; k < 4; ++k) {
+    const std::string id = "wall-" + std::to_string(k);
+    objects.push_back({id, "opal:Wall"});
+    features.push_back({id + "/face", k, "opal:Wall", kSensor, Segment{corners[k], corners[(k + 1) % 4]}});
+    features.back().points = {"corner-" + std::to_string(k), "corner-" + std::to_string((k + 1) % 4)};
+  }
+  return SemanticMap::make("room", objects, features);
+}
+
+Deviation seen(const std::string& object, DeviationVerdict verdict, const Point& moved = Point::Zero(),
+               int keyframes = 12) {
+  Deviation deviation;
+  deviation.object = object;
+  deviation.type = "opal:Wall";
+  deviation.verdict = verdict;
+  deviation.moved = moved;
+  deviation.offset_m = moved.norm();
+  deviation.sigma_m = 0.03;
+  deviation.observations = keyframes;
+  return deviation;
+}
+
+DriveEvidence drive(const std::string& name, std::vector<Deviation> objects, std::vector<UnmappedFace> faces = {}) {
+  return {"room", name, {{std::move(objects), std::move(faces)}}, 20, 0};
+}
+
+const auto kThere = DeviationVerdict::as_mapped, kMoved = DeviationVerdict::moved,
+           kGone = DeviationVerdict::probably_absent;
+
+const Proposal* proposal_of(const Learned& learned, const std::string& id) {
+  const auto at =
+      std::find_if(learned.proposals.begin(), learned.proposals.end(), [&](const Proposal& p) { return p.id == id; });
+  return at == learned.proposals.end() ? nullptr : &*at;
+}
+
+/// The map with what was learned, by way of the document.
+std::shared_ptr<const SemanticMap> applied(const SemanticMap& map, const std::vector<DriveEvidence>& drives) {
+  const std::string text = overlay_of(map, learned_from(map, drives), kSensor, 0.9).dump();
+  return overlaid_map(map, {parse_overlay(text, "learned")}).map;
+}
+
+const Segment& face_of(const SemanticMap& map, const std::string& id) {
+  for (const MapFeature& feature : map.features())
+    if (feature.id == id) return std::get<Segment>(feature.geometry);
+  FAIL("no feature " + id);
+  throw Error("unreachable");
+}
+
+}  // namespace
+
+TEST_CASE("a wall that visits see elsewhere moves along its normal, and its neighbours reach up to it") {
+  const auto map = room();
+  const std::vector<DriveEvidence> drives{drive("a", {seen("wall-0", kMoved, {0, 0.4}), seen("wall-1", kThere)}),
+                                          drive("b", {seen("wall-0", kMoved, {0, 0.42}), seen("wall-3", kThere)})};
+  const auto built = applied(*map, drives);
+  CHECK(face_of(*built, "wall-0/face").begin.y() == Approx(0.41).margin(0.01));
+  CHECK(face_of(*built, "wall-0/face").end.y() == Approx(0.41).margin(0.01));
+  CHECK(face_of(*built, "wall-0/face").begin.x() == Approx(0).margin(0.01));
+  CHECK(face_of(*built, "wall-1/face").begin.y() == Approx(0.41).margin(0.01));
+  CHECK(face_of(*built, "wall-1/face").begin.x() == Approx(8).margin(0.01));
+  CHECK(face_of(*built, "wall-2/face").begin.y() == Approx(6).margin(0.001));
+}
+
+TEST_CASE("two walls that meet and both stand elsewhere meet where they stand") {
+  const auto map = room();
+  const std::vector<Deviation> both{seen("wall-0", kMoved, {0, 0.4}), seen("wall-1", kMoved, {-0.3, 0})};
+  const auto built = applied(*map, {drive("a", both), drive("b", both)});
+  CHECK(face_of(*built, "wall-0/face").end.x() == Approx(7.7).margin(0.01));
+  CHECK(face_of(*built, "wall-0/face").end.y() == Approx(0.4).margin(0.01));
+}
+
+TEST_CASE("what beams pass through on every visit is not looked for any more") {
+  const auto map = room();
+  const auto built = applied(*map, {drive("a", {seen("wall-2", kGone)}), drive("b", {seen("wall-2", kGone)})});
+  for (const MapFeature& feature : built->features())
+    CHECK((feature.sensor == kSensor) == (feature.id != "wall-2/face"));
+}
+
+TEST_CASE("a face that the map lacks is added, unless beams pass through it on another visit") {
+  const auto map = room();
+  const Segment face{{2, 3}, {5, 3}};
+  const auto built = applied(*map, {drive("a", {}, {{face, 10, 0}}), drive("b", {}, {{face, 8, 0.1}})});
+  CHECK((face_of(*built, "learned-1/face").begin - face.begin).norm() < 0.01);
+  CHECK((face_of(*built, "learned-1/face").end - face.end).norm() < 0.01);
+  const Learned doubtful =
+      learned_from(*map, std::vector{drive("a", {}, {{face, 10, 0}}), drive("b", {}, {{face, 8, 0.9}})});
+  REQUIRE(doubtful.proposals.size() == 1);
+  CHECK(doubtful.proposals.front().moves_about);
+  CHECK(overlay_of(*map, doubtful, kSensor, 0.5).at("@graph").size() == 1);
+}
+
+TEST_CASE("one short look changes no map, two long ones do") {
+  const auto map = room();
+  const auto is_written = [&](const std::vector<DriveEvidence>& drives) {
+    return !overlay_of(*map, learned_from(*map, drives), kSensor, 0.9).at("@graph").at(0).at("changes").empty();
+  };
+  CHECK_FALSE(is_written({drive("a", {seen("wall-0", kMoved, {0, 0.4}, 3)})}));
+  CHECK(is_written({drive("a", {seen("wall-0", kMoved, {0, 0.4})}), drive("b", {seen("wall-0", kMoved, {0, 0.4})})}));
+}
+
+TEST_CASE("drives that contradict each other are shown, not averaged") {
+  const auto map = room();
+  const std::vector<DriveEvidence> drives{drive("a", {seen("wall-0", kMoved, {0, 0.6})}),
+                                          drive("b", {seen("wall-0", kMoved, {0, -0.5})})};
+  const Learned learned = learned_from(*map, drives);
+  REQUIRE(proposal_of(learned, "wall-0"));
+  CHECK(proposal_of(learned, "wall-0")->is_conflicting);
+  CHECK_THAT(sentence_of(*proposal_of(learned, "wall-0")), Contains("visits place it differently"));
+  CHECK(overlay_of(*map, learned, kSensor, 0.5).at("@graph").at(0).at("changes").empty());
+}
+
+TEST_CASE("a thing that is there on one visit and gone on another moves about, and stays on the map") {
+  const auto map = room();
+  const std::vector<DriveEvidence> drives{drive("a", {seen("wall-0", kGone)}), drive("b", {seen("wall-0", kGone)}),
+                                          drive("c", {seen("wall-0", kThere, {}, 3)})};
+  const Learned learned = learned_from(*map, drives);
+  REQUIRE(proposal_of(learned, "wall-0"));
+  CHECK(proposal_of(learned, "wall-0")->moves_about);
+  CHECK(overlay_of(*map, learned, kSensor, 0.5).at("@graph").at(0).at("changes").empty());
+}
+
+TEST_CASE("many visits that find a wall where it is outvote one that did not") {
+  const auto map = room();
+  std::vector<DriveEvidence> drives{drive("odd", {seen("wall-0", kMoved, {0, 0.3})})};
+  for (const char* name : {"a", "b", "c"}) drives.push_back(drive(name, {seen("wall-0", kThere)}));
+  const Learned learned = learned_from(*map, drives);
+  CHECK(learned.proposals.empty());
+  CHECK(learned.sound == 1);
+  CHECK(learned.unseen == 3);
+}
+
+TEST_CASE("the order in which drives arrive, and arriving twice, changes no byte") {
+  const auto map = room();
+  std::vector<DriveEvidence> drives;
+  for (int k = 0; k < 6; ++k)
+    drives.push_back(drive("drive " + std::to_string(k),
+                           {seen("wall-0", kMoved, {0, 0.3 + 0.01 * k}), seen("wall-2", kGone)},
+                           {{{{2, 3 + 0.01 * k}, {5, 3}}, 6 + k, 0}}));
+  const std::string once = overlay_of(*map, learned_from(*map, drives), kSensor, 0.9).dump();
+  std::reverse(drives.begin(), drives.end());
+  CHECK(overlay_of(*map, learned_from(*map, drives), kSensor, 0.9).dump() == once);
+  std::rotate(drives.begin(), drives.begin() + 2, drives.end());
+  drives.push_back(drives.front());
+  CHECK(overlay_of(*map, learned_from(*map, drives), kSensor, 0.9).dump() == once);
+}
+
+TEST_CASE("the evidence of a drive is a document that says the same when it is read") {
+  const DriveEvidence evidence =
+      drive("a", {seen("wall-0", kMoved, {0.1, 0.4}), seen("wall-1", kGone)}, {{{{2, 3}, {5, 3}}, 7, 0.25}});
+  const nlohmann::json document = nlohmann::json::parse(to_json(evidence).dump());
+  CHECK(to_json(drive_evidence_from(document, "a.json")).dump() == to_json(evidence).dump());
+}
+
+TEST_CASE("a document that is no evidence is refused by name") {
+  nlohmann::json document = nlohmann::json::parse(to_json(drive("a", {seen("wall-0", kMoved)})).dump());
+  CHECK_THROWS_WITH(drive_evidence_from(nlohmann::json::object(), "x.json"),
+                    Contains("x.json") && Contains("opal_evidence"));
+  document["visits"][0]["objects"][0]["verdict"] = "sideways";
+  CHECK_THROWS_WITH(drive_evidence_from(document, "x.json"),
+                    Contains("sideways") && Contains("as mapped, moved, probably absent"));
+  document["opal_evidence"] = 7;
+  CHECK_THROWS_WITH(drive_evidence_from(document, "x.json"), Contains("format 7, expected 1"));
+}
