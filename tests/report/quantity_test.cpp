@@ -7,12 +7,12 @@
 using namespace opal;
 
 TEST_CASE("what is no number is a dash, and what is infinite says so") {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr double kBoundless = std::numeric_limits<double>::infinity();
   CHECK(fixed_text(std::nan(""), 2) == "-");
   CHECK(fixed_text(-std::nan(""), 2) == "-");
-  CHECK(fixed_text(kInfinite, 2) == "∞");
-  CHECK(fixed_text(-kInfinite, 0) == "-∞");
-  CHECK(within_text(1, -kInfinite, kInfinite, 1) == "1.0 (-∞ to ∞)");
+  CHECK(fixed_text(kBoundless, 2) == "∞");
+  CHECK(fixed_text(-kBoundless, 0) == "-∞");
+  CHECK(within_text(1, -kBoundless, kInfinite, 1) == "1.0 (-∞ to ∞)");
   CHECK(p_text(std::nan("")) == "-");
 }
 
