@@ -1,9 +1,13 @@
 #include "derivation/feature_derivation.hpp"
 
 #include "derivation/sightings.hpp"
+#include "map_tools/building_ground.hpp"
 #include "simulation/clutter.hpp"
-#include "simulation/floor.hpp"
 #include "simulation/laser.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -11,7 +15,6 @@
 namespace opal {
 namespace {
 
-using simulation::Floor;
 using simulation::RayCaster;
 
 // A detector's view of a thing lies on the object's surface but for what its fit is off.
@@ -24,8 +27,18 @@ RayCaster shut_building(const SemanticMap& map) {
   return RayCaster(simulation::building_solids(map, 0, unused));
 }
 
+/// All rooms, also those behind doors that are shut.
+FloorGrid floor_of(const SemanticMap& map, const RayCaster& solids, double clearance_m) {
+  FloorGrid floor =
+      BuildingGround(map).floor([&](const Point& p) { return !solids.touches(p, clearance_m); }, FloorGrid::Parts::all);
+  if (floor.cells().empty())
+    throw MapError(fmt::format("{}: nowhere in it is a place {} m from every surface, from where a detector could look",
+                               map.name(), clearance_m));
+  return floor;
+}
+
 /// One place for each square of a grid that has floor: the floor's cell next to the square's middle.
-std::vector<Point> places_to_look_from(const Floor& floor, double spacing_m) {
+std::vector<Point> places_to_look_from(const FloorGrid& floor, double spacing_m) {
   std::map<std::pair<int, int>, std::pair<double, Point>> by_square;
   for (const int cell : floor.cells()) {
     const Point place = floor.center_of(cell), square = (place / spacing_m).array().floor();
@@ -144,7 +157,7 @@ class Additions {
 Derivation derived_features(const SemanticMap& map, const FeatureDetector& detector, std::span<const std::string> types,
                             const DerivationOptions& options, const std::map<std::string, std::string>& prefixes) {
   const RayCaster solids = shut_building(map);
-  const Floor floor(map, solids, options.clearance_m);
+  const FloorGrid floor = floor_of(map, solids, options.clearance_m);
   const std::vector<Point> places = places_to_look_from(floor, options.spacing_m);
   const Sightings seen =
       looked_around(places, CleanLaser(solids, options.reach_m), detector, {types.begin(), types.end()});

@@ -134,6 +134,22 @@ TEST_CASE("a type's prefix keeps the IRI that its author gave it") {
   CHECK(map->prefixes().at("acme") == "https://acme.example/opal#");
 }
 
+TEST_CASE("a pillar in a room behind a door that is shut is looked at, too") {
+  const auto hall = Hall().map();
+  std::vector<MapObject> objects = hall->objects();
+  std::vector<MapFeature> features = hall->features();
+  const int door = static_cast<int>(objects.size());
+  objects.push_back({"door", "opal:Door"});
+  features.push_back({"door/leaf", door, "opal:Door", "", Segment{{6, 0}, {6, 8}}});
+  objects.push_back({"far", "opal:Column"});
+  const Point corners[] = {{7.8, 3.8}, {7.8, 4.2}, {8.2, 4.2}, {8.2, 3.8}};
+  for (int k = 0; k < 4; ++k)
+    features.push_back({"far/face-" + std::to_string(k), door + 1, "opal:Wall", "PlanarLidar2D",
+                        Segment{corners[k], corners[(k + 1) % 4]}});
+  const auto map = SemanticMap::make("two rooms", objects, features);
+  CHECK(derived_features(*map, boxes::BoxDetector({}), kPillarCorner).added.size() == 8);
+}
+
 TEST_CASE("a building in which nobody can stand is an error") {
   DerivationOptions options;
   options.clearance_m = 20;
