@@ -33,9 +33,9 @@ def commands(build):
 
 def sources_of(file):
     """The file, or what it includes if the build made it as the unit of a folder."""
-    if file.parent.name != "Unity":
+    if file.parent.parent.name != "Unity":
         return [file]
-    return [pathlib.Path(name) for name in re.findall(r'#include "(.+\.cpp)"', file.read_text())]
+    return [ROOT / name for name in re.findall(r'#include "(.+\.cpp)"', file.read_text()) if (ROOT / name).is_file()]
 
 
 def preprocessor_options(words):
