@@ -81,7 +81,8 @@ bool is_glass(const std::string& type) {
 class Leaf {
  public:
   /// @param outline  of one door; the hinge is one end of its longest straight piece.
-  /// @param walls  an open leaf stands on the side where they leave more room: in the room, not across the corridor.
+  /// @param walls  and shut doors: an open leaf stands on the side where they leave more room, in the room, not across
+  /// the corridor.
   Leaf(std::span<const Segment> outline, bool open, const RayCaster& walls, Random& random) {
     if (!open || outline.empty()) return;
     const Segment longest = *std::max_element(
@@ -97,8 +98,9 @@ class Leaf {
 
  private:
   static double room_m(const RayCaster& walls, const Segment& leaf, double side) {
-    constexpr double kReach_m = 10;
-    const RayHit hit = walls.cast(0.5 * (leaf.begin + leaf.end), side * left_of(leaf.direction()), kReach_m);
+    constexpr double kReach_m = 10, kClear_m = 0.3;  // of the door itself
+    const Point away = side * left_of(leaf.direction());
+    const RayHit hit = walls.cast(0.5 * (leaf.begin + leaf.end) + kClear_m * away, away, kReach_m);
     return hit.solid < 0 ? kReach_m : hit.range_m;
   }
 
@@ -115,10 +117,12 @@ std::vector<Segment> unperceived(const SemanticMap& map, const MapObject& object
   return pieces;
 }
 
-std::vector<Solid> perceived_solids(const SemanticMap& map) {
+/// The building with all doors shut.
+std::vector<Solid> shut_solids(const SemanticMap& map) {
   std::vector<Solid> solids;
   for (const MapFeature& feature : map.features())
-    if (!feature.sensor.empty()) solids.push_back({feature.geometry, false});
+    if (!feature.sensor.empty() || map.objects()[feature.object].type == "opal:Door")
+      solids.push_back({feature.geometry, false});
   return solids;
 }
 
@@ -132,7 +136,7 @@ int count_of(double expected, Random& random) {
 std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_share, Random& random,
                                    const std::function<bool(const MapObject&)>& stays_shut) {
   std::vector<Solid> solids;
-  const RayCaster walls(perceived_solids(map));
+  const RayCaster walls(shut_solids(map));
   for (const MapObject& object : map.objects()) {
     const bool is_door = object.type == "opal:Door";
     const std::vector<Segment> outline = is_door ? unperceived(map, object) : std::vector<Segment>();

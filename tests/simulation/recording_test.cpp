@@ -156,6 +156,36 @@ TEST_CASE("the way between two places stays on the floor") {
   CHECK_FALSE(simulation.floor().way({1e6, 0}, simulation.floor().anywhere(random)));
 }
 
+TEST_CASE("an open door stands in its room, not across a corridor, though another door lies opposite") {
+  std::vector<MapObject> objects;
+  std::vector<MapFeature> features;
+  const auto add = [&](const std::string& type, const std::string& sensor, const Segment& face) {
+    const std::string id = "object-" + std::to_string(objects.size());
+    MapFeature feature;
+    feature.id = id + "/face";
+    feature.object = static_cast<int>(objects.size());
+    feature.type = type;
+    feature.sensor = sensor;
+    feature.geometry = face;
+    objects.push_back({id, type});
+    features.push_back(feature);
+  };
+  for (const double y : {0.0, 2.0}) {  // sides of the corridor, with a door in the middle of each
+    add("opal:Wall", "laser", {{-5, y}, {-0.5, y}});
+    add("opal:Wall", "laser", {{0.5, y}, {5, y}});
+    add("opal:Door", "", {{-0.5, y}, {0.5, y}});
+  }
+  for (const double y : {-4.0, 6.0}) add("opal:Wall", "laser", {{-5, y}, {5, y}});  // the rooms' far sides
+  const auto map = SemanticMap::make("corridor", objects, features);
+  Random random(1);
+  for (int k = 0; k < 20; ++k) {
+    const RayCaster open(building_solids(*map, 1, random));
+    CHECK(open.cast({-4, 1}, {1, 0}, 8).solid == -1);
+    CHECK(open.cast({-4, 0.2}, {1, 0}, 8).solid == -1);
+    CHECK(open.cast({-4, 1.8}, {1, 0}, 8).solid == -1);
+  }
+}
+
 TEST_CASE("a door that is open leaves its opening, as a whole") {
   const Segment a{{1, 0}, {2, 0}}, b{{2, 0.05}, {1, 0.05}};
   std::vector<MapFeature> features;
