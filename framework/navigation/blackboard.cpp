@@ -95,7 +95,7 @@ void Blackboard::notice_unmapped() {
   std::erase_if(unmapped_, [&](const Unmapped& seen) {
     return (seen.p_map - here).norm() <= kReach_m || now_s() - seen.stamp_s > kKept_s;
   });
-  for (const Point& p_odom : obstacles_.lately(kReach_m)) {
+  for (const Point& p_odom : obstacles_.standing(kReach_m)) {
     const Point p = T_map_odom_noticed_ * p_odom;
     if (localization.map().clearance_m(p) > kMapped_m) unmapped_.push_back({p, now_s()});
   }

@@ -107,11 +107,20 @@ std::vector<Obstacle> SeenObstacles::near(double reach_m) const {
   return found;
 }
 
-std::vector<Point> SeenObstacles::lately(double reach_m) const {
+std::vector<Point> SeenObstacles::standing(double reach_m) const {
+  std::vector<Point> found;
+  for (const auto& [key, seen] : points_)
+    if (!moved_when_seen(seen) && (seen.p_odom - T_odom_base_.position()).norm() <= reach_m)
+      found.push_back(seen.p_odom);
+  return found;
+}
+
+std::vector<Point> SeenObstacles::moving(double reach_m) const {
   std::vector<Point> found;
   for (const auto& [key, seen] : points_) {
-    const bool has_gone = seen.stamp_s - seen.moved_s < memory_.moving_s && now_s_ - seen.stamp_s > memory_.unseen_s;
-    if (!has_gone && (seen.p_odom - T_odom_base_.position()).norm() <= reach_m) found.push_back(seen.p_odom);
+    const bool has_gone = now_s_ - seen.stamp_s > memory_.unseen_s;
+    if (moved_when_seen(seen) && !has_gone && (seen.p_odom - T_odom_base_.position()).norm() <= reach_m)
+      found.push_back(seen.p_odom);
   }
   return found;
 }

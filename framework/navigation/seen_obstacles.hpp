@@ -30,9 +30,11 @@ class SeenObstacles {
 
   /// What the next motion must not touch, frame base_link at the newest scan.
   std::vector<Obstacle> near(double reach_m) const;
-  /// Everything not forgotten within reach of the robot, frame odom: for planning. What moved when it was seen last is
-  /// elsewhere by now, if that is some seconds ago.
-  std::vector<Point> lately(double reach_m) const;
+  /// What stands within reach of the robot, as far as it is not forgotten, frame odom: for planning.
+  std::vector<Point> standing(double reach_m) const;
+  /// What moved when it was seen last, frame odom. It is elsewhere by now, if that is some seconds ago: then it is left
+  /// out.
+  std::vector<Point> moving(double reach_m) const;
 
  private:
   struct SeenPoint {
@@ -50,6 +52,7 @@ class SeenObstacles {
   long key_of(const Point& p_odom) const;
   void sweep(const Scan& scan);
   void forget();
+  bool moved_when_seen(const SeenPoint& seen) const { return seen.stamp_s - seen.moved_s < memory_.moving_s; }
   std::vector<Point> moved(const Scan& scan) const;
 
   ObstacleMemory memory_;

@@ -1,4 +1,5 @@
 #include "navigation/actions.hpp"
+#include "navigation/path_drive.hpp"
 #include "synthetic.hpp"
 
 #include "map_tools/building_outside.hpp"
@@ -153,9 +154,29 @@ TEST_CASE("somebody who walked by is not planned around a minute later") {
   };
   look(3, 0);
   look(1.5, 0.6);  // nearer than what was behind
-  CHECK(seen.lately(10).size() > 0);
+  CHECK(seen.moving(10).size() > 0);
   const Scan nothing{60, 0.01, 30, {}, {}};
   seen.add(nothing, Pose2(0, 0, 3), Pose2());  // the laser looks the other way
-  const std::vector<Point> later = seen.lately(10);
+  CHECK(seen.moving(10).empty());
+  const std::vector<Point> later = seen.standing(10);
   CHECK(std::none_of(later.begin(), later.end(), [](const Point& p) { return p.norm() < 2; }));
+}
+
+TEST_CASE("a way round 500 m long is better than past what stands in a gap that just fits, and who walks bars no way") {
+  MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 3}, {0, 3}})));
+  const double needed_m = moment.blackboard.motion.options().radius_m + moment.blackboard.motion.options().margin_m;
+  const auto price_beside = [&](bool somebody, double now_s) {
+    moment.queries.stand(Pose2(10, 1.5, 0), {Pose2(10, 1.5, 0)}, now_s);
+    for (ScanPoint& p : moment.queries.scan.points)
+      if (somebody && std::abs(p.bearing_rad) < 0.1) p = {2 * unit_vector(p.bearing_rad), 2, p.bearing_rad, p.beam};
+    moment.blackboard.look();
+    const FloorGrid& floor = moment.blackboard.floor;
+    return unmapped_surcharge(moment.blackboard)[static_cast<std::size_t>(floor.cell_at({12.2 - needed_m, 1.5}))];
+  };
+  CHECK(price_beside(false, 0) < 1);
+  const float walking = price_beside(true, 0.6);
+  CHECK(walking > 5);
+  CHECK(walking < 50);
+  for (double now_s = 1; now_s < 5; now_s += 0.1) price_beside(true, now_s);
+  CHECK(price_beside(true, 5) > 500);
 }

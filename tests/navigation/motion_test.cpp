@@ -121,9 +121,9 @@ TEST_CASE("what was seen ahead is still known when it is beside or behind, and w
     if (std::abs(p.bearing_rad) < 0.1) p = {0.5 * unit_vector(p.bearing_rad), 0.5, p.bearing_rad, p.beam};
   open.add(person, before, laser.T_base_laser);
   const auto in_front = [&](const Point& p) { return (p - before * Point(0.7, 0)).norm() < 0.15; };
-  std::vector<Point> lately = open.lately(5);
-  CHECK(std::any_of(lately.begin(), lately.end(), in_front));
+  std::vector<Point> standing = open.standing(5);
+  CHECK(std::any_of(standing.begin(), standing.end(), in_front));
   open.add(seen(*map, laser, before, 1), before, laser.T_base_laser);
-  lately = open.lately(5);
-  CHECK(std::none_of(lately.begin(), lately.end(), in_front));
+  standing = open.standing(5);
+  CHECK(std::none_of(standing.begin(), standing.end(), in_front));
 }
