@@ -18,19 +18,19 @@ double median(std::vector<double> values) {
 }
 
 template <class T, class Number>
-double median_of(const std::vector<Geometry>& views, Number number) {
+double median_by(const std::vector<Geometry>& views, Number number) {
   std::vector<double> values;
   for (const Geometry& view : views) values.push_back(number(std::get<T>(view)));
   return median(std::move(values));
 }
 
 Geometry middle_of(const std::vector<Geometry>& views, const Point&) {
-  return Point(median_of<Point>(views, [](const Point& p) { return p.x(); }),
-               median_of<Point>(views, [](const Point& p) { return p.y(); }));
+  return Point(median_by<Point>(views, [](const Point& p) { return p.x(); }),
+               median_by<Point>(views, [](const Point& p) { return p.y(); }));
 }
 
 Geometry middle_of(const std::vector<Geometry>& views, const OrientedPoint& first) {
-  const auto number = [&](auto of) { return median_of<OrientedPoint>(views, of); };
+  const auto number = [&](auto of) { return median_by<OrientedPoint>(views, of); };
   const double turn_rad = number([&](const OrientedPoint& p) { return wrap_angle(p.heading_rad - first.heading_rad); });
   return OrientedPoint{{number([](const OrientedPoint& p) { return p.position.x(); }),
                         number([](const OrientedPoint& p) { return p.position.y(); })},
@@ -39,7 +39,7 @@ Geometry middle_of(const std::vector<Geometry>& views, const OrientedPoint& firs
 }
 
 Geometry middle_of(const std::vector<Geometry>& views, const Circle&) {
-  const auto number = [&](auto of) { return median_of<Circle>(views, of); };
+  const auto number = [&](auto of) { return median_by<Circle>(views, of); };
   return Circle{
       {number([](const Circle& c) { return c.center.x(); }), number([](const Circle& c) { return c.center.y(); })},
       number([](const Circle& c) { return c.radius_m; })};

@@ -116,7 +116,8 @@ class Vandal {
     for (std::size_t n = 0; n < count; ++n) {
       // As long and as straight as the real ones, near them, but nowhere in particular.
       const Segment like = *segment(pick()), where = *segment(pick());
-      const Point from = where.midpoint() + Point(uniform(-4, 4), uniform(-4, 4));
+      const double off_y_m = uniform(-4, 4), off_x_m = uniform(-4, 4);  // one by one: arguments have no order
+      const Point from = where.midpoint() + Point(off_x_m, off_y_m);
       MapFeature feature = map_.features()[pick()];
       feature.id = fmt::format("false-{}/face", n + 1);
       feature.object = static_cast<int>(objects.size());

@@ -30,6 +30,13 @@ void add(Piece& piece, const Piece& more) { piece.insert(piece.end(), more.begin
 
 Pose2 turned(const Point& at, Random& random) { return {at, random.uniform(-std::numbers::pi, std::numbers::pi)}; }
 
+// What draws twice draws one by one: arguments of one call may be evaluated in any order.
+
+Piece cart(const std::function<Point(Random&)>& somewhere, Random& random) {
+  const double width = random.uniform(0.5, 0.7), length = random.uniform(0.8, 1.2);
+  return box(turned(somewhere(random), random), length, width);
+}
+
 Piece chair(const Pose2& center) { return legs(center, 0.42, 0.42, 0.015); }
 
 Piece table(const Pose2& center, Random& random) {
@@ -37,9 +44,10 @@ Piece table(const Pose2& center, Random& random) {
   Piece piece = legs(center, length - 0.1, width - 0.1, 0.03);
   for (const double side : {-1, 1})
     for (const double along : {-0.3, 0.3})
-      if (random.chance(0.6))
-        add(piece, chair(center * Pose2(along * length, side * (width / 2 + random.uniform(0.1, 0.4)),
-                                        random.uniform(-0.3, 0.3))));
+      if (random.chance(0.6)) {
+        const double turn_rad = random.uniform(-0.3, 0.3), gap_m = random.uniform(0.1, 0.4);
+        add(piece, chair(center * Pose2(along * length, side * (width / 2 + gap_m), turn_rad)));
+      }
   return piece;
 }
 
@@ -171,8 +179,7 @@ std::vector<Piece> clutter_pieces(const SemanticMap& map, double floor_m2, const
   };
   each(options.tables, [&] { return table(turned(somewhere(random), random), random); });
   each(options.chairs, [&] { return chair(turned(somewhere(random), random)); });
-  each(options.carts,
-       [&] { return box(turned(somewhere(random), random), random.uniform(0.8, 1.2), random.uniform(0.5, 0.7)); });
+  each(options.carts, [&] { return cart(somewhere, random); });
   each(options.bins, [&] {
     const Pose2 at = turned(somewhere(random), random);
     return random.chance(0.5) ? Piece{round_post(at.position(), random.uniform(0.15, 0.25))} : box(at, 0.4, 0.4);

@@ -1,6 +1,15 @@
 #include "simulation/odometry.hpp"
 
 namespace opal::simulation {
+namespace {
+
+/// Drawn one by one: arguments of one call may be evaluated in any order.
+Pose2 anywhere(Random& random) {
+  const double heading_rad = random.uniform(-3, 3), y_m = random.uniform(-10, 10), x_m = random.uniform(-10, 10);
+  return {x_m, y_m, heading_rad};
+}
+
+}  // namespace
 
 WheelOdometry::WheelOdometry(Drive drive, const OdometryErrors& errors, Random random)
     : drive_(drive),
@@ -8,7 +17,7 @@ WheelOdometry::WheelOdometry(Drive drive, const OdometryErrors& errors, Random r
       random_(random),
       scale_(1 + random_.normal(errors.scale_bias)),
       turn_per_m_(random_.normal(errors.turn_bias_rad_per_m)),
-      T_odom_base_(random_.uniform(-10, 10), random_.uniform(-10, 10), random_.uniform(-3, 3)) {}
+      T_odom_base_(anywhere(random_)) {}
 
 void WheelOdometry::move(const Pose2& T_before_after) {
   const double way = T_before_after.position().norm(), turn = std::abs(T_before_after.heading_rad());

@@ -15,7 +15,7 @@ std::vector<PlanElement> random_plan(unsigned seed) {
   std::uniform_real_distribution<double> place(0, 20), length(0.5, 8), thickness(0.08, 0.4);
   std::vector<PlanElement> elements;
   for (int k = 0; k < 14; ++k) {
-    const Pose2 T(place(random), place(random), k % 3 == 0 ? place(random) : 0.5 * std::numbers::pi * (k % 2));
+    const Pose2 T{place(random), place(random), k % 3 == 0 ? place(random) : 0.5 * std::numbers::pi * (k % 2)};
     const double l = length(random), t = thickness(random);
     PlanElement element{"e" + std::to_string(k), "opal:Wall"};
     if (k % 4 == 0) {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 
 using namespace opal;
@@ -26,7 +27,7 @@ std::vector<Feature> random_world(std::mt19937& random) {
   const Eigen::Matrix3d covariance = Eigen::Vector3d(0.02, 0.02, 0.01).cwiseAbs2().asDiagonal();
   std::vector<Feature> world;
   for (int i = 0; i < 4; ++i) {
-    const Point a(6 * i, 4 + uniform(random, 1)), b(uniform(random, 6), uniform(random, 6));
+    const Point a(6 * i, 4 + uniform(random, 1)), b{uniform(random, 6), uniform(random, 6)};
     world.push_back({"opal:Wall", Segment{a, a + Point(3, uniform(random, 0.5))}, covariance, {false, true}, 3});
     world.push_back({"opal:Pillar", Circle{Point(6 * i, -4) + b, 0.2 + 0.1 * i}, covariance, {}, 0});
     world.push_back(
@@ -43,7 +44,7 @@ Feature noisy(std::mt19937& random, Feature feature) {
     segment->begin += std::abs(uniform(random, 0.2)) * along;
     segment->end -= std::abs(uniform(random, 0.2)) * along;
   }
-  return transformed(Pose2(uniform(random, 0.02), uniform(random, 0.02), uniform(random, 0.004)), feature);
+  return transformed(Pose2{uniform(random, 0.02), uniform(random, 0.02), uniform(random, 0.004)}, feature);
 }
 
 Drive random_drive(std::mt19937& random, int steps) {
@@ -51,10 +52,10 @@ Drive random_drive(std::mt19937& random, int steps) {
   Drive drive;
   Pose2 truth, T_odom_base;
   for (int i = 0; i < steps; ++i) {
-    const Pose2 step(0.4, uniform(random, 0.1), uniform(random, 0.2));
+    const Pose2 step{0.4, uniform(random, 0.1), uniform(random, 0.2)};
     truth = i ? truth * step : truth;
     T_odom_base =
-        i ? T_odom_base * step * Pose2(uniform(random, 0.02), uniform(random, 0.02), uniform(random, 0.02)) : truth;
+        i ? T_odom_base * step * Pose2{uniform(random, 0.02), uniform(random, 0.02), uniform(random, 0.02)} : truth;
     drive.T_odom_base.push_back(T_odom_base);
     auto& detected = drive.detected.emplace_back();
     for (const Feature& feature : world)
@@ -71,29 +72,36 @@ LocalMap replay(const Drive& drive, const Pose2& T_new_odom, LocalMapOptions opt
   return map;
 }
 
-/// Features in an order that does not depend on ids.
-std::vector<LocalFeature> by_place(const LocalMap& map) {
-  std::vector<LocalFeature> features = map.features();
-  std::sort(features.begin(), features.end(), [](const LocalFeature& a, const LocalFeature& b) {
-    const Point p = anchor_of(a.feature.geometry), q = anchor_of(b.feature.geometry);
-    return std::tuple(a.feature.type, std::round(p.x() * 5), std::round(p.y() * 5)) <
-           std::tuple(b.feature.type, std::round(q.x() * 5), std::round(q.y() * 5));
-  });
-  return features;
+double apart_m(const LocalFeature& a, const LocalFeature& b) {
+  return (anchor_of(a.feature.geometry) - anchor_of(b.feature.geometry)).norm();
+}
+
+/// The feature of this type nearest to another one, taken out of `features`; nothing: there is none of this type.
+std::optional<LocalFeature> take_counterpart(const LocalFeature& other, std::vector<LocalFeature>& features) {
+  auto nearest = features.end();
+  for (auto it = features.begin(); it != features.end(); ++it)
+    if (it->feature.type == other.feature.type &&
+        (nearest == features.end() || apart_m(*it, other) < apart_m(*nearest, other)))
+      nearest = it;
+  if (nearest == features.end()) return std::nullopt;
+  const LocalFeature taken = *nearest;
+  features.erase(nearest);
+  return taken;
 }
 
 void check_same(const LocalMap& a, const LocalMap& b) {
   // The solver stops where a step gains nothing, which depends on the order of its sums.
   CHECK(distance_m(a.T_local_base(), b.T_local_base()) < 3e-3);
   CHECK(angle_between_rad(a.T_local_base(), b.T_local_base()) < 1e-3);
-  const auto in_a = by_place(a), in_b = by_place(b);
-  REQUIRE(in_a.size() == in_b.size());
-  for (std::size_t i = 0; i < in_a.size(); ++i) {
-    CAPTURE(i, in_a[i].feature.type);
-    CHECK(in_a[i].feature.type == in_b[i].feature.type);
-    CHECK(in_a[i].measurements.size() == in_b[i].measurements.size());
-    CHECK(in_a[i].stable == in_b[i].stable);
-    CHECK((anchor_of(in_a[i].feature.geometry) - anchor_of(in_b[i].feature.geometry)).norm() < 1e-2);
+  std::vector<LocalFeature> in_b = b.features();
+  REQUIRE(a.features().size() == in_b.size());
+  for (const LocalFeature& feature : a.features()) {
+    CAPTURE(feature.id, feature.feature.type);
+    const auto same = take_counterpart(feature, in_b);
+    REQUIRE(same);
+    CHECK(feature.measurements.size() == same->measurements.size());
+    CHECK(feature.stable == same->stable);
+    CHECK(apart_m(feature, *same) < 1e-2);
   }
 }
 
@@ -111,7 +119,7 @@ TEST_CASE("the local map does not depend on where the odometry frame lies") {
   std::mt19937 random(static_cast<unsigned>(seed));
   CAPTURE(seed, options.optimize_every);
   const Drive drive = random_drive(random, 25);
-  const Pose2 T_new_odom(uniform(random, 1000), uniform(random, 1000), uniform(random, 3));
+  const Pose2 T_new_odom{uniform(random, 1000), uniform(random, 1000), uniform(random, 3)};
   check_same(replay(drive, Pose2(), options), replay(drive, T_new_odom, options));
 }
 
@@ -174,13 +182,13 @@ TEST_CASE("features stay finite and covariances positive whatever is detected") 
   for (int i = 0; i < 100; ++i) {
     std::vector<Feature> detected;
     for (int k = 0; k < 8; ++k) {
-      const Point a(uniform(random, 2), uniform(random, 2));
-      detected.push_back({"opal:Wall", Segment{a, a + Point(uniform(random, 1), uniform(random, 1))}, {}, {}, 0});
+      const Point a{uniform(random, 2), uniform(random, 2)};
+      detected.push_back({"opal:Wall", Segment{a, a + Point{uniform(random, 1), uniform(random, 1)}}, {}, {}, 0});
       detected.back().covariance.setZero();
-      detected.push_back({"opal:Pillar", Circle{Point(uniform(random, 2), uniform(random, 2)), 0.2}, {}, {}, 0});
+      detected.push_back({"opal:Pillar", Circle{Point{uniform(random, 2), uniform(random, 2)}, 0.2}, {}, {}, 0});
       detected.back().covariance.setConstant(uniform(random, 1));  // not even a covariance
     }
-    map.add(sample_of({}, Pose2(0.1 * i, uniform(random, 0.1), uniform(random, 1))), detected);
+    map.add(sample_of({}, Pose2{0.1 * i, uniform(random, 0.1), uniform(random, 1)}), detected);
     for (const LocalFeature& local : map.features()) {
       REQUIRE(anchor_of(local.feature.geometry).allFinite());
       REQUIRE(local.feature.covariance.allFinite());

@@ -30,7 +30,7 @@ std::vector<Feature> random_points(int count, double side_m, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(0, side_m);
   std::vector<Feature> features(count);
-  for (Feature& feature : features) feature.geometry = Point(place(random), place(random));
+  for (Feature& feature : features) feature.geometry = Point{place(random), place(random)};
   return features;
 }
 

@@ -71,7 +71,7 @@ TEST_CASE("a pattern that was moved is found where it was moved to") {
     const PatternInstance here = only(example.name, example.features);
     const PatternIndex index({here});
     for (int k = 0; k < 20; ++k) {
-      const Pose2 motion(place(random), place(random), angle(random));
+      const Pose2 motion{place(random), place(random), angle(random)};
       const PatternInstance there = only(example.name, moved(motion, example.features));
       REQUIRE(index.find(there).size() == 1);
       const auto poses = registrations(here, there);
@@ -110,7 +110,7 @@ TEST_CASE("noise within tolerance changes neither whether a pattern is found nor
     for (int k = 0; k < 200; ++k) {
       std::vector<Feature> seen = example.features;
       for (Feature& feature : seen) {
-        feature = transformed(Pose2(noise(random), noise(random), 0), feature);
+        feature = transformed(Pose2{noise(random), noise(random), 0}, feature);
         if (auto* circle = std::get_if<Circle>(&feature.geometry)) circle->radius_m += noise(random);
         if (auto* oriented = std::get_if<OrientedPoint>(&feature.geometry)) {
           oriented->heading_rad += noise(random);

@@ -21,12 +21,12 @@ std::vector<MotionPair> drive(const Robot& robot, std::uint32_t seed, int motion
   std::uniform_real_distribution<double> step_m(0.1, 0.3), turn_rad(-0.3, 0.3), share(0, 1);
   std::vector<MotionPair> pairs;
   for (int k = 0; k < motions; ++k) {
-    const Pose2 T_true(step_m(random), 0, turn_rad(random));
+    const Pose2 T_true{step_m(random), 0, turn_rad(random)};
     Pose2 T_laser = robot.T_base_laser.inverse() * T_true * robot.T_base_laser;
     T_laser =
-        Pose2(T_laser.x() + noise_m(random), T_laser.y() + noise_m(random), T_laser.heading_rad() + noise_rad(random));
+        Pose2{T_laser.x() + noise_m(random), T_laser.y() + noise_m(random), T_laser.heading_rad() + noise_rad(random)};
     if (robot.mirrored) T_laser = Pose2(T_laser.x(), -T_laser.y(), -T_laser.heading_rad());
-    if (share(random) < gone_wrong) T_laser = Pose2(turn_rad(random), turn_rad(random), turn_rad(random));
+    if (share(random) < gone_wrong) T_laser = Pose2{turn_rad(random), turn_rad(random), turn_rad(random)};
     MotionPair pair;
     pair.T_odometry = Pose2(T_true.position() / robot.distance_scale, T_true.heading_rad() / robot.turn_scale);
     pair.T_scans = T_laser;

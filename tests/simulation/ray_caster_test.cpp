@@ -11,14 +11,14 @@ namespace {
 
 std::vector<Solid> scattered(Random& random, int count) {
   std::vector<Solid> solids;
-  const auto somewhere = [&] { return Point(random.uniform(-30, 20), random.uniform(-10, 40)); };
+  const auto somewhere = [&] { return Point{random.uniform(-30, 20), random.uniform(-10, 40)}; };
   for (int k = 0; k < count; ++k) {
     const Point at = somewhere();
     if (random.chance(0.3))
       solids.push_back({Circle{at, random.uniform(0.01, 2.5)}, false});
     else
       solids.push_back(
-          {Segment{at, random.chance(0.1) ? somewhere() : Point(at + Point(random.normal(3), random.normal(3)))},
+          {Segment{at, random.chance(0.1) ? somewhere() : Point(at + Point{random.normal(3), random.normal(3)})},
            false});
   }
   return solids;
@@ -50,7 +50,7 @@ TEST_CASE("the grid's answer is that of a look at every solid") {
   Random random(GENERATE(1, 2, 3, 4));
   const RayCaster caster(scattered(random, 80));
   for (int k = 0; k < 3000; ++k) {
-    const Point origin(random.uniform(-40, 30), random.uniform(-20, 50));
+    const Point origin{random.uniform(-40, 30), random.uniform(-20, 50)};
     const Point direction = unit_vector(random.chance(0.1) ? std::numbers::pi / 2 * std::floor(random.uniform(0, 4))
                                                            : random.uniform(-4, 4));
     const double reach = random.uniform(0.5, 60);

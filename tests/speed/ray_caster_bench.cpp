@@ -38,7 +38,7 @@ TEST_CASE("rays through rooms", "[!benchmark]") {
     long rays = 0;
     const double start = thread_cpu_s();
     for (int scan = 0; scan < 3000; ++scan) {
-      const Point eye(random.uniform(0, size.x()), random.uniform(0, size.y()));
+      const Point eye{random.uniform(0, size.x()), random.uniform(0, size.y())};
       for (int beam = 0; beam < 720; ++beam, ++rays)
         sum += caster.cast(eye, unit_vector(beam * std::numbers::pi / 360), 30).range_m;
     }

@@ -121,7 +121,7 @@ TEST_CASE("a filter in a rigidly moved map says the rigidly moved poses") {
   for (int k = 0; k < 20; ++k) {
     const Pose2 step(0.5, 0, 0.1);
     T_local_base = T_local_base * step;
-    const Pose2 predicted = pose_here * step, scan = predicted * Pose2(noise(random), noise(random), noise(random));
+    const Pose2 predicted = pose_here * step, scan = predicted * Pose2{noise(random), noise(random), noise(random)};
     const Alignment seen = k % 2 == 0 ? seen_from_all_sides(scan) : seen_in_corridor(scan);
     pose_here = here.update(predicted, seen, 0.4, T_local_base, {});
     const Alignment seen_there{moved * scan, turn * seen.by_points * turn.transpose(),

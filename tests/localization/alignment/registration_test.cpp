@@ -72,8 +72,8 @@ TEST_CASE("registration moves rigidly with the map and with the local frame") {
   for (const Segment& face : {kSouth, kEast, kNorth}) {
     GeometryPair pair = seen_from(truth, face);
     auto& local = std::get<Segment>(pair.local);
-    local.begin += Point(noise(random), noise(random));
-    local.end += Point(noise(random), noise(random));
+    local.begin += Point{noise(random), noise(random)};
+    local.end += Point{noise(random), noise(random)};
     pairs.push_back(pair);
     moved_pairs.push_back({pair.local, transformed(moved, pair.mapped)});
   }

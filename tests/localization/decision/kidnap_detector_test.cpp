@@ -160,7 +160,8 @@ TEST_CASE("the probability of a kidnapping is one, whatever was seen") {
   std::uniform_real_distribution<double> nat(-30, 30), share(0, 1);
   Watch watch;
   for (int k = 0; k < 300; ++k) {
-    watch.see(nat(random), share(random), random() % 2 == 0);
+    const double seen_nat = nat(random), seen_share = share(random);
+    watch.see(seen_nat, seen_share, random() % 2 == 0);
     CHECK(watch.detector.probability() >= 0);
     CHECK(watch.detector.probability() <= 1);
     if (watch.detector.suspected()) CHECK(watch.detector.suspected()->keyframe < watch.keyframe);

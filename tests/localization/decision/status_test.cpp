@@ -219,16 +219,16 @@ TEST_CASE("a scan that says nothing wears down what hypotheses do not keep up wi
 TEST_CASE("probabilities of hypotheses and of none of them sum to one, those of places to one at most") {
   const unsigned seed = GENERATE(1u, 2u, 3u);
   CAPTURE(seed);
-  std::mt19937 random(seed);
+  std::mt19937 bits(seed);
   std::uniform_real_distribution<double> nat(-5, 12), at_m(-3, 3), share(0, 1);
   Answer answer;
   for (int k = 0; k < 50; ++k) {
     std::vector<Live> alive;
-    for (unsigned n = random() % 12; n > 0; --n)
-      alive.push_back(hypothesis(static_cast<int>(n), Pose2(at_m(random), at_m(random), at_m(random)), nat(random)));
+    for (int n = static_cast<int>(bits() % 12); n > 0; --n)
+      alive.emplace_back(hypothesis(n, {at_m(bits), at_m(bits), at_m(bits)}, 0)).hypothesis.log_likelihood = nat(bits);
     std::sort(alive.begin(), alive.end(),
               [](const Live& a, const Live& b) { return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood; });
-    const PoseEstimate estimate = answer.to(alive, {1, share(random) * 0.5, 0});
+    const PoseEstimate estimate = answer.to(alive, {1, share(bits) * 0.5, 0});
     CHECK(sum_of(answer.estimator.belief().hypotheses) + answer.estimator.belief().none == Approx(1));
     CHECK(total(estimate) <= 1 + 1e-9);
     CHECK(estimate.none == answer.estimator.belief().none);

@@ -23,7 +23,7 @@ TEST_CASE("features within a radius are those that a walk over all features find
   std::mt19937 random(6);
   std::uniform_real_distribution<double> place(-5, 65), radius(0.1, 20);
   for (int query = 0; query < 100; ++query) {
-    const Point p(place(random), place(random));
+    const Point p{place(random), place(random)};
     const double r = radius(random);
     std::vector<int> expected;
     for (std::size_t k = 0; k < walls.size(); ++k)
@@ -41,7 +41,7 @@ TEST_CASE("clearance is the distance to the nearest surface, within a cell") {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> place(-5, 65);
   for (int query = 0; query < 500; ++query) {
-    const Point p(place(random), place(random));
+    const Point p{place(random), place(random)};
     double nearest = MapView::clearance_cap_m();
     for (const Geometry& wall : walls) nearest = std::min(nearest, distance_m(wall, p));
     CAPTURE(query, p.transpose());
@@ -122,7 +122,7 @@ TEST_CASE("likelihood_field with slack, and in large cells, is no less than what
   for (int k = 0; k < 300; ++k) {
     std::vector<Point> points;
     for (int n = 0; n < 12; ++n) points.emplace_back(direction(random), direction(random));
-    const Point here(place(random), place(random)), near(here + Point(step(random), step(random)));
+    const Point here{place(random), place(random)}, near(here + Point{step(random), step(random)});
     float sum = 0;
     for (const Point& point : points) sum += view.likelihood_field(here + point);
     CHECK(view.likelihood_field_sum(points, here) == Approx(sum));

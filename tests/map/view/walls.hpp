@@ -31,8 +31,9 @@ inline std::vector<Geometry> random_walls(int count, unsigned seed) {
   std::uniform_real_distribution<double> place(0, 60), size(0.2, 9), heading(-3.14, 3.14);
   std::vector<Geometry> walls;
   for (int k = 0; k < count; ++k) {
-    const Point begin(place(random), place(random));
-    walls.push_back(Segment{begin, begin + size(random) * unit_vector(heading(random))});
+    const Point begin{place(random), place(random)};
+    const double length_m = size(random);
+    walls.push_back(Segment{begin, begin + length_m * unit_vector(heading(random))});
   }
   return walls;
 }

@@ -93,9 +93,9 @@ TEST_CASE("where the sweep of an all-around scanner starts does not matter") {
   std::mt19937 random(22);
   Scanner scanner = all_around();
   scanner.sigma_m = 0.01;
-  const World closed_room{outline({{-2, -3}, {5, -3}, {5, 2}, {-2, 2}}), {}};
-  for (const World& world : {furnished_room(), closed_room}) {
-    const Scan scan = scan_of(world, scanner, random);
+  const Scene closed_room{outline({{-2, -3}, {5, -3}, {5, 2}, {-2, 2}}), {}};
+  for (const Scene& scene : {furnished_room(), closed_room}) {
+    const Scan scan = scan_of(scene, scanner, random);
     Scan shifted = scan;
     const int shift = GENERATE(1, 90, 355, 610);
     std::rotate(shifted.points.begin(), shifted.points.begin() + shift, shifted.points.end());

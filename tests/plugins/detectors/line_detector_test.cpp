@@ -27,8 +27,8 @@ TEST_CASE("a wall ahead is one segment with the sensor on its left") {
 }
 
 TEST_CASE("a wall behind a pillar stays one wall, and its support leaves out what is hidden") {
-  const World world{{{{4, -3}, {4, 3}}, {{2, -0.3}, {2, 0.3}}}, {}};
-  const auto walls = walls_in(scan_of(world, Scanner{}));
+  const Scene scene{{{{4, -3}, {4, 3}}, {{2, -0.3}, {2, 0.3}}}, {}};
+  const auto walls = walls_in(scan_of(scene, Scanner{}));
   REQUIRE(walls.size() == 2);
   const Feature& wall = segment(walls[0]).length_m() > 1 ? walls[0] : walls[1];
   CHECK(segment(wall).length_m() == Approx(6).margin(0.1));
@@ -37,11 +37,11 @@ TEST_CASE("a wall behind a pillar stays one wall, and its support leaves out wha
 }
 
 TEST_CASE("an end behind something nearer is not a true end, and neither is the edge of the view") {
-  const World world{{{{4, -60}, {4, 3}}, {{2, 0.5}, {2, 3}}}, {}};
+  const Scene scene{{{{4, -60}, {4, 3}}, {{2, 0.5}, {2, 3}}}, {}};
   Scanner narrow;
   narrow.angle_min_rad = -0.5;
   narrow.beams = 241;
-  for (const Feature& wall : walls_in(scan_of(world, narrow))) {
+  for (const Feature& wall : walls_in(scan_of(scene, narrow))) {
     const bool far = segment(wall).begin.x() > 3;
     CAPTURE(segment(wall).begin.transpose(), segment(wall).end.transpose());
     CHECK(wall.true_end == (far ? std::array{false, false} : std::array{true, true}));
@@ -60,15 +60,15 @@ TEST_CASE("a wide doorway that is seen through ends both walls, a narrow slit do
 }
 
 TEST_CASE("chair legs in front of a wall do not cut it") {
-  World world{{{{3, -3}, {3, 3}}}, {}};
-  for (double y = -1; y <= 1; y += 0.5) world.columns.push_back({{1.5, y}, 0.015});
-  const auto walls = walls_in(scan_of(world, Scanner{}));
+  Scene scene{{{{3, -3}, {3, 3}}}, {}};
+  for (double y = -1; y <= 1; y += 0.5) scene.columns.push_back({{1.5, y}, 0.015});
+  const auto walls = walls_in(scan_of(scene, Scanner{}));
   REQUIRE(walls.size() == 1);
   CHECK(segment(walls[0]).length_m() == Approx(6).margin(0.1));
 }
 
 TEST_CASE("walls of a room meet: both ends are true and lie on the corner") {
-  const World room{outline({{-2, -3}, {5, -3}, {5, 2}, {-2, 2}}), {}};
+  const Scene room{outline({{-2, -3}, {5, -3}, {5, 2}, {-2, 2}}), {}};
   const auto walls = walls_in(scan_of(room, all_around()));
   REQUIRE(walls.size() == 4);
   for (const Feature& wall : walls) {

@@ -54,16 +54,16 @@ TEST_CASE("a corner's error agrees with its covariance") {
   std::mt19937 random(GENERATE(5, 6));
   const double turn = GENERATE(-0.4, 0.0, 0.5);
   const Pose2 T(3, 0.3, turn);
-  const World world{{{T * Point(-0.3, -2), T * Point(0, 0)}, {T * Point(0, 0), T * Point(-1, 1.3)}}, {}};
+  const Scene scene{{{T * Point(-0.3, -2), T * Point(0, 0)}, {T * Point(0, 0), T * Point(-1, 1.3)}}, {}};
   Scanner scanner;
   scanner.sigma_m = 0.02;
-  const auto exact = corners_in(scan_of(world, Scanner{}));
+  const auto exact = corners_in(scan_of(scene, Scanner{}));
   REQUIRE(exact.size() == 1);
   Point mean = Point::Zero();
   double nees = 0;
   int found_in = 0;
   for (int i = 0; i < 200; ++i) {
-    const auto found = corners_in(scan_of(world, scanner, random));
+    const auto found = corners_in(scan_of(scene, scanner, random));
     if (found.size() != 1) continue;
     const Point miss = corner(found[0]).position - T.position();
     const Eigen::Vector3d error(miss.x(), miss.y(),
@@ -85,7 +85,7 @@ TEST_CASE("columns are found with their radius, near and far") {
   std::mt19937 random(11);
   Scanner scanner;
   scanner.sigma_m = 0.01;
-  const World world{{{{12, -20}, {12, 20}}}, {{{range * std::cos(0.3), range * std::sin(0.3)}, radius}}};
+  const Scene scene{{{{12, -20}, {12, 20}}}, {{{range * std::cos(0.3), range * std::sin(0.3)}, radius}}};
   const double beams = 2 * std::asin(std::min(0.9, radius / range)) / scanner.angle_increment_rad;
   if (beams < 9) return;
   CAPTURE(range, radius, beams);
@@ -93,10 +93,10 @@ TEST_CASE("columns are found with their radius, near and far") {
   double nees = 0;
   int found_in = 0;
   for (int i = 0; i < 100; ++i) {
-    const auto found = columns_in(scan_of(world, scanner, random));
+    const auto found = columns_in(scan_of(scene, scanner, random));
     if (found.size() != 1) continue;
     Eigen::Vector3d error;
-    error << circle(found[0]).center - world.columns[0].center, circle(found[0]).radius_m - radius;
+    error << circle(found[0]).center - scene.columns[0].center, circle(found[0]).radius_m - radius;
     mean += error;
     nees += error.dot(found[0].covariance.inverse() * error);
     ++found_in;
@@ -111,21 +111,21 @@ TEST_CASE("square pillars, boards, legs and columns that are half hidden are no 
   std::mt19937 random(7);
   Scanner scanner;
   scanner.sigma_m = 0.01;
-  const std::vector<World> worlds{{square({3, 0, 0.5}, 0.5), {}},
+  const std::vector<Scene> scenes{{square({3, 0, 0.5}, 0.5), {}},
                                   {square({3, 0, 0.0}, 0.5), {}},
                                   {{{{3, -0.3}, {3, 0.3}}}, {}},
                                   {{}, {{{2, 0}, 0.04}}},
                                   {{{{1.5, -0.6}, {1.5, 0}}}, {{{3, 0}, 0.3}}},
                                   {outline({{-1, -2}, {4, -2}, {4, 2}, {-1, 2}}), {}}};
-  for (std::size_t i = 0; i < worlds.size(); ++i) {
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
     CAPTURE(i);
-    for (int k = 0; k < 20; ++k) CHECK(columns_in(scan_of(worlds[i], scanner, random)).empty());
+    for (int k = 0; k < 20; ++k) CHECK(columns_in(scan_of(scenes[i], scanner, random)).empty());
   }
 }
 
 TEST_CASE("a free-standing square pillar shows its near edge") {
-  const World world{square({3, 0.5, kPi / 4}, 0.6), {}};
-  const auto found = pillars_in(scan_of(world, Scanner{}));
+  const Scene scene{square({3, 0.5, kPi / 4}, 0.6), {}};
+  const auto found = pillars_in(scan_of(scene, Scanner{}));
   REQUIRE(found.size() == 1);
   CHECK(found[0].type == "opal:PillarCorner");
   CHECK(corner(found[0]).position.isApprox(Point(3 - 0.3 * std::sqrt(2.0), 0.5), 0.01));
@@ -133,11 +133,11 @@ TEST_CASE("a free-standing square pillar shows its near edge") {
 }
 
 TEST_CASE("corners of walls, half hidden pillars and pillars at a wall are no free-standing pillars") {
-  World hidden{square({3, 0, kPi / 4}, 0.6), {}};
+  Scene hidden{square({3, 0, kPi / 4}, 0.6), {}};
   hidden.walls.push_back({{1.5, 0.1}, {1.5, 1}});
-  World attached{square({3, 0, kPi / 4}, 0.6), {}};
+  Scene attached{square({3, 0, kPi / 4}, 0.6), {}};
   attached.walls.push_back({{3, 0.2}, {3, 3}});
-  const World room{outline({{-2, -3}, {6, -3}, {6, 3}, {2, 3}, {2, 1.5}, {-2, 1.5}}), {}};
+  const Scene room{outline({{-2, -3}, {6, -3}, {6, 3}, {2, 3}, {2, 1.5}, {-2, 1.5}}), {}};
   CHECK(pillars_in(scan_of(hidden, Scanner{})).empty());
   CHECK(pillars_in(scan_of(attached, Scanner{})).empty());
   CHECK(pillars_in(scan_of(room, all_around())).empty());

@@ -10,7 +10,7 @@
 namespace opal::test {
 
 /// Walls (seen from both sides) and columns in the frame of the sensor.
-struct World {
+struct Scene {
   std::vector<Segment> walls;
   std::vector<Circle> columns;
 };
@@ -41,7 +41,7 @@ inline double range_to(const Circle& column, const Point& beam) {
   return along - std::sqrt(discriminant);
 }
 
-inline Scan scan_of(const World& world, const Scanner& scanner, std::mt19937& random) {
+inline Scan scan_of(const Scene& scene, const Scanner& scanner, std::mt19937& random) {
   std::normal_distribution<double> noise(0, 1);
   Scan scan;
   scan.angle_increment_rad = scanner.angle_increment_rad;
@@ -50,8 +50,8 @@ inline Scan scan_of(const World& world, const Scanner& scanner, std::mt19937& ra
     const double bearing = scanner.angle_min_rad + beam * scanner.angle_increment_rad;
     const Point direction = unit_vector(bearing);
     double range = std::numeric_limits<double>::infinity();
-    for (const Segment& wall : world.walls) range = std::min(range, range_to(wall, direction));
-    for (const Circle& column : world.columns) range = std::min(range, range_to(column, direction));
+    for (const Segment& wall : scene.walls) range = std::min(range, range_to(wall, direction));
+    for (const Circle& column : scene.columns) range = std::min(range, range_to(column, direction));
     if (range > scanner.range_max_m) {
       scan.free_bearings_rad.push_back(bearing);
       continue;
@@ -62,9 +62,9 @@ inline Scan scan_of(const World& world, const Scanner& scanner, std::mt19937& ra
   return scan;
 }
 
-inline Scan scan_of(const World& world, const Scanner& scanner) {
+inline Scan scan_of(const Scene& scene, const Scanner& scanner) {
   std::mt19937 unused;
-  return scan_of(world, scanner, unused);
+  return scan_of(scene, scanner, unused);
 }
 
 /// The same returns, had the sensor been turned: every point and bearing turned by `angle_rad`.
@@ -78,10 +78,10 @@ inline Scan turned(Scan scan, double angle_rad) {
   return scan;
 }
 
-inline World moved(const Pose2& T, World world) {
-  for (Segment& wall : world.walls) wall = transformed(T, wall);
-  for (Circle& column : world.columns) column.center = T * column.center;
-  return world;
+inline Scene moved(const Pose2& T, Scene scene) {
+  for (Segment& wall : scene.walls) wall = transformed(T, wall);
+  for (Circle& column : scene.columns) column.center = T * column.center;
+  return scene;
 }
 
 /// Outline of a closed polygon.
@@ -92,13 +92,13 @@ inline std::vector<Segment> outline(const std::vector<Point>& vertices) {
 }
 
 /// An L-shaped room of 8 x 6 m around the sensor, with a column and a box in it.
-inline World furnished_room() {
-  World world{outline({{-2, -3}, {6, -3}, {6, 3}, {2, 3}, {2, 1.5}, {-2, 1.5}}), {{{3.5, -1}, 0.3}}};
+inline Scene furnished_room() {
+  Scene scene{outline({{-2, -3}, {6, -3}, {6, 3}, {2, 3}, {2, 1.5}, {-2, 1.5}}), {{{3.5, -1}, 0.3}}};
   const Pose2 T(3, 0.9, std::atan2(0.9, 3) + std::numbers::pi / 4);
   const auto box =
       outline({T * Point(-0.25, -0.25), T * Point(0.25, -0.25), T * Point(0.25, 0.25), T * Point(-0.25, 0.25)});
-  world.walls.insert(world.walls.end(), box.begin(), box.end());
-  return world;
+  scene.walls.insert(scene.walls.end(), box.begin(), box.end());
+  return scene;
 }
 
 /// Points with random ranges, jumps, gaps and repetitions: clutter of the worst kind.

@@ -25,8 +25,8 @@ struct Case {
 };
 
 Case office_case(std::mt19937& random) {
-  const Pose2 first(1.2 + uniform(random, 0.4), 3.2 + uniform(random, 0.4), uniform(random, 0.5));
-  const Pose2 motion(0.4 + uniform(random, 0.2), uniform(random, 0.1), uniform(random, 0.3));
+  const Pose2 first{1.2 + uniform(random, 0.4), 3.2 + uniform(random, 0.4), uniform(random, 0.5)};
+  const Pose2 motion{0.4 + uniform(random, 0.2), uniform(random, 0.1), uniform(random, 0.3)};
   return {room::scan(room::office(), first, kNoise_m, random),
           room::scan(room::office(), first * motion, kNoise_m, random), motion};
 }
@@ -38,7 +38,7 @@ TEST_CASE("the point-to-line matcher finds back from odometry errors of decimetr
   const PointToLineMatcher matcher({});
   for (int i = 0; i < 60; ++i) {
     const Case c = office_case(random);
-    const Pose2 error(uniform(random, 0.3), uniform(random, 0.3), uniform(random, 0.2));
+    const Pose2 error{uniform(random, 0.3), uniform(random, 0.3), uniform(random, 0.2)};
     const ScanMatch match = matcher.match(c.reference, c.scan, c.T_reference_scan * error, kSigma);
     CAPTURE(i, error.x(), error.y(), error.heading_rad(), match.inlier_share);
     REQUIRE(match.converged);
@@ -52,8 +52,8 @@ TEST_CASE("moving the reference frame moves the match and nothing else") {
   const PointToLineMatcher matcher({});
   for (int i = 0; i < 20; ++i) {
     const Case c = office_case(random);
-    const Pose2 guess = c.T_reference_scan * Pose2(uniform(random, 0.2), uniform(random, 0.2), uniform(random, 0.1));
-    const Pose2 T_new_reference(uniform(random, 100), uniform(random, 100), uniform(random, 3.1));
+    const Pose2 guess = c.T_reference_scan * Pose2{uniform(random, 0.2), uniform(random, 0.2), uniform(random, 0.1)};
+    const Pose2 T_new_reference{uniform(random, 100), uniform(random, 100), uniform(random, 3.1)};
     const Pose2 here = matcher.match(c.reference, c.scan, guess, kSigma).T_reference_scan;
     const Pose2 there =
         matcher.match(room::moved(T_new_reference, c.reference), c.scan, T_new_reference * guess, kSigma)
@@ -85,7 +85,7 @@ TEST_CASE("people in a third of the view do not pull the match away") {
     Case c = office_case(random);
     const std::size_t first = static_cast<std::size_t>(120 + 60 * uniform(random, 1));
     for (std::size_t k = first; k < first + 120; ++k) c.scan[k] *= 0.5 + 0.1 * std::sin(0.3 * static_cast<double>(k));
-    const Pose2 error(uniform(random, 0.15), uniform(random, 0.15), uniform(random, 0.1));
+    const Pose2 error{uniform(random, 0.15), uniform(random, 0.15), uniform(random, 0.1)};
     const ScanMatch match = matcher.match(c.reference, c.scan, c.T_reference_scan * error, kSigma);
     CAPTURE(i);
     REQUIRE(match.converged);
@@ -99,7 +99,7 @@ TEST_CASE("a scan of another place does not converge") {
   const PointToLineMatcher matcher({});
   const auto reference = room::scan(room::office(), Pose2(1, 3, 0), kNoise_m, random);
   std::vector<Point> elsewhere;
-  for (int i = 0; i < 300; ++i) elsewhere.push_back(Point(3 + uniform(random, 30), uniform(random, 30)));
+  for (int i = 0; i < 300; ++i) elsewhere.push_back(Point{3 + uniform(random, 30), uniform(random, 30)});
   CHECK_FALSE(matcher.match(reference, elsewhere, Pose2(), kSigma).converged);
 }
 

@@ -41,15 +41,17 @@ constexpr const char* kRichDocument = R"json({
 
 Geometry random_geometry(std::mt19937& random, double side_m) {
   std::uniform_real_distribution<double> place(0, side_m), length(0.2, 12), angle(-3.1, 3.1);
-  const Point p(place(random), place(random));
+  const Point p{place(random), place(random)};
   switch (random() % 8) {
     case 0: return Circle{p, 0.05 + 0.1 * length(random)};
     case 1: return OrientedPoint{p, angle(random), 1.5};
     case 2: return p;
     case 3: return Segment{p, p + length(random) * Point(1, 0)};
     case 4: return Segment{p, p + length(random) * Point(0, -1)};
-    default: return Segment{p, p + length(random) * unit_vector(angle(random))};
+    default: break;
   }
+  const double length_m = length(random);
+  return Segment{p, p + length_m * unit_vector(angle(random))};
 }
 
 }  // namespace

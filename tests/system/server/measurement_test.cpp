@@ -30,7 +30,7 @@ double ms_per_question(const MapView& view, int questions, Ask ask) {
   std::uniform_real_distribution<double> x(low.x(), high.x()), y(low.y(), high.y());
   ask(Point(low));  // the first one finds a connection, and the server's memory warm
   return 1000 * seconds_of([&] {
-           for (int k = 0; k < questions; ++k) ask(Point(x(random), y(random)));
+           for (int k = 0; k < questions; ++k) ask(Point{x(random), y(random)});
          }) /
          questions;
 }
