@@ -39,6 +39,17 @@ MISTAKES = [
             "track {configs}/malaga.jsonld {malaga}/malaga.log.gz --pose 0,0 -o out", 3,
             ["--pose: '0,0'", "expected X,Y,THETA in metres and radians"], absent=["out"]),
     Mistake("no start pose", "`opal track` is not told where the robot starts.",
+    *[Mistake(f"simulation with {option} {value}", wrong, f"simulate {{maps}}/gemini.jsonld -o sim {option}={value}", 2,
+              [option, value, "not in range"], absent=["sim.log.gz"])
+      for option, value, wrong in [
+          ("--drives", "0", "No drive is asked for."),
+          ("--distance", "-5", "A drive has a negative length."),
+          ("--speed", "-1", "The robot shall drive backwards."),
+          ("--scan-every", "0", "Scans have no time between them."),
+          ("--range", "0", "The laser sees nothing."),
+          ("--doors-open", "70", "A share is given in percent."),
+          ("--people", "5000", "More people are asked for than the building has room for."),
+      ]],
             "track {configs}/malaga.jsonld {malaga}/malaga.log.gz -o out", 3,
             ["no start pose", "--pose X,Y,THETA or --truth"], absent=["out"]),
     Mistake("moment that is no time", "`--at` is a word.", "explain out --at soon", 3,
