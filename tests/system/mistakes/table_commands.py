@@ -32,13 +32,6 @@ MISTAKES = [
             "simulate {maps}/gemini.jsonld -o sim --fov wide", 2, ["--fov", "wide"]),
     Mistake("value out of its range", "A number makes no sense.", "simulate {maps}/gemini.jsonld -o sim --beams 0", 2,
             ["--beams", "0", "1 to 100000"]),
-    Mistake("swapped arguments", "Log and configuration are swapped.",
-            "localize {malaga}/malaga-demo.log.gz {configs}/malaga.jsonld -o out", 3,
-            ["malaga-demo.log.gz", "expected JSON text"], absent=["out"]),
-    Mistake("start pose of two numbers", "`--pose` has no heading.",
-            "track {configs}/malaga.jsonld {malaga}/malaga.log.gz --pose 0,0 -o out", 3,
-            ["--pose: '0,0'", "expected X,Y,THETA in metres and radians"], absent=["out"]),
-    Mistake("no start pose", "`opal track` is not told where the robot starts.",
     *[Mistake(f"simulation with {option} {value}", wrong, f"simulate {{maps}}/gemini.jsonld -o sim {option}={value}", 2,
               [option, value, "not in range"], absent=["sim.log.gz"])
       for option, value, wrong in [
