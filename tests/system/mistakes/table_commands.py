@@ -3,7 +3,7 @@
 import pathlib
 import re
 
-from making import changed_json, config, copy, file
+from making import changed_json, config, copy, file, log
 from mistake import MALAGA, TREE, Mistake
 
 LOCALIZE = "localize {configs}/malaga.jsonld {malaga}/malaga-demo.log.gz --map {malaga}/malaga-demo.map.yaml -o out"
@@ -11,6 +11,13 @@ LOCALIZE = "localize {configs}/malaga.jsonld {malaga}/malaga-demo.log.gz --map {
 
 def run_of_the_corridor(bench):
     bench.opal(*(word.format(configs=TREE / "configs", malaga=MALAGA) for word in LOCALIZE.split()))
+
+
+def runs_of_two_logs(bench):
+    run_of_the_corridor(bench)
+    log(lambda it: it.lines.__delitem__(slice(40, None)))(bench)
+    bench.opal("localize", str(TREE / "configs" / "malaga.jsonld"), "wrong.log", "--map",
+               str(MALAGA / "malaga-demo.map.yaml"), "-o", "other")
 
 
 def old_plugin(bench):
@@ -43,6 +50,16 @@ MISTAKES = [
           ("--doors-open", "70", "A share is given in percent."),
           ("--people", "5000", "More people are asked for than the building has room for."),
       ]],
+    Mistake("swapped arguments", "Log and configuration are swapped.",
+            "localize {malaga}/malaga-demo.log.gz {configs}/malaga.jsonld -o out", 3,
+            ["malaga-demo.log.gz", "expected JSON text"], absent=["out"]),
+    Mistake("start pose of two numbers", "`--pose` has no heading.",
+            "track {configs}/malaga.jsonld {malaga}/malaga.log.gz --pose 0,0 -o out", 3,
+            ["--pose: '0,0'", "expected X,Y,THETA in metres and radians"], absent=["out"]),
+    Mistake("start pose in degrees", "The heading of `--pose` is in degrees.",
+            "track {configs}/malaga.jsonld {malaga}/malaga.log.gz --pose 0,0,90 -o out", 3,
+            ["--pose: heading 90, expected radians from -2 pi to 2 pi; 90 degrees are 1.571"], absent=["out"]),
+    Mistake("no start pose", "`opal track` is not told where the robot starts.",
             "track {configs}/malaga.jsonld {malaga}/malaga.log.gz -o out", 3,
             ["no start pose", "--pose X,Y,THETA or --truth"], absent=["out"]),
     Mistake("moment that is no time", "`--at` is a word.", "explain out --at soon", 3,
