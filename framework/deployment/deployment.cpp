@@ -133,17 +133,29 @@ ScorerConfig read_scorer(ConfigObject object) {
   return scorer;
 }
 
+bool decides_already(const std::vector<ScorerConfig>& scorers, const ScorerConfig& scorer) {
+  return std::any_of(scorers.begin(), scorers.end(), [&](const ScorerConfig& other) {
+    return other.decides && scorer.decides && other.part.type == scorer.part.type &&
+           other.part.options == scorer.part.options;
+  });
+}
+
 std::vector<ScorerConfig> read_scorers(ConfigObject& document) {
   const auto objects = document.list("scorers");
   std::vector<ScorerConfig> scorers;
   bool decided = false;
   if (objects)
     for (const ConfigObject& object : *objects) {
-      scorers.push_back(read_scorer(object));
-      decided = decided || scorers.back().decides;
+      ScorerConfig scorer = read_scorer(object);
+      if (decides_already(scorers, scorer))
+        object.refuse("@type",
+                      "a scorer that does not decide already with these options: its evidence would count twice");
+      decided = decided || (scorer.decides && scorer.weight > 0);
+      scorers.push_back(std::move(scorer));
     }
   if (!decided)
-    throw ConfigError(document.where("scorers") + ": no scorer decides, expected at least one with role \"decides\"");
+    throw ConfigError(document.where("scorers") +
+                      ": no scorer decides, expected at least one with role \"decides\" and a weight above 0");
   return scorers;
 }
 

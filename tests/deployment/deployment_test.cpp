@@ -157,7 +157,11 @@ TEST_CASE("a wrong deployment is refused with the place, what was found and what
   CHECK(refusal(R"("scorers": [{"@type": "a", "weight": -1}])") ==
         "/scorers/0/weight: -1, expected a number from 0 to 1000");
   CHECK(refusal(R"("scorers": [{"@type": "a", "role": "observes"}])") ==
-        "/scorers: no scorer decides, expected at least one with role \"decides\"");
+        "/scorers: no scorer decides, expected at least one with role \"decides\" and a weight above 0");
+  CHECK(refusal(R"("scorers": [{"@type": "a", "weight": 0}])") ==
+        "/scorers: no scorer decides, expected at least one with role \"decides\" and a weight above 0");
+  CHECK_THAT(refusal(R"("scorers": [{"@type": "a"}, {"@type": "b"}, {"@type": "a"}])"),
+             StartsWith("/scorers/2/@type: \"a\", expected a scorer that does not decide already with these options"));
   CHECK_THAT(refusal(R"("stages": {"hypotheses": {"max_hypotheses": 0}})"),
              StartsWith("/stages/hypotheses/max_hypotheses: 0, expected"));
   CHECK_THAT(refusal_of("[]"), StartsWith("/: [], expected an object"));
