@@ -184,6 +184,7 @@ void read_sensors(ConfigObject& document, Deployment& deployment) {
   if (!described.is_array()) {
     deployment.lasers = {read_sensor(*document.object("sensor"))};
     deployment.describes_laser = described.size() > described.count("id");
+    deployment.describes_mount = described.contains("T_base_laser");
     return;
   }
   const auto sensors = document.list("sensor");
@@ -191,6 +192,8 @@ void read_sensors(ConfigObject& document, Deployment& deployment) {
   deployment.lasers.clear();
   for (const ConfigObject& sensor : *sensors) deployment.lasers.push_back(read_sensor(sensor));
   deployment.describes_laser = true;
+  deployment.describes_mount = std::all_of(described.begin(), described.end(),
+                                           [](const auto& sensor) { return sensor.contains("T_base_laser"); });
   expect_distinct(document, deployment.lasers);
 }
 
@@ -235,6 +238,7 @@ bool takes_geometry_from_log(const Deployment& deployment) {
 Deployment with_lasers(Deployment deployment, std::vector<LaserModel> lasers) {
   const std::string sensor = deployment.lasers.front().id;
   deployment.lasers = std::move(lasers);
+  deployment.describes_mount = true;
   for (LaserModel& laser : deployment.lasers) laser.id = sensor;
   return deployment;
 }

@@ -125,6 +125,20 @@ TEST_CASE("a deployment is read whole") {
   CHECK(deployment.stages.hypotheses.max_hypotheses == 7);
 }
 
+TEST_CASE("a scorer may stand twice where one observes, or with other options") {
+  CHECK(parsed(R"("scorers": [{"@type": "a"}, {"@type": "a", "role": "observes"}])").scorers.size() == 2);
+  CHECK(parsed(R"("scorers": [{"@type": "a"}, {"@type": "a", "options": {"b": 1}}])").scorers.size() == 2);
+}
+
+TEST_CASE("a deployment knows whether it says where all its lasers sit") {
+  const std::string scorers = R"("scorers": [{"@type": "a"}], )", mount = R"("T_base_laser": {"x_m": 0.2})";
+  CHECK_FALSE(parsed(scorers + R"("sensor": {"beams": 361})").describes_mount);
+  CHECK(parsed(scorers + R"("sensor": {)" + mount + "}").describes_mount);
+  CHECK_FALSE(parsed(scorers + R"("sensor": [{"frame": "a", )" + mount + R"(}, {"frame": "b"}])").describes_mount);
+  CHECK(parsed(scorers + R"("sensor": [{"frame": "a", )" + mount + R"(}, {"frame": "b", )" + mount + "}]")
+            .describes_mount);
+}
+
 TEST_CASE("a map's path starts from the folder of the deployment") {
   CHECK(parsed(R"("map": "hall.jsonld")").map == "configs/hall.jsonld");
   CHECK(parsed(R"("map": "/maps/hall.jsonld")").map == "/maps/hall.jsonld");
