@@ -1,5 +1,6 @@
 """Mistakes in the command itself."""
 
+import json
 import pathlib
 import re
 
@@ -18,6 +19,16 @@ def runs_of_two_logs(bench):
     log(lambda it: it.lines.__delitem__(slice(40, None)))(bench)
     bench.opal("localize", str(TREE / "configs" / "malaga.jsonld"), "wrong.log", "--map",
                str(MALAGA / "malaga-demo.map.yaml"), "-o", "other")
+
+
+def arms_with_usual_plugins(bench):
+    """An experiment whose second arm has the program's own folder of plugins; of one query of the corridor."""
+    plugins = str(pathlib.Path(bench.program).resolve().parents[1] / "plugins")
+    queries = json.loads((MALAGA / "malaga-demo.queries.json").read_text())["queries"]
+    bench.write("twice.jsonld", json.dumps({
+        "@context": "urn:opal:v1", "@type": "opal:Experiment", "metrics": ["success"],
+        "arms": [{"name": "usual"}, {"name": "twice", "plugins": [plugins]}],
+        "sites": [{"prefix": str(MALAGA / "malaga-demo"), "queries": [queries[0]["id"]]}]}))
 
 
 def old_plugin(bench):
@@ -95,6 +106,22 @@ MISTAKES = [
             "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
             ["config.jsonld: /scorers/0/@type: \"opal:Beems\", which no plugin offers", "opal:Beams"],
             make=config(lambda document: document.update({"scorers": [{"@type": "opal:Beems"}]})), absent=["out"]),
+    Mistake("scorer twice", "A scorer is in the list twice, to count double.",
+            "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
+            ["config.jsonld: /scorers/1/@type: \"opal:Beams\"", "its evidence would count twice"],
+            make=config(lambda document: document.update({"scorers": 2 * [{"@type": "opal:Beams"}]})), absent=["out"]),
+    Mistake("scorer without weight", "The only scorer has the weight 0.",
+            "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
+            ["config.jsonld: /scorers: no scorer decides", "a weight above 0"],
+            make=config(lambda document: document.update({"scorers": [{"@type": "opal:Beams", "weight": 0}]})),
+            absent=["out"]),
+    Mistake("template that is not installed", "`opal map patterns` is told of a template that is not there.",
+            "map patterns {maps}/gemini.jsonld --template opal:ColumPair -o patterns.jsonld", 3,
+            ["no plugin offers opal:ColumPair", "opal:ColumnPair"], absent=["patterns.jsonld"]),
+    Mistake("name where a file may stand", "`opal calibrate` gets the name of a configuration that ships: no mistake.",
+            "calibrate malaga {malaga}/malaga-demo.log.gz", 0, ["mount heading [deg]"]),
+    Mistake("plugins of an arm twice", "An arm of an experiment names a folder of plugins that is loaded anyway: no mistake.",
+            "ab twice.jsonld -o out", 0, ["2 of 2 cells are finished"], make=arms_with_usual_plugins),
     Mistake("configuration without a map", "The map is named nowhere.",
             "localize {configs}/default.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
             ["default.jsonld: /map: missing", "--map"], absent=["out"]),
