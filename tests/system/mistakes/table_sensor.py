@@ -48,7 +48,7 @@ MISTAKES = [
             ["config.jsonld", "/sensor/1", "has no scan of frame", "FLASER"],
             make=config(two_lasers("FLASER", "RLASER")), absent=["out"]),
     Mistake("more beams than the log", "The configuration has 541 beams, the log 361.", RUN, 3,
-            ["541", "361", "config.jsonld"], make=sensor(beams=541), never=NONSENSE),
+            ["541", "361", "config.jsonld", "or take it with --info", "malaga-demo.info.json"], make=sensor(beams=541), never=NONSENSE),
     Mistake("laser backwards", "The laser looks to the rear, and the configuration says forwards.", RUN, 1,
             ["laser"], make=sensor(T_base_laser={"x_m": 0.78, "y_m": 0, "heading_rad": math.pi}), never=NONSENSE),
     Mistake("laser upside down", "The beams go clockwise, and the configuration says counter-clockwise.",
