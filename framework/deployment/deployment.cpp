@@ -133,17 +133,29 @@ ScorerConfig read_scorer(ConfigObject object) {
   return scorer;
 }
 
+bool decides_already(const std::vector<ScorerConfig>& scorers, const ScorerConfig& scorer) {
+  return std::any_of(scorers.begin(), scorers.end(), [&](const ScorerConfig& other) {
+    return other.decides && scorer.decides && other.part.type == scorer.part.type &&
+           other.part.options == scorer.part.options;
+  });
+}
+
 std::vector<ScorerConfig> read_scorers(ConfigObject& document) {
   const auto objects = document.list("scorers");
   std::vector<ScorerConfig> scorers;
   bool decided = false;
   if (objects)
     for (const ConfigObject& object : *objects) {
-      scorers.push_back(read_scorer(object));
-      decided = decided || scorers.back().decides;
+      ScorerConfig scorer = read_scorer(object);
+      if (decides_already(scorers, scorer))
+        object.refuse("@type",
+                      "a scorer that does not decide already with these options: its evidence would count twice");
+      decided = decided || (scorer.decides && scorer.weight > 0);
+      scorers.push_back(std::move(scorer));
     }
   if (!decided)
-    throw ConfigError(document.where("scorers") + ": no scorer decides, expected at least one with role \"decides\"");
+    throw ConfigError(document.where("scorers") +
+                      ": no scorer decides, expected at least one with role \"decides\" and a weight above 0");
   return scorers;
 }
 
@@ -172,6 +184,7 @@ void read_sensors(ConfigObject& document, Deployment& deployment) {
   if (!described.is_array()) {
     deployment.lasers = {read_sensor(*document.object("sensor"))};
     deployment.describes_laser = described.size() > described.count("id");
+    deployment.describes_mount = described.contains("T_base_laser");
     return;
   }
   const auto sensors = document.list("sensor");
@@ -179,6 +192,8 @@ void read_sensors(ConfigObject& document, Deployment& deployment) {
   deployment.lasers.clear();
   for (const ConfigObject& sensor : *sensors) deployment.lasers.push_back(read_sensor(sensor));
   deployment.describes_laser = true;
+  deployment.describes_mount = std::all_of(described.begin(), described.end(),
+                                           [](const auto& sensor) { return sensor.contains("T_base_laser"); });
   expect_distinct(document, deployment.lasers);
 }
 
@@ -223,6 +238,7 @@ bool takes_geometry_from_log(const Deployment& deployment) {
 Deployment with_lasers(Deployment deployment, std::vector<LaserModel> lasers) {
   const std::string sensor = deployment.lasers.front().id;
   deployment.lasers = std::move(lasers);
+  deployment.describes_mount = true;
   for (LaserModel& laser : deployment.lasers) laser.id = sensor;
   return deployment;
 }

@@ -1,6 +1,7 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
 #include "deployment/pipeline_plan.hpp"
+#include "patterns/consuming_template.hpp"
 
 #include <algorithm>
 
@@ -153,6 +154,8 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
     parts.matcher = registry.make<ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
   parts.detectors = make_all<FeatureDetector>(detectors, registry);
   parts.patterns = make_all<PatternTemplate>(patterns, registry);
+  for (Named<PatternTemplate>& pattern : parts.patterns)
+    pattern.part = consuming(std::move(pattern.part), registry.type(pattern.name).info.consumes);
   for (const ScorerConfig& scorer : deployment.scorers)
     parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
                              registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options), scorer.decides,

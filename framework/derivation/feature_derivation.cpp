@@ -2,6 +2,7 @@
 
 #include "derivation/sightings.hpp"
 #include "map_tools/building_ground.hpp"
+#include "map_tools/map_raster.hpp"
 #include "simulation/clutter.hpp"
 #include "simulation/laser.hpp"
 
@@ -25,6 +26,16 @@ constexpr double kHides_m = 0.3;
 RayCaster shut_building(const SemanticMap& map) {
   simulation::Random unused(0);
   return RayCaster(simulation::building_solids(map, 0, unused));
+}
+
+/// Without the leaves of doors: an open one stands somewhere, and is no part of the building that one could rely on.
+RayCaster open_building(const SemanticMap& map) {
+  std::vector<MapFeature> features;
+  std::copy_if(map.features().begin(), map.features().end(), std::back_inserter(features),
+               [&](const MapFeature& feature) { return !is_door_leaf(map, feature); });
+  std::vector<MapObject> objects = map.objects();
+  for (MapObject& object : objects) object.features.clear();  // their numbers are others now
+  return shut_building(*map.with_contents(objects, features, {}, {}));
 }
 
 /// All rooms, also those behind doors that are shut.
@@ -125,11 +136,9 @@ class Additions {
     for (const MapFeature& feature : features_) ids_.insert(feature.id);
   }
 
-  bool knows(const std::string& type, const Geometry& thing) const {
-    return std::any_of(features_.begin(), features_.end(), [&](const MapFeature& feature) {
-      return feature.sensor == sensor_ && feature.type == type && is_one_thing(feature.geometry, thing);
-    });
-  }
+  bool knows(const std::string& type, const Geometry& thing) const { return has(0, type, thing); }
+  /// Whether it is one of those that were added, and the map had it not.
+  bool is_new(const std::string& type, const Geometry& thing) const { return has(map_.features().size(), type, thing); }
 
   void add(int object, const std::string& type, const Geometry& thing) {
     const std::string stem = map_.objects()[object].id + "/" + short_name(type) + "-";
@@ -145,6 +154,13 @@ class Additions {
   const std::vector<std::string>& added() const { return added_; }
 
  private:
+  bool has(std::size_t from, const std::string& type, const Geometry& thing) const {
+    return std::any_of(
+        features_.begin() + static_cast<std::ptrdiff_t>(from), features_.end(), [&](const auto& feature) {
+          return feature.sensor == sensor_ && feature.type == type && is_one_thing(feature.geometry, thing);
+        });
+  }
+
   const SemanticMap& map_;
   std::vector<MapFeature> features_;
   std::string sensor_;
@@ -156,7 +172,7 @@ class Additions {
 
 Derivation derived_features(const SemanticMap& map, const FeatureDetector& detector, std::span<const std::string> types,
                             const DerivationOptions& options, const std::map<std::string, std::string>& prefixes) {
-  const RayCaster solids = shut_building(map);
+  const RayCaster solids = options.doors_open ? open_building(map) : shut_building(map);
   const FloorGrid floor = floor_of(map, solids, options.clearance_m);
   const std::vector<Point> places = places_to_look_from(floor, options.spacing_m);
   const Sightings seen =
@@ -169,10 +185,12 @@ Derivation derived_features(const SemanticMap& map, const FeatureDetector& detec
     const auto views = static_cast<double>(thing.views.size());
     const int object = object_at(map, geometry);
     if (additions.knows(thing.type, geometry))
-      ++derivation.known;
-    else if (object < 0 || views < options.fewest_views ||
+      ++(additions.is_new(thing.type, geometry) ? derivation.twice : derivation.known);
+    else if (object < 0)
+      ++derivation.on_nothing;
+    else if (views < options.fewest_views ||
              views < options.least_share * double(places_in_view(places, solids, geometry, thing.farthest_m)))
-      ++derivation.doubtful;
+      ++derivation.seldom;
     else
       additions.add(object, thing.type, geometry);
   }

@@ -13,6 +13,7 @@ struct DerivationOptions {
   std::string sensor = "PlanarLidar2D";  ///< id of the sensor that perceives the features
   double spacing_m = 0.8;                ///< between neighbouring places to look from
   double reach_m = 10;                   ///< of the laser
+  bool doors_open = false;               ///< leaves are out of the way; false: shut
   double clearance_m = 0.25;             ///< from a place to look from to the nearest surface, at least
   int fewest_views = 5;                  ///< a feature is found from so many places, at least
   double least_share = 0.15;             ///< ... and from this share of the places that have it in view
@@ -24,10 +25,12 @@ struct Derivation {
   std::vector<std::string> added;          ///< ids of the new features, in order
   std::size_t places = 0;                  ///< looked from
   std::size_t known = 0;                   ///< found features that the map has already
-  std::size_t doubtful = 0;                ///< found from too few places, or on no object
+  std::size_t twice = 0;                   ///< found features that are another view of a new one
+  std::size_t seldom = 0;                  ///< found from too few places
+  std::size_t on_nothing = 0;              ///< found where no mapped object is
 };
 
-/// Lets a detector look at clean scans of a building without furniture, doors shut, from places all over its floor, and
+/// Lets a detector look at clean scans of a building without furniture from places all over its floor, and
 /// gives each thing that it finds again and again to the mapped object where it stands. The same map and detector give
 /// the same answer.
 /// @param map       frame `map`.

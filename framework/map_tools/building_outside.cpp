@@ -49,6 +49,7 @@ class OpenGround {
   }
 
   std::vector<char> run() {
+    measure_free();
     for (int column = 0; column < raster_.columns; ++column)
       for (const int row : {0, raster_.rows - 1}) enter(column, row);
     for (int row = 0; row < raster_.rows; ++row)
@@ -110,12 +111,37 @@ class OpenGround {
   }
 
   bool meets_nothing(Point place, const Point& direction) const {
-    const Point step = 0.7 * raster_.resolution_m * direction;
+    constexpr double kStep = 0.7;  // cells
+    const Point step = kStep * raster_.resolution_m * direction;
     for (int cell = cell_at(place); cell >= 0; cell = cell_at(place)) {
       if (walls_[cell]) return false;
-      place += step;
+      // No wall is nearer than that: only where a step leads is not looked up.
+      for (int steps = std::max(1, static_cast<int>((free_around_[cell] - 1) / kStep)); steps > 0; --steps)
+        place += step;
     }
     return true;
+  }
+
+  /// Cells from each cell to the next wall, along rows, columns and diagonals (Rosenfeld and Pfaltz 1966).
+  void measure_free() {
+    free_around_.assign(walls_.size(), raster_.columns + raster_.rows);
+    for (std::size_t cell = 0; cell < walls_.size(); ++cell)
+      if (walls_[cell]) free_around_[cell] = 0;
+    const int last = static_cast<int>(walls_.size()) - 1;
+    for (int cell = 0; cell <= last; ++cell) lower(cell, -1);
+    for (int cell = last; cell >= 0; --cell) lower(cell, 1);
+  }
+
+  /// By the neighbours that were visited before. @param side  -1: those of lower number; 1: of higher.
+  void lower(int cell, int side) {
+    const int column = cell % raster_.columns, row = cell / raster_.columns;
+    const auto look = [&](int i, int j) {
+      const int x = column + i, y = row + j;
+      if (x < 0 || y < 0 || x >= raster_.columns || y >= raster_.rows) return;
+      free_around_[cell] = std::min(free_around_[cell], free_around_[y * raster_.columns + x] + 1);
+    };
+    for (const int i : {-1, 0, 1}) look(i, side);
+    look(side, 0);
   }
 
   int inside_cells() const {
@@ -187,6 +213,7 @@ class OpenGround {
   const SemanticMap& map_;
   const MapRaster& raster_;
   std::vector<char> walls_, outside_;
+  std::vector<int> free_around_;
   std::vector<int> open_;  ///< outside, in the order in which they were found
 };
 

@@ -20,14 +20,13 @@ Parts by_time(Parts parts) {
   return parts;
 }
 
-/// "/front, /rear": each name once.
-std::vector<std::string> names_in(const std::string& list) {
+/// "/front, /rear" or "/front /rear", for no topic has blanks in its name: each name once.
+std::vector<std::string> names_in(std::string list) {
+  std::replace(list.begin(), list.end(), ',', ' ');
   std::vector<std::string> names;
   std::istringstream words(list);
-  for (std::string name; std::getline(words, name, ',');) {
-    std::erase(name, ' ');
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
+  for (std::string name; words >> name;)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return names;
 }
 

@@ -5,6 +5,7 @@
 #include <opal/sensing/replay.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -26,6 +27,14 @@ int usual_beams(std::span<const LogRecord> records, const LaserModel& laser) {
   const auto most = std::max_element(scans_by_beams.begin(), scans_by_beams.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
   return most == scans_by_beams.end() ? 0 : most->first;
+}
+
+/// `opal simulate` and recorded places have a description of the laser beside the log.
+std::string description_beside(const std::string& log) {
+  const std::size_t ending = log.rfind(".log");
+  const std::string description = log.substr(0, ending) + ".info.json";
+  return ending != std::string::npos && std::filesystem::exists(description) ? ", or take it with --info " + description
+                                                                             : "";
 }
 
 std::string frames_in(std::span<const LogRecord> records) {
@@ -53,8 +62,8 @@ void check_log(std::span<const LogRecord> records, const LaserModel& laser, cons
   if (beams > 0 && beams != laser.beams)
     throw ConfigError(
         sentence("%s: the laser has %d beams, but the scans of %s have %d; describe the laser that recorded "
-                 "the log (beams, angle_min_rad, angle_increment_rad)",
-                 described_in.c_str(), laser.beams, log.c_str(), beams));
+                 "the log (beams, angle_min_rad, angle_increment_rad)%s",
+                 described_in.c_str(), laser.beams, log.c_str(), beams, description_beside(log).c_str()));
   if (!stated) return;
   // Half a beam at either end: what is more turns the scan, or bends it.
   const double off_first_rad = std::abs(wrap_angle(*stated->angle_min_rad - laser.angle_min_rad));

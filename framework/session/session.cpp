@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 namespace {
 
@@ -60,8 +61,12 @@ opal::PluginRegistry load_plugins() {
 
 opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folders) {
   opal::PluginRegistry registry = load_plugins();
-  for (const std::string& folder : further_folders)
+  std::set<fs::path> loaded;
+  for (const std::string& folder : opal::plugin_folders()) loaded.insert(fs::weakly_canonical(folder));
+  for (const std::string& folder : further_folders) {
+    if (!loaded.insert(fs::weakly_canonical(folder)).second) continue;  // OPAL_PLUGIN_PATH may name it, too
     for (const std::string& refusal : registry.announce_all(folder)) throw opal::ConfigError(refusal);
+  }
   return registry;
 }
 

@@ -28,6 +28,14 @@ std::vector<const Element*> walls_of(const Building& building, const Classes& cl
   return bodies;
 }
 
+/// Of what rooms have.
+std::vector<const Element*> doors_of(const Building& building, const Classes& classes) {
+  std::vector<const Element*> doors;
+  for (const Element& element : building.elements)
+    if (classes.of(element).type == "opal:Door") doors.push_back(&element);
+  return doors;
+}
+
 std::vector<const Element*> solids_of(const Building& building, const Classes& classes) {
   std::vector<const Element*> solids;
   for (const Element& element : building.elements)
@@ -67,14 +75,21 @@ LevelChoice given_height(const Building& building, double height_m) {
   return choice;
 }
 
-/// A model of columns alone has a level, too.
+/// A foundation has walls and no doors. A model without doors, or of columns alone, has a level, too.
 LevelChoice lowest_level(const Building& building, const Classes& classes, const ImportOptions& options,
                          const std::string& file) {
-  const auto walls = walls_of(building, classes), solids = solids_of(building, classes);
-  for (const auto& [things, what] : {std::pair(&walls, "walls"), std::pair(&solids, "solid things")})
+  const auto walls = walls_of(building, classes), doors = doors_of(building, classes),
+             solids = solids_of(building, classes);
+  using Things = std::vector<const Element*>;
+  struct Wanted {
+    const Things &one, &other;
+    const char* what;
+  };
+  for (const auto& [one, other, what] :
+       {Wanted{walls, doors, "walls and doors"}, Wanted{walls, walls, "walls"}, Wanted{solids, solids, "solid things"}})
     for (const Level& level : building.levels) {
       const double height_m = level.elevation_m + options.sensor_height_m;
-      if (!any_meets(*things, height_m)) continue;
+      if (!any_meets(one, height_m) || !any_meets(other, height_m)) continue;
       return {
           height_m, level.name,
           sentence("cut at %.3f m, %.2f m above '%s', the lowest storey with %s there (--storey or --z choose another)",

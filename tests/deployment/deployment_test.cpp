@@ -125,6 +125,20 @@ TEST_CASE("a deployment is read whole") {
   CHECK(deployment.stages.hypotheses.max_hypotheses == 7);
 }
 
+TEST_CASE("a scorer may stand twice where one observes, or with other options") {
+  CHECK(parsed(R"("scorers": [{"@type": "a"}, {"@type": "a", "role": "observes"}])").scorers.size() == 2);
+  CHECK(parsed(R"("scorers": [{"@type": "a"}, {"@type": "a", "options": {"b": 1}}])").scorers.size() == 2);
+}
+
+TEST_CASE("a deployment knows whether it says where all its lasers sit") {
+  const std::string scorers = R"("scorers": [{"@type": "a"}], )", mount = R"("T_base_laser": {"x_m": 0.2})";
+  CHECK_FALSE(parsed(scorers + R"("sensor": {"beams": 361})").describes_mount);
+  CHECK(parsed(scorers + R"("sensor": {)" + mount + "}").describes_mount);
+  CHECK_FALSE(parsed(scorers + R"("sensor": [{"frame": "a", )" + mount + R"(}, {"frame": "b"}])").describes_mount);
+  CHECK(parsed(scorers + R"("sensor": [{"frame": "a", )" + mount + R"(}, {"frame": "b", )" + mount + "}]")
+            .describes_mount);
+}
+
 TEST_CASE("a map's path starts from the folder of the deployment") {
   CHECK(parsed(R"("map": "hall.jsonld")").map == "configs/hall.jsonld");
   CHECK(parsed(R"("map": "/maps/hall.jsonld")").map == "/maps/hall.jsonld");
@@ -157,7 +171,11 @@ TEST_CASE("a wrong deployment is refused with the place, what was found and what
   CHECK(refusal(R"("scorers": [{"@type": "a", "weight": -1}])") ==
         "/scorers/0/weight: -1, expected a number from 0 to 1000");
   CHECK(refusal(R"("scorers": [{"@type": "a", "role": "observes"}])") ==
-        "/scorers: no scorer decides, expected at least one with role \"decides\"");
+        "/scorers: no scorer decides, expected at least one with role \"decides\" and a weight above 0");
+  CHECK(refusal(R"("scorers": [{"@type": "a", "weight": 0}])") ==
+        "/scorers: no scorer decides, expected at least one with role \"decides\" and a weight above 0");
+  CHECK_THAT(refusal(R"("scorers": [{"@type": "a"}, {"@type": "b"}, {"@type": "a"}])"),
+             StartsWith("/scorers/2/@type: \"a\", expected a scorer that does not decide already with these options"));
   CHECK_THAT(refusal(R"("stages": {"hypotheses": {"max_hypotheses": 0}})"),
              StartsWith("/stages/hypotheses/max_hypotheses: 0, expected"));
   CHECK_THAT(refusal_of("[]"), StartsWith("/: [], expected an object"));

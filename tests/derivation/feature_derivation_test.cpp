@@ -69,6 +69,47 @@ class Restless final : public FeatureDetector {
   }
 };
 
+/// Two rooms of 5 m by 6 m, and in the wall between them a way of 1 m.
+/// @param leaf  type of what stands in it, unperceived; empty: nothing does.
+std::shared_ptr<const SemanticMap> two_rooms(const std::string& leaf) {
+  std::vector<MapObject> objects{{"wall", "opal:Wall"}};
+  std::vector<MapFeature> features;
+  const auto face = [&](const Point& begin, const Point& end) {
+    features.push_back(
+        {"face-" + std::to_string(features.size()), 0, "opal:Wall", "PlanarLidar2D", Segment{begin, end}});
+  };
+  const auto outline = [&](const std::vector<Point>& corners) {
+    for (std::size_t k = 0; k < corners.size(); ++k) face(corners[k], corners[(k + 1) % corners.size()]);
+  };
+  outline({{0, 0}, {10, 0}, {10, 6}, {0, 6}});
+  outline({{4.95, 0}, {4.95, 2.5}, {5.05, 2.5}, {5.05, 0}});
+  outline({{4.95, 3.5}, {4.95, 6}, {5.05, 6}, {5.05, 3.5}});
+  if (leaf.empty()) return SemanticMap::make("two rooms", objects, features);
+  objects.push_back({"door", leaf});
+  features.push_back({"leaf", 1, "opal:Wall", "", Segment{{5, 2.5}, {5, 3.5}}});
+  return SemanticMap::make("two rooms", objects, features);
+}
+
+/// Finds the middle of a gap of 0.8 m to 1.2 m between two things behind which all is farther away.
+class GapDetector final : public FeatureDetector {
+ public:
+  std::vector<Feature> detect(const Scan& scan) const override {
+    constexpr double kDeeper_m = 0.5;
+    std::vector<Feature> gaps;
+    const auto& points = scan.points;
+    for (std::size_t a = 0; a + 1 < points.size(); ++a) {
+      if (points[a + 1].range_m < points[a].range_m + kDeeper_m) continue;
+      std::size_t b = a + 1;
+      while (b < points.size() && points[b].range_m > points[a].range_m + kDeeper_m) ++b;
+      if (b == points.size()) continue;
+      const double width_m = (points[b].position - points[a].position).norm();
+      if (width_m > 0.8 && width_m < 1.2)
+        gaps.push_back({.type = "acme:Doorway", .geometry = Point(0.5 * (points[a].position + points[b].position))});
+    }
+    return gaps;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the edges of a pillar are derived where they are, and belong to it, wherever the map has its origin") {
@@ -113,7 +154,24 @@ TEST_CASE("what a detector finds at another place from each place is no feature 
   const std::vector<std::string> ghost{"acme:Ghost"};
   const Derivation derivation = derived_features(*Hall().map(), Restless(), ghost);
   CHECK(derivation.added.empty());
-  CHECK(derivation.doubtful > 0);
+  CHECK(derivation.seldom + derivation.on_nothing > 0);
+}
+
+TEST_CASE("what stands in a doorway is derived if doors are open, and not if they are shut") {
+  const auto map = two_rooms("opal:Door");
+  const std::vector<std::string> type{"acme:Doorway"};
+  DerivationOptions options;
+  CHECK(derived_features(*map, GapDetector(), type, options).added.empty());
+  options.doors_open = true;
+  CHECK(derived_features(*map, GapDetector(), type, options).added == std::vector<std::string>{"door/Doorway-1"});
+}
+
+TEST_CASE("what is found beside every object is counted apart from what is seen too seldom") {
+  const std::vector<std::string> type{"acme:Doorway"};
+  const Derivation derivation = derived_features(*two_rooms(""), GapDetector(), type);
+  CHECK(derivation.added.empty());
+  CHECK(derivation.on_nothing > 0);
+  CHECK(derivation.seldom == 0);
 }
 
 TEST_CASE("only the types that are asked for are derived") {

@@ -27,6 +27,16 @@ void print_errors(const RunRecord& record, const opal::GroundTruth& truth) {
               errors[errors.size() / 2], errors.back(), errors.size());
 }
 
+/// Scans and odometry were compared, but not in turns.
+bool tells_distances_only(const std::vector<opal::SensorFinding>& findings) {
+  using Subject = opal::SensorFinding::Subject;
+  const auto tells = [&](Subject subject) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [&](const auto& finding) { return finding.subject == subject; });
+  };
+  return tells(Subject::odometry_distance) && !tells(Subject::odometry_turn) && !tells(Subject::mirroring);
+}
+
 }  // namespace
 
 nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal::Query& window,
@@ -95,6 +105,8 @@ void LocalizeRun::print() const {
   }
   for (const opal::SensorFinding& finding : localizer_.sensor_findings())
     std::printf("sensor: %s\n", finding.words.c_str());
+  if (tells_distances_only(localizer_.sensor_findings()))
+    std::printf("sensor: the drive turns too little to tell whether the beams turn counter-clockwise as described\n");
   for (const std::string& words : contradictions_) std::printf("the sensor description is wrong: %s\n", words.c_str());
   for (const auto& [cause, count] : oddities_) std::printf("log: %s: %d times\n", cause.c_str(), count);
   if (truth_) print_errors(all_, *truth_);

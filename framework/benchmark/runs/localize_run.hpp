@@ -28,8 +28,7 @@ struct Playing {
 class LocalizeRun {
  public:
   /// @param events  gets what only the run knows: the windows and their truth; the localizer writes there, too, and
-  /// says
-  ///                why it is not localized yet.
+  ///                says why it is not localized yet.
   /// @param log  name for the pictures.
   LocalizeRun(opal::Localizer& localizer, const std::vector<opal::LaserModel>& lasers, opal::EventSink& events,
               const std::string& log)

@@ -5,6 +5,7 @@
 #include "sensor_health/motion_pairs.hpp"
 #include "sensor_health/sensor_judgement.hpp"
 #include "session/session.hpp"
+#include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/sentence.hpp>
@@ -83,7 +84,8 @@ void write_deployment(const opal::MotionCalibration& drive, const CalibrateOptio
   std::printf("written: %s\n", options.out.c_str());
 }
 
-int calibrate(const CalibrateOptions& options) {
+int calibrate(CalibrateOptions options) {
+  options.config = config_file(options.config);
   const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = opal::read_deployment(options.config);
   opal::LaserModel laser = options.info.empty() ? deployment.lasers.front() : opal::read_site_laser(options.info);
@@ -107,7 +109,7 @@ int calibrate(const CalibrateOptions& options) {
 void opal::add_calibrate_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CalibrateOptions>();
   CLI::App* verb = app.add_subcommand("calibrate", "the laser's mount and the scales of the odometry, from a drive");
-  verb->add_option("CONFIG", options->config, "deployment document (configs/*.jsonld)")->required();
+  verb->add_option("CONFIG", options->config, "deployment document, or the name of one that ships")->required();
   verb->add_option("LOG", options->log, "recorded drive with turns; no map is needed")->required();
   verb->add_option("--info", options->info, "SITE.info.json that describes the laser; overrides the deployment's");
   verb->add_option("-o,--out", options->out, "deployment document to write: CONFIG with the estimates in it");

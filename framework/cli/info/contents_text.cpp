@@ -131,8 +131,22 @@ std::string frame_lines(const LogContents& contents) {
   return text.empty() ? "" : "\nframes\n" + text;
 }
 
-std::string defect_lines(const LogContents& contents) {
+/// What makes a log that is whole useless.
+std::string doubt_lines(const LogContents& contents) {
+  constexpr double kStands = 0.05;  // [m] and [rad]
+  constexpr double kBlind = 0.99;
   std::string text;
+  for (const LogLaser& laser : contents.lasers)
+    if (laser.is_read && laser.scans > 0 && laser.no_return_share + laser.invalid_share > kBlind)
+      text += "  laser " + laser.topic + " sees nothing: hardly a reading is a return\n";
+  for (const LogOdometry& odometry : contents.odometries)
+    if (odometry.is_read && odometry.driven_m < kStands && odometry.turned_rad < kStands)
+      text += "  odometry " + odometry.topic + " never moves: a robot is localized while it drives or turns\n";
+  return text;
+}
+
+std::string defect_lines(const LogContents& contents) {
+  std::string text = doubt_lines(contents);
   for (const auto& [cause, times] : contents.defects)
     text += "  " + cause + (times > 1 ? sentence(": %d times", times) : "") + "\n";
   return text.empty() ? "" : "\nto be aware of\n" + text;

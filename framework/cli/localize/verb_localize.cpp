@@ -32,15 +32,17 @@ struct LocalizeSetup {
   opal::Deployment deployment;
   RecordedLog log;
   std::vector<opal::Query> windows;
+  std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
   std::optional<opal::GroundTruth> truth;
   opal::LocalizerParts parts;
 };
 
 LocalizeSetup set_up(const LocalizeOptions& options) {
-  LocalizeSetup setup{load_plugins(), options.deployment(), {}, {}, {}, {}};
+  LocalizeSetup setup{load_plugins(), options.deployment(), {}, {}, {}, {}, {}};
   const auto map = load_map(setup.plugins, setup.deployment);
   setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
+  setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
   setup.windows = options.windows();
   if (!options.queries.empty()) expect_scans(setup.windows, setup.log, options.queries);
   if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
@@ -51,6 +53,7 @@ LocalizeSetup set_up(const LocalizeOptions& options) {
 
 void tell(const LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
   run.print();
+  if (!setup.mount_doubt.empty()) std::printf("sensor: %s\n", setup.mount_doubt.c_str());
   for (const auto& [cause, count] : setup.log.defects) std::printf("log: %s: %d times\n", cause.c_str(), count);
   for (const std::string& doubt : doubts_of(setup.log, setup.deployment.lasers.front()))
     std::printf("log: %s\n", doubt.c_str());

@@ -3,10 +3,12 @@
 #include "cli/options/exit_code.hpp"
 #include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
+#include "map_tools/map_raster.hpp"
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -18,6 +20,11 @@ struct DeriveOptions {
   std::vector<std::string> words;
   opal::DerivationOptions derivation;
 };
+
+bool has_doors(const opal::SemanticMap& map) {
+  return std::any_of(map.features().begin(), map.features().end(),
+                     [&](const opal::MapFeature& feature) { return opal::is_door_leaf(map, feature); });
+}
 
 void draw(const opal::Derivation& derivation, const DeriveOptions& options) {
   opal::DrawingScene scene;
@@ -53,8 +60,11 @@ opal::Derivation derived_by(const opal::PluginRegistry& registry, const opal::Se
   opal::Derivation derivation = opal::derived_features(map, *part, type.info.produces, options,
                                                        opal::read_plugin_description(description).prefixes);
   std::cout << detector << ": " << derivation.added.size() << " new features, seen from " << derivation.places
-            << " places; " << derivation.known << " known before; " << derivation.doubtful
-            << " left out, seen too seldom or on no object\n";
+            << " places; " << derivation.known << " known before, " << derivation.twice
+            << " found twice; left out: " << derivation.seldom << " seen too seldom, " << derivation.on_nothing
+            << " on no object\n";
+  if (derivation.added.empty() && !options.doors_open && has_doors(map))
+    std::cout << "  all doors were shut; --doors-open looks through them\n";
   return derivation;
 }
 
@@ -74,6 +84,7 @@ void add_map_derive(CLI::App& map, int& exit_code) {
   verb->add_option("--reach", derivation.reach_m, "how far the laser sees [m]")
       ->check(CLI::Range(1.0, 100.0))
       ->capture_default_str();
+  verb->add_flag("--doors-open", derivation.doors_open, "doors stand open, as if they had no leaf; without it: shut");
   verb->add_option("--svg", options->svg, "also draw the map into this file");
   verb->add_option("--png", options->png, "the same as a PNG");
   verb->callback([options, &exit_code] { exit_code = derive(*options); });

@@ -7,6 +7,7 @@
 #include "deployment/pipeline_plan.hpp"
 #include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
+#include "patterns/consuming_template.hpp"
 #include "patterns/pattern_layer.hpp"
 
 #include <algorithm>
@@ -23,6 +24,10 @@ struct PatternsOptions {
   opal::PatternLayerOptions layer;
   bool summary = false;
 };
+
+std::shared_ptr<const opal::PatternTemplate> made(const opal::PluginRegistry& registry, const std::string& name) {
+  return opal::consuming(registry.make<opal::PatternTemplate>(name), registry.type(name).info.consumes);
+}
 
 /// Several features, of which one at least has a place: lines alone do better without a layer, joined to whole walls.
 bool is_usual(const opal::PatternTemplate& pattern_template) {
@@ -42,12 +47,13 @@ Templates chosen_templates(const opal::PluginRegistry& registry, const opal::Sem
   Templates chosen;
   for (const std::string& name : asked) {
     if (std::find(usable.begin(), usable.end(), name) == usable.end()) {
+      registry.type(name);  // says what there is, if there is none of this name
       std::string message = name + " cannot be used with " + options.map;
       for (const std::string& reason : plan.reasons)
         if (reason.rfind(name + ":", 0) == 0) message += "\n  " + reason;
       throw opal::ConfigError(message);
     }
-    auto part = registry.make<opal::PatternTemplate>(name);
+    auto part = made(registry, name);
     if (!options.templates.empty() || is_usual(*part)) chosen.push_back({name, std::move(part)});
   }
   if (chosen.empty()) throw opal::ConfigError(options.map + ": no pattern template has the features that it needs");
@@ -118,7 +124,7 @@ void check_layer(const opal::PluginRegistry& registry, const Map& map, const std
   if (map->patterns().empty()) return;
   const opal::PipelinePlan plan = plan_pipeline(*map, sensor, registry.types());
   Templates templates;
-  for (const std::string& name : plan.patterns) templates.push_back({name, registry.make<opal::PatternTemplate>(name)});
+  for (const std::string& name : plan.patterns) templates.push_back({name, made(registry, name)});
   for (const opal::PatternSummary& summary : read_pattern_layer(opal::MapView(map, sensor), templates).summaries)
     std::cout << sentence_of(summary) << '\n';
 }

@@ -5,6 +5,7 @@
 
 #include <opal/common/error.hpp>
 
+#include <algorithm>
 #include <limits>
 
 void LogRunOptions::add_to(CLI::App& verb, const std::string& written) {
@@ -32,6 +33,16 @@ opal::Deployment LogRunOptions::deployment() const {
 std::vector<opal::LaserModel> LogRunOptions::lasers_of(const std::vector<opal::LogRecord>& records,
                                                        const std::vector<opal::LaserModel>& described) const {
   return opal::lasers_of_log(records, described, log, info.empty() ? config + ": /sensor" : info);
+}
+
+std::string LogRunOptions::mount_doubt(const std::vector<opal::LogRecord>& records,
+                                       const opal::Deployment& described) const {
+  const auto is_mount = [](const opal::LogRecord& record) { return std::holds_alternative<opal::MountRecord>(record); };
+  const bool is_stated =
+      opal::takes_geometry_from_log(described) && std::any_of(records.begin(), records.end(), is_mount);
+  if (described.describes_mount || is_stated) return "";
+  return "nothing says where the laser sits on the robot (" + config +
+         ": /sensor/T_base_laser): it is taken to be in the middle, and a pose is wrong by as much as it is not";
 }
 
 std::vector<opal::Query> LogRunOptions::windows() const {

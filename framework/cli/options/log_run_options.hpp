@@ -26,6 +26,8 @@ struct LogRunOptions {
   /// `described` with what the log states of its laser. @throws opal::ConfigError if it states something else.
   std::vector<opal::LaserModel> lasers_of(const std::vector<opal::LogRecord>& records,
                                           const std::vector<opal::LaserModel>& described) const;
+  /// In words, that neither the deployment nor the log says where the laser sits on the robot; empty: one of them does.
+  std::string mount_doubt(const std::vector<opal::LogRecord>& records, const opal::Deployment& described) const;
   /// What to play: the queries, or the whole log.
   std::vector<opal::Query> windows() const;
 };

@@ -27,18 +27,19 @@ struct WorldOptions {
   }
 
   void add_to(CLI::App& verb) {
-    const auto flag = [&](const char* name, auto& value, const char* help) {
-      verb.add_option(name, value, help)->capture_default_str();
+    const auto flag = [&](const char* name, auto& value, double least, double most, const char* help) {
+      verb.add_option(name, value, help)->check(CLI::Range(least, most))->capture_default_str();
     };
-    flag("--clutter", world.clutter.level, "how much stands about that the map does not hold; 1: everyday, 0: nothing");
-    flag("--lookalikes", world.clutter.lookalikes,
+    flag("--clutter", world.clutter.level, 0, 100,
+         "how much stands about that the map does not hold; 1: everyday, 0: nothing");
+    flag("--lookalikes", world.clutter.lookalikes, 0, 100,
          "round things like the building's columns, per 100 m2, times --clutter");
-    flag("--hidden", world.clutter.hidden_share, "share of columns and corners behind a board");
+    flag("--hidden", world.clutter.hidden_share, 0, 1, "share of columns and corners behind a board");
     verb.add_option("--furniture", furnished,
                     "another map of the building: what only that one holds stands there, too");
-    flag("--people", world.people, "who walk about");
-    flag("--doors-open", world.doors_open_share, "share of doors that are open");
-    flag("--robot-radius", world.robot_radius_m, "[m]");
+    flag("--people", world.people, 0, 1000, "who walk about");
+    flag("--doors-open", world.doors_open_share, 0, 1, "share of doors that are open");
+    flag("--robot-radius", world.robot_radius_m, 0.01, 10, "[m]");
     verb.add_flag("--outdoors", world.outdoors, "robots can be outdoors, too, and outer doors may be open");
     verb.add_flag_callback(
         "--omnidirectional", [this] { world.drive = opal::simulation::Drive::omnidirectional; },

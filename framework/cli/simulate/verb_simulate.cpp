@@ -105,25 +105,36 @@ int simulate(SimulateOptions options) {
   return kDone;
 }
 
-void add_sensing(CLI::App& verb, SimulateOptions& o) {
-  const auto flag = [&](const char* name, auto& value, const char* help) {
-    verb.add_option(name, value, help)->capture_default_str();
+void add_drives(CLI::App& verb, SimulateOptions& o) {
+  const auto flag = [&](const char* name, auto& value, auto least, auto most, const char* help) {
+    verb.add_option(name, value, help)->check(CLI::Range(least, most))->capture_default_str();
   };
-  flag("--fov", o.fov_deg, "of the laser [deg]");
-  flag("--beams", o.world.laser.beams, "of the laser");
-  verb.get_option("--fov")->check(CLI::Range(1.0, 360.0));
-  verb.get_option("--beams")->check(CLI::Range(1, 100000));
-  flag("--range", o.world.laser.range_max_m, "of the laser [m]");
+  flag("--drives", o.drives.drives, 1, 100000, "each from a place of its own");
+  flag("--distance", o.drives.distance_m, 0.1, 1e5, "of each drive [m]");
+  flag("--speed", o.drives.follower.speed_mps, 0.01, 10.0, "[m/s]");
+  flag("--turn", o.drives.follower.turn_radps, 0.01, 10.0, "[rad/s]");
+  flag("--scan-every", o.drives.scan_every_s, 0.01, 60.0, "[s]");
+}
+
+void add_sensing(CLI::App& verb, SimulateOptions& o) {
+  const auto flag = [&](const char* name, auto& value, auto least, auto most, const char* help) {
+    verb.add_option(name, value, help)->check(CLI::Range(least, most))->capture_default_str();
+  };
+  flag("--fov", o.fov_deg, 1.0, 360.0, "of the laser [deg]");
+  flag("--beams", o.world.laser.beams, 1, 100000, "of the laser");
+  flag("--range", o.world.laser.range_max_m, 0.1, 1000.0, "of the laser [m]");
   verb.add_option("--sweep", o.world.laser.sweep_s, "time from the first beam to the last [s] (default: all at once)")
       ->check(CLI::Range(0.0, 1.0));
-  flag("--mount-x", o.mount_x_m, "laser before the robot's centre [m]");
-  flag("--range-sigma", o.world.laser_errors.range_sigma_m, "of a reading [m]");
-  flag("--missed", o.world.laser_errors.missed_share, "share of beams that are lost");
-  flag("--mixed", o.world.laser_errors.mixed_share, "share of beams at an edge that report something in between");
-  flag("--glass", o.world.laser_errors.glass_share, "share of beams that glass sends back");
-  flag("--slips", o.world.odometry_errors.slips_per_m, "of a wheel, per metre");
-  flag("--odometry-sigma", o.world.odometry_errors.sigma_m_per_sqrt_m, "along the way [m per square root of m]");
-  flag("--heading-sigma", o.world.odometry_errors.sigma_rad_per_sqrt_m, "[rad per square root of m]");
+  flag("--mount-x", o.mount_x_m, -10.0, 10.0, "laser before the robot's centre [m]");
+  flag("--range-sigma", o.world.laser_errors.range_sigma_m, 0.0, 1.0, "of a reading [m]");
+  flag("--missed", o.world.laser_errors.missed_share, 0.0, 1.0, "share of beams that are lost");
+  flag("--mixed", o.world.laser_errors.mixed_share, 0.0, 1.0,
+       "share of beams at an edge that report something in between");
+  flag("--glass", o.world.laser_errors.glass_share, 0.0, 1.0, "share of beams that glass sends back");
+  flag("--slips", o.world.odometry_errors.slips_per_m, 0.0, 10.0, "of a wheel, per metre");
+  flag("--odometry-sigma", o.world.odometry_errors.sigma_m_per_sqrt_m, 0.0, 1.0,
+       "along the way [m per square root of m]");
+  flag("--heading-sigma", o.world.odometry_errors.sigma_rad_per_sqrt_m, 0.0, 1.0, "[rad per square root of m]");
 }
 
 void add_config(CLI::App& verb, SimulateOptions& o) {
@@ -141,14 +152,10 @@ void opal::add_simulate_verb(CLI::App& app, int& exit_code) {
       app.add_subcommand("simulate", "drive through a building that does not exist: a recording with ground truth");
   verb->add_option("MAP", options->map, "map document, or a source to import")->required();
   verb->add_option("-o,--out", options->out, "PREFIX of the files to write, as opal bench takes it")->required();
-  verb->add_option("--drives", options->drives.drives, "each from a place of its own")->capture_default_str();
-  verb->add_option("--distance", options->drives.distance_m, "of each drive [m]")->capture_default_str();
   verb->add_option("--along", options->along,
                    "PREFIX of a recording (.gt.csv, .info.json, .log.gz): the same laser on the same way, and its "
                    "beams side by side");
-  verb->add_option("--speed", options->drives.follower.speed_mps, "[m/s]")->capture_default_str();
-  verb->add_option("--turn", options->drives.follower.turn_radps, "[rad/s]")->capture_default_str();
-  verb->add_option("--scan-every", options->drives.scan_every_s, "[s]")->capture_default_str();
+  add_drives(*verb, *options);
   options->add_to(*verb);
   options->damage.add_to(*verb);  // of what stands: the map that is written is the undamaged one
   verb->get_option("--seed")->description("of everything: the same seed gives the same files");

@@ -1,11 +1,15 @@
 #include "cli/track/start_poses.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/sentence.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 namespace {
+
+constexpr double kMostHeading_rad = 2 * std::numbers::pi;  // more is a heading in degrees
 
 /// Numbers between commas; empty if something is no finite number.
 std::vector<double> numbers_of(const std::string& text) {
@@ -28,6 +32,10 @@ std::vector<double> numbers_of(const std::string& text) {
 opal::Pose2 read_pose(const std::string& text) {
   const std::vector<double> n = numbers_of(text);
   if (n.size() != 3) throw opal::ConfigError("--pose: '" + text + "', expected X,Y,THETA in metres and radians");
+  if (std::abs(n[2]) > kMostHeading_rad)
+    throw opal::ConfigError(
+        opal::sentence("--pose: heading %g, expected radians from -2 pi to 2 pi; %g degrees are %.3f", n[2], n[2],
+                       n[2] * std::numbers::pi / 180));
   return {n[0], n[1], n[2]};
 }
 

@@ -16,6 +16,9 @@ bool same_place(const Pose2& a, const Pose2& b) {
   return distance_m(a, b) < kSamePlace_m && angle_between_rad(a, b) < kSamePlace_rad;
 }
 
+/// To the digits that are printed: what is not above a limit must not look as if it were.
+double rounded_down(double probability) { return std::floor(probability * 1000) / 1000; }
+
 }  // namespace
 
 const char* name_of(Status status) {
@@ -103,7 +106,7 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
                                                         : Status::ambiguous;
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
   if (same || estimate.probability <= options_.localized_probability)
-    return because(status, sentence("the probability is %.3f, not above %.3f", estimate.probability,
+    return because(status, sentence("the probability is %.3f, not above %.3f", rounded_down(estimate.probability),
                                     options_.localized_probability));
   return because(status, "the best place has just changed");
 }

@@ -232,6 +232,24 @@ TEST_CASE("arms that were given different logs are refused when they are collect
       Catch::Contains("malaga-demo-q02/1/lack_of_fit 0123456789abcdef, expected the same map and log for all arms"));
 }
 
+TEST_CASE("arms that judged different hypotheses of one log are told so") {
+  const TemporaryFolder folder;
+  const std::string experiment = written(folder, small_experiment()), out = folder.path_of("out");
+  computed(experiment, out, {"--jobs", "1"});
+  std::string text;
+  opal::ab::read_journal(out + "/journals/1-of-1.0.jsonl",
+                         [&](const opal::ab::CellResult& result, opal::ab::JournalPlace) {
+                           opal::ab::CellResult other = result;
+                           other.input += result.number == 3 ? "/b" : "/a";
+                           text += opal::ab::journal_line(other) + "\n";
+                         });
+  folder.write("out/journals/1-of-1.0.jsonl", text);
+  const Finished collected = opal_run({"ab", "collect", experiment, "-o", out});
+  CHECK(collected.exit_code == 3);
+  CHECK_THAT(collected.said, Catch::Contains("judge different hypotheses of the same log") &&
+                                 Catch::Contains("give all arms the folder"));
+}
+
 TEST_CASE("a second run of the same cells is refused, and says who is at work") {
   const TemporaryFolder folder;
   json document = small_experiment();

@@ -56,8 +56,8 @@ int DrawnBuilding::direction(double x, double y, double z) {
   return add("IFCDIRECTION", "(" + real(x) + "," + real(y) + "," + real(z) + ")");
 }
 
-int DrawnBuilding::axes(const Pose2& pose) {
-  const int origin = point(pose.x(), pose.y(), 0), up = direction(0, 0, 1);
+int DrawnBuilding::axes(const Pose2& pose, double z_m) {
+  const int origin = point(pose.x(), pose.y(), z_m), up = direction(0, 0, 1);
   const Point x = unit_vector(pose.heading_rad());
   return add("IFCAXIS2PLACEMENT3D", ref(origin) + "," + ref(up) + "," + ref(direction(x.x(), x.y(), 0)));
 }
@@ -98,6 +98,12 @@ int DrawnBuilding::add_box(const std::string& type, const std::string& name, con
 
 int DrawnBuilding::add_wall(const std::string& name, const Pose2& pose, double length_m, double thickness_m) {
   return add_box("IFCWALL", name, pose, length_m, thickness_m);
+}
+
+int DrawnBuilding::add_footing(const std::string& name, const Pose2& pose, double length_m, double thickness_m,
+                               double depth_m) {
+  const int profile = add("IFCRECTANGLEPROFILEDEF", ".AREA.,$,$," + number(length_m) + "," + number(thickness_m));
+  return add_thing("IFCWALL", name, shape({extruded(profile, axes(pose, -depth_m), depth_m)}), "", Pose2());
 }
 
 int DrawnBuilding::add_column(const std::string& name, const Point& center, double radius_m) {

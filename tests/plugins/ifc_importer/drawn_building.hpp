@@ -24,6 +24,8 @@ class DrawnBuilding {
   int add_box(const std::string& type, const std::string& name, const Pose2& pose, double length_m, double width_m,
               const std::string& further_arguments = "$", double height_m = 3);
   int add_wall(const std::string& name, const Pose2& pose, double length_m, double thickness_m);
+  /// A wall below the ground, from -depth_m to 0.
+  int add_footing(const std::string& name, const Pose2& pose, double length_m, double thickness_m, double depth_m);
   int add_column(const std::string& name, const Point& center, double radius_m);
   /// An opening through a wall with a door in it: two jambs of 5 cm and a leaf.
   void add_door(int wall, const std::string& name, const Pose2& pose, double width_m, double wall_thickness_m);
@@ -50,7 +52,7 @@ class DrawnBuilding {
   int point(double x_m, double y_m, double z_m);
   int direction(double x, double y, double z);
   int placement(const Pose2& pose, int relative_to);
-  int axes(const Pose2& pose);
+  int axes(const Pose2& pose, double z_m = 0);
   int box_solid(const Pose2& pose, double length_m, double width_m, double height_m);
   int extruded(int profile, int position, double height_m);
   int shape(const std::vector<int>& solids);

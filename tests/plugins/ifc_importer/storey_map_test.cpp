@@ -248,6 +248,18 @@ TEST_CASE("storeys are listed from the lowest, chosen by name, and the lowest wi
                     Catch::Contains("nothing of the building is there"));
 }
 
+TEST_CASE("a foundation has walls and no doors: the lowest storey that has both is the default") {
+  DrawnBuilding building = room();
+  const int wall = building.add_wall("middle", {3, 2, kHalfTurn / 2}, 4, 0.15);
+  building.add_door(wall, "door", {3, 1, kHalfTurn / 2}, 0.9, 0.15);
+  building.add_footing("footing", {3, -0.1, 0}, 6.4, 0.2, 1.6);
+  building.add_storey("Ground", 0);
+  building.add_storey("Foundation", -1.5);
+  const MapImport usual = ifc_importer()->import(IfcFile(building.text()).path());
+  CHECK(*usual.height_m == Approx(0.3));
+  CHECK_THAT(usual.report[1], Catch::Contains("'Ground', the lowest storey with walls and doors"));
+}
+
 TEST_CASE("what the model says survives writing and reading") {
   DrawnBuilding building = room();
   const int wall = building.add_wall("middle", {3, 2, kHalfTurn / 2}, 4, 0.15);

@@ -1,5 +1,6 @@
 """`opal info` on the recordings that ship. OPAL_PROGRAM is the program."""
 
+import gzip
 import json
 
 from test_commands import LOG, MAP, Commands
@@ -17,6 +18,22 @@ class Info(Commands):
     def test_the_deployment_that_is_written_can_be_used(self):
         self.opal("info", LOG, "--config", "malaga", "-o", "office.jsonld")
         self.assertIn("localized after", self.opal("localize", "office.jsonld", LOG, "--map", MAP, "-o", "out"))
+
+    def test_a_robot_that_stands_and_a_laser_that_sees_nothing_are_pointed_out(self):
+        self.assertNotIn("to be aware of", self.opal("info", LOG))
+        lines = []
+        for words in (line.split() for line in gzip.open(LOG, "rt")):
+            if words and words[0] == "FLASER":
+                end = 2 + int(words[1])
+                words[2:end] = ["0.00"] * int(words[1])
+                words[end:end + 6] = ["0"] * 6
+            elif words and words[0] == "ODOM":
+                words[1:4] = ["0"] * 3
+            lines.append(" ".join(words))
+        (self.folder / "blind.log").write_text("\n".join(lines) + "\n")
+        text = self.opal("info", "blind.log", exit_code=1)
+        self.assertIn("laser scans sees nothing", text)
+        self.assertIn("odometry odometry never moves", text)
 
     def test_what_is_no_log_is_refused_with_its_name(self):
         (self.folder / "wrong.bag").write_text("#ROSBAG V1.2\n")

@@ -1,9 +1,10 @@
 """Mistakes in the command itself."""
 
+import json
 import pathlib
 import re
 
-from making import changed_json, config, copy, file
+from making import changed_json, config, copy, file, log
 from mistake import MALAGA, TREE, Mistake
 
 LOCALIZE = "localize {configs}/malaga.jsonld {malaga}/malaga-demo.log.gz --map {malaga}/malaga-demo.map.yaml -o out"
@@ -11,6 +12,23 @@ LOCALIZE = "localize {configs}/malaga.jsonld {malaga}/malaga-demo.log.gz --map {
 
 def run_of_the_corridor(bench):
     bench.opal(*(word.format(configs=TREE / "configs", malaga=MALAGA) for word in LOCALIZE.split()))
+
+
+def runs_of_two_logs(bench):
+    run_of_the_corridor(bench)
+    log(lambda it: it.lines.__delitem__(slice(40, None)))(bench)
+    bench.opal("localize", str(TREE / "configs" / "malaga.jsonld"), "wrong.log", "--map",
+               str(MALAGA / "malaga-demo.map.yaml"), "-o", "other")
+
+
+def arms_with_usual_plugins(bench):
+    """An experiment whose second arm has the program's own folder of plugins; of one query of the corridor."""
+    plugins = str(pathlib.Path(bench.program).resolve().parents[1] / "plugins")
+    queries = json.loads((MALAGA / "malaga-demo.queries.json").read_text())["queries"]
+    bench.write("twice.jsonld", json.dumps({
+        "@context": "urn:opal:v1", "@type": "opal:Experiment", "metrics": ["success"],
+        "arms": [{"name": "usual"}, {"name": "twice", "plugins": [plugins]}],
+        "sites": [{"prefix": str(MALAGA / "malaga-demo"), "queries": [queries[0]["id"]]}]}))
 
 
 def old_plugin(bench):
@@ -32,12 +50,26 @@ MISTAKES = [
             "simulate {maps}/gemini.jsonld -o sim --fov wide", 2, ["--fov", "wide"]),
     Mistake("value out of its range", "A number makes no sense.", "simulate {maps}/gemini.jsonld -o sim --beams 0", 2,
             ["--beams", "0", "1 to 100000"]),
+    *[Mistake(f"simulation with {option} {value}", wrong, f"simulate {{maps}}/gemini.jsonld -o sim {option}={value}", 2,
+              [option, value, "not in range"], absent=["sim.log.gz"])
+      for option, value, wrong in [
+          ("--drives", "0", "No drive is asked for."),
+          ("--distance", "-5", "A drive has a negative length."),
+          ("--speed", "-1", "The robot shall drive backwards."),
+          ("--scan-every", "0", "Scans have no time between them."),
+          ("--range", "0", "The laser sees nothing."),
+          ("--doors-open", "70", "A share is given in percent."),
+          ("--people", "5000", "More people are asked for than the building has room for."),
+      ]],
     Mistake("swapped arguments", "Log and configuration are swapped.",
             "localize {malaga}/malaga-demo.log.gz {configs}/malaga.jsonld -o out", 3,
             ["malaga-demo.log.gz", "expected JSON text"], absent=["out"]),
     Mistake("start pose of two numbers", "`--pose` has no heading.",
             "track {configs}/malaga.jsonld {malaga}/malaga.log.gz --pose 0,0 -o out", 3,
             ["--pose: '0,0'", "expected X,Y,THETA in metres and radians"], absent=["out"]),
+    Mistake("start pose in degrees", "The heading of `--pose` is in degrees.",
+            "track {configs}/malaga.jsonld {malaga}/malaga.log.gz --pose 0,0,90 -o out", 3,
+            ["--pose: heading 90, expected radians from -2 pi to 2 pi; 90 degrees are 1.571"], absent=["out"]),
     Mistake("no start pose", "`opal track` is not told where the robot starts.",
             "track {configs}/malaga.jsonld {malaga}/malaga.log.gz -o out", 3,
             ["no start pose", "--pose X,Y,THETA or --truth"], absent=["out"]),
@@ -51,6 +83,9 @@ MISTAKES = [
             ["time line 'q77' was asked for, the run has: run"], make=run_of_the_corridor),
     Mistake("folder of no run", "`opal view` gets a folder that `opal localize` has not written.", "view here", 3,
             ["here/events.jsonl: does not exist", "opal localize"], make=file("here/readme.txt", "nothing\n")),
+    Mistake("runs of two logs", "`opal view` gets runs of two logs.", "view out other", 0,
+            ["the runs are of two logs, malaga-demo.log.gz and wrong.log", "expected runs of one log"],
+            make=runs_of_two_logs),
     Mistake("no run of a benchmark", "`opal calibration` gets a folder that `opal bench` has not written.",
             "calibration out -o calibration", 3, ["out/summary.json: does not exist", "opal bench"],
             make=run_of_the_corridor, absent=["calibration"]),
@@ -71,6 +106,22 @@ MISTAKES = [
             "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
             ["config.jsonld: /scorers/0/@type: \"opal:Beems\", which no plugin offers", "opal:Beams"],
             make=config(lambda document: document.update({"scorers": [{"@type": "opal:Beems"}]})), absent=["out"]),
+    Mistake("scorer twice", "A scorer is in the list twice, to count double.",
+            "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
+            ["config.jsonld: /scorers/1/@type: \"opal:Beams\"", "its evidence would count twice"],
+            make=config(lambda document: document.update({"scorers": 2 * [{"@type": "opal:Beams"}]})), absent=["out"]),
+    Mistake("scorer without weight", "The only scorer has the weight 0.",
+            "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
+            ["config.jsonld: /scorers: no scorer decides", "a weight above 0"],
+            make=config(lambda document: document.update({"scorers": [{"@type": "opal:Beams", "weight": 0}]})),
+            absent=["out"]),
+    Mistake("template that is not installed", "`opal map patterns` is told of a template that is not there.",
+            "map patterns {maps}/gemini.jsonld --template opal:ColumPair -o patterns.jsonld", 3,
+            ["no plugin offers opal:ColumPair", "opal:ColumnPair"], absent=["patterns.jsonld"]),
+    Mistake("name where a file may stand", "`opal calibrate` gets the name of a configuration that ships: no mistake.",
+            "calibrate malaga {malaga}/malaga-demo.log.gz", 0, ["mount heading [deg]"]),
+    Mistake("plugins of an arm twice", "An arm of an experiment names a folder of plugins that is loaded anyway: no mistake.",
+            "ab twice.jsonld -o out", 0, ["2 of 2 cells are finished"], make=arms_with_usual_plugins),
     Mistake("configuration without a map", "The map is named nowhere.",
             "localize {configs}/default.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
             ["default.jsonld: /map: missing", "--map"], absent=["out"]),

@@ -23,6 +23,19 @@ bool same_input(const CellResult& a, const CellResult& b) {
   return a.input.substr(0, known) == b.input.substr(0, known);
 }
 
+/// What two arms were given, behind a slash what hypotheses they judged.
+std::string difference(const std::string& a, const std::string& input_a, const std::string& b,
+                       const std::string& input_b) {
+  const auto given = [](const std::string& input) { return input.substr(0, input.find('/')); };
+  if (given(input_a) == given(input_b))
+    return a + " and " + b +
+           " judge different hypotheses of the same log, expected the same: a detector or pattern in " +
+           "the plugin folder of one arm runs in that arm only; give all arms the folder, or name detectors and "
+           "patterns";
+  return a + " was given input " + input_a + " and " + b + " " + input_b +
+         ", expected the same map and log for all arms";
+}
+
 void write_line(WholeFile& file, const ordered_json& line) {
   file.write(line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + '\n');
 }
@@ -85,8 +98,8 @@ void MergedResults::expect_equal_inputs() const {
   for_each([&](const Cell& cell, const CellResult& result) {
     const bool same_task = before.number / plan_.arms() == result.number / plan_.arms();
     if (!before.input.empty() && same_task && !same_input(before, result))
-      throw Error(folder_.path() + ": " + plan_.name(plan_.cell(before.number)) + " was given input " + before.input +
-                  " and " + plan_.name(cell) + " " + result.input + ", expected the same map and log for all arms");
+      throw Error(folder_.path() + ": " +
+                  difference(plan_.name(plan_.cell(before.number)), before.input, plan_.name(cell), result.input));
     before = result;
   });
 }

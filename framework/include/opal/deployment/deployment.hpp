@@ -38,6 +38,7 @@ struct Deployment {
       overlays;  ///< paths of documents that change the map, resolved likewise; see map_overlay.hpp
   std::vector<LaserModel> lasers{1};  ///< the sensors; at least one
   bool describes_laser = false;       ///< the document says more of the sensors than their id
+  bool describes_mount = false;       ///< the document says of every laser where it sits on the robot
   OdometryScale odometry;             ///< by which odometry is corrected
   KeyframeOptions keyframes;          ///< how densely scans are taken
   LocalMapOptions local_map;          ///< how features of several scans are put together

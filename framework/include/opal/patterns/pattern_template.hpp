@@ -29,8 +29,9 @@ class OPAL_EXPORT PatternTemplate {
   /// How many features of which shapes a pattern has, and how near they are. It is the same at every call.
   virtual PatternShape shape() const = 0;
 
-  /// @param features  one feature per slot, all different, in one frame, any frame. Every selection that fits the
-  ///                  slots is offered once per order; a template accepts exactly one order of its canonical choice.
+  /// @param features  one feature per slot, all different, in one frame, any frame; only of types that the template
+  ///                  consumes. Every selection that fits the slots is offered once per order; a template accepts
+  ///                  exactly one order of its canonical choice.
   /// @return the instance; nullopt if these form none. All instances of a template have the same number of
   ///         invariants, with the same comparisons.
   virtual std::optional<PatternInstance> match(std::span<const Feature* const> features) const = 0;

@@ -142,6 +142,16 @@ TEST_CASE("of several lasers that nobody chose between, the first by name is rea
   for (const auto& [cause, times] : asked.defects) CHECK_THAT(cause, !Catch::Contains("several lasers"));
 }
 
+TEST_CASE("topics in a list stand between commas or blanks") {
+  for (const std::string list : {"/rear,/front", "/rear /front", " /rear,  /front,"})
+    CHECK(recording::topic_choice({{"scan_topic", ""},
+                                   {"scan_topics", list},
+                                   {"odometry_topic", ""},
+                                   {"odom_frame", "odom"},
+                                   {"base_frame", ""}})
+              .scans == std::vector<std::string>{"/rear", "/front"});
+}
+
 TEST_CASE("several lasers that were asked for are read together, and tell apart by their frames") {
   Ros1BagWriter bag;
   const auto rear = bag.connection("/rear", "sensor_msgs/LaserScan");

@@ -73,8 +73,7 @@ class OPAL_EXPORT MapView {
   /// @param points    relative to `position` [m], along the axes of the map.
   /// @param position  in the map [m].
   /// @param slack_m   0 to 0.5: every surface counts as nearer by that, so that this is the most that any position
-  /// within
-  ///                 slack_m can have.
+  ///                  within slack_m can have.
   float likelihood_field_sum(std::span<const Point> points, const Point& position, double slack_m = 0) const;
   /// The same by the least distance in cells of 0.4 m: about the most that positions 0.2 m around can have. Far cheaper
   /// in a large map, where every lookup waits for memory.
