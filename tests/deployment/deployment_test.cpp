@@ -125,6 +125,20 @@ TEST_CASE("a deployment is read whole") {
   CHECK(deployment.stages.hypotheses.max_hypotheses == 7);
 }
 
+TEST_CASE("a sensor with a slice sees all around, unless it says otherwise, and heights have defaults") {
+  const Deployment deployment =
+      parsed(R"("sensor": { "topic": "/points", "slice": { "z_min_m": 0.4, "pitch_rad": 0.1 } })");
+  const LaserModel& laser = deployment.lasers.front();
+  REQUIRE(laser.slice);
+  CHECK(laser.slice->z_min_m == 0.4);
+  CHECK(laser.slice->z_max_m == 1.8);
+  CHECK(laser.slice->pitch_rad == 0.1);
+  CHECK(laser.beams == 720);
+  CHECK(laser.beams * laser.angle_increment_rad == Approx(2 * std::numbers::pi));
+  CHECK(parsed(R"("sensor": { "topic": "/points", "beams": 90, "slice": {} })").lasers.front().beams == 90);
+  CHECK_FALSE(parsed(R"("sensor": { "topic": "/scan" })").lasers.front().slice);
+}
+
 TEST_CASE("a map's path starts from the folder of the deployment") {
   CHECK(parsed(R"("map": "hall.jsonld")").map == "configs/hall.jsonld");
   CHECK(parsed(R"("map": "/maps/hall.jsonld")").map == "/maps/hall.jsonld");
@@ -146,6 +160,12 @@ TEST_CASE("a wrong deployment is refused with the place, what was found and what
         "/sensor/range_max_m: \"far\", expected a number from 0.0001 to 1000");
   CHECK(refusal(R"("sensor": {"range_min_m": 40})") == "/sensor/range_max_m: absent, expected more than range_min_m");
   CHECK(refusal(R"("sensor": {"T_base_laser": [0, 0, 0]})") == "/sensor/T_base_laser: [0,0,0], expected an object");
+  CHECK(refusal(R"("sensor": {"slice": {}})") ==
+        "/sensor/topic: absent, expected the topic of the point clouds that are sliced");
+  CHECK(refusal(R"("sensor": {"topic": "/a", "slice": {"z_max_m": 0.1}})") ==
+        "/sensor/slice/z_max_m: 0.1, expected more than z_min_m");
+  CHECK(refusal(R"("sensor": {"topic": "/a", "slice": {"height": 1}})").find("/sensor/slice/height: unknown key") !=
+        std::string::npos);
   CHECK(refusal(R"("detectors": {"@type": "a"})") == "/detectors: {\"@type\":\"a\"}, expected a list");
   CHECK(refusal(R"("detectors": ["opal:LineDetector"])") == "/detectors/0: \"opal:LineDetector\", expected an object");
   CHECK(refusal(R"("detectors": [{"options": {}}])") == "/detectors/0/@type: absent, expected a text");
