@@ -1,5 +1,6 @@
 """A robot that speaks by Fast DDS, with its own types and its own CDR, beside `opal ros2`. Loopback only, a domain for each test."""
 
+import collections
 import json
 import math
 import socket
@@ -106,6 +107,42 @@ class ADrive(ADriveChecks):
                     self.assertLess(math.hypot(row[1] - float(pose[2]), row[2] - float(pose[3])), 0.1)
                     compared += 1
         self.assertGreater(compared, 20)
+
+
+class TwoLasers(ADriveChecks):
+    def test_two_lasers_in_real_time_give_the_poses_of_the_replay_and_a_transform_for_every_stamp(self):
+        subprocess.run([PROGRAM, "simulate", MALAGA / "malaga-demo.map.yaml", "-o", "runs/two", "--config", "two_lasers",
+                        "--drives", "1", "--distance", "20", "--seed", "3"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
+        lasers = self.write_deployment()
+        map = self.folder / "runs/two.map.jsonld"
+        heard, errors = self.drive(1, "tf", "reliable", "--record", "drive.mcap", config="robot.jsonld", map=map,
+                                   lasers=lasers, log=self.folder / "runs/two.log.gz")
+        poses = numbers(heard, "pose")
+        self.assertGreater(len(poses), 50, "\n".join(heard) + errors)
+        scans = self.scans_in_log()
+        recorded = self.messages_in("drive.mcap")
+        self.assertEqual((recorded["/scan_front"], recorded["/scan_rear"]), (scans["FLASER"], scans["RLASER"]))
+        self.check_transforms(poses, numbers(heard, "transform"))
+        self.check_replay(poses, "robot.jsonld", map)
+        moved = len(numbers(heard, "moved"))
+        self.assertGreater(self.check_every_stamp_has_a_transform(heard), moved / 2)
+
+    def write_deployment(self):
+        """Beams and mounts come from the robot. @return the robot's lasers"""
+        config, lasers = read_config("two_lasers"), []
+        for sensor in config["sensor"]:
+            mount = sensor.pop("T_base_laser")
+            lasers.append(",".join(map(str, (
+                sensor["frame"], sensor["frame"], sensor["topic"], "scan", sensor.pop("angle_min_rad"),
+                sensor.pop("angle_increment_rad"), 81, sensor.pop("sweep_s"), mount["x_m"], mount["y_m"], mount["heading_rad"]))))
+            sensor.pop("beams")
+            sensor["geometry_from_log"] = True
+        (self.folder / "robot.jsonld").write_text(json.dumps(config))
+        return lasers
+
+    def scans_in_log(self):
+        lines = subprocess.run(["gzip", "-dc", "runs/two.log.gz"], cwd=self.folder, stdout=subprocess.PIPE, check=True).stdout
+        return collections.Counter(line.split()[0].decode() for line in lines.splitlines())
 
 
 class ALook(Bench):
