@@ -29,8 +29,32 @@ Pose2 read_mount(ConfigObject mount) {
   return T_base_laser;
 }
 
-LaserModel read_sensor(ConfigObject sensor) {
+CloudSlice read_slice(ConfigObject object) {
+  const NumberRange height_m{-100, 100}, angle_rad{-2 * kPi, 2 * kPi};
+  CloudSlice slice;
+  slice.z_min_m = object.number("z_min_m", slice.z_min_m, height_m);
+  slice.z_max_m = object.number("z_max_m", slice.z_max_m, height_m);
+  slice.height_m = object.number("height_m", slice.height_m, height_m);
+  slice.roll_rad = object.number("roll_rad", slice.roll_rad, angle_rad);
+  slice.pitch_rad = object.number("pitch_rad", slice.pitch_rad, angle_rad);
+  object.expect_no_more();
+  if (slice.z_max_m <= slice.z_min_m) object.refuse("z_max_m", "more than z_min_m");
+  return slice;
+}
+
+/// A 3D lidar usually sees all around: half a degree from one direction of its slice to the next.
+LaserModel sliced_laser(const CloudSlice& slice) {
   LaserModel laser;
+  laser.slice = slice;
+  laser.beams = 720;
+  laser.angle_min_rad = -kPi;
+  laser.angle_increment_rad = 2 * kPi / laser.beams;
+  return laser;
+}
+
+LaserModel read_sensor(ConfigObject sensor) {
+  const auto slice = sensor.object("slice");
+  LaserModel laser = slice ? sliced_laser(read_slice(*slice)) : LaserModel{};
   laser.id = sensor.text("id", laser.id);
   laser.frame = sensor.text("frame", laser.frame);
   laser.topic = sensor.text("topic", laser.topic);
@@ -45,6 +69,7 @@ LaserModel read_sensor(ConfigObject sensor) {
   if (!sensor.any("sweep_s").is_null()) laser.sweep_s = sensor.number("sweep_s", 0, {0, 10});
   if (auto mount = sensor.object("T_base_laser")) laser.T_base_laser = read_mount(*mount);
   sensor.expect_no_more();
+  if (laser.slice && laser.topic.empty()) sensor.refuse("topic", "the topic of the point clouds that are sliced");
   if (laser.range_max_m <= laser.range_min_m) sensor.refuse("range_max_m", "more than range_min_m");
   return laser;
 }

@@ -28,7 +28,21 @@ std::optional<LaserMount> find_laser_mount(const FixedFrames& frames, const std:
   const std::optional<Eigen::Isometry3d> T_base_laser = frames.pose(base, laser_frame);
   if (!T_base_laser) return std::nullopt;
   const double upright = T_base_laser->linear()(2, 2);
-  return LaserMount{{base, laser_frame, projected(*T_base_laser)}, upright < 0, std::abs(upright) < kUprightCosine};
+  return LaserMount{
+      {base, laser_frame, projected(*T_base_laser)}, *T_base_laser, upright < 0, std::abs(upright) < kUprightCosine};
+}
+
+std::optional<std::string> frame_of(const Topic& topic, Bytes data) {
+  if (has_clouds(topic)) {
+    const DecodedPointCloud decoded = decode_point_cloud(data, topic.wire);
+    return decoded.cloud ? std::optional(decoded.cloud->frame) : std::nullopt;
+  }
+  const std::optional<LaserScanMessage> laser = decode_laser_scan(data, topic.wire);
+  return laser ? std::optional(laser->scan.frame) : std::nullopt;
+}
+
+RecordDecoder::RecordDecoder(TopicChoice topics) : topics_(std::move(topics)) {
+  for (const auto& [topic, laser] : topics_.slices) slicers_.emplace(topic, CloudSlicer(laser));
 }
 
 void RecordDecoder::take_odometry_from_transforms(const std::string& base_frame) {
@@ -37,8 +51,8 @@ void RecordDecoder::take_odometry_from_transforms(const std::string& base_frame)
 }
 
 void RecordDecoder::add_mount(const LaserMount& mount) {
-  if (mount.is_tilted) ++defects_["laser that is tilted"];
-  if (mount.upside_down) upside_down_.insert(mount.record.child);
+  mounts_[mount.record.child] = mount;
+  if (mount.is_tilted) tilted_.insert(mount.record.child);
 }
 
 bool RecordDecoder::reads(const Topic& topic) const {
@@ -48,6 +62,7 @@ bool RecordDecoder::reads(const Topic& topic) const {
 
 std::optional<LogRecord> RecordDecoder::decode(const Topic& topic, Bytes data, double received_s) {
   if (!reads(topic)) return std::nullopt;
+  if (topics_.slices.contains(topic.name)) return slice_of(topic, data, received_s);
   if (reads_scans_of(topics_, topic.name)) return scan_of(data, topic.wire, received_s);
   if (topic.name == topics_.odometry) return pose_of(data, topic.wire, received_s);
   return transform_of(data, topic.wire, received_s);
@@ -60,8 +75,23 @@ std::optional<LogRecord> RecordDecoder::scan_of(Bytes data, Wire wire, double re
     return std::nullopt;
   }
   laser->scan.stamp_s = stamp_or_received(laser->scan.stamp_s, received_s);
-  if (upside_down_.contains(laser->scan.frame)) turn_beams(laser->scan);
+  const auto mount = mounts_.find(laser->scan.frame);
+  if (mount != mounts_.end() && mount->second.upside_down) turn_beams(laser->scan);
+  if (tilted_.erase(laser->scan.frame) > 0) ++defects_["laser that is tilted"];
   return std::move(laser->scan);
+}
+
+std::optional<LogRecord> RecordDecoder::slice_of(const Topic& topic, Bytes data, double received_s) {
+  DecodedPointCloud decoded = decode_point_cloud(data, has_clouds(topic) ? topic.wire : Wire::other);
+  if (!decoded.cloud) {
+    ++defects_[decoded.complaint];
+    return std::nullopt;
+  }
+  decoded.cloud->stamp_s = stamp_or_received(decoded.cloud->stamp_s, received_s);
+  CloudSlicer& slicer = slicers_.at(topic.name);
+  const auto mount = mounts_.find(decoded.cloud->frame);
+  if (mount != mounts_.end()) slicer.set_mount(mount->second.T_base_laser);
+  return slicer.scan_of(*decoded.cloud);
 }
 
 std::optional<LogRecord> RecordDecoder::pose_of(Bytes data, Wire wire, double received_s) {

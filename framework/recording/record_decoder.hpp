@@ -1,5 +1,6 @@
 #pragma once
 
+#include "recording/cloud_slicer.hpp"
 #include "recording/fixed_frames.hpp"
 #include "recording/ros_topics.hpp"
 
@@ -9,9 +10,13 @@ namespace opal::recording {
 
 double seconds_of(std::int64_t nanoseconds);
 
+/// The frame of a message with a scan or a point cloud; nullopt for a damaged one.
+std::optional<std::string> frame_of(const Topic& topic, Bytes data);
+
 /// Where a laser sits on the robot.
 struct LaserMount {
   MountRecord record;
+  Eigen::Isometry3d T_base_laser = Eigen::Isometry3d::Identity();  ///< the same with height and tilt
   bool upside_down = false;
   bool is_tilted = false;  ///< by more than 10 degrees
 };
@@ -24,13 +29,13 @@ std::optional<LaserMount> find_laser_mount(const FixedFrames& frames, const std:
 class RecordDecoder {
  public:
   /// @param topics  whose scans and odometry are read; without a topic of odometry transforms may be it.
-  explicit RecordDecoder(TopicChoice topics) : topics_(std::move(topics)) {}
+  explicit RecordDecoder(TopicChoice topics);
 
   const TopicChoice& topics() const { return topics_; }
   /// From now on transforms from the frame of odometry to this one are the odometry.
   void take_odometry_from_transforms(const std::string& base_frame);
   bool transforms_are_odometry() const { return transforms_are_odometry_; }
-  /// The beams of lasers that hang upside down are turned the right way round.
+  /// The beams of lasers that hang upside down are turned the right way round. Point clouds are sliced as it says.
   void add_mount(const LaserMount& mount);
   /// Whether its messages may hold a record.
   bool reads(const Topic& topic) const;
@@ -40,13 +45,16 @@ class RecordDecoder {
   const Defects& defects() const { return defects_; }
 
  private:
+  std::optional<LogRecord> slice_of(const Topic& topic, Bytes data, double received_s);
   std::optional<LogRecord> scan_of(Bytes data, Wire wire, double received_s);
   std::optional<LogRecord> pose_of(Bytes data, Wire wire, double received_s);
   std::optional<LogRecord> transform_of(Bytes data, Wire wire, double received_s);
 
   TopicChoice topics_;
   bool transforms_are_odometry_ = false;
-  std::set<std::string> upside_down_;  // frames
+  std::map<std::string, LaserMount> mounts_;    // by frame
+  std::set<std::string> tilted_;                // frames of which nobody has told yet that they are
+  std::map<std::string, CloudSlicer> slicers_;  // by topic
   Defects defects_;
 };
 

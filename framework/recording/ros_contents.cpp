@@ -1,6 +1,7 @@
 #include "recording/ros_contents.hpp"
 
 #include <opal/common/error.hpp>
+#include "recording/cloud_tally.hpp"
 #include "recording/fixed_frames.hpp"
 #include "sensing/log_tally.hpp"
 
@@ -68,6 +69,7 @@ class MessageTally {
   bool is_full() const { return looked_at_bytes_ >= kMostLookedAtBytes; }
   double looked_at_s() const { return looked_at_s_; }
   void tell(LogContents& contents) const;
+  void tell(LogContents& contents, const std::map<std::string, CloudTally>& clouds) const;
 
  private:
   void take(const Message& message, const Topic& topic) {
@@ -81,6 +83,8 @@ class MessageTally {
   void take_transforms(const Message& message, const Topic& topic, double recorded_s);
   void add_pose(SeenOdometry& seen, const OdometryRecord& record, double recorded_s);
   std::string base_frame() const;
+  std::string parent_of(const std::string& frame) const;
+  std::optional<Eigen::Isometry3d> pose_of(const std::string& frame) const;
   std::optional<LogMount> mount_of(const std::string& frame) const;
 
   TopicChoice chosen_;
@@ -150,11 +154,21 @@ std::string MessageTally::base_frame() const {
   return odometries_.empty() ? "" : odometries_.begin()->second.odometry.base_frame;
 }
 
+std::string MessageTally::parent_of(const std::string& frame) const {
+  return base_frame().empty() ? transforms_.fixed_frames().root_of(frame) : base_frame();
+}
+
+/// Where a sensor is on the robot.
+std::optional<Eigen::Isometry3d> MessageTally::pose_of(const std::string& frame) const {
+  const std::string base = parent_of(frame);
+  if (base_frame().empty() && base == without_slash(frame)) return std::nullopt;
+  return transforms_.fixed_frames().pose(base, frame);
+}
+
 std::optional<LogMount> MessageTally::mount_of(const std::string& frame) const {
-  const FixedFrames frames = transforms_.fixed_frames();
-  const std::string base = base_frame().empty() ? frames.root_of(frame) : base_frame();
-  const std::optional<Eigen::Isometry3d> T_base_laser = frames.pose(base, frame);
-  if (!T_base_laser || (base_frame().empty() && base == without_slash(frame))) return std::nullopt;
+  const std::optional<Eigen::Isometry3d> T_base_laser = pose_of(frame);
+  if (!T_base_laser) return std::nullopt;
+  const std::string base = parent_of(frame);
   LogMount mount;
   mount.parent = base;
   mount.T_base_laser = projected(*T_base_laser);
@@ -186,6 +200,13 @@ void MessageTally::tell(LogContents& contents) const {
   for (const auto& [cause, times] : defects_) contents.defects[cause] += times;
 }
 
+void MessageTally::tell(LogContents& contents, const std::map<std::string, CloudTally>& clouds) const {
+  for (const auto& [topic, tally] : clouds) {
+    contents.clouds.push_back(tally.told(topic, pose_of(tally.frame())));
+    contents.clouds.back().mount = mount_of(tally.frame());
+  }
+}
+
 void tell_options(LogContents& contents, const TopicChoice& chosen) {
   if (chosen.scans.size() == 1) contents.options.emplace_back("scan_topic", chosen.scans.front());
   if (chosen.scans.size() > 1)
@@ -200,8 +221,9 @@ void tell_options(LogContents& contents, const TopicChoice& chosen) {
 
 }  // namespace
 
-LogContents ros_contents(const std::string& path, const Parts& parts, const TopicChoice& wanted) {
+LogContents ros_contents(const std::string& path, const Parts& parts, TopicChoice wanted) {
   LogContents contents;
+  wanted.are_all_slices = wanted.scans.empty() && has_only_clouds(parts);
   ChosenTopics chosen{wanted, ""};
   try {
     chosen = choose_topics(path, parts, wanted);
@@ -219,6 +241,7 @@ LogContents ros_contents(const std::string& path, const Parts& parts, const Topi
   }
   contents.looked_at_s = tally.is_full() ? tally.looked_at_s() : contents.last_s;
   tally.tell(contents);
+  tally.tell(contents, tally_clouds(parts, contents.defects));
   tell_options(contents, chosen.topics);
   return contents;
 }

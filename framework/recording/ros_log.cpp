@@ -39,9 +39,33 @@ TopicChoice topic_choice(const nlohmann::json& options) {
   return {std::move(scans), options.at("odometry_topic"), options.at("odom_frame"), options.at("base_frame")};
 }
 
-std::unique_ptr<LogReader> RosLogSource::open(const std::string& path) const {
+TopicChoice with_topics_of(TopicChoice choice, const std::vector<LaserModel>& lasers) {
+  std::vector<std::string> others;
+  bool all_named = true;
+  for (const LaserModel& laser : lasers) {
+    if (laser.slice)
+      choice.slices[laser.topic] = laser;
+    else
+      others.push_back(laser.topic);
+    all_named = all_named && !laser.topic.empty();
+  }
+  std::erase_if(choice.scans, [&](const std::string& topic) { return choice.slices.contains(topic); });
+  choice.are_all_slices = !choice.slices.empty() && others.empty();
+  const bool are_several = lasers.size() > 1 || !choice.slices.empty();
+  if (are_several && choice.scans.empty() && all_named) choice.scans = others;
+  return choice;
+}
+
+std::unique_ptr<LogReader> RosLogSource::open(const std::string& path) const { return open_with(path, topics_); }
+
+std::unique_ptr<LogReader> RosLogSource::open_for(const std::string& path,
+                                                  const std::vector<LaserModel>& lasers) const {
+  return open_with(path, with_topics_of(topics_, lasers));
+}
+
+std::unique_ptr<LogReader> RosLogSource::open_with(const std::string& path, const TopicChoice& topics) const {
   Parts parts = by_time(parts_of(path));
-  ChosenTopics chosen = choose_topics(path, parts, topics_);
+  ChosenTopics chosen = choose_topics(path, parts, topics);
   return std::make_unique<RosLogReader>(std::move(parts), std::move(chosen));
 }
 

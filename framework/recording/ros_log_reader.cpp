@@ -54,14 +54,15 @@ std::optional<Wanted> RosLogReader::first_of(const std::string& topic, Decoder d
   for (const auto& part : parts_) {
     const auto walk = part->walk(topics_where(*part, is_named(topic)));
     while (const auto message = walk->next())
-      if (std::optional<Wanted> decoded = decoder(message->data, part->topics()[message->topic].wire)) return decoded;
+      if (std::optional<Wanted> decoded = decoder(part->topics()[message->topic], message->data)) return decoded;
   }
   return std::nullopt;
 }
 
 std::string RosLogReader::base_frame_of(const FixedFrames& frames, const std::string& laser_frame) const {
   if (decoder_.transforms_are_odometry()) return decoder_.topics().base_frame;
-  const auto odometry = first_of<OdometryMessage>(decoder_.topics().odometry, decode_odometry);
+  const auto odometry = first_of<OdometryMessage>(
+      decoder_.topics().odometry, [](const Topic& topic, Bytes data) { return decode_odometry(data, topic.wire); });
   return odometry ? odometry->base_frame : frames.root_of(laser_frame);
 }
 
@@ -74,10 +75,10 @@ void RosLogReader::add_still_links(FixedFrames& frames) {
 
 void RosLogReader::find_mounts() {
   std::vector<std::string> laser_frames;
-  for (const std::string& topic : decoder_.topics().scans)
-    if (const auto laser = first_of<LaserScanMessage>(topic, decode_laser_scan))
-      if (std::find(laser_frames.begin(), laser_frames.end(), laser->scan.frame) == laser_frames.end())
-        laser_frames.push_back(laser->scan.frame);
+  for (const std::string& topic : scan_topics_of(decoder_.topics()))
+    if (const auto frame = first_of<std::string>(topic, frame_of))
+      if (std::find(laser_frames.begin(), laser_frames.end(), *frame) == laser_frames.end())
+        laser_frames.push_back(*frame);
   if (laser_frames.empty()) return;
   FixedFrames frames = read_transforms(false).fixed_frames();
   for (const std::string& frame : laser_frames) find_mount(frames, frame);

@@ -10,20 +10,6 @@ namespace {
 constexpr std::size_t kMostReadings = 100'000;
 constexpr double kFarthestM = 1e7;
 
-struct Header {
-  double stamp_s = 0;
-  std::string frame;
-};
-
-std::optional<Header> read_header(WireReader& wire) {
-  if (wire.wire() == Wire::ros1) wire.skip_numbers(1, sizeof(std::uint32_t));  // a running number
-  const auto seconds = wire.number<std::int32_t>();
-  const auto nanoseconds = wire.number<std::uint32_t>();
-  Header header{seconds + 1e-9 * nanoseconds, wire.text()};
-  if (!wire.ok() || nanoseconds >= 1'000'000'000u) return std::nullopt;
-  return header;
-}
-
 /// Position and quaternion (x y z w), as in geometry_msgs/msg/Pose and Transform.
 std::optional<Eigen::Isometry3d> read_pose(WireReader& wire) {
   double values[7];
@@ -58,7 +44,7 @@ std::string without_slash(const std::string& frame) { return frame.starts_with('
 
 std::optional<LaserScanMessage> decode_laser_scan(Bytes message, Wire wire) {
   WireReader reader(message, wire);
-  const std::optional<Header> header = read_header(reader);
+  const std::optional<MessageHeader> header = read_header(reader);
   if (!header) return std::nullopt;
   LaserScanMessage laser;
   RawScan& scan = laser.scan;
@@ -82,7 +68,7 @@ std::optional<LaserScanMessage> decode_laser_scan(Bytes message, Wire wire) {
 
 std::optional<OdometryMessage> decode_odometry(Bytes message, Wire wire) {
   WireReader reader(message, wire);
-  const std::optional<Header> header = read_header(reader);
+  const std::optional<MessageHeader> header = read_header(reader);
   if (!header) return std::nullopt;
   std::string base_frame = reader.text();
   const std::optional<Eigen::Isometry3d> T_odom_base = read_pose(reader);
@@ -95,7 +81,7 @@ std::optional<std::vector<Transform>> decode_transforms(Bytes message, Wire wire
   constexpr std::size_t kLeastBytes = 72;  // stamp, two empty names, seven numbers
   std::vector<Transform> transforms(reader.length(kLeastBytes));
   for (Transform& transform : transforms) {
-    const std::optional<Header> header = read_header(reader);
+    const std::optional<MessageHeader> header = read_header(reader);
     if (!header) return std::nullopt;
     transform.stamp_s = header->stamp_s;
     transform.parent = header->frame;
@@ -115,6 +101,7 @@ bool has_type(const Topic& topic, const std::string& type) {
 }
 
 bool has_scans(const Topic& topic) { return has_type(topic, "sensor_msgs/LaserScan"); }
+bool has_clouds(const Topic& topic) { return has_type(topic, "sensor_msgs/PointCloud2"); }
 bool has_odometry(const Topic& topic) { return has_type(topic, "nav_msgs/Odometry"); }
 bool has_transforms(const Topic& topic, bool are_static) {
   const bool has_them = has_type(topic, "tf2_msgs/TFMessage") || has_type(topic, "tf/tfMessage");

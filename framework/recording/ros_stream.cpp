@@ -36,8 +36,7 @@ void RosStream::look_at(const ReceivedMessage& message) {
   const Topic& topic = message.topic;
   if (reads_scans_of(decoder_.topics(), topic.name)) {
     if (laser_by_topic_.contains(topic.name)) return;
-    if (const auto laser = decode_laser_scan(message.bytes(), topic.wire))
-      laser_by_topic_[topic.name] = laser->scan.frame;
+    if (const auto frame = frame_of(topic, message.bytes())) laser_by_topic_[topic.name] = *frame;
   } else if (has_odometry(topic) && topic.name == decoder_.topics().odometry && base_frame_.empty()) {
     if (const auto odometry = decode_odometry(message.bytes(), topic.wire)) base_frame_ = odometry->base_frame;
   } else if (has_transforms(topic, true)) {
@@ -79,7 +78,7 @@ FixedFrames RosStream::frames() const {
 }
 
 void RosStream::try_to_open() {
-  if (base_frame_.empty() || laser_by_topic_.size() < decoder_.topics().scans.size()) return;
+  if (base_frame_.empty() || laser_by_topic_.size() < scan_topics_of(decoder_.topics()).size()) return;
   const FixedFrames known = frames();
   std::map<std::string, std::optional<LaserMount>> mounts;  // by frame
   bool has_all = true;
@@ -110,7 +109,7 @@ std::optional<StreamedMessage> RosStream::next() {
 std::string RosStream::waits_for() const {
   std::vector<std::string> missing;
   if (is_open_) return "";
-  for (const std::string& topic : decoder_.topics().scans)
+  for (const std::string& topic : scan_topics_of(decoder_.topics()))
     if (!laser_by_topic_.contains(topic)) missing.push_back("scans on " + topic);
   const std::string& odometry = decoder_.topics().odometry;
   if (base_frame_.empty() && !odometry.empty()) missing.push_back("odometry on " + odometry);

@@ -24,6 +24,7 @@ struct Kind {
 };
 
 const Kind kScans{"sensor_msgs/LaserScan", "/scan", "scan_topic", has_scans};
+const Kind kClouds{"sensor_msgs/PointCloud2", "", "topic of the sensor", has_clouds};
 const Kind kOdometry{"nav_msgs/Odometry", "/odom", "odometry_topic", has_odometry};
 
 /// @return empty if there is no topic of this kind and none is asked for, or if there are several.
@@ -35,6 +36,31 @@ std::string choose(const std::string& path, const std::set<std::string>& topics,
   if (!wanted.empty()) return wanted;
   if (topics.contains(kind.usual)) return kind.usual;
   return topics.size() == 1 ? *topics.begin() : "";
+}
+
+/// What a user may do about point clouds that nobody reads.
+std::string clouds_hint(const std::set<std::string>& clouds) {
+  if (clouds.empty()) return "";
+  return "; there are point clouds (" + listed(clouds) +
+         "): the deployment has to describe a slice of them (sensor.slice)";
+}
+
+/// The topics of planar lasers.
+void choose_scans(const std::string& path, const Parts& parts, const TopicChoice& wanted, ChosenTopics& chosen) {
+  const std::set<std::string> scans = names_where(parts, kScans.test);
+  for (const std::string& scan : wanted.scans) {  // there has to be each
+    if (!scans.contains(scan) && cloud_topics(parts).contains(scan))
+      throw LogError(path + ": " + scan + " has no scans" + clouds_hint({scan}));
+    choose(path, scans, kScans, scan);
+  }
+  if (!wanted.scans.empty()) return;
+  if (scans.empty())
+    throw LogError(path + ": no topic of type " + kScans.type + " that can be read" + clouds_hint(cloud_topics(parts)));
+  const std::string scan = choose(path, scans, kScans, "");
+  chosen.topics.scans = {scan.empty() ? *scans.begin() : scan};
+  if (scans.size() > 1)
+    chosen.remark = "several lasers (" + listed(scans) + "): " + chosen.topics.scans.front() +
+                    " is read, the option scan_topic may name another one";
 }
 
 }  // namespace
@@ -50,20 +76,17 @@ TopicTest is_named(const std::string& name) {
   return [name](const Topic& topic) { return topic.name == name; };
 }
 
+std::set<std::string> cloud_topics(const Parts& parts) { return names_where(parts, kClouds.test); }
+
+bool has_only_clouds(const Parts& parts) {
+  return names_where(parts, kScans.test).empty() && !cloud_topics(parts).empty();
+}
+
 ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted) {
-  const std::set<std::string> scans = names_where(parts, kScans.test);
-  const std::set<std::string> odometry = names_where(parts, kOdometry.test);
-  if (scans.empty() && wanted.scans.empty())
-    throw LogError(path + ": no topic of type " + kScans.type + " that can be read");
   ChosenTopics chosen{wanted, ""};
-  for (const std::string& scan : wanted.scans) choose(path, scans, kScans, scan);  // there has to be each
-  if (wanted.scans.empty()) {
-    const std::string scan = choose(path, scans, kScans, "");
-    chosen.topics.scans = {scan.empty() ? *scans.begin() : scan};
-  }
-  if (wanted.scans.empty() && scans.size() > 1)
-    chosen.remark = "several lasers (" + listed(scans) + "): " + chosen.topics.scans.front() +
-                    " is read, the option scan_topic may name another one";
+  if (!wanted.are_all_slices) choose_scans(path, parts, wanted, chosen);
+  for (const auto& [topic, laser] : wanted.slices) choose(path, cloud_topics(parts), kClouds, topic);
+  const std::set<std::string> odometry = names_where(parts, kOdometry.test);
   chosen.topics.odometry = choose(path, odometry, kOdometry, wanted.odometry);
   if (chosen.topics.odometry.empty() && odometry.size() > 1)
     throw LogError(path + ": several topics of type " + kOdometry.type + " (" + listed(odometry) +
@@ -73,8 +96,15 @@ ChosenTopics choose_topics(const std::string& path, const Parts& parts, const To
   return chosen;
 }
 
+std::vector<std::string> scan_topics_of(const TopicChoice& topics) {
+  std::vector<std::string> all = topics.scans;
+  for (const auto& [topic, laser] : topics.slices) all.push_back(topic);
+  return all;
+}
+
 bool reads_scans_of(const TopicChoice& topics, const std::string& topic) {
-  return std::find(topics.scans.begin(), topics.scans.end(), topic) != topics.scans.end();
+  return topics.slices.contains(topic) ||
+         std::find(topics.scans.begin(), topics.scans.end(), topic) != topics.scans.end();
 }
 
 bool is_odometry(const Transform& transform, const TopicChoice& topics) {

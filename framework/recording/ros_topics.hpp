@@ -4,6 +4,7 @@
 #include <opal/recording/ros_messages.hpp>
 
 #include <functional>
+#include <set>
 
 namespace opal::recording {
 
@@ -19,6 +20,10 @@ struct ChosenTopics {
   std::string remark;  ///< what a user should know of the choice; may be empty
 };
 
+/// The topics of point clouds.
+std::set<std::string> cloud_topics(const Parts& parts);
+/// Whether there are point clouds, and no scans.
+bool has_only_clouds(const Parts& parts);
 /// @throws LogError if there is no scan, or no topic of a name that was asked for.
 ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted);
 
@@ -29,7 +34,9 @@ struct OdometryLink {
   std::string complaint;   ///< if it does not: with the links that options could name
 };
 
-/// Whether scans of this topic are read.
+/// All topics of scans and of point clouds that are read.
+std::vector<std::string> scan_topics_of(const TopicChoice& topics);
+/// Whether scans of this topic are read, or slices of its point clouds.
 bool reads_scans_of(const TopicChoice& topics, const std::string& topic);
 /// Whether a transform leads from the frame of odometry to the robot.
 bool is_odometry(const Transform& transform, const TopicChoice& topics);

@@ -54,6 +54,14 @@ std::string WireReader::text() {
   return text;
 }
 
+Bytes WireReader::bytes() {
+  const std::size_t count = length(1);
+  if (!ok_) return {};
+  const Bytes taken = body_.subspan(position_, count);
+  position_ += count;
+  return taken;
+}
+
 void WireReader::skip_numbers(std::size_t count, std::size_t bytes_each) {
   if (count == 0) return;
   align(bytes_each);
@@ -61,6 +69,15 @@ void WireReader::skip_numbers(std::size_t count, std::size_t bytes_each) {
     ok_ = false;
   else
     position_ += count * bytes_each;
+}
+
+std::optional<MessageHeader> read_header(WireReader& wire) {
+  if (wire.wire() == Wire::ros1) wire.skip_numbers(1, sizeof(std::uint32_t));  // a running number
+  const auto seconds = wire.number<std::int32_t>();
+  const auto nanoseconds = wire.number<std::uint32_t>();
+  MessageHeader header{seconds + 1e-9 * nanoseconds, wire.text()};
+  if (!wire.ok() || nanoseconds >= 1'000'000'000u) return std::nullopt;
+  return header;
 }
 
 }  // namespace opal::recording

@@ -4,6 +4,8 @@
 
 #include <bit>
 #include <cstring>
+#include <optional>
+#include <string>
 #include <type_traits>
 
 namespace opal::recording {
@@ -28,6 +30,8 @@ class WireReader {
   std::string text();
   /// The length of a sequence whose elements take at least `element_bytes` each; 0 if so many do not fit in.
   std::size_t length(std::size_t element_bytes);
+  /// A sequence of bytes, where it lies in the message.
+  Bytes bytes();
   void skip_numbers(std::size_t count, std::size_t bytes_each);
 
   Wire wire() const { return wire_; }
@@ -44,5 +48,14 @@ class WireReader {
   bool swap_ = false;
   bool ok_ = false;
 };
+
+/// std_msgs/Header.
+struct MessageHeader {
+  double stamp_s = 0;
+  std::string frame;
+};
+
+/// @return nullopt for a damaged one.
+std::optional<MessageHeader> read_header(WireReader& wire);
 
 }  // namespace opal::recording

@@ -14,6 +14,8 @@ namespace {
 
 // A hundred seconds of transforms; a hundred scans while the program does something else.
 constexpr int kReadDepth = 1000;
+// A cloud has a megabyte.
+constexpr int kReadClouds = 20;
 constexpr double kSilentS = 2;
 
 std::set<std::string> topics_of_type(const std::vector<Offer>& offers, const std::string& type) {
@@ -54,7 +56,8 @@ const dds_topic_descriptor_t& descriptor_of(const std::string& type) {
 }
 
 std::optional<Quality> quality_for(const WantedTopic& wanted, const std::vector<Offer>& offers) {
-  Quality quality{true, wanted.transient_local, kReadDepth};
+  const bool has_clouds = wanted.type == "sensor_msgs/msg/PointCloud2";
+  Quality quality{true, wanted.transient_local, has_clouds ? kReadClouds : kReadDepth};
   bool is_offered = false;
   for (const Offer& offer : offers) {
     if (!fits(offer, wanted)) continue;

@@ -13,7 +13,10 @@
 namespace opal::ros2 {
 namespace {
 
-const std::set<std::string> kHeard{"sensor_msgs/msg/LaserScan", "nav_msgs/msg/Odometry", "tf2_msgs/msg/TFMessage"};
+const std::string kCloudType = "sensor_msgs/msg/PointCloud2";
+const std::set<std::string> kHeard{"sensor_msgs/msg/LaserScan", kCloudType, "nav_msgs/msg/Odometry",
+                                   "tf2_msgs/msg/TFMessage"};
+constexpr int kEnoughClouds = 20;  // of each topic: they are large
 
 bool is_static(const Offer& offer) { return offer.topic.ends_with("tf_static"); }
 
@@ -29,11 +32,15 @@ std::string record(Incoming& incoming, double seconds, const std::stop_token& st
   constexpr double kTurnS = 0.05;
   std::ostringstream out;
   MessageRecorder recorder(out, "the robot");
+  std::map<std::string, int> clouds;  // by topic
   const std::int64_t end_ns = system_ns() + static_cast<std::int64_t>(seconds * 1e9);
   while (system_ns() < end_ns && !stop.stop_requested()) {
     incoming.adapt();
     want_all(incoming);
-    incoming.take(kTurnS, [&](const recording::ReceivedMessage& message) { recorder.write(message); });
+    incoming.take(kTurnS, [&](const recording::ReceivedMessage& message) {
+      const recording::Topic& topic = message.topic;
+      if (topic.type != kCloudType || ++clouds[topic.name] <= kEnoughClouds) recorder.write(message);
+    });
   }
   recorder.finish();
   return out.str();
@@ -47,13 +54,18 @@ bool some_read(const Things& things) {
 std::vector<std::string> missing_in(const LogContents& contents, const std::vector<Offer>& offers) {
   if (offers.empty()) return {"nobody publishes anything"};
   std::vector<std::string> missing;
-  if (!some_read(contents.lasers)) missing.push_back("no scan has come (sensor_msgs/msg/LaserScan)");
+  if (!some_read(contents.lasers) && contents.clouds.empty())
+    missing.push_back("no scan has come (sensor_msgs/msg/LaserScan), and no point cloud (" + kCloudType + ")");
   if (!some_read(contents.odometries))
     missing.push_back("no odometry has come: neither a transform from odom on /tf nor nav_msgs/msg/Odometry");
   for (const LogLaser& laser : contents.lasers)
     if (laser.is_read && !laser.mount)
       missing.push_back(laser.topic + ": no transform leads from the robot to " + laser.frame +
                         ": the deployment has to state where it is mounted");
+  for (const LogCloud& cloud : contents.clouds)
+    if (!some_read(contents.lasers) && !cloud.mount)
+      missing.push_back(cloud.topic + ": no transform leads from the robot to " + cloud.frame +
+                        ": the deployment has to state where it is mounted, with height and tilt");
   return missing;
 }
 

@@ -53,6 +53,7 @@ RobotNode::RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map
       started_s_(steady_s()) {
   const IncomingTopics& topics = options_.incoming;
   for (const std::string& scan : options_.read.scans) incoming_.want({scan, "sensor_msgs/msg/LaserScan"});
+  for (const auto& [cloud, laser] : options_.read.slices) incoming_.want({cloud, "sensor_msgs/msg/PointCloud2"});
   if (!options_.read.odometry.empty()) incoming_.want({options_.read.odometry, "nav_msgs/msg/Odometry"});
   incoming_.want({topics.tf, "tf2_msgs/msg/TFMessage", options_.read.odometry.empty()});
   incoming_.want({topics.tf_static, "tf2_msgs/msg/TFMessage", options_.needs_mounts, true});

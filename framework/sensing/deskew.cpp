@@ -54,8 +54,9 @@ double Sweep::time_of(double bearing_rad) const {
   const double slack_rad = 0.5 * std::abs(angle_increment_rad);
   double along_rad = std::fmod(sense * (bearing_rad - angle_min_rad) + slack_rad, kRound);
   if (along_rad < 0) along_rad += kRound;
-  const double beam = std::max(0.0, along_rad - slack_rad) / std::abs(angle_increment_rad);
-  return beam_s * std::min(beam, static_cast<double>(beams - 1));
+  const double beam =
+      std::min(std::max(0.0, along_rad - slack_rad) / std::abs(angle_increment_rad), static_cast<double>(beams - 1));
+  return times_s.empty() ? beam_s * beam : time_of_beam(static_cast<int>(std::lround(beam)));
 }
 
 Sweep sweep_of(const RawScan& raw, const LaserModel& laser) {
@@ -63,7 +64,12 @@ Sweep sweep_of(const RawScan& raw, const LaserModel& laser) {
   Sweep sweep{of_log ? *raw.angle_min_rad : laser.angle_min_rad,
               of_log ? *raw.angle_increment_rad : laser.angle_increment_rad, static_cast<int>(raw.ranges_m.size()), 0};
   if (sweep.angle_increment_rad == 0 || sweep.beams < 2) return sweep;
-  sweep.beam_s = laser.sweep_s ? *laser.sweep_s / (sweep.beams - 1) : std::max(0.0, raw.time_increment_s);
+  if (laser.sweep_s || raw.beam_times_s.size() != raw.ranges_m.size()) {
+    sweep.beam_s = laser.sweep_s ? *laser.sweep_s / (sweep.beams - 1) : std::max(0.0, raw.time_increment_s);
+    return sweep;
+  }
+  sweep.times_s = raw.beam_times_s;
+  sweep.last_s = *std::max_element(sweep.times_s.begin(), sweep.times_s.end());
   return sweep;
 }
 
@@ -72,7 +78,7 @@ void deskew(Scan& scan, const Sweep& sweep, const Pose2& T_base_laser, const Mot
   const LaserMotion motion(sweep, T_base_laser, T_fixed_base);
   if (motion.stands()) return;
   for (ScanPoint& point : scan.points) {
-    point.position = motion.at(point.beam * sweep.beam_s) * point.position;
+    point.position = motion.at(sweep.time_of_beam(point.beam)) * point.position;
     point.range_m = point.position.norm();
     point.bearing_rad = wrap_angle(std::atan2(point.position.y(), point.position.x()));
   }

@@ -2,8 +2,10 @@
 
 #include <opal/sensing/scan.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace opal {
 
@@ -11,10 +13,16 @@ namespace opal {
 struct Sweep {
   double angle_min_rad = 0, angle_increment_rad = 0;  ///< of the beams as recorded
   int beams = 0;
-  double beam_s = 0;  ///< from one beam to the next; 0: all at once
+  double beam_s = 0;                ///< from one beam to the next; 0: all at once
+  std::vector<float> times_s = {};  ///< of each beam, where beams do not follow each other evenly
+  double last_s = 0;                ///< the greatest of them
 
-  bool takes_time() const { return beam_s > 0 && beams > 1; }
-  double duration_s() const { return takes_time() ? beam_s * (beams - 1) : 0; }
+  bool takes_time() const { return (beam_s > 0 && beams > 1) || last_s > 0; }
+  double duration_s() const { return times_s.empty() ? std::max(0.0, beam_s * (beams - 1)) : last_s; }
+  /// Of a beam by its index, after the scan's stamp [s].
+  double time_of_beam(int beam) const {
+    return times_s.empty() ? beam * beam_s : double{times_s[static_cast<std::size_t>(beam)]};
+  }
   /// Of a beam in this direction, after the scan's stamp [s].
   double time_of(double bearing_rad) const;
 };

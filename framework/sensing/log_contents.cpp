@@ -74,6 +74,10 @@ LogContents contents_of(LogReader& reader) {
   return contents;
 }
 
+std::unique_ptr<LogReader> LogSource::open_for(const std::string& path, const std::vector<LaserModel>&) const {
+  return open(path);
+}
+
 LogContents LogSource::contents(const std::string& path) const { return contents_of(*open(path)); }
 
 }  // namespace opal

@@ -139,5 +139,5 @@ std::shared_ptr<const opal::LogSource> log_source(const opal::PluginRegistry& re
 
 std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path,
                                           const opal::Deployment& deployment, const std::vector<std::string>& words) {
-  return log_source(registry, log_source_of(registry, path), deployment, words)->open(path);
+  return log_source(registry, log_source_of(registry, path), deployment, words)->open_for(path, deployment.lasers);
 }

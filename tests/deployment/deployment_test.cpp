@@ -1,6 +1,7 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include <opal/deployment/deployment.hpp>
+#include "deployment_text.hpp"
 #include "jsonld/json_ld.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,18 +12,6 @@ using namespace opal;
 using Catch::StartsWith;
 
 namespace {
-
-const std::string kFile = "configs/hall.jsonld";
-
-/// A deployment with these members beside the ones that it cannot be without.
-std::string document(const std::string& members) {
-  return R"({"@context": "urn:opal:v1", "@type": "opal:Deployment")" +
-         std::string(members.find("\"scorers\"") == std::string::npos ? R"(, "scorers": [{"@type": "opal:Beams"}])"
-                                                                      : "") +
-         (members.empty() ? "" : ", " + members) + "}";
-}
-
-Deployment parsed(const std::string& members) { return parse_deployment(document(members), kFile); }
 
 /// The message without the file's name, which must be there.
 std::string refusal_of(const std::string& text) {
@@ -130,15 +119,6 @@ TEST_CASE("a scorer may stand twice where one observes, or with other options") 
   CHECK(parsed(R"("scorers": [{"@type": "a"}, {"@type": "a", "options": {"b": 1}}])").scorers.size() == 2);
 }
 
-TEST_CASE("a deployment knows whether it says where all its lasers sit") {
-  const std::string scorers = R"("scorers": [{"@type": "a"}], )", mount = R"("T_base_laser": {"x_m": 0.2})";
-  CHECK_FALSE(parsed(scorers + R"("sensor": {"beams": 361})").describes_mount);
-  CHECK(parsed(scorers + R"("sensor": {)" + mount + "}").describes_mount);
-  CHECK_FALSE(parsed(scorers + R"("sensor": [{"frame": "a", )" + mount + R"(}, {"frame": "b"}])").describes_mount);
-  CHECK(parsed(scorers + R"("sensor": [{"frame": "a", )" + mount + R"(}, {"frame": "b", )" + mount + "}]")
-            .describes_mount);
-}
-
 TEST_CASE("a map's path starts from the folder of the deployment") {
   CHECK(parsed(R"("map": "hall.jsonld")").map == "configs/hall.jsonld");
   CHECK(parsed(R"("map": "/maps/hall.jsonld")").map == "/maps/hall.jsonld");
@@ -160,6 +140,12 @@ TEST_CASE("a wrong deployment is refused with the place, what was found and what
         "/sensor/range_max_m: \"far\", expected a number from 0.0001 to 1000");
   CHECK(refusal(R"("sensor": {"range_min_m": 40})") == "/sensor/range_max_m: absent, expected more than range_min_m");
   CHECK(refusal(R"("sensor": {"T_base_laser": [0, 0, 0]})") == "/sensor/T_base_laser: [0,0,0], expected an object");
+  CHECK(refusal(R"("sensor": {"slice": {}})") ==
+        "/sensor/topic: absent, expected the topic of the point clouds that are sliced");
+  CHECK(refusal(R"("sensor": {"topic": "/a", "slice": {"z_max_m": 0.1}})") ==
+        "/sensor/slice/z_max_m: 0.1, expected more than z_min_m");
+  CHECK(refusal(R"("sensor": {"topic": "/a", "slice": {"height": 1}})").find("/sensor/slice/height: unknown key") !=
+        std::string::npos);
   CHECK(refusal(R"("detectors": {"@type": "a"})") == "/detectors: {\"@type\":\"a\"}, expected a list");
   CHECK(refusal(R"("detectors": ["opal:LineDetector"])") == "/detectors/0: \"opal:LineDetector\", expected an object");
   CHECK(refusal(R"("detectors": [{"options": {}}])") == "/detectors/0/@type: absent, expected a text");

@@ -49,6 +49,26 @@ Json laser_json(const LogLaser& laser) {
   return json;
 }
 
+Json cloud_json(const LogCloud& cloud) {
+  Json json{{"topic", cloud.topic},
+            {"frame", cloud.frame},
+            {"clouds", cloud.clouds},
+            {"width", cloud.width},
+            {"height", cloud.height},
+            {"fields", cloud.fields},
+            {"valid_share", cloud.valid_share},
+            {"time_field", cloud.time_field},
+            {"sweep_s", cloud.sweep_s},
+            {"x_m", {cloud.x_min_m, cloud.x_max_m}},
+            {"y_m", {cloud.y_min_m, cloud.y_max_m}},
+            {"z_m", {cloud.z_min_m, cloud.z_max_m}},
+            {"farthest_m", cloud.farthest_m}};
+  if (cloud.mount) json["mount"] = mount_json(*cloud.mount);
+  if (cloud.suggested)
+    json["suggested"] = {{"z_min_m", cloud.suggested->z_min_m}, {"z_max_m", cloud.suggested->z_max_m}};
+  return json;
+}
+
 Json odometry_json(const LogOdometry& odometry) {
   return {{"topic", odometry.topic},           {"odom_frame", odometry.odom_frame},
           {"base_frame", odometry.base_frame}, {"is_read", odometry.is_read},
@@ -69,8 +89,9 @@ Json contents_json(const LogContents& contents) {
             {"last_s", contents.last_s},
             {"looked_at_s", contents.looked_at_s},
             {"topics", topics_json(contents)}};
-  json["lasers"] = json["odometries"] = json["transforms"] = Json::array();
+  json["lasers"] = json["clouds"] = json["odometries"] = json["transforms"] = Json::array();
   for (const LogLaser& laser : contents.lasers) json["lasers"].push_back(laser_json(laser));
+  for (const LogCloud& cloud : contents.clouds) json["clouds"].push_back(cloud_json(cloud));
   for (const LogOdometry& odometry : contents.odometries) json["odometries"].push_back(odometry_json(odometry));
   for (const LogTransform& transform : contents.transforms) json["transforms"].push_back(transform_json(transform));
   json["defects"] = Json::object();

@@ -3,6 +3,7 @@
 #include <opal/common/sentence.hpp>
 
 #include <fmt/chrono.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
@@ -74,9 +75,9 @@ std::string range_words(const LogLaser& laser) {
   return text + "\n";
 }
 
-std::string mount_words(const LogLaser& laser) {
-  if (!laser.mount) return "  the log does not state where it is mounted\n";
-  const LogMount& mount = *laser.mount;
+std::string mount_words(const std::optional<LogMount>& stated) {
+  if (!stated) return "  the log does not state where it is mounted\n";
+  const LogMount& mount = *stated;
   const Pose2& pose = mount.T_base_laser;
   std::string text =
       sentence("  mounted on %s at x %.3f m, y %.3f m, heading %.2f degrees, height %.2f m", mount.parent.c_str(),
@@ -106,9 +107,35 @@ std::string laser_lines(const LogContents& contents) {
   for (const LogLaser& laser : contents.lasers) {
     text += "\nlaser " + laser.topic + (laser.frame.empty() ? "" : ", frame " + laser.frame) +
             (laser.is_read ? ": is read\n" : ": is not read\n");
-    text += beam_words(laser) + range_words(laser) + mount_words(laser) + time_words(laser);
+    text += beam_words(laser) + range_words(laser) + mount_words(laser.mount) + time_words(laser);
   }
-  return contents.lasers.empty() ? "\nno laser\n" : text;
+  return contents.lasers.empty() && contents.clouds.empty() ? "\nno laser\n" : text;
+}
+
+std::string extent_words(const LogCloud& cloud) {
+  const std::string frame = cloud.mount ? cloud.mount->parent : cloud.frame;
+  return sentence("  points from x %.1f to %.1f, y %.1f to %.1f, z %.2f to %.2f m in %s; %.0f %% of them are valid\n",
+                  cloud.x_min_m, cloud.x_max_m, cloud.y_min_m, cloud.y_max_m, cloud.z_min_m, cloud.z_max_m,
+                  frame.c_str(), 100 * cloud.valid_share);
+}
+
+std::string cloud_lines(const LogContents& contents) {
+  std::string text;
+  for (const LogCloud& cloud : contents.clouds) {
+    text += "\npoint clouds " + cloud.topic + ", frame " + cloud.frame +
+            ": a slice of them is read if the deployment " + "describes one\n";
+    text +=
+        sentence("  %lld x %lld points", static_cast<long long>(cloud.height), static_cast<long long>(cloud.width)) +
+        fmt::format(" with {}\n", fmt::join(cloud.fields, ", "));
+    text += extent_words(cloud) + mount_words(cloud.mount);
+    text += cloud.time_field.empty()
+                ? "  the log does not state when each point was measured\n"
+                : sentence("  a cloud takes %.3f s, by %s\n", cloud.sweep_s, cloud.time_field.c_str());
+    if (cloud.suggested)
+      text += sentence("  suggested slice: heights from %.2f to %.2f m%s\n", cloud.suggested->z_min_m,
+                       cloud.suggested->z_max_m, cloud.mount ? "" : ", seen from the sensor: its mount is not known");
+  }
+  return text;
 }
 
 std::string odometry_lines(const LogContents& contents) {
@@ -160,8 +187,8 @@ std::string contents_text(const LogContents& contents) {
   if (contents.looked_at_s < contents.last_s)
     text += sentence("lasers, odometry and frames are those of the first %.1f s\n",
                      contents.looked_at_s - contents.first_s);
-  return text + topic_lines(contents) + laser_lines(contents) + odometry_lines(contents) + frame_lines(contents) +
-         defect_lines(contents);
+  return text + topic_lines(contents) + laser_lines(contents) + cloud_lines(contents) + odometry_lines(contents) +
+         frame_lines(contents) + defect_lines(contents);
 }
 
 }  // namespace opal

@@ -5,9 +5,11 @@
 
 #include <opal/deployment/deployment.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <numbers>
 
 namespace opal {
 namespace {
@@ -52,25 +54,53 @@ void add_ranges(nlohmann::ordered_json& sensor, const LogLaser& laser) {
   }
 }
 
-void add_mount(nlohmann::ordered_json& sensor, const LogLaser& laser) {
-  if (!laser.mount) return;
-  const Pose2& T_base_laser = laser.mount->T_base_laser;
+void add_mount(nlohmann::ordered_json& sensor, const std::optional<LogMount>& mount) {
+  if (!mount) return;
+  const Pose2& T_base_laser = mount->T_base_laser;
   sensor["T_base_laser"] = {{"x_m", rounded(T_base_laser.x(), kMillimetre)},
                             {"y_m", rounded(T_base_laser.y(), kMillimetre)},
                             {"heading_rad", rounded(T_base_laser.heading_rad(), kMicroradian)}};
+}
+
+nlohmann::ordered_json laser_sensor(const LogLaser& laser) {
+  nlohmann::ordered_json sensor = nlohmann::ordered_json::object();
+  add_beams(sensor, laser);
+  add_ranges(sensor, laser);
+  add_mount(sensor, laser.mount);
+  if (laser.angle_min_rad) sensor["geometry_from_log"] = true;
+  return sensor;
+}
+
+/// A slice of point clouds, all around in steps of half a degree.
+nlohmann::ordered_json sliced_sensor(const LogCloud& cloud) {
+  constexpr double kCentimetre = 1e-2, kLeastRangeM = 5, kMostRangeM = 100;
+  constexpr int kBeams = 720;
+  nlohmann::ordered_json sensor{{"topic", cloud.topic}, {"frame", cloud.frame}};
+  sensor["angle_min_rad"] = rounded(-std::numbers::pi, kMicroradian);
+  sensor["angle_increment_rad"] = rounded(2 * std::numbers::pi / kBeams, kNanoradian);
+  sensor["beams"] = kBeams;
+  sensor["range_max_m"] = std::clamp(std::ceil(cloud.farthest_m), kLeastRangeM, kMostRangeM);
+  sensor["slice"] = {{"z_min_m", rounded(cloud.suggested->z_min_m, kCentimetre)},
+                     {"z_max_m", rounded(cloud.suggested->z_max_m, kCentimetre)}};
+  add_mount(sensor, cloud.mount);
+  if (cloud.mount) sensor["geometry_from_log"] = true;
+  return sensor;
+}
+
+/// Where no planar laser is read, a slice of the first 3D lidar; null if there is neither.
+nlohmann::ordered_json sensor_of(const LogContents& contents) {
+  if (const LogLaser* laser = laser_that_is_read(contents)) return laser_sensor(*laser);
+  for (const LogCloud& cloud : contents.clouds)
+    if (cloud.suggested) return sliced_sensor(cloud);
+  return nullptr;
 }
 
 }  // namespace
 
 nlohmann::ordered_json deployment_lines(const LogContents& contents, const std::string& source) {
   nlohmann::ordered_json lines;
-  const LogLaser* laser = laser_that_is_read(contents);
-  if (laser == nullptr) return lines;
-  nlohmann::ordered_json sensor = nlohmann::ordered_json::object();
-  add_beams(sensor, *laser);
-  add_ranges(sensor, *laser);
-  add_mount(sensor, *laser);
-  if (laser->angle_min_rad) sensor["geometry_from_log"] = true;
+  const nlohmann::ordered_json sensor = sensor_of(contents);
+  if (sensor.is_null()) return lines;
   if (!sensor.empty()) lines["sensor"] = sensor;
   if (contents.options.empty()) return lines;
   nlohmann::ordered_json options;

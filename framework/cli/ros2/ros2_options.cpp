@@ -105,15 +105,34 @@ std::string Ros2Options::topic(const std::string& option, const std::string& nam
   return whole;
 }
 
+/// The lasers with the whole names of their topics. Where point clouds are sliced, each topic of the command line is
+/// for one of them.
+std::vector<LaserModel> Ros2Options::lasers_of(const Deployment& deployment) const {
+  std::vector<LaserModel> lasers = deployment.lasers;
+  if (std::none_of(lasers.begin(), lasers.end(), [](const LaserModel& laser) { return laser.slice.has_value(); }))
+    return lasers;
+  if (!scan_topics.empty() && scan_topics.size() != lasers.size())
+    throw ConfigError("--scan-topic: given " + std::to_string(scan_topics.size()) +
+                      " times, expected once for each of " + std::to_string(lasers.size()) +
+                      " sensors, in the order of the deployment");
+  for (std::size_t k = 0; k < lasers.size(); ++k) {
+    if (!scan_topics.empty()) lasers[k].topic = scan_topics[k];
+    if (!lasers[k].topic.empty()) lasers[k].topic = topic("/sensor/topic", lasers[k].topic);
+  }
+  return lasers;
+}
+
 recording::TopicChoice Ros2Options::choice_of(const Deployment& deployment) const {
   recording::TopicChoice choice = recording::topic_choice(recording_options(deployment));
-  if (choice.scans.empty()) choice.scans = topics_of(deployment.lasers);
+  const std::vector<LaserModel> lasers = lasers_of(deployment);
+  if (choice.scans.empty()) choice.scans = topics_of(lasers);
   if (!scan_topics.empty()) choice.scans = scan_topics;
-  if (choice.scans.empty()) choice.scans = {"scan"};
   if (!odometry_topic.empty()) choice.odometry = odometry_topic;
   if (!odom_frame.empty()) choice.odom_frame = odom_frame;
   if (!base_frame.empty()) choice.base_frame = base_frame;
   for (std::string& scan : choice.scans) scan = topic("--scan-topic", scan);
+  choice = recording::with_topics_of(std::move(choice), lasers);
+  if (choice.scans.empty() && !choice.are_all_slices) choice.scans = {topic("--scan-topic", "scan")};
   if (!choice.odometry.empty()) choice.odometry = topic("--odometry-topic", choice.odometry);
   return choice;
 }

@@ -38,6 +38,7 @@ struct Ros2Options {
   bool names_scans(const Deployment& deployment) const;
 
  private:
+  std::vector<LaserModel> lasers_of(const Deployment& deployment) const;
   recording::TopicChoice choice_of(const Deployment& deployment) const;
   std::string topic(const std::string& option, const std::string& name) const;
   void add_topics(CLI::App& verb);

@@ -1,9 +1,14 @@
 // A robot with another middleware: it plays a CARMEN log to topics of ROS 2 by Fast DDS, and prints what it hears.
 // Nothing of Opal is in it: CDR, DDS and types are those of Fast DDS and fastddsgen.
 //
-//   fastdds_robot DOMAIN SPEED (tf|odometry) (reliable|best_effort) < LOG
+//   fastdds_robot DOMAIN SPEED (tf|odometry) (reliable|best_effort) LASER... < LOG
+//
+// LASER is MESSAGE,FRAME,TOPIC,(scan|cloud),ANGLE_MIN,ANGLE_INCREMENT,RANGE_MAX,SWEEP,X,Y,HEADING: what the log calls
+// the laser's scans, how it is called and sends here, its beams, and where it is mounted. A laser that sends clouds is
+// a 3D lidar of a few rings, 1 m above the floor and tilted; the scans are what it sees of the walls.
 
 #include "fastdds_heard.hpp"
+#include "fastdds_said.hpp"
 
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -13,9 +18,7 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
 #include <chrono>
-#include <cmath>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,18 +26,8 @@
 namespace {
 
 using namespace heard;
+using namespace said;
 using Clock = std::chrono::steady_clock;
-
-// Recordings start at 0, which ROS takes for "never set".
-constexpr long kEpochNs = 1'700'000'000L * 1'000'000'000L;
-
-builtin_interfaces::msg::dds_::Time_ time_at(double log_s) {
-  const long ns = kEpochNs + std::lround(log_s * 1e6) * 1000;
-  builtin_interfaces::msg::dds_::Time_ time;
-  time.sec(static_cast<int>(ns / 1'000'000'000L));
-  time.nanosec(static_cast<unsigned>(ns % 1'000'000'000L));
-  return time;
-}
 
 class Robot {
  public:
@@ -78,75 +71,6 @@ class Robot {
   Subscriber* subscriber_ = nullptr;
 };
 
-struct Record {
-  bool is_scan = false;
-  double stamp_s = 0, x = 0, y = 0, heading = 0;
-  std::vector<float> ranges;
-};
-
-/// ODOM x y heading tv rv accel stamp host stamp; FLASER n ranges... x y heading x y heading stamp host stamp
-std::vector<Record> read_log(std::istream& log) {
-  std::vector<Record> records;
-  for (std::string line; std::getline(log, line);) {
-    std::istringstream words(line);
-    std::string kind, skipped;
-    words >> kind;
-    Record record;
-    record.is_scan = kind == "FLASER";
-    if (!record.is_scan && kind != "ODOM") continue;
-    std::size_t beams = 0;
-    if (record.is_scan) words >> beams;
-    record.ranges.resize(beams);
-    for (float& range : record.ranges) words >> range;
-    for (int i = 0; record.is_scan && i < 3; ++i) words >> skipped;
-    words >> record.x >> record.y >> record.heading;
-    for (int i = 0; !record.is_scan && i < 3; ++i) words >> skipped;
-    words >> record.stamp_s;
-    records.push_back(record);
-  }
-  return records;
-}
-
-Transforms link(double stamp_s, const std::string& parent, const std::string& child, double x, double y,
-                double heading) {
-  geometry_msgs::msg::dds_::TransformStamped_ transform;
-  transform.header().stamp(time_at(stamp_s));
-  transform.header().frame_id(parent);
-  transform.child_frame_id(child);
-  transform.transform().translation().x(x);
-  transform.transform().translation().y(y);
-  transform.transform().rotation().z(std::sin(heading / 2));
-  transform.transform().rotation().w(std::cos(heading / 2));
-  Transforms message;
-  message.transforms({transform});
-  return message;
-}
-
-sensor_msgs::msg::dds_::LaserScan_ scan_of(const Record& record) {
-  sensor_msgs::msg::dds_::LaserScan_ scan;
-  scan.header().stamp(time_at(record.stamp_s));
-  scan.header().frame_id("laser");
-  scan.angle_min(-1.5707963268f);
-  scan.angle_increment(0.0087266462600f);
-  scan.angle_max(1.5707963268f);
-  scan.range_min(0.0f);
-  scan.range_max(81.0f);
-  scan.ranges(record.ranges);
-  return scan;
-}
-
-nav_msgs::msg::dds_::Odometry_ odometry_of(const Record& record) {
-  nav_msgs::msg::dds_::Odometry_ pose;
-  pose.header().stamp(time_at(record.stamp_s));
-  pose.header().frame_id("odom");
-  pose.child_frame_id("base_link");
-  pose.pose().pose().position().x(record.x);
-  pose.pose().pose().position().y(record.y);
-  pose.pose().pose().orientation().z(std::sin(record.heading / 2));
-  pose.pose().pose().orientation().w(std::cos(record.heading / 2));
-  return pose;
-}
-
 /// @param own  listeners of this program, which do not count.
 void wait_for_listener(DataWriter* writer, const char* what, int own) {
   for (int i = 0; i < 600; ++i) {
@@ -182,46 +106,70 @@ class Ears {
 /// Publishes what is in a log.
 class Mouth {
  public:
-  Mouth(Robot& robot, bool by_transforms, bool reliable) : by_transforms_(by_transforms) {
+  Mouth(Robot& robot, bool by_transforms, bool reliable, std::vector<Laser> lasers)
+      : by_transforms_(by_transforms), lasers_(std::move(lasers)) {
     auto* const fixed = robot.writer("rt/tf_static", new tf2_msgs::msg::dds_::TFMessage_PubSubType, true, true);
     motion_ = by_transforms ? robot.writer("rt/tf", new tf2_msgs::msg::dds_::TFMessage_PubSubType, reliable)
                             : robot.writer("rt/odom", new nav_msgs::msg::dds_::Odometry_PubSubType, reliable);
-    scans_ = robot.writer("rt/scan", new sensor_msgs::msg::dds_::LaserScan_PubSubType, reliable);
-    Transforms mount = link(0, "base_link", "laser", 0.78, 0, 0);
-    fixed->write(&mount);
+    Transforms mounts;
+    for (const Laser& laser : lasers_) {
+      TopicDataType* const type = laser.sends_clouds
+                                      ? static_cast<TopicDataType*>(new sensor_msgs::msg::dds_::PointCloud2_PubSubType)
+                                      : new sensor_msgs::msg::dds_::LaserScan_PubSubType;
+      scans_.push_back(robot.writer("rt" + laser.topic, type, reliable));
+      mounts.transforms().push_back(mount_of(laser));
+    }
+    fixed->write(&mounts);
   }
   void wait_for_listeners() {
     wait_for_listener(motion_, "odometry", by_transforms_ ? 1 : 0);
-    wait_for_listener(scans_, "scans", 0);
+    for (DataWriter* writer : scans_) wait_for_listener(writer, "scans", 0);
   }
   void say(const Record& record) {
+    if (!record.is_scan() || lasers_.size() == 1) say_pose(record);
+    for (std::size_t k = 0; k < lasers_.size(); ++k)
+      if (record.kind == lasers_[k].message) say_scan(record, k);
+  }
+
+ private:
+  void say_pose(const Record& record) {
     if (by_transforms_) {
-      Transforms pose = link(record.stamp_s, "odom", "base_link", record.x, record.y, record.heading);
+      Transforms pose;
+      pose.transforms({link(record.stamp_s, "odom", "base_link", record.x, record.y, record.heading)});
       motion_->write(&pose);
     } else {
       nav_msgs::msg::dds_::Odometry_ pose = odometry_of(record);
       motion_->write(&pose);
     }
-    if (!record.is_scan) return;
-    auto scan = scan_of(record);
-    scans_->write(&scan);
+    print("moved " + words(time_at(record.stamp_s)));
+  }
+  void say_scan(const Record& record, std::size_t k) {
+    if (lasers_[k].sends_clouds) {
+      auto cloud = cloud_of(record, lasers_[k]);
+      scans_[k]->write(&cloud);
+    } else {
+      auto scan = scan_of(record, lasers_[k]);
+      scans_[k]->write(&scan);
+    }
   }
 
- private:
   bool by_transforms_;
+  std::vector<Laser> lasers_;
   DataWriter* motion_ = nullptr;
-  DataWriter* scans_ = nullptr;
+  std::vector<DataWriter*> scans_;  // by laser
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) return 2;
+  if (argc < 6) return 2;
   const double speed = std::stod(argv[2]);
   const std::vector<Record> records = read_log(std::cin);
   Robot robot(static_cast<unsigned>(std::stoi(argv[1])));
   const Ears ears(robot);
-  Mouth mouth(robot, std::string(argv[3]) == "tf", std::string(argv[4]) == "reliable");
+  std::vector<Laser> lasers;
+  for (int i = 5; i < argc; ++i) lasers.push_back(laser_of(argv[i]));
+  Mouth mouth(robot, std::string(argv[3]) == "tf", std::string(argv[4]) == "reliable", lasers);
   mouth.wait_for_listeners();
   const Clock::time_point begin = Clock::now();
   for (const Record& record : records) {

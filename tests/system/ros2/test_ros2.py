@@ -1,86 +1,18 @@
 """A robot that speaks by Fast DDS, with its own types and its own CDR, beside `opal ros2`. Loopback only, a domain for each test."""
 
+import collections
 import json
 import math
-import os
-import pathlib
-import shutil
-import signal
 import socket
 import subprocess
-import tempfile
 import time
 import unittest
 
-TREE = pathlib.Path(__file__).resolve().parents[3]
-MALAGA = TREE / "maps/malaga"
-PROGRAM = os.environ["OPAL_PROGRAM"]
-ROBOT = os.environ["OPAL_FASTDDS_ROBOT"]
-SCANS = 37  # of the demo's recording
-PATIENCE_S = 60
+from bench import EPOCH_S, LIDAR, MALAGA, PATIENCE_S, PROGRAM, SCANS, Bench, numbers, read_config, replayed
 
 
-class Bench(unittest.TestCase):
-    """Programs in a folder of their own and on a domain of their own."""
-    domains = 0
-
-    def setUp(self):
-        Bench.domains += 1
-        self.domain = str(1 + (7 * os.getpid() + 23 * Bench.domains) % 230)
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="opal_ros2_"))
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def start(self, *words, **more):
-        variables = {k: v for k, v in os.environ.items() if not k.startswith(("ROS_", "CYCLONE"))}
-        variables.update(more, ROS_DOMAIN_ID=self.domain)
-        process = subprocess.Popen([PROGRAM, *map(str, words)], cwd=self.folder, env=variables, text=True,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        self.addCleanup(process.stdout.close)
-        self.addCleanup(process.stderr.close)
-        self.addCleanup(process.kill)
-        return process
-
-    def play(self, speed, motion, quality):
-        """What the robot heard while it played the recording, a line a message."""
-        log = subprocess.run(["gzip", "-dc", MALAGA / "malaga-demo.log.gz"], stdout=subprocess.PIPE, check=True).stdout
-        done = subprocess.run([ROBOT, self.domain, str(speed), motion, quality], input=log, stdout=subprocess.PIPE,
-                              timeout=PATIENCE_S, check=True)
-        return done.stdout.decode().splitlines()
-
-    def stop(self, process):
-        """Asks to stop. @return (exit code, stderr, seconds that it took)"""
-        begin = time.monotonic()
-        process.send_signal(signal.SIGTERM)
-        errors = process.communicate(timeout=PATIENCE_S)[1]
-        return process.returncode, errors, time.monotonic() - begin
-
-    def drive(self, speed, motion, quality, *words):
-        node = self.start("ros2", "malaga", "--map", MALAGA / "malaga-demo.map.yaml", *words)
-        heard = self.play(speed, motion, quality)
-        code, errors, seconds = self.stop(node)
-        self.assertEqual(code, 0, errors)
-        self.assertLess(seconds, 1.5, errors)
-        return heard, errors
-
-
-def numbers(heard, kind):
-    """The words of all lines of a kind behind its name."""
-    return [line.split()[1:] for line in heard if line.startswith(kind + " ")]
-
-
-class ADrive(Bench):
-    def test_a_recorded_drive_gives_the_same_poses_live_and_replayed(self):
-        heard, errors = self.drive(2, "tf", "reliable", "--record", "drive.mcap")
-        poses, transforms = numbers(heard, "pose"), numbers(heard, "transform")
-        self.assertGreater(len(poses), 20, "\n".join(heard) + errors)
-        self.assertEqual(len(transforms), len(poses))
-        self.check_transforms(poses, transforms)
-        self.check_covariances(poses)
-        self.check_replay(poses)
-        self.assertTrue(any(line.startswith("diagnostic 0 [opal: localization] localized") for line in heard))
-        width, height, cells, occupied = map(int, numbers(heard, "map")[0])
-        self.assertEqual(width * height, cells)
-        self.assertGreater(occupied, 1000)
+class ADriveChecks(Bench):
+    """What holds for every drive."""
 
     def check_transforms(self, poses, transforms):
         for pose, transform in zip(poses, transforms):
@@ -97,28 +29,120 @@ class ADrive(Bench):
             self.assertTrue(all(entry == 0 for i, entry in enumerate(entries) if i not in (0, 1, 6, 7, 35)))
             self.assertGreater(min(entries[0], entries[7], entries[35]), 0)
 
-    def check_replay(self, poses):
-        info = subprocess.run([PROGRAM, "info", "drive.mcap", "--json"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
-        topics = {topic["name"]: topic["messages"] for topic in json.loads(info.stdout)["topics"]}
-        self.assertEqual(topics["/scan"], SCANS)
-        self.assertEqual(topics["/tf"], 2 * SCANS)
-        subprocess.run([PROGRAM, "localize", "malaga", "drive.mcap", "--map", MALAGA / "malaga-demo.map.yaml", "-o", "out"],
-                       cwd=self.folder, stdout=subprocess.PIPE, check=True)
-        replayed = [list(map(float, line.split())) for line in (self.folder / "out/trajectory.tum").read_text().splitlines()
-                    if not line.startswith("#")]
-        compared = 0
+    def messages_in(self, recording):
+        info = subprocess.run([PROGRAM, "info", recording, "--json"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
+        return {topic["name"]: topic["messages"] for topic in json.loads(info.stdout)["topics"]}
+
+    def check_replay(self, poses, config="malaga", map=MALAGA / "malaga-demo.map.yaml"):
+        """The recording of the live run gives the poses that were published, to the digits that were."""
+        subprocess.run([PROGRAM, "localize", config, "drive.mcap", "--map", map, "-o", "out"], cwd=self.folder,
+                       stdout=subprocess.PIPE, check=True)
+        rows, compared = replayed(self.folder / "out"), 0
         for pose in poses:
-            twins = [row for row in replayed if abs(row[0] - float(pose[0])) < 1e-3]
-            for row in twins:
+            for row in rows:
+                if abs(row[0] - float(pose[0])) > 1e-3:
+                    continue
                 self.assertAlmostEqual(row[1], float(pose[2]), delta=1e-5)
                 self.assertAlmostEqual(row[2], float(pose[3]), delta=1e-5)
                 compared += 1
-        self.assertGreater(compared, 20)
+        self.assertGreater(compared, 0.9 * len(poses))
+
+    def check_every_stamp_has_a_transform(self, heard):
+        """Nav2 asks for the transform at the stamp of the newest odometry. @return at how many it was asked for"""
+        until, asked = None, 0
+        for line in heard:
+            words = line.split()
+            if words[0] == "transform":
+                until = float(words[1])
+            elif words[0] == "moved" and until is not None:
+                asked += 1
+                self.assertLessEqual(float(words[1]), until, line)
+        return asked
+
+
+class ADrive(ADriveChecks):
+    def test_a_recorded_drive_gives_the_same_poses_live_and_replayed(self):
+        heard, errors = self.drive(2, "tf", "reliable", "--record", "drive.mcap")
+        poses, transforms = numbers(heard, "pose"), numbers(heard, "transform")
+        self.assertGreater(len(poses), 20, "\n".join(heard) + errors)
+        self.assertEqual(len(transforms), len(poses))
+        self.check_transforms(poses, transforms)
+        self.check_covariances(poses)
+        self.assertEqual(self.messages_in("drive.mcap")["/scan"], SCANS)
+        self.assertEqual(self.messages_in("drive.mcap")["/tf"], 2 * SCANS)
+        self.check_replay(poses)
+        self.assertTrue(any(line.startswith("diagnostic 0 [opal: localization] localized") for line in heard))
+        width, height, cells, occupied = map(int, numbers(heard, "map")[0])
+        self.assertEqual(width * height, cells)
+        self.assertGreater(occupied, 1000)
 
     def test_odometry_is_taken_from_its_topic_if_there_are_no_transforms_and_best_effort_is_read(self):
         heard, errors = self.drive(3, "odometry", "best_effort")
         self.assertIn("odometry is taken from /odom", errors)
         self.assertGreater(len(numbers(heard, "pose")), 15, errors)
+
+    def test_a_3d_lidar_is_localized_by_a_slice_of_its_clouds(self):
+        config = read_config("malaga")
+        config["sensor"] = {"topic": "/points", "geometry_from_log": True, "beams": 361, "angle_min_rad": -1.5707963268,
+                            "angle_increment_rad": 0.00872664626, "slice": {"z_min_m": 0.3, "z_max_m": 1.8}}
+        (self.folder / "lidar.jsonld").write_text(json.dumps(config))
+        heard, errors = self.drive(2, "tf", "reliable", "--record", "drive.mcap", config="lidar.jsonld", lasers=[LIDAR])
+        poses = numbers(heard, "pose")
+        self.assertGreater(len(poses), 20, "\n".join(heard) + errors)
+        self.assertEqual(self.messages_in("drive.mcap")["/points"], SCANS)
+        self.check_replay(poses, "lidar.jsonld")
+        told = subprocess.run([PROGRAM, "info", "drive.mcap"], cwd=self.folder, stdout=subprocess.PIPE, check=True, text=True)
+        for words in ("point clouds /points, frame lidar", "4 x 361 points with x FLOAT32", "height 1.00 m", "suggested slice"):
+            self.assertIn(words, told.stdout)
+        self.check_like_planar(poses)
+
+    def check_like_planar(self, poses):
+        """The poses are those that the log's own scans give."""
+        subprocess.run([PROGRAM, "localize", "malaga", MALAGA / "malaga-demo.log.gz", "--map", MALAGA / "malaga-demo.map.yaml",
+                        "-o", "planar"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
+        planar, compared = replayed(self.folder / "planar"), 0
+        for pose in poses:
+            for row in planar:
+                if abs(row[0] + EPOCH_S - float(pose[0])) < 2e-3:
+                    self.assertLess(math.hypot(row[1] - float(pose[2]), row[2] - float(pose[3])), 0.1)
+                    compared += 1
+        self.assertGreater(compared, 20)
+
+
+class TwoLasers(ADriveChecks):
+    def test_two_lasers_in_real_time_give_the_poses_of_the_replay_and_a_transform_for_every_stamp(self):
+        subprocess.run([PROGRAM, "simulate", MALAGA / "malaga-demo.map.yaml", "-o", "runs/two", "--config", "two_lasers",
+                        "--drives", "1", "--distance", "20", "--seed", "3"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
+        lasers = self.write_deployment()
+        map = self.folder / "runs/two.map.jsonld"
+        heard, errors = self.drive(1, "tf", "reliable", "--record", "drive.mcap", config="robot.jsonld", map=map,
+                                   lasers=lasers, log=self.folder / "runs/two.log.gz")
+        poses = numbers(heard, "pose")
+        self.assertGreater(len(poses), 50, "\n".join(heard) + errors)
+        scans = self.scans_in_log()
+        recorded = self.messages_in("drive.mcap")
+        self.assertEqual((recorded["/scan_front"], recorded["/scan_rear"]), (scans["FLASER"], scans["RLASER"]))
+        self.check_transforms(poses, numbers(heard, "transform"))
+        self.check_replay(poses, "robot.jsonld", map)
+        moved = len(numbers(heard, "moved"))
+        self.assertGreater(self.check_every_stamp_has_a_transform(heard), moved / 2)
+
+    def write_deployment(self):
+        """Beams and mounts come from the robot. @return the robot's lasers"""
+        config, lasers = read_config("two_lasers"), []
+        for sensor in config["sensor"]:
+            mount = sensor.pop("T_base_laser")
+            lasers.append(",".join(map(str, (
+                sensor["frame"], sensor["frame"], sensor["topic"], "scan", sensor.pop("angle_min_rad"),
+                sensor.pop("angle_increment_rad"), 81, sensor.pop("sweep_s"), mount["x_m"], mount["y_m"], mount["heading_rad"]))))
+            sensor.pop("beams")
+            sensor["geometry_from_log"] = True
+        (self.folder / "robot.jsonld").write_text(json.dumps(config))
+        return lasers
+
+    def scans_in_log(self):
+        lines = subprocess.run(["gzip", "-dc", "runs/two.log.gz"], cwd=self.folder, stdout=subprocess.PIPE, check=True).stdout
+        return collections.Counter(line.split()[0].decode() for line in lines.splitlines())
 
 
 class ALook(Bench):

@@ -5,6 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace opal::recording {
 
 /// What to read of a recording.
@@ -13,11 +18,18 @@ struct TopicChoice {
   std::string odometry = {};        ///< topic; empty: the only one of its type, or the one of the usual name (/odom)
   std::string odom_frame = "odom";  ///< where no topic has odometry: the transforms from this frame are it,
   std::string base_frame = {};      ///< to this one; empty: to the first that a transform leads to
+  /// Topics of point clouds that are read, too, and the slices that are taken of them.
+  std::map<std::string, LaserModel> slices = {};
+  bool are_all_slices = false;  ///< no topic of scans is read
 };
 
 /// The choice that the options of a plugin state: scan_topic, scan_topics (with commas), odometry_topic, odom_frame,
 /// base_frame.
 TopicChoice topic_choice(const nlohmann::json& options);
+
+/// The same with the slices that lasers of a deployment describe. Where nothing names topics of scans, several lasers
+/// do, if each has one. A single laser may come on any topic.
+TopicChoice with_topics_of(TopicChoice choice, const std::vector<LaserModel>& lasers);
 
 /// One recording may have several files.
 using Parts = std::vector<std::unique_ptr<Recording>>;
@@ -29,6 +41,7 @@ class RosLogSource : public LogSource {
   explicit RosLogSource(TopicChoice topics) : topics_(std::move(topics)) {}
   /// Before anything else the reader tells where the lasers are mounted, if the transforms say so.
   std::unique_ptr<LogReader> open(const std::string& path) const final;
+  std::unique_ptr<LogReader> open_for(const std::string& path, const std::vector<LaserModel>& lasers) const final;
   LogContents contents(const std::string& path) const final;
 
  protected:
@@ -38,6 +51,8 @@ class RosLogSource : public LogSource {
   virtual std::string format() const = 0;
 
  private:
+  std::unique_ptr<LogReader> open_with(const std::string& path, const TopicChoice& topics) const;
+
   TopicChoice topics_;
 };
 

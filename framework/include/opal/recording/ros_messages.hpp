@@ -46,6 +46,8 @@ std::string without_slash(const std::string& frame);
 bool has_type(const Topic& topic, const std::string& type);
 /// Whether a topic has laser scans.
 bool has_scans(const Topic& topic);
+/// Whether a topic has point clouds.
+bool has_clouds(const Topic& topic);
 /// Whether a topic has odometry.
 bool has_odometry(const Topic& topic);
 /// Whether a topic has transforms; those that change (/tf) or those that do not (/tf_static).

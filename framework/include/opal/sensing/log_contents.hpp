@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
+#include <opal/sensing/scan.hpp>
 
 #include <cstdint>
 #include <map>
@@ -56,6 +57,25 @@ struct LogLaser {
   bool is_read = false;                       ///< it is the one that `LogSource::open` reads
 };
 
+/// The point clouds of one 3D lidar in a log.
+struct LogCloud {
+  std::string topic;                ///< as LogTopic::name
+  std::string frame;                ///< its name in the log
+  int clouds = 0;                   ///< those that were looked at
+  std::int64_t width = 0;           ///< points in a row of the first cloud
+  std::int64_t height = 0;          ///< its rows; 1: the points have no order
+  std::vector<std::string> fields;  ///< "x FLOAT32", in the order of the message
+  double valid_share = 0;           ///< of the points that were looked at: they are finite, and not at the sensor
+  std::string time_field;           ///< when each point was measured; empty: not stated in a way that is known
+  double sweep_s = 0;               ///< from the first point of a cloud to the last; 0: not stated
+  std::optional<LogMount> mount;    ///< if the log states it
+  double x_min_m = 0, x_max_m = 0;  ///< of the points; in the robot's frame if the mount is known, else the sensor's
+  double y_min_m = 0, y_max_m = 0;  ///< the same
+  double z_min_m = 0, z_max_m = 0;  ///< the same
+  double farthest_m = 0;            ///< horizontal distance from the sensor that one point in a hundred exceeds
+  std::optional<CloudSlice> suggested;  ///< between floor and ceiling; none without points
+};
+
 /// One source of odometry in a log.
 struct LogOdometry {
   std::string topic;            ///< as LogTopic::name
@@ -86,6 +106,7 @@ struct LogContents {
   double looked_at_s = 0;                                    ///< lasers, odometry and frames are those up to here
   std::vector<LogTopic> topics;                              ///< by name
   std::vector<LogLaser> lasers;                              ///< by name of their topics
+  std::vector<LogCloud> clouds;                              ///< by name of their topics
   std::vector<LogOdometry> odometries;                       ///< by name of their topics
   std::vector<LogTransform> transforms;                      ///< by parent, then child
   std::map<std::string, int> defects;                        ///< what is not whole, and what is odd

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace opal {
 
@@ -46,6 +47,9 @@ class OPAL_EXPORT LogSource {
   virtual bool recognizes(const std::string& path) const = 0;
   /// @throws LogError if the file cannot be opened or is no such log.
   virtual std::unique_ptr<LogReader> open(const std::string& path) const = 0;
+  /// The same for the lasers of a deployment: with the slices of point clouds that they describe. Unless a source knows
+  /// of point clouds, as `open`.
+  virtual std::unique_ptr<LogReader> open_for(const std::string& path, const std::vector<LaserModel>& lasers) const;
   /// What the log holds: all lasers and topics, not only what `open` reads. Unless a source knows more, what the
   /// records tell. @throws LogError as `open` does.
   virtual LogContents contents(const std::string& path) const;

@@ -8,6 +8,16 @@
 
 namespace opal {
 
+/// How a planar scan is made of a 3D lidar's points: of those between two heights the nearest in each direction.
+/// Heights are above the floor, which is z = 0 of the robot's frame.
+struct CloudSlice {
+  double z_min_m = 0.3;  ///< lower points are not used
+  double z_max_m = 1.8;  ///< higher points are not used
+  double height_m = 0;   ///< of the sensor above the floor; holds unless the log states the mount, as the angles do
+  double roll_rad = 0;   ///< of the sensor about its x axis
+  double pitch_rad = 0;  ///< of the sensor about its y axis; positive: it looks down
+};
+
 /// What a planar LiDAR can see and where it sits. Comes from the deployment's sensor description.
 struct LaserModel {
   std::string id = "PlanarLidar2D";                     ///< the sensor that map features are `perceivable_by`
@@ -25,6 +35,8 @@ struct LaserModel {
   std::optional<double> sweep_s;
   /// Beam geometry and mount are those that the log states (ROS bags do); what is above holds where it states none.
   bool geometry_from_log = false;
+  /// Its scans are slices of point clouds: the beams above are directions, and only the mount may come from the log.
+  std::optional<CloudSlice> slice = {};
 };
 
 /// What messages call one of a robot's lasers: its frame, or its topic, or its number.
@@ -40,6 +52,8 @@ struct RawScan {
   std::optional<double> angle_min_rad;        ///< beam geometry stated by the log itself, if it does
   std::optional<double> angle_increment_rad;  ///< negative: the beams turn clockwise
   double time_increment_s = 0;                ///< from one beam to the next, as the log states it; 0: not stated
+  /// Of each beam after the stamp, not negative, where the log states them one by one; else empty.
+  std::vector<float> beam_times_s = {};
 };
 
 /// One beam that hit something.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <opal/recording/chunked_recording.hpp>
-#include "recording/mcap_format.hpp"
+#include "recording/containers/mcap_format.hpp"
 
 namespace opal::recording {
 

@@ -1,7 +1,7 @@
 #include <opal/common/error.hpp>
 #include <opal/recording/byte_reader.hpp>
 #include <opal/recording/mcap_recording.hpp>
-#include "recording/mcap_reader.hpp"
+#include "recording/containers/mcap_reader.hpp"
 
 #include <cstring>
 #include <fstream>

@@ -1,5 +1,5 @@
 #include <opal/recording/byte_reader.hpp>
-#include "recording/mcap_reader.hpp"
+#include "recording/containers/mcap_reader.hpp"
 
 namespace opal::recording {
 

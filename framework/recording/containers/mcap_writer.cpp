@@ -3,7 +3,7 @@
 #include <opal/common/error.hpp>
 #include <opal/recording/chunk_codec.hpp>
 #include "common/write_error.hpp"
-#include "recording/mcap_format.hpp"
+#include "recording/containers/mcap_format.hpp"
 
 #include <algorithm>
 #include <cerrno>
