@@ -18,7 +18,8 @@ FOLDERS = ("framework", "plugins", "patterns", "tests")
 PROGRAM = "clang-tidy-14"
 SKIPPED = 77
 CATCH = "run_tests.cpp"  # makes all of Catch2 of its header, so it comes before those that only use it
-FINDING = re.compile(r"^(\S+?):(\d+):\d+: (?:error|warning): (.*) \[([^\],]+)[^\]]*\]$", re.MULTILINE)
+# The text may have several lines.
+FINDING = re.compile(r"^(\S+?):(\d+):\d+: (?:error|warning): ((?:.|\n(?!\S+:\d+:\d+: ))*?) \[([^\],\s]+)[^\]\n]*\]$", re.MULTILINE)
 
 
 def sources_to_read(build):
@@ -52,7 +53,7 @@ def findings_of(unit, path, more):
 
 def line_of(finding):
     file, line, text, check = finding
-    return f"{os.path.relpath(file, ROOT)}:{line}: {text} [{check}]"
+    return f"{os.path.relpath(file, ROOT)}:{line}: {' '.join(text.split())} [{check}]"
 
 
 def findings_apart(unit, path, more):
