@@ -12,7 +12,7 @@ TEST_CASE("what is no number is a dash, and what is infinite says so") {
   CHECK(fixed_text(-std::nan(""), 2) == "-");
   CHECK(fixed_text(kBoundless, 2) == "∞");
   CHECK(fixed_text(-kBoundless, 0) == "-∞");
-  CHECK(within_text(1, -kBoundless, kInfinite, 1) == "1.0 (-∞ to ∞)");
+  CHECK(within_text(1, -kBoundless, kBoundless, 1) == "1.0 (-∞ to ∞)");
   CHECK(p_text(std::nan("")) == "-");
 }
 

@@ -43,7 +43,7 @@ void Program::interrupt() { kill(process_, SIGINT); }
 
 bool Program::read_more() {
   char block[4096];
-  const ssize_t size = read(output_, block, sizeof block);
+  const ssize_t size = ::read(output_, block, sizeof block);
   if (size > 0) said_.append(block, static_cast<std::size_t>(size));
   return size > 0;
 }

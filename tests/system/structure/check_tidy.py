@@ -18,7 +18,8 @@ FOLDERS = ("framework", "plugins", "patterns", "tests")
 PROGRAM = "clang-tidy-14"
 SKIPPED = 77
 CATCH = "run_tests.cpp"  # makes all of Catch2 of its header, so it comes before those that only use it
-FINDING = re.compile(r"^(\S+?):(\d+):\d+: (?:error|warning): (.*) \[([^\],]+)[^\]]*\]$", re.MULTILINE)
+# The text may have several lines.
+FINDING = re.compile(r"^(\S+?):(\d+):\d+: (?:error|warning): ((?:.|\n(?!\S+:\d+:\d+: ))*?) \[([^\],\s]+)[^\]\n]*\]$", re.MULTILINE)
 
 
 def sources_to_read(build):
@@ -45,8 +46,14 @@ def findings_of(unit, path, more):
     found = set(FINDING.findall(said))
     if failed and not found:
         found.add((str(path), "0", said, "clang-tidy failed"))
-    print(f"{path.name}: {len(unit.sources)} sources, {spent_s:.0f} s of processor, {len(found)} findings", flush=True)
+    print(f"{path.name}: {len(unit.sources)} sources, {spent_s:.0f} s of processor", *map(line_of, sorted(found)),
+          sep="\n  ", flush=True)  # at once: whoever is stopped halfway has seen something
     return found
+
+
+def line_of(finding):
+    file, line, text, check = finding
+    return f"{os.path.relpath(file, ROOT)}:{line}: {' '.join(text.split())} [{check}]"
 
 
 def findings_apart(unit, path, more):
@@ -80,8 +87,7 @@ def main():
     for path in unread:
         print(f"{path.relative_to(ROOT)}: not read, this build does not compile it")
     found = all_findings(units, build.build / "tidy", more)
-    for file, line, text, check in sorted(found):
-        print(f"{os.path.relpath(file, ROOT)}:{line}: {text} [{check}]")
+    print(f"findings: {len(found)}", *map(line_of, sorted(found)), sep="\n")
     return 1 if found else 0
 
 

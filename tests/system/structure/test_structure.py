@@ -129,6 +129,9 @@ class TidyUnits(Tree):
     def test_sources_that_name_different_things_alike_are_read_apart(self):
         self.assertEqual(self.units(a="struct Walk {\n", b="struct Walk {\n", c="struct Run {\n"), [["a"], ["b", "c"]])
         self.assertEqual(self.units(a="int size(int x) {\n", b="[[noreturn]] void size(int y) {\n"), [["a"], ["b"]])
+        self.assertEqual(self.units(a="int size(int x) {\n", b="int size(double x) {\n"), [["a"], ["b"]])
+        self.assertEqual(self.units(a="constexpr int kA = 1, kB = 2;\n", b="constexpr int kB = 3;\n"), [["a"], ["b"]])
+        self.assertEqual(self.units(a="using nlohmann::json;\n", b="using json = nlohmann::ordered_json;\n"), [["a"], ["b"]])
         self.assertEqual(self.units(a="using Json = A;\n", b="using Json = B;\n", c="using Json = B;\n"), [["a"], ["b", "c"]])
 
     def test_sources_that_cannot_be_read_together_are_taken_apart(self):
@@ -139,8 +142,17 @@ class TidyUnits(Tree):
         self.assertEqual(parts("x.hpp"), [["a", "b"], ["c", "d"]])
         self.assertEqual(parts("a", "b", "c", "d"), [["a", "b"], ["c", "d"]])
 
-    def test_overloads_entries_of_plugins_and_uses_are_read_together(self):
-        self.assertEqual(self.units(a="int size(int x) {\n", b="int size(double x) {\n"), [["a", "b"]])
+    def test_names_of_headers_are_kept_apart_from_those_that_sources_give(self):
+        self.write("framework/a/cell.hpp", "namespace opal {\nenum class Cell { full };\nint size_of(Cell c);\n")
+        reader = '#include "a/cell.hpp"\nnamespace opal {\nint x = size_of({});\n'
+        self.assertEqual(self.units(a=reader, b="namespace opal {\nusing Cell = int;\n"), [["a"], ["b"]])
+        self.assertEqual(self.units(a=reader, b="namespace opal {\nint size_of(int x) {\n"), [["a"], ["b"]])
+        self.assertEqual(self.units(a='#include "a/cell.hpp"\n', b="namespace opal {\nint size_of(int x) {\n"), [["a", "b"]])
+        self.write("framework/a/other.hpp", "namespace opal::b {\nstruct Cell {\n")
+        other = '#include "a/other.hpp"\nusing namespace opal::b;\nCell cell;\n'
+        self.assertEqual(self.units(a=reader + "Cell cell;\n", b=other), [["a"], ["b"]])
+
+    def test_entries_of_plugins_and_uses_are_read_together(self):
         self.assertEqual(self.units(a="void register_types(R& r) {\n", b="void register_types(R& r) {\n"), [["a", "b"]])
         self.assertEqual(self.units(a="struct Walk;\n  size(3);\n", b="struct Walk;\n  size(3);\n"), [["a", "b"]])
 

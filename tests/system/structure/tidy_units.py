@@ -1,5 +1,6 @@
 """Which sources clang-tidy reads together, as one unit: it looks at all headers again in every unit."""
 
+import functools
 import json
 import pathlib
 import re
@@ -8,11 +9,12 @@ import shlex
 from source_tree import ROOT, sources_below
 
 MOST = 95  # sources of a unit, about: two units at once need 3 GB
-TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum class|enum|union) (?:OPAL_EXPORT )?(\w+)\b[^;]*$")
-FUNCTION = re.compile(r"(?!TEST_CASE|SECTION|OPAL_|namespace|using|return)[\[\w:][\w:<>,&*\s\[\]\"]*?[\s&*](\w+\([^)]*)")
+TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum class|enum|union) (?:OPAL_EXPORT )?(\w+)\b(?:[^;]*|.*\{.*)$")
+FUNCTION = re.compile(r"(?!TEST_CASE|SECTION|OPAL_|namespace|using|return)[\[\w:][\w:<>,&*\s\[\]\"]*?[\s&*](\w+)\(")
 CONSTANT = re.compile(r"(?:inline |static )*(?:constexpr|const) [^(]*?\b(\w+)(?: =|\{|\[)")
+MORE_CONSTANTS = re.compile(r", (k[A-Z]\w*)(?: =|\{|\[)")  # of the same line
 NAMESPACE = re.compile(r"^namespace (?:\w+::)+(\w+)", re.MULTILINE)
-ALIAS = re.compile(r"using (\w+) = .*")
+ALIAS = re.compile(r"using (?:(\w+) = .*|(?:\w+::)+(\w+);)")
 # Plugins and programs define these, each its own; in a unit they get a number.
 OWN = ("register_types", "LLVMFuzzerTestOneInput", "main")
 PLUGIN_MACRO = """#include <opal/plugin/plugin.hpp>
@@ -67,18 +69,64 @@ def is_test(path, root):
     return path.is_relative_to(root / "tests")
 
 
-def names_of(file, text, plain):
-    """Names at the start of a line and what they stand for. Types and functions are the file's own.
-
-    @param plain  names without overloads; None: there are no overloads."""
+def names_of(file, text):
+    """Names at the start of a line and what they stand for. Types, functions and constants are the file's own. Overloads of
+    two files are kept apart, too: where one file alone is clear, both together are often ambiguous."""
     names = {}
     for line in text.splitlines():
         found = ALIAS.match(line) or TYPE.match(line) or FUNCTION.match(line) or CONSTANT.match(line)
         if found:
-            name, bracket, _ = found[1].partition("(")
-            key = found[1] if bracket and plain is not None and name not in plain else name
-            names[without_parameter_names(key)] = line if found.re is ALIAS else str(file)
-    return {name: meaning for name, meaning in names.items() if name.partition("(")[0] not in OWN}
+            names[found[1] or found[2]] = line if found.re is ALIAS else str(file)
+            if found.re is CONSTANT:
+                names.update((more, str(file)) for more in MORE_CONSTANTS.findall(line))
+    return {name: meaning for name, meaning in names.items() if name not in OWN}
+
+
+def headers_of(file, root):
+    """The headers of the tree that a file includes, and those that they include."""
+    found = set()
+    for name in re.findall(r'^#include ["<](.+\.hpp)[">]', file.read_text(), re.MULTILINE):
+        for folder in (file.parent, root, root / "framework", root / "framework/include"):
+            if (folder / name).is_file():
+                found |= header_and_its_own(folder / name, root)
+                break
+    return found
+
+
+@functools.cache
+def header_and_its_own(header, root):
+    return {header} | headers_of(header, root)
+
+
+@functools.cache
+def names_for_all(header):
+    """What a header gives to all who see it: name, namespace, and whether it is a function."""
+    text = re.sub("//.*", "", header.read_text())
+    space = (re.findall(r"^namespace ([\w:]+) \{", text, re.MULTILINE) or [""])[0]
+    functions = {found[1] for found in map(FUNCTION.match, text.splitlines()) if found}
+    names = {(name, space, name in functions) for name in names_of(header, text)}
+    return names | {(space.partition("::")[0], "", False)}
+
+
+def spaces_of(text):
+    """The namespaces that a source sees without a qualifier."""
+    seen = {""}
+    for space in re.findall(r"^(?:using )?namespace ([\w:]+)(?: \{|;)", text, re.MULTILINE):
+        parts = space.split("::")
+        seen |= {"::".join(parts[:number]) for number in range(1, len(parts) + 1)}
+    return seen
+
+
+def shared_names(source, text, own, root):
+    """Names that are a header's in some sources and a source's own in others. A function's matters where it is used."""
+    words = set(re.findall(r"\w+", text))
+    shared = {(name, space): "a header's" for header in headers_of(source, root)
+              for name, space, is_function in names_for_all(header) if name in words or not is_function}
+    seen = spaces_of(text)
+    spaces = {name: space for name, space in shared if name in words and space in seen and name[0].isupper()}
+    shared.update({(name, space): "its own" for name in own for space in seen})
+    return {f"{name} in {space}": meaning for (name, space), meaning in shared.items()} | {
+        f"the space of {name}": space for name, space in spaces.items()}
 
 
 def types_of_namespaces(root):
@@ -96,7 +144,7 @@ def meanings(options, root):
     files = {source: files_of(source, root) for source in options}
     texts = {file: re.sub("//.*", "", file.read_text()) for group in files.values() for file in group}
     namespaces = {name for text in texts.values() for name in NAMESPACE.findall(text)}
-    names = {file: names_of(file, text, None if is_test(file, root) else namespaces) for file, text in texts.items()}
+    names = {file: names_of(file, text) for file, text in texts.items()}
     given = {name for file, own in names.items() for name in own
              if (name[0].isupper() or name in namespaces) and own[name] == str(file)}
     types, of_source = types_of_namespaces(root), {}
@@ -107,12 +155,10 @@ def meanings(options, root):
         of_source[source] = {name: "another" for name in given & seen}
         for file in group:
             of_source[source] |= names[file]
+            if file.suffix == ".cpp":
+                of_source[source] |= shared_names(file, texts[file], names[file], root)
         of_source[source] |= macros_of(options[source])
     return of_source
-
-
-def without_parameter_names(text):
-    return re.sub(r"(?<=[ &*])\w+(?=,|$)", "", text) if "(" in text else text
 
 
 class Unit:
@@ -140,9 +186,10 @@ class Unit:
     def text(self):
         lines = [PLUGIN_MACRO]
         for number, source in enumerate(self.sources):
-            lines += [f"#define {name} {name}_{number}" for name in OWN]
+            own = [name for name in OWN if re.search(rf"^[\w:<>*& \"]* {name}\(", source.read_text(), re.MULTILINE)]
+            lines += [f"#define {name} {name}_{number}" for name in own]
             lines += [f'#include "{source}"  // NOLINT(bugprone-suspicious-include)']
-            lines += [f"#undef {name}" for name in OWN]
+            lines += [f"#undef {name}" for name in own]
         return "\n".join(lines) + "\n"
 
 
