@@ -83,9 +83,10 @@ RawScan CloudSlicer::scan_of(const PointCloudMessage& cloud) const {
   NearestByBeam nearest(laser_.beams);
   cloud.for_each_point([&](const PointCloudMessage::CloudPoint& point) {
     if (!point.is_measured()) return;
-    const Eigen::Vector3d in_base = T_base_sensor_ * Eigen::Vector3d(point.x_m, point.y_m, point.z_m);
-    if (in_base.z() < laser_.slice->z_min_m || in_base.z() > laser_.slice->z_max_m) return;
-    const Point position = T_laser_base * Point(in_base.head<2>());
+    const Eigen::Vector3d seen(point.x_m, point.y_m, point.z_m);
+    const double height_m = T_base_sensor_.linear().row(2).dot(seen) + T_base_sensor_.translation().z();
+    if (height_m < laser_.slice->z_min_m || height_m > laser_.slice->z_max_m) return;
+    const Point position = T_laser_base * Point((T_base_sensor_ * seen).head<2>());
     const double range_m = position.norm();
     if (range_m <= 0 || is_below(range_m, laser_.range_min_m)) return;
     const int beam = beam_of(position);

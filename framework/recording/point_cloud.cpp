@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace opal::recording {
 namespace {
 
 constexpr std::size_t kMostPoints = 4'000'000;  // 128 rings at 0.01 degrees are 4.6 million; drivers send a tenth of it
-constexpr double kFarthestPointM = 1e6;         // damaged numbers are larger
 constexpr std::size_t kLeastFieldBytes = 13;    // an empty name, offset, datatype, count
 constexpr double kLeastSweepS = 1e-3, kMostSweepS = 1;  // what takes less is as good as all at once
 
@@ -26,30 +26,21 @@ constexpr std::array<PointType, 9> kTypes{{{"of no type", 0},
                                            {"UINT32", 4},
                                            {"FLOAT32", 4},
                                            {"FLOAT64", 8}}};
-constexpr int kUint32 = 6, kFloat32 = 7, kFloat64 = 8;
 
-bool is_real(const PointField& field) { return field.datatype == kFloat32 || field.datatype == kFloat64; }
+bool is_real(const PointField& field) {
+  return field.datatype == PointField::kFloat32 || field.datatype == PointField::kFloat64;
+}
 
 bool is_time(const PointField& field) {
   static const std::array<const char*, 7> kNames{"t",     "time",      "timestamp",  "time_stamp",
                                                  "stamp", "timeStamp", "offset_time"};
   const bool is_named = std::find(kNames.begin(), kNames.end(), field.name) != kNames.end();
-  return is_named && (is_real(field) || field.datatype == kUint32);
+  return is_named && (is_real(field) || field.datatype == PointField::kUint32);
 }
 
 bool lies_in_point(const PointField& field, std::size_t point_step) {
   const std::size_t bytes = kTypes[static_cast<std::size_t>(field.datatype)].bytes;
   return bytes <= point_step && field.offset <= point_step - bytes;
-}
-
-template <class Number>
-double number_of(const std::byte* at, bool swap) {
-  std::byte bytes[sizeof(Number)];
-  std::copy_n(at, sizeof(Number), bytes);
-  if (swap) std::reverse(bytes, bytes + sizeof(Number));
-  Number value;
-  std::memcpy(&value, bytes, sizeof(Number));
-  return static_cast<double>(value);
 }
 
 /// How the times of points may be meant.
@@ -60,33 +51,26 @@ struct Reading {
 
 std::vector<Reading> readings_of(const PointField& time, double stamp_s) {
   constexpr double kNano = 1e-9, kMicro = 1e-6;
-  if (time.datatype == kUint32) return {{kNano, 0}, {kMicro, 0}};
+  if (time.datatype == PointField::kUint32) return {{kNano, 0}, {kMicro, 0}};
   return {{1, 0}, {1, stamp_s}, {kMicro, stamp_s / kMicro}, {kNano, stamp_s / kNano}, {kNano, 0}};
 }
 
 }  // namespace
-
-bool PointCloudMessage::CloudPoint::is_measured() const {
-  const double farthest_m = std::max({std::abs(x_m), std::abs(y_m), std::abs(z_m)});
-  return std::abs(x_m) < kFarthestPointM && std::abs(y_m) < kFarthestPointM && std::abs(z_m) < kFarthestPointM &&
-         farthest_m > 0;
-}
 
 std::string PointField::words() const {
   const bool is_known = datatype > 0 && static_cast<std::size_t>(datatype) < kTypes.size();
   return name + " " + kTypes[is_known ? static_cast<std::size_t>(datatype) : 0].name;
 }
 
-double PointCloudMessage::number_at(std::size_t at, const PointField& field) const {
-  const std::byte* const place = data_.data() + at + field.offset;
-  if (field.datatype == kFloat32) return number_of<float>(place, swap_);
-  return field.datatype == kFloat64 ? number_of<double>(place, swap_) : number_of<std::uint32_t>(place, swap_);
-}
-
-PointCloudMessage::CloudPoint PointCloudMessage::point_at(std::size_t at) const {
-  CloudPoint point{number_at(at, fields[xyz_[0]]), number_at(at, fields[xyz_[1]]), number_at(at, fields[xyz_[2]]), 0};
-  if (const PointField* time = time_field()) point.time = number_at(at, *time);
-  return point;
+std::pair<double, double> PointCloudMessage::time_range() const {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for_each_place([&](std::size_t at) {
+    const double time = number_at(at, fields[time_]);
+    if ((time >= first && time <= last) || !std::isfinite(time) || !point_at(at).is_measured()) return;
+    first = std::min(first, time);
+    last = std::max(last, time);
+  });
+  return {first, last};
 }
 
 /// Reads a message, and holds what it states against its length before anything is read by it.
@@ -162,13 +146,7 @@ DecodedPointCloud decode_point_cloud(Bytes message, Wire wire) {
 
 PointTimes::PointTimes(const PointCloudMessage& cloud) {
   if (!cloud.time_field() || cloud.size() == 0) return;
-  first_ = std::numeric_limits<double>::infinity();
-  last_ = -first_;
-  cloud.for_each_point([this](const PointCloudMessage::CloudPoint& point) {
-    if (!std::isfinite(point.time) || !point.is_measured()) return;
-    first_ = std::min(first_, point.time);
-    last_ = std::max(last_, point.time);
-  });
+  std::tie(first_, last_) = cloud.time_range();
   if (!(first_ < last_)) return;  // all at once
   double nearest_s = kMostSweepS;
   for (const Reading& reading : readings_of(*cloud.time_field(), cloud.stamp_s)) {

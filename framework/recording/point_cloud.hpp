@@ -2,10 +2,14 @@
 
 #include <opal/recording/recording.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace opal::recording {
@@ -14,7 +18,8 @@ namespace opal::recording {
 struct PointField {
   std::string name;        ///< "x"
   std::size_t offset = 0;  ///< from the start of a point [byte]
-  int datatype = 0;        ///< 1 to 8: INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64
+  static constexpr int kUint32 = 6, kFloat32 = 7, kFloat64 = 8;
+  int datatype = 0;  ///< 1 to 8: INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64
 
   /// "x FLOAT32"
   std::string words() const;
@@ -29,7 +34,11 @@ class PointCloudMessage {
     double time = 0;  ///< as the message has it; 0 without such a field
 
     /// Drivers write NaN, infinity or zeros for a beam that has met nothing.
-    bool is_measured() const;
+    bool is_measured() const {
+      constexpr double kFarthestM = 1e6;  // damaged numbers are larger
+      return std::abs(x_m) < kFarthestM && std::abs(y_m) < kFarthestM && std::abs(z_m) < kFarthestM &&
+             (x_m != 0 || y_m != 0 || z_m != 0);
+    }
   };
 
   double stamp_s = 0;              ///< 0: never set
@@ -46,18 +55,43 @@ class PointCloudMessage {
   /// Calls `take` with each point, row by row.
   template <class Take>
   void for_each_point(Take take) const {
-    if (width == 0) return;  // there may be billions of empty rows
-    for (std::size_t row = 0; row < height; ++row)
-      for (std::size_t k = 0; k < width; ++k) take(point_at(row * row_step_ + k * point_step_));
+    for_each_place([&](std::size_t at) { take(point_at(at)); });
   }
+  /// The least and the greatest of their times; the first is greater than the last if there is none.
+  std::pair<double, double> time_range() const;
   /// When points were measured; null if the message does not state it in a way that is known.
-  const PointField* time_field() const { return time_ < fields.size() ? &fields[time_] : nullptr; }
+  const PointField* time_field() const { return has_time() ? &fields[time_] : nullptr; }
 
  private:
   friend struct PointCloudDecoder;
 
-  CloudPoint point_at(std::size_t at) const;
-  double number_at(std::size_t at, const PointField& field) const;
+  bool has_time() const { return time_ < fields.size(); }
+
+  // Every number of a hundred thousand points is read here: to be compiled where it is used.
+  template <class Take>
+  void for_each_place(Take take) const {
+    if (width == 0) return;  // there may be billions of empty rows
+    for (std::size_t row = 0; row < height; ++row)
+      for (std::size_t k = 0; k < width; ++k) take(row * row_step_ + k * point_step_);
+  }
+  template <class Number>
+  double number_of(std::size_t at) const {
+    std::byte bytes[sizeof(Number)];
+    std::memcpy(bytes, data_.data() + at, sizeof(Number));
+    if (swap_) std::reverse(bytes, bytes + sizeof(Number));
+    Number value;
+    std::memcpy(&value, bytes, sizeof(Number));
+    return static_cast<double>(value);
+  }
+  double number_at(std::size_t at, const PointField& field) const {
+    if (field.datatype == PointField::kFloat32) return number_of<float>(at + field.offset);
+    if (field.datatype == PointField::kFloat64) return number_of<double>(at + field.offset);
+    return number_of<std::uint32_t>(at + field.offset);
+  }
+  CloudPoint point_at(std::size_t at) const {
+    const double time = has_time() ? number_at(at, fields[time_]) : 0;
+    return {number_at(at, fields[xyz_[0]]), number_at(at, fields[xyz_[1]]), number_at(at, fields[xyz_[2]]), time};
+  }
 
   std::size_t point_step_ = 0, row_step_ = 0;
   bool swap_ = false;

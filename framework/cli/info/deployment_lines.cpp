@@ -73,7 +73,7 @@ nlohmann::ordered_json laser_sensor(const LogLaser& laser) {
 
 /// A slice of point clouds, all around in steps of half a degree.
 nlohmann::ordered_json sliced_sensor(const LogCloud& cloud) {
-  constexpr double kCentimetre = 1e-2, kLeastRangeM = 5, kMostRangeM = 100;
+  constexpr double kCentimetre = 1e-2, kLeastRangeM = 30, kMostRangeM = 100;
   constexpr int kBeams = 720;
   nlohmann::ordered_json sensor{{"topic", cloud.topic}, {"frame", cloud.frame}};
   sensor["angle_min_rad"] = rounded(-std::numbers::pi, kMicroradian);

@@ -107,7 +107,7 @@ class Ears {
 class Mouth {
  public:
   Mouth(Robot& robot, bool by_transforms, bool reliable, std::vector<Laser> lasers)
-      : by_transforms_(by_transforms), lasers_(std::move(lasers)) {
+      : by_transforms_(by_transforms), hears_itself_(by_transforms && reliable), lasers_(std::move(lasers)) {
     auto* const fixed = robot.writer("rt/tf_static", new tf2_msgs::msg::dds_::TFMessage_PubSubType, true, true);
     motion_ = by_transforms ? robot.writer("rt/tf", new tf2_msgs::msg::dds_::TFMessage_PubSubType, reliable)
                             : robot.writer("rt/odom", new nav_msgs::msg::dds_::Odometry_PubSubType, reliable);
@@ -122,7 +122,7 @@ class Mouth {
     fixed->write(&mounts);
   }
   void wait_for_listeners() {
-    wait_for_listener(motion_, "odometry", by_transforms_ ? 1 : 0);
+    wait_for_listener(motion_, "odometry", hears_itself_ ? 1 : 0);
     for (DataWriter* writer : scans_) wait_for_listener(writer, "scans", 0);
   }
   void say(const Record& record) {
@@ -154,6 +154,7 @@ class Mouth {
   }
 
   bool by_transforms_;
+  bool hears_itself_;  // its own ears ask for reliable transforms
   std::vector<Laser> lasers_;
   DataWriter* motion_ = nullptr;
   std::vector<DataWriter*> scans_;  // by laser

@@ -159,6 +159,19 @@ class ALook(Bench):
         self.assertAlmostEqual(written["sensor"]["T_base_laser"]["x_m"], 0.78)
         self.assertEqual(written["log_sources"][0]["options"]["scan_topic"], "/scan")
 
+    def test_a_look_at_a_robot_with_a_3d_lidar_writes_a_deployment_with_a_slice(self):
+        look = self.start("ros2", "--check", "--seconds", "8", "-o", "robot.jsonld")
+        time.sleep(2)
+        self.play(2, "tf", "best_effort", lasers=[LIDAR])
+        said, errors = look.communicate(timeout=PATIENCE_S)
+        self.assertEqual(look.returncode, 0, said + errors)
+        self.assertIn("point clouds /points, frame lidar", said)
+        sensor = json.loads((self.folder / "robot.jsonld").read_text())["sensor"]
+        self.assertEqual(sensor["topic"], "/points")
+        self.assertTrue(sensor["geometry_from_log"])
+        self.assertGreater(sensor["slice"]["z_min_m"], 0.1)  # above the floor, below the lamps
+        self.assertLess(sensor["slice"]["z_max_m"], 2.2)
+
     def test_where_nobody_is_this_is_said_and_the_service_manager_hears_all_the_same(self):
         with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
             manager.bind(str(self.folder / "notify"))
