@@ -21,8 +21,8 @@ struct NearObject {
 NearObject nearest_object(const SemanticMap& map, const Point& p, const char* type = nullptr) {
   NearObject nearest;
   for (const MapFeature& feature : map.features()) {
-    if (feature.object < 0) continue;
-    const MapObject& object = map.objects()[feature.object];
+    if (!feature.object.exists()) continue;
+    const MapObject& object = map.object(feature.object);
     if (type && object.type != type) continue;
     if (const double off_m = distance_m(feature.geometry, p); off_m < nearest.distance_m) nearest = {&object, off_m};
   }

@@ -21,8 +21,7 @@ MapDemand demand_of(const SemanticMap& map, const std::string& sensor) {
   for (const MapFeature& feature : map.features())
     if (feature.sensor == sensor) ++demand.features_by_type[feature.type];
   for (const MapPattern& pattern : map.patterns())
-    if (map.features()[pattern.features.front()].sensor == sensor)
-      ++demand.patterns_by_template[pattern.pattern_template];
+    if (map.feature(pattern.features.front()).sensor == sensor) ++demand.patterns_by_template[pattern.pattern_template];
   return demand;
 }
 

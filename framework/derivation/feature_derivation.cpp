@@ -113,11 +113,11 @@ std::size_t places_in_view(const std::vector<Point>& places, const RayCaster& so
   }));
 }
 
-/// Position in objects() of whose surface is next to a thing; -1: none is near.
-int object_at(const SemanticMap& map, const Geometry& thing) {
+/// Whose surface is next to a thing; none is near: none.
+MapObjectNumber object_at(const SemanticMap& map, const Geometry& thing) {
   const auto* round = std::get_if<Circle>(&thing);
   double nearest_m = kOnObject_m + (round ? round->radius_m : 0);
-  int object = -1;
+  MapObjectNumber object;
   for (const MapFeature& feature : map.features())
     if (const double off_m = distance_m(feature.geometry, anchor_of(thing)); off_m < nearest_m) {
       nearest_m = off_m;
@@ -140,8 +140,8 @@ class Additions {
   /// Whether it is one of those that were added, and the map had it not.
   bool is_new(const std::string& type, const Geometry& thing) const { return has(map_.features().size(), type, thing); }
 
-  void add(int object, const std::string& type, const Geometry& thing) {
-    const std::string stem = map_.objects()[object].id + "/" + short_name(type) + "-";
+  void add(MapObjectNumber object, const std::string& type, const Geometry& thing) {
+    const std::string stem = map_.object(object).id + "/" + short_name(type) + "-";
     int number = 1;
     while (!ids_.insert(stem + std::to_string(number)).second) ++number;
     added_.push_back(stem + std::to_string(number));
@@ -183,10 +183,10 @@ Derivation derived_features(const SemanticMap& map, const FeatureDetector& detec
   for (const Sighted& thing : seen.all()) {
     const Geometry geometry = thing.geometry();
     const auto views = static_cast<double>(thing.views.size());
-    const int object = object_at(map, geometry);
+    const MapObjectNumber object = object_at(map, geometry);
     if (additions.knows(thing.type, geometry))
       ++(additions.is_new(thing.type, geometry) ? derivation.twice : derivation.known);
-    else if (object < 0)
+    else if (!object.exists())
       ++derivation.on_nothing;
     else if (views < options.fewest_views ||
              views < options.least_share * double(places_in_view(places, solids, geometry, thing.farthest_m)))

@@ -22,7 +22,7 @@ Color color_of(const std::string& type, std::size_t others) {
 }
 
 const std::string& type_of(const SemanticMap& map, const MapFeature& feature) {
-  return feature.object >= 0 ? map.objects()[feature.object].type : feature.type;
+  return feature.object.exists() ? map.object(feature.object).type : feature.type;
 }
 
 /// The distance between grid lines: 1, 2 or 5 times a power of ten.

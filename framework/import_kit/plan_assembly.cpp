@@ -29,7 +29,7 @@ class PlanObjects {
   PlanObjects(const PlanStrokes& strokes, const std::vector<PlanElement>& elements)
       : strokes_(strokes),
         elements_(elements),
-        object_(elements.size(), -1),
+        object_(elements.size()),
         faces_(elements.size()),
         corners_(elements.size()),
         point_names_(strokes.nodes.size()) {}
@@ -62,20 +62,20 @@ class PlanObjects {
     }
   }
 
-  bool has(int element) const { return object_[static_cast<std::size_t>(element)] >= 0; }
+  bool has(int element) const { return object_[static_cast<std::size_t>(element)].exists(); }
 
   /// Takes features away. An object that has nothing else goes with them.
   /// @param repeated  ids of these features, each with the one that has the same.
   /// @return the elements that go, each with the one that has what it had.
   std::map<int, int> take_away(const std::map<std::string, std::string>& repeated) {
-    std::map<std::string, int> object_of;
+    std::map<std::string, MapObjectNumber> object_of;
     for (const MapFeature& feature : features_) object_of[feature.id] = feature.object;
     std::erase_if(features_, [&](const MapFeature& feature) { return repeated.contains(feature.id); });
-    std::set<int> objects_left;
+    std::set<MapObjectNumber> objects_left;
     for (const MapFeature& feature : features_) objects_left.insert(feature.object);
     std::map<int, int> gone;
     for (const auto& [second, first] : repeated)
-      if (const int object = object_of.at(second); !objects_left.contains(object))
+      if (const MapObjectNumber object = object_of.at(second); !objects_left.contains(object))
         gone[element_of(object)] = element_of(object_of.at(first));
     for (const auto& [element, other] : gone) remove_object(element);
     return gone;
@@ -94,15 +94,16 @@ class PlanObjects {
     return elements_[static_cast<std::size_t>(element)].id + part + std::to_string(number);
   }
 
-  int element_of(int object) const {
+  int element_of(MapObjectNumber object) const {
     return static_cast<int>(std::find(object_.begin(), object_.end(), object) - object_.begin());
   }
 
   void remove_object(int element) {
-    const int removed = std::exchange(object_[static_cast<std::size_t>(element)], -1);
-    objects_.erase(objects_.begin() + removed);
-    for (int& object : object_) object -= object > removed;
-    for (MapFeature& feature : features_) feature.object -= feature.object > removed;
+    const MapObjectNumber removed = std::exchange(object_[static_cast<std::size_t>(element)], {});
+    objects_.erase(objects_.begin() + removed.number());
+    const auto move_up = [&](MapObjectNumber& it) { it = MapObjectNumber(it.number() - (it > removed)); };
+    for (MapObjectNumber& object : object_) move_up(object);
+    for (MapFeature& feature : features_) move_up(feature.object);
   }
 
   const std::string& name(int node, const std::string& proposal) {
@@ -114,9 +115,9 @@ class PlanObjects {
   void add(int element, const std::string& id, const char* type, const Geometry& geometry,
            std::vector<std::string> points) {
     const PlanElement& from = elements_[static_cast<std::size_t>(element)];
-    int& object = object_[static_cast<std::size_t>(element)];
-    if (object < 0) {
-      object = static_cast<int>(objects_.size());
+    MapObjectNumber& object = object_[static_cast<std::size_t>(element)];
+    if (!object.exists()) {
+      object = MapObjectNumber(objects_.size());
       objects_.push_back({from.id, from.type});
     }
     features_.push_back({id, object, type, from.sensor, geometry, 0, 1, std::move(points)});
@@ -124,7 +125,7 @@ class PlanObjects {
 
   const PlanStrokes& strokes_;
   const std::vector<PlanElement>& elements_;
-  std::vector<int> object_;
+  std::vector<MapObjectNumber> object_;
   std::vector<int> faces_, corners_;
   std::vector<std::string> point_names_;  ///< a point is named after the first feature that it is part of
   std::vector<MapObject> objects_;
@@ -135,8 +136,8 @@ class PlanObjects {
 std::map<std::string, std::string> unseen_repeated(const SemanticMap& map) {
   std::map<std::string, std::string> repeated;
   for (const auto& [first, second] : duplicate_features(map))
-    if (const MapFeature& feature = map.features()[static_cast<std::size_t>(second)]; feature.sensor.empty())
-      repeated.emplace(feature.id, map.features()[static_cast<std::size_t>(first)].id);
+    if (const MapFeature& feature = map.feature(second); feature.sensor.empty())
+      repeated.emplace(feature.id, map.feature(first).id);
   return repeated;
 }
 

@@ -88,8 +88,8 @@ json overlay_of(const SemanticMap& map, const Learned& learned, const std::strin
     if (proposal.change == Change::gone)
       changes.push_back({{"target", proposal.id}, {"not_perceivable_by", sensor}, {"because", sentence_of(proposal)}});
     if (proposal.change == Change::moved && object)
-      for (const int feature : object->features)
-        shift(shifts, map.features()[feature], proposal.moved, object->id + " " + sentence_of(proposal));
+      for (const MapFeatureNumber feature : object->features)
+        shift(shifts, map.feature(feature), proposal.moved, object->id + " " + sentence_of(proposal));
   }
   for (const auto& [id, point] : shifts) {
     const Point place = point.place();

@@ -19,9 +19,11 @@ constexpr int kGapSteps = 4;
 class BelievedMap {
  public:
   BelievedMap(const MapView& map, const MapBelief& belief) : map_(map) {
-    for (std::size_t k = 0; k < belief.size(); ++k)
-      if (belief[k].observations > 0 && belief[k].moved.norm() > kBesideMapped_m / 2)
-        moved_.push_back(corrected(map.map().features()[k].geometry, belief[k]));
+    for (std::size_t k = 0; k < belief.size(); ++k) {
+      const FeatureBelief& known = belief[MapFeatureNumber(k)];
+      if (known.observations > 0 && known.moved.norm() > kBesideMapped_m / 2)
+        moved_.push_back(corrected(map.map().features()[k].geometry, known));
+    }
   }
   bool has_surface_at(const Point& p) const {
     if (map_.clearance_m(p) < kBesideMapped_m) return true;

@@ -65,12 +65,12 @@ struct LocalMap::State {
   std::vector<LocalFeature> features;
   std::deque<Keyframe> keyframes;
   std::vector<RelativePose> motions;  ///< motions[i].to is a keyframe, increasing
-  std::vector<int> associations;
+  std::vector<LocalFeatureId> associations;
   ScanMatch last_match;
   Pose2 T_local_base;
   std::optional<Pose2> T_odom_base;  ///< last usable reading
-  int next_feature_id = 0;
-  int next_keyframe_id = 0;
+  LocalFeatureId next_feature_id{0};
+  KeyframeId next_keyframe_id{0};
   int not_optimized = 0;
 
   Pose2 predict(const Pose2& T_odom_now) const;
@@ -78,7 +78,7 @@ struct LocalMap::State {
   void append_keyframe(Keyframe keyframe, bool superseding);
   RelativePose motion_to_newest(const Keyframe& from) const;
   void take_in(const std::vector<Feature>& detected);
-  void measure(int index, const Feature& in_base, int& id);
+  void measure(int index, const Feature& in_base, LocalFeatureId& id);
   void estimate_newly_seen();
   void forget_old(bool superseded);
   void optimize();
@@ -104,7 +104,8 @@ Pose2 LocalMap::State::improve(const Pose2& predicted, const std::vector<Point>&
 
 /// The newest keyframe's way is measured from the one that stays before it.
 void LocalMap::State::append_keyframe(Keyframe keyframe, bool superseding) {
-  keyframe.id = next_keyframe_id++;
+  keyframe.id = next_keyframe_id;
+  next_keyframe_id = next_keyframe_id.next();
   keyframe.T_odom_base = T_odom_base.value_or(Pose2());
   T_local_base = keyframe.T_local_base;
   keyframes.push_back(std::move(keyframe));
@@ -133,7 +134,7 @@ RelativePose LocalMap::State::motion_to_newest(const Keyframe& from) const {
 
 /// Algorithm 1, lines 3 to 21: each detection joins a local feature or begins one.
 void LocalMap::State::take_in(const std::vector<Feature>& detected) {
-  associations.assign(detected.size(), -1);
+  associations.assign(detected.size(), LocalFeatureId());
   std::vector<std::size_t> usable;
   std::vector<Feature> in_base, in_local;
   for (std::size_t i = 0; i < detected.size(); ++i) {
@@ -148,10 +149,11 @@ void LocalMap::State::take_in(const std::vector<Feature>& detected) {
   merge_pieces(features, associations, keyframes, options);
 }
 
-void LocalMap::State::measure(int index, const Feature& in_base, int& id) {
+void LocalMap::State::measure(int index, const Feature& in_base, LocalFeatureId& id) {
   if (index < 0) {
     index = static_cast<int>(features.size());
-    features.emplace_back().id = next_feature_id++;
+    features.emplace_back().id = next_feature_id;
+    next_feature_id = next_feature_id.next();
   }
   LocalFeature& local = features[static_cast<std::size_t>(index)];
   local.measurements.push_back({keyframes.back().id, in_base});
@@ -165,7 +167,7 @@ void LocalMap::State::estimate_newly_seen() {
 
 void LocalMap::State::forget_old(bool superseded) {
   forget(keyframes, features, superseded, options);
-  const int oldest = keyframes.front().id;
+  const KeyframeId oldest = keyframes.front().id;
   std::erase_if(motions, [&](const RelativePose& motion) { return motion.from < oldest; });
 }
 
@@ -209,7 +211,7 @@ void LocalMap::clear() {
   *state_ = std::move(fresh);
 }
 
-void LocalMap::keep_only(const std::vector<int>& ids) {
+void LocalMap::keep_only(const std::vector<LocalFeatureId>& ids) {
   std::erase_if(state_->features,
                 [&](const LocalFeature& local) { return std::find(ids.begin(), ids.end(), local.id) == ids.end(); });
 }
@@ -218,18 +220,18 @@ const std::vector<LocalFeature>& LocalMap::features() const { return state_->fea
 const std::deque<Keyframe>& LocalMap::keyframes() const { return state_->keyframes; }
 const Pose2& LocalMap::T_local_base() const { return state_->T_local_base; }
 Pose2 LocalMap::T_local_base_at(const Pose2& T_odom_base) const { return state_->predict(T_odom_base); }
-const std::vector<int>& LocalMap::last_associations() const { return state_->associations; }
+const std::vector<LocalFeatureId>& LocalMap::last_associations() const { return state_->associations; }
 const ScanMatch& LocalMap::last_match() const { return state_->last_match; }
 
-std::vector<int> LocalMap::evidence_cells(const std::vector<Point>& points) const {
+std::vector<EvidenceCell> LocalMap::evidence_cells(const std::vector<Point>& points) const {
   constexpr double kSide_m = 1;
   constexpr int kBits = 15, kMask = (1 << kBits) - 1;  // they come again after 33 km
   const auto step = [](double at_m) { return static_cast<int>(std::floor(at_m / kSide_m)) & kMask; };
-  std::vector<int> evidence_cells;
+  std::vector<EvidenceCell> evidence_cells;
   evidence_cells.reserve(points.size());
   for (const Point& point : points) {
     const Point placed = T_local_base() * point;
-    evidence_cells.push_back(step(placed.x()) << kBits | step(placed.y()));
+    evidence_cells.emplace_back(step(placed.x()) << kBits | step(placed.y()));
   }
   return evidence_cells;
 }

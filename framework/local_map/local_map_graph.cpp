@@ -68,7 +68,7 @@ class PointFactor : public ceres::SizedCostFunction<2, 3, 2> {
 
 RelativePose seen_as_motion(const Feature& corner) {
   const auto& seen = std::get<OrientedPoint>(corner.geometry);
-  return {0, 0, Pose2(seen.position, seen.heading_rad), corner.covariance};
+  return {{}, {}, Pose2(seen.position, seen.heading_rad), corner.covariance};
 }
 
 /// The factors of one measurement and the variables of one landmark, by shape. A corner is a pose seen from a pose.
@@ -193,7 +193,7 @@ class Graph {
   /// Poses, then landmarks, never reallocated. The solver orders variables by address: side by side, they are in the
   /// same order in every run, and the last digits are, too.
   std::vector<Variable> variables_;
-  std::map<int, double*> poses_;  ///< by keyframe
+  std::map<KeyframeId, double*> poses_;
   std::vector<double*> landmarks_;
   ceres::CauchyLoss loss_{options_.robust_scale};
   ceres::Problem problem_{borrow_loss()};

@@ -9,8 +9,8 @@ namespace opal {
 
 /// Motion between two neighbouring keyframes as odometry or scan matching measured it.
 struct RelativePose {
-  int from = 0;  ///< Keyframe::id
-  int to = 0;
+  KeyframeId from = {};
+  KeyframeId to = {};
   Pose2 T_from_to;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of (x, y, heading) in frame `from`
 };

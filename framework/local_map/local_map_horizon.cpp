@@ -7,7 +7,7 @@
 namespace opal {
 namespace {
 
-bool forget_measurements(LocalFeature& local, int oldest_kept, int superseded) {
+bool forget_measurements(LocalFeature& local, KeyframeId oldest_kept, KeyframeId superseded) {
   return std::erase_if(local.measurements,
                        [&](const Measurement& m) { return m.keyframe < oldest_kept || m.keyframe == superseded; }) > 0;
 }
@@ -28,14 +28,14 @@ bool newest_is_distinct(const std::deque<Keyframe>& keyframes, const LocalMapOpt
 
 void forget(std::deque<Keyframe>& keyframes, std::vector<LocalFeature>& features, bool superseded,
             const LocalMapOptions& options) {
-  int superseded_id = -1;
+  KeyframeId superseded_id;
   if (superseded && keyframes.size() > 1) {
     superseded_id = keyframes[keyframes.size() - 2].id;
     keyframes.erase(keyframes.end() - 2);
   }
   while (keyframes.size() > 1 && keyframes.back().driven_m - keyframes.front().driven_m > options.horizon_m)
     keyframes.pop_front();
-  const int oldest = keyframes.front().id;
+  const KeyframeId oldest = keyframes.front().id;
   for (LocalFeature& local : features)
     if (forget_measurements(local, oldest, superseded_id) && !local.measurements.empty())
       refresh(local, keyframes, options);

@@ -249,9 +249,9 @@ void absorb(LocalFeature& keeper, const LocalFeature& other) {
 
 }  // namespace
 
-const Keyframe& keyframe_of(const std::deque<Keyframe>& keyframes, int id) {
+const Keyframe& keyframe_of(const std::deque<Keyframe>& keyframes, KeyframeId id) {
   return *std::lower_bound(keyframes.begin(), keyframes.end(), id,
-                           [](const Keyframe& keyframe, int wanted) { return keyframe.id < wanted; });
+                           [](const Keyframe& keyframe, KeyframeId wanted) { return keyframe.id < wanted; });
 }
 
 Feature estimate(const std::vector<Measurement>& measurements, const std::deque<Keyframe>& keyframes,
@@ -267,8 +267,8 @@ void refresh(LocalFeature& local, const std::deque<Keyframe>& keyframes, const L
   local.last_keyframe = local.measurements.back().keyframe;
 }
 
-void merge_pieces(std::vector<LocalFeature>& features, std::vector<int>& renamed, const std::deque<Keyframe>& keyframes,
-                  const LocalMapOptions& options) {
+void merge_pieces(std::vector<LocalFeature>& features, std::vector<LocalFeatureId>& renamed,
+                  const std::deque<Keyframe>& keyframes, const LocalMapOptions& options) {
   for (std::size_t a = 0; a < features.size(); ++a) {
     for (std::size_t b = a + 1; b < features.size();) {
       if (!are_pieces_of_one(features[a], features[b], options)) {

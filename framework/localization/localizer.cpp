@@ -48,7 +48,7 @@ struct Localizer::State {
   void search_map(const Observation& observation, const Sample& sample);
   bool has_gathered_much() const;
   void grow();
-  std::vector<int> pattern_of_best() const;
+  std::vector<LocalFeatureId> pattern_of_best() const;
 
   NullEventSink nobody;
   LocalizerParts parts;
@@ -68,7 +68,7 @@ struct Localizer::State {
 
   bool started = false;
   double stamp_s = 0;
-  int keyframe = 0;
+  KeyframeId keyframe;              ///< the newest one
   Pose2 T_odom_base;                ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   std::optional<PoseHint> hint;     ///< for the next search
@@ -95,6 +95,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
     StageClock clock(s.times.local_map_s);
     const Pose2 T_local_before = s.local_map.T_local_base();
     s.local_map.add(sample, seen.features);  // local frame
+    s.keyframe = s.local_map.keyframes().back().id;
     if (s.local_map.last_match().converged)
       s.sensors.compare_step(distance_m(s.T_odom_base, sample.T_odom_base),
                              distance_m(T_local_before, s.local_map.T_local_base()));
@@ -115,7 +116,6 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
   s.started = true;
-  ++s.keyframe;
   return estimate;
 }
 
@@ -179,7 +179,7 @@ void Localizer::State::watch() {
   if (hypotheses.alive().empty()) return kidnapping.reset();
   const Live& best = hypotheses.alive().front();
   const bool suspected = kidnapping.suspected().has_value();
-  const bool established = status.believed() || best.kidnapped_after >= 0;
+  const bool established = status.believed() || best.kidnapped_after.exists();
   kidnapping.add({keyframe, tempering_weight(), local_map.last_match().inlier_share, best.scan_nat,
                   best.hypothesis.log_likelihood, established});
   retrospective.suspect(kidnapping.suspected());
@@ -188,7 +188,7 @@ void Localizer::State::watch() {
 
 /// Once the best hypothesis by which the robot was kidnapped stands for itself, what was before is over.
 void Localizer::State::settle() {
-  if (!status.localized() || hypotheses.alive().front().kidnapped_after < 0) return;
+  if (!status.localized() || !hypotheses.alive().front().kidnapped_after.exists()) return;
   retrospective.forget_until(hypotheses.alive().front().kidnapped_after);
   status.settle(hypotheses.settle(), parts.stages.kidnapping.prior_nat);
 }
@@ -235,8 +235,8 @@ void Localizer::State::grow() {
   hypotheses.grow(stable, local_map);
 }
 
-std::vector<int> Localizer::State::pattern_of_best() const {
-  std::vector<int> features;
+std::vector<LocalFeatureId> Localizer::State::pattern_of_best() const {
+  std::vector<LocalFeatureId> features;
   for (const Association& pair : hypotheses.tree().first_pairs(hypotheses.alive().front().leaf))
     features.push_back(pair.local_feature);
   return features;
@@ -284,7 +284,7 @@ const std::vector<Hypothesis>& Localizer::hypotheses() const {
   return state_->alive;
 }
 
-std::map<std::string, Score> Localizer::scores_of(int hypothesis) const {
+std::map<std::string, Score> Localizer::scores_of(HypothesisId hypothesis) const {
   std::map<std::string, Score> scores;
   for (const Live& live : state_->hypotheses.alive())
     if (live.hypothesis.id == hypothesis)

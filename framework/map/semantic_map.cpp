@@ -81,30 +81,31 @@ void name_ids(MapDraft& draft) {
   for (MapPlacement& placement : draft.origin.placements) compact(placement.id);
 }
 
-/// Sorts elements and their places alike. @return for each old position the new one.
+/// Sorts elements and their places alike. @return for each old number the new one.
 template <class Element, class Before>
-std::vector<int> sort_elements(std::vector<Element>& elements, std::vector<std::string>& places, Before before) {
+std::vector<Id<Element>> sort_elements(std::vector<Element>& elements, std::vector<std::string>& places,
+                                       Before before) {
   std::vector<int> order(elements.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return before(elements[a], elements[b]); });
   std::vector<Element> sorted;
   std::vector<std::string> sorted_places;
-  std::vector<int> new_position(elements.size());
+  std::vector<Id<Element>> new_number(elements.size());
   for (const int old_position : order) {
-    new_position[old_position] = static_cast<int>(sorted.size());
+    new_number[old_position] = Id<Element>(sorted.size());
     sorted.push_back(std::move(elements[old_position]));
     sorted_places.push_back(std::move(places[old_position]));
   }
   elements = std::move(sorted);
   places = std::move(sorted_places);
-  return new_position;
+  return new_number;
 }
 
 /// Feature numbers per object, from the features' side.
 void list_features(MapDraft& draft) {
   for (MapObject& object : draft.objects) object.features.clear();
   for (std::size_t i = 0; i < draft.features.size(); ++i)
-    draft.objects[draft.features[i].object].features.push_back(static_cast<int>(i));
+    draft.objects[draft.features[i].object.number()].features.emplace_back(i);
 }
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -154,16 +155,16 @@ void name_everything(MapDraft& draft) {
 
 void sort_by_id(MapDraft& draft) {
   const auto by_id = [](const auto& a, const auto& b) { return id_before(a.id, b.id); };
-  const std::vector<int> objects = sort_elements(draft.objects, draft.object_places, by_id);
-  const std::vector<int> features =
+  const std::vector<MapObjectNumber> objects = sort_elements(draft.objects, draft.object_places, by_id);
+  const std::vector<MapFeatureNumber> features =
       sort_elements(draft.features, draft.feature_places, [](const MapFeature& a, const MapFeature& b) {
         return a.id == b.id ? id_before(a.sensor, b.sensor) : id_before(a.id, b.id);
       });
   sort_elements(draft.patterns, draft.pattern_places, by_id);
   std::stable_sort(draft.origin.placements.begin(), draft.origin.placements.end(), by_id);
-  for (MapFeature& feature : draft.features) feature.object = objects[feature.object];
+  for (MapFeature& feature : draft.features) feature.object = objects[feature.object.number()];
   for (MapPattern& pattern : draft.patterns)
-    for (int& feature : pattern.features) feature = features[feature];
+    for (MapFeatureNumber& feature : pattern.features) feature = features[feature.number()];
   list_features(draft);
 }
 

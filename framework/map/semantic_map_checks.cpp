@@ -17,12 +17,10 @@ using vocabulary::default_feature_type;
 
 // ---------------------------------------------------------------- references
 
-bool in_range(int position, std::size_t size) { return position >= 0 && position < static_cast<int>(size); }
-
 void check_listed_features(const MapDraft& draft, std::size_t object) {
-  for (const int position : draft.objects[object].features)
-    if (!in_range(position, draft.features.size()) || draft.features[position].object != static_cast<int>(object))
-      draft.fail(draft.object_places[object], "lists feature number " + std::to_string(position) +
+  for (const MapFeatureNumber number : draft.objects[object].features)
+    if (!draft.has(number) || draft.feature(number).object != MapObjectNumber(object))
+      draft.fail(draft.object_places[object], "lists feature number " + to_string(number) +
                                                   ", which does not name this object; leave the list empty");
 }
 
@@ -127,8 +125,8 @@ void check_same_id(const MapDraft& draft, std::size_t i) {
   const MapFeature& b = draft.features[i];
   const std::string& place = draft.feature_places[i];
   if (a.object != b.object)
-    draft.fail(place, "feature '" + a.id + "' belongs to '" + draft.objects[a.object].id + "' and to '" +
-                          draft.objects[b.object].id + "', expected one object");
+    draft.fail(place, "feature '" + a.id + "' belongs to '" + draft.object(a.object).id + "' and to '" +
+                          draft.object(b.object).id + "', expected one object");
   if (a.sensor == b.sensor)
     draft.fail(place, "two features have the id '" + a.id + "' and the sensor '" + a.sensor +
                           "', expected an id of its own for each geometry");
@@ -188,12 +186,12 @@ void check_pattern(const MapDraft& draft, std::size_t i) {
   const MapPattern& pattern = draft.patterns[i];
   const std::string& place = draft.pattern_places[i];
   if (pattern.features.empty()) draft.fail(place, "pattern '" + pattern.id + "' has no features, expected its members");
-  const std::string& sensor = draft.features[pattern.features.front()].sensor;
-  for (const int member : pattern.features)
-    if (draft.features[member].sensor != sensor)
-      draft.fail(place, "members '" + draft.features[pattern.features.front()].id + "' and '" +
-                            draft.features[member].id + "' are perceivable by '" + sensor + "' and '" +
-                            draft.features[member].sensor + "', expected one sensor");
+  const std::string& sensor = draft.feature(pattern.features.front()).sensor;
+  for (const MapFeatureNumber member : pattern.features)
+    if (draft.feature(member).sensor != sensor)
+      draft.fail(place, "members '" + draft.feature(pattern.features.front()).id + "' and '" +
+                            draft.feature(member).id + "' are perceivable by '" + sensor + "' and '" +
+                            draft.feature(member).sensor + "', expected one sensor");
   for (const double dimension : pattern.dimensions)
     check_range(draft, place, "dimension", dimension, true, "a finite number");
 }
@@ -245,16 +243,16 @@ void check_pattern_cycles(const MapDraft& draft) {
 
 void check_references(const MapDraft& draft) {
   for (std::size_t i = 0; i < draft.features.size(); ++i) {
-    if (!in_range(draft.features[i].object, draft.objects.size()))
-      draft.fail(draft.feature_places[i], "object number " + std::to_string(draft.features[i].object) +
+    if (!draft.has(draft.features[i].object))
+      draft.fail(draft.feature_places[i], "object number " + to_string(draft.features[i].object) +
                                               ", expected one of " + std::to_string(draft.objects.size()) + " objects");
     check_point_names(draft, i);
   }
   for (std::size_t i = 0; i < draft.objects.size(); ++i) check_listed_features(draft, i);
   for (std::size_t i = 0; i < draft.patterns.size(); ++i)
-    for (const int member : draft.patterns[i].features)
-      if (!in_range(member, draft.features.size()))
-        draft.fail(draft.pattern_places[i], "feature number " + std::to_string(member) + ", expected one of " +
+    for (const MapFeatureNumber member : draft.patterns[i].features)
+      if (!draft.has(member))
+        draft.fail(draft.pattern_places[i], "feature number " + to_string(member) + ", expected one of " +
                                                 std::to_string(draft.features.size()) + " features");
 }
 

@@ -24,6 +24,11 @@ struct MapDraft {
   std::vector<std::string> feature_places = {};
   std::vector<std::string> pattern_places = {};
 
+  bool has(MapObjectNumber number) const { return number.exists() && number < MapObjectNumber(objects.size()); }
+  bool has(MapFeatureNumber number) const { return number.exists() && number < MapFeatureNumber(features.size()); }
+  const MapObject& object(MapObjectNumber number) const { return objects[number.number()]; }
+  const MapFeature& feature(MapFeatureNumber number) const { return features[number.number()]; }
+
   /// @throws MapError "SOURCE: PLACE: message".
   [[noreturn]] void fail(const std::string& place, const std::string& message) const;
 };

@@ -137,7 +137,7 @@ class Reader {
       node.fail(node.description() + " belongs to two objects, expected one");
     use_of(node).add(NodeRole::representation);
     MapFeature feature;
-    feature.object = static_cast<int>(draft_.objects.size()) - 1;
+    feature.object = MapObjectNumber(draft_.objects.size() - 1);
     feature.representation = node.id();
     if (const auto sensor = node.reference(iri::kPerceivableBy)) feature.sensor = sensor_name(*sensor, node);
     if (const auto type = node.reference(iri::kFeatureType)) feature.type = type->id;
@@ -168,7 +168,7 @@ class Reader {
     feature.id = node.id();
     read_qualities(node, feature);  // what the geometry says of itself goes before what its representation says
     read_geometry(node, feature);
-    features_of_geometry_[feature.id].push_back(static_cast<int>(draft_.features.size()));
+    features_of_geometry_[feature.id].emplace_back(draft_.features.size());
     draft_.features.push_back(std::move(feature));
     draft_.feature_places.push_back(node.place());
   }
@@ -246,8 +246,8 @@ class Reader {
     draft_.pattern_places.push_back(node.place());
   }
 
-  int feature_number(const GraphNode& pattern, const GraphReference& member,
-                     const std::optional<GraphReference>& sensor) const {
+  MapFeatureNumber feature_number(const GraphNode& pattern, const GraphReference& member,
+                                  const std::optional<GraphReference>& sensor) const {
     const auto found = features_of_geometry_.find(member.id);
     if (found == features_of_geometry_.end())
       pattern.fail_at(member.place, pattern.description() + " has the member '" + member.id +
@@ -255,8 +255,8 @@ class Reader {
     if (!sensor && found->second.size() > 1)
       pattern.fail_at(member.place, "several sensors perceive '" + member.id +
                                         "', expected a perceivable_by that tells which one the pattern is for");
-    for (const int number : found->second)
-      if (!sensor || draft_.features[number].sensor == sensor->id) return number;
+    for (const MapFeatureNumber number : found->second)
+      if (!sensor || draft_.feature(number).sensor == sensor->id) return number;
     pattern.fail_at(member.place, "sensor '" + sensor->id + "' does not perceive '" + member.id +
                                       "', expected the pattern's members to be perceivable by its sensor");
   }
@@ -288,7 +288,7 @@ class Reader {
   MapDraft draft_;
   NodeUses uses_;
   std::unordered_map<std::string, std::string> names_;  // of blank nodes
-  std::unordered_map<std::string, std::vector<int>> features_of_geometry_;
+  std::unordered_map<std::string, std::vector<MapFeatureNumber>> features_of_geometry_;
   bool has_map_node_ = false;
 };
 

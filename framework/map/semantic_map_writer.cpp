@@ -62,7 +62,8 @@ class Writer {
 
   Json written(const MapObject& object) {
     Json representations = Json::array();
-    for (const int feature : object.features) representations.push_back(representation(map_.features()[feature]));
+    for (const MapFeatureNumber feature : object.features)
+      representations.push_back(representation(map_.feature(feature)));
     Json type = short_term(object.type);
     if (object.features.empty() && !vocabulary::is_object_type(vocabulary::full_iri(object.type)))
       type = Json::array({type, "Element"});  // without representations nothing else says that it is an object
@@ -120,9 +121,9 @@ class Writer {
 
   Json written(const MapPattern& pattern) const {
     Json members = Json::array();
-    for (const int feature : pattern.features) members.push_back(map_.features()[feature].id);
+    for (const MapFeatureNumber feature : pattern.features) members.push_back(map_.feature(feature).id);
     Json node = {{"@id", pattern.id}, {"@type", "FeaturePattern"}, {"template", short_term(pattern.pattern_template)}};
-    const std::string& sensor = map_.features()[pattern.features.front()].sensor;
+    const std::string& sensor = map_.feature(pattern.features.front()).sensor;
     if (several_sensors_see_a_member(pattern)) node["perceivable_by"] = {{"@id", sensor}};
     node["features"] = std::move(members);
     if (!pattern.subpatterns.empty()) node["subpatterns"] = pattern.subpatterns;
@@ -133,9 +134,11 @@ class Writer {
   bool several_sensors_see_a_member(const MapPattern& pattern) const {
     const std::vector<MapFeature>& features = map_.features();
     const int last = static_cast<int>(features.size()) - 1;
-    for (const int i : pattern.features)  // features are in order of id
+    for (const MapFeatureNumber member : pattern.features) {  // features are in order of id
+      const int i = member.number();
       if ((i > 0 && features[i - 1].id == features[i].id) || (i < last && features[i + 1].id == features[i].id))
         return true;
+    }
     return false;
   }
 

@@ -6,8 +6,8 @@ namespace opal {
 
 std::optional<Segment> leaf_of(const SemanticMap& map, const MapObject& object) {
   std::optional<Segment> longest;
-  for (const int number : object.features) {
-    const MapFeature& feature = map.features()[number];
+  for (const MapFeatureNumber number : object.features) {
+    const MapFeature& feature = map.feature(number);
     const auto* piece = std::get_if<Segment>(&feature.geometry);
     if (!piece || !is_door_leaf(map, feature)) continue;
     if (!longest || piece->length_m() > longest->length_m()) longest = *piece;

@@ -55,7 +55,7 @@ class Vandal {
   }
 
   void move_walls() {
-    std::map<int, std::vector<std::size_t>> walls;  // by object
+    std::map<MapObjectNumber, std::vector<std::size_t>> walls;  // by object
     for (std::size_t k : segments()) walls[features_[k].object].push_back(k);
     for (const auto& [object, faces] : walls) {
       const bool chosen = uniform(0, 1) < damage_.wall_share;
@@ -120,7 +120,7 @@ class Vandal {
       const Point from = where.midpoint() + Point(off_x_m, off_y_m);
       MapFeature feature = map_.features()[pick()];
       feature.id = fmt::format("false-{}/face", n + 1);
-      feature.object = static_cast<int>(objects.size());
+      feature.object = MapObjectNumber(objects.size());
       feature.geometry = Segment{from, from + (uniform(0, 1) < 0.5 ? 1 : -1) * (like.end - like.begin)};
       feature.points.clear();
       feature.representation.clear();

@@ -137,11 +137,11 @@ class Join {
 
   void add(const SemanticMap& map, const MapPlacement& placement) {
     const std::string prefix = placement.id + "/";
-    const int first_object = static_cast<int>(objects_.size()), first_feature = static_cast<int>(features_.size());
+    const std::size_t first_object = objects_.size(), first_feature = features_.size();
     for (const MapObject& object : map.objects())
       objects_.push_back({prefix + object.id, object.type, {}, object.notes});
     for (MapFeature feature : map.features()) {
-      feature.object += first_object;
+      feature.object = MapObjectNumber(first_object + feature.object.number());
       put_before(prefix, feature.id);
       put_before(prefix, feature.representation);
       for (std::string& point : feature.points) put_before(prefix, point);
@@ -153,7 +153,7 @@ class Join {
     if (!placement.is_rigid()) return;
     for (MapPattern pattern : map.patterns()) {
       put_before(prefix, pattern.id);
-      for (int& feature : pattern.features) feature += first_feature;
+      for (MapFeatureNumber& feature : pattern.features) feature = MapFeatureNumber(first_feature + feature.number());
       for (std::string& part : pattern.subpatterns) put_before(prefix, part);
       patterns_.push_back(std::move(pattern));
     }

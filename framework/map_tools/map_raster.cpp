@@ -153,7 +153,7 @@ void write_pixels(const MapRaster& raster, std::ostream& out) {
 }  // namespace
 
 bool is_door_leaf(const SemanticMap& map, const MapFeature& feature) {
-  return feature.sensor.empty() && feature.object >= 0 && map.objects()[feature.object].type == "opal:Door";
+  return feature.sensor.empty() && feature.object.exists() && map.object(feature.object).type == "opal:Door";
 }
 
 MapRaster::Cell MapRaster::at(const Point& p) const {

@@ -87,8 +87,8 @@ class Disambiguate : public Node {
   DisambiguateOptions options_;
   std::vector<Point> visited_odom_;  ///< places that were expected to help
   std::optional<PathDrive> drive_;
-  std::set<int> compared_;  ///< hypotheses that were there when the place was chosen
-  int best_ = -1;           ///< of them
+  std::set<HypothesisId> compared_;  ///< hypotheses that were there when the place was chosen
+  HypothesisId best_;                ///< of them
   double failed_at_s_ = -1e9;
 };
 

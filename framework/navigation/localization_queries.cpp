@@ -30,7 +30,7 @@ std::vector<Geometry> LocalizerQueries::pattern() const {
   const Pose2 T_base_local = localizer_.local_map().T_local_base_at(T_odom_base_).inverse();
   const auto& features = localizer_.local_map().features();
   for (const Association& association : hypotheses.front().associations) {
-    if (association.map_feature < 0) continue;
+    if (!association.map_feature.exists()) continue;
     const auto local = std::find_if(features.begin(), features.end(),
                                     [&](const LocalFeature& f) { return f.id == association.local_feature; });
     if (local != features.end()) pattern.push_back(transformed(T_base_local, local->feature.geometry));

@@ -83,7 +83,7 @@ std::vector<double> expected_ranges(const MapView& map, const LaserModel& laser,
   for (int k = 0; k < beams; ++k) {
     const Point target = T_map_laser * Point(view_m * unit_vector(laser.angle_min_rad + field * (k + 0.5) / beams));
     const MapView::Crossing met = map.first_crossing(T_map_laser.position(), target, 0);
-    ranges.push_back(met.feature < 0 ? view_m : met.range_m);
+    ranges.push_back(met.feature.exists() ? met.range_m : view_m);
   }
   return ranges;
 }

@@ -18,18 +18,18 @@ std::string number_text(double value) { return fmt::format("{:.3f}", value); }
 /// A pattern of the layer, held against its template.
 class LayerPattern {
  public:
-  LayerPattern(const SemanticMap& map, const MapPattern& pattern, const PatternTemplate& pattern_template)
+  LayerPattern(const MapView& map, const MapPattern& pattern, const PatternTemplate& pattern_template)
       : map_(map), pattern_(pattern), template_(pattern_template), shape_(pattern_template.shape()) {}
 
   PatternInstance instance() {
     check_shapes();
-    for (const int number : pattern_.features)
-      members_.push_back({map_.features()[number].type, map_.features()[number].geometry});
+    for (const MapFeatureNumber number : pattern_.features)
+      members_.push_back({map_.feature(number).type, map_.feature(number).geometry});
     std::vector<int> order(members_.size());
     std::iota(order.begin(), order.end(), 0);
     PatternInstance found = in_order(order);
     check_dimensions(found);
-    for (int& member : found.members) member = pattern_.features[member];
+    for (int& member : found.members) member = position_of(pattern_.features[member]);
     return found;
   }
 
@@ -38,14 +38,20 @@ class LayerPattern {
     throw MapError(pattern_.place + ": pattern '" + pattern_.id + "' of " + pattern_.pattern_template + " " +
                    complaint);
   }
-  const std::string& id(int member) const { return map_.features()[pattern_.features[member]].id; }
+  const std::string& id(int member) const { return map_.feature(pattern_.features[member]).id; }
+
+  /// Among the perceivable features, which are in order.
+  int position_of(MapFeatureNumber number) const {
+    const auto all = map_.features();
+    return static_cast<int>(std::lower_bound(all.begin(), all.end(), number) - all.begin());
+  }
 
   void check_shapes() const {
     if (pattern_.features.size() != shape_.slots.size())
       fail("has " + std::to_string(pattern_.features.size()) + " features, expected " +
            std::to_string(shape_.slots.size()));
     for (std::size_t k = 0; k < shape_.slots.size(); ++k) {
-      const GeometryKind kind = kind_of(map_.features()[pattern_.features[k]].geometry);
+      const GeometryKind kind = kind_of(map_.feature(pattern_.features[k]).geometry);
       if (kind != shape_.slots[k])
         fail("has the member '" + id(static_cast<int>(k)) + "', which is " + kShapes[static_cast<std::size_t>(kind)] +
              ", expected " + kShapes[static_cast<std::size_t>(shape_.slots[k])]);
@@ -88,7 +94,7 @@ class LayerPattern {
              ", but its features give " + number_text(found.invariants[k].value));
   }
 
-  const SemanticMap& map_;
+  const MapView& map_;
   const MapPattern& pattern_;
   const PatternTemplate& template_;
   const PatternShape shape_;
@@ -106,7 +112,7 @@ std::vector<PatternInstance> layer_instances(const MapView& map, const std::stri
   std::vector<PatternInstance> instances;
   for (const MapPattern& pattern : map.map().patterns())
     if (pattern.pattern_template == name && is_for_sensor(map, pattern))
-      instances.push_back(LayerPattern(map.map(), pattern, pattern_template).instance());
+      instances.push_back(LayerPattern(map, pattern, pattern_template).instance());
   return instances;
 }
 

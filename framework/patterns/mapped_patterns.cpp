@@ -3,23 +3,14 @@
 #include "patterns/pattern_index.hpp"
 #include "patterns/pattern_layer.hpp"
 
-#include <unordered_map>
-
 namespace opal {
 namespace {
 
 MappedPatterns patterns_of_layer(const MapView& map, const std::vector<Named<PatternTemplate>>& templates) {
   MappedPatterns mapped;
-  std::unordered_map<int, int> position;
-  for (const int number : map.features()) {
-    position[number] = static_cast<int>(mapped.features.size());
+  for (const MapFeatureNumber number : map.features())
     mapped.features.push_back({{map.feature(number).type, map.feature(number).geometry}, {number}});
-  }
-  for (const auto& each : templates) {
-    mapped.by_template.push_back(layer_instances(map, each.name, *each.part));
-    for (PatternInstance& instance : mapped.by_template.back())
-      for (int& member : instance.members) member = position.at(member);
-  }
+  for (const auto& each : templates) mapped.by_template.push_back(layer_instances(map, each.name, *each.part));
   return mapped;
 }
 

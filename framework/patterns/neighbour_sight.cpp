@@ -51,12 +51,12 @@ Segment connecting_line(const Geometry& a, const Geometry& b) {
   return {towards(a, at_b), at_b};
 }
 
-bool see_each_other(const MapView& map, int a, int b) {
+bool see_each_other(const MapView& map, MapFeatureNumber a, MapFeatureNumber b) {
   const Geometry &first = map.feature(a).geometry, &second = map.feature(b).geometry;
   const Segment line = connecting_line(first, second);
   if (!is_open_towards(first, line.begin, line.end) || !is_open_towards(second, line.end, line.begin)) return false;
   if (line.length_m() < kGrazing_m) return true;
-  for (const int other : map.within(line.midpoint(), line.length_m() / 2 + kGrazing_m))
+  for (const MapFeatureNumber other : map.within(line.midpoint(), line.length_m() / 2 + kGrazing_m))
     if (other != a && other != b && blocks(map.feature(other).geometry, line)) return false;
   return true;
 }

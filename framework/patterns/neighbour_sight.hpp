@@ -9,6 +9,6 @@ Segment connecting_line(const Geometry& a, const Geometry& b);
 
 /// True if nothing that the sensor perceives stands between the two features (Hendrikx 2023, 4.4.1), and both are open
 /// to each other's side: the line leaves a corner into its opening, and a face on its visible side.
-bool see_each_other(const MapView& map, int a, int b);
+bool see_each_other(const MapView& map, MapFeatureNumber a, MapFeatureNumber b);
 
 }  // namespace opal

@@ -10,23 +10,24 @@
 namespace opal {
 namespace {
 
-/// Instances of one template; members are positions in SemanticMap::features().
+/// Instances of one template; members are positions in MapView::features().
 struct TemplatePatterns {
   std::string name;
   std::vector<PatternInstance> instances;
   std::set<GeometryKind> kinds;
 };
 
-/// All perceivable features, as templates take them. Members of instances are positions in MapView::features().
+/// All perceivable features, as templates take them.
 std::vector<Feature> perceivable_features(const MapView& map) {
   std::vector<Feature> features;
-  for (const int number : map.features()) features.push_back({map.feature(number).type, map.feature(number).geometry});
+  for (const MapFeatureNumber number : map.features())
+    features.push_back({map.feature(number).type, map.feature(number).geometry});
   return features;
 }
 
 bool are_neighbours(const MapView& map, const PatternInstance& instance, double size_m) {
   for (std::size_t k = 1; k < instance.members.size(); ++k) {
-    const int a = instance.members[k - 1], b = instance.members[k];
+    const MapFeatureNumber a = map.features()[instance.members[k - 1]], b = map.features()[instance.members[k]];
     if (connecting_line(map.feature(a).geometry, map.feature(b).geometry).length_m() > size_m) return false;
     if (!see_each_other(map, a, b)) return false;
   }
@@ -37,8 +38,6 @@ TemplatePatterns neighbouring(const MapView& map, std::span<const Feature> featu
                               double size_m) {
   const PatternShape shape = each.part->shape();
   TemplatePatterns found{each.name, find_patterns(*each.part, features), {shape.slots.begin(), shape.slots.end()}};
-  for (PatternInstance& instance : found.instances)
-    for (int& member : instance.members) member = map.features()[member];
   std::erase_if(found.instances, [&](const PatternInstance& i) { return !are_neighbours(map, i, size_m); });
   return found;
 }
@@ -80,9 +79,11 @@ std::vector<std::string> subpatterns_of(const PatternInstance& instance, const P
   return parts;
 }
 
-void add_patterns(const TemplatePatterns& found, PatternNames& names, Pairs& pairs, PatternLayer& layer) {
+void add_patterns(const MapView& map, const TemplatePatterns& found, PatternNames& names, Pairs& pairs,
+                  PatternLayer& layer) {
   for (const PatternInstance& instance : found.instances) {
-    MapPattern pattern{names.next(found.name), found.name, instance.members, subpatterns_of(instance, pairs)};
+    MapPattern pattern{names.next(found.name), found.name, {}, subpatterns_of(instance, pairs)};
+    for (const int member : instance.members) pattern.features.push_back(map.features()[member]);
     for (const Invariant& invariant : instance.invariants) pattern.dimensions.push_back(invariant.value);
     if (instance.members.size() == 2)
       pairs.try_emplace(std::minmax(instance.members[0], instance.members[1]), pattern.id);
@@ -107,7 +108,7 @@ void add_uniqueness(const MapView& map, const TemplatePatterns& found, PatternLa
     summary.most_alike = alike.back();
   }
   summary.members = static_cast<int>(members.size());
-  for (const int number : map.features())
+  for (const MapFeatureNumber number : map.features())
     summary.candidates += found.kinds.contains(kind_of(map.feature(number).geometry));
   layer.summaries.push_back(summary);
 }
@@ -127,7 +128,7 @@ PatternLayer find_pattern_layer(const MapView& map, const std::vector<Named<Patt
   PatternNames names(map.map());
   Pairs pairs;
   for (const TemplatePatterns& each : found) {
-    add_patterns(each, names, pairs, layer);
+    add_patterns(map, each, names, pairs, layer);
     add_uniqueness(map, each, layer);
   }
   return layer;

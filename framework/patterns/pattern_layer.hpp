@@ -42,7 +42,7 @@ OPAL_EXPORT PatternLayer find_pattern_layer(const MapView& map, const std::vecto
 OPAL_EXPORT PatternLayer read_pattern_layer(const MapView& map, const std::vector<Named<PatternTemplate>>& templates);
 
 /// The patterns of the map's layer that name this template, as its instances; members are positions in
-/// SemanticMap::features(). Members of a symmetric pattern may stand in either order.
+/// MapView::features(). Members of a symmetric pattern may stand in either order.
 /// @throws MapError naming file, place and pattern if its members form no instance, or not with these dimensions.
 OPAL_EXPORT std::vector<PatternInstance> layer_instances(const MapView& map, const std::string& name,
                                                          const PatternTemplate& pattern_template);

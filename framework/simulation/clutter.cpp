@@ -118,9 +118,9 @@ class Leaf {
 /// Pieces of one object that no sensor perceives.
 std::vector<Segment> unperceived(const SemanticMap& map, const MapObject& object) {
   std::vector<Segment> pieces;
-  for (int number : object.features)
-    if (const auto* piece = std::get_if<Segment>(&map.features()[number].geometry);
-        piece && map.features()[number].sensor.empty())
+  for (MapFeatureNumber number : object.features)
+    if (const auto* piece = std::get_if<Segment>(&map.feature(number).geometry);
+        piece && map.feature(number).sensor.empty())
       pieces.push_back(*piece);
   return pieces;
 }
@@ -129,7 +129,7 @@ std::vector<Segment> unperceived(const SemanticMap& map, const MapObject& object
 std::vector<Solid> shut_solids(const SemanticMap& map) {
   std::vector<Solid> solids;
   for (const MapFeature& feature : map.features())
-    if (!feature.sensor.empty() || map.objects()[feature.object].type == "opal:Door")
+    if (!feature.sensor.empty() || map.object(feature.object).type == "opal:Door")
       solids.push_back({feature.geometry, false});
   return solids;
 }
@@ -151,8 +151,8 @@ std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_sha
     const bool open = is_door && random.chance(doors_open_share);
     const Leaf leaf(outline, open && !(stays_shut && stays_shut(object)), walls, random);
     for (const Segment& piece : outline) solids.push_back({leaf.moved(piece), false});
-    for (int number : object.features) {
-      const MapFeature& feature = map.features()[number];
+    for (MapFeatureNumber number : object.features) {
+      const MapFeature& feature = map.feature(number);
       if (is_door && feature.sensor.empty()) continue;  // the leaf, done
       solids.push_back({feature.geometry, feature.sensor.empty() && is_glass(object.type)});
     }
@@ -166,8 +166,8 @@ std::vector<Solid> furniture_solids(const SemanticMap& furnished, const Semantic
   std::vector<Solid> solids;
   for (const MapObject& object : furnished.objects())
     if (!mapped.contains(object.id))
-      for (int number : object.features)
-        solids.push_back({furnished.features()[number].geometry, is_glass(object.type)});
+      for (MapFeatureNumber number : object.features)
+        solids.push_back({furnished.feature(number).geometry, is_glass(object.type)});
   return solids;
 }
 

@@ -13,7 +13,7 @@ class ObjectEvidence {
  public:
   explicit ObjectEvidence(const DeviationOptions& options) : options_(options) {}
 
-  void add(int number, const Geometry& geometry, const FeatureBelief& belief) {
+  void add(MapFeatureNumber number, const Geometry& geometry, const FeatureBelief& belief) {
     seen_ += belief.seen;
     through_ += belief.seen_through;
     if (const auto* face = std::get_if<Segment>(&geometry))
@@ -27,12 +27,12 @@ class ObjectEvidence {
     const double all = seen_ + through_;
     deviation.seen_through_share = all > 0 ? through_ / all : 0;
     const bool absent = all >= options_.least_observations && deviation.seen_through_share > options_.absent_share;
-    deviation.feature = main_ >= 0 ? main_ : any_;
+    deviation.feature = main_.exists() ? main_ : any_;
     deviation.observations = observations_;
-    if (main_ < 0 && !absent) return false;
-    if (main_ >= 0) locate(deviation);
+    if (!main_.exists() && !absent) return false;
+    if (main_.exists()) locate(deviation);
     const double least = std::max(options_.least_offset_m, options_.sigmas * deviation.sigma_m);
-    const bool moved = main_ >= 0 && std::abs(deviation.offset_m) > least;
+    const bool moved = main_.exists() && std::abs(deviation.offset_m) > least;
     deviation.verdict = absent  ? DeviationVerdict::probably_absent
                         : moved ? DeviationVerdict::moved
                                 : DeviationVerdict::as_mapped;
@@ -42,22 +42,22 @@ class ObjectEvidence {
  private:
   bool tells(const FeatureBelief& belief) const { return belief.observations >= options_.least_observations; }
 
-  void add_face(int number, const Segment& face, const FeatureBelief& belief) {
-    if (any_ < 0) any_ = number;
+  void add_face(MapFeatureNumber number, const Segment& face, const FeatureBelief& belief) {
+    if (!any_.exists()) any_ = number;
     if (!tells(belief) || belief.covered_m < options_.least_covered_m) return;
     const double weight = 1 / (belief.sigma_m * belief.sigma_m);
     const Point normal = face.normal();
     information_ += weight * normal * normal.transpose();
     pull_ += weight * normal * normal.dot(belief.moved);
     observations_ = std::max(observations_, belief.observations);
-    if (main_ >= 0 && belief.covered_m <= covered_m_) return;
+    if (main_.exists() && belief.covered_m <= covered_m_) return;
     main_ = number;
     covered_m_ = belief.covered_m;
     normal_ = normal;
   }
 
-  void add_column(int number, const FeatureBelief& belief) {
-    if (any_ < 0) any_ = number;
+  void add_column(MapFeatureNumber number, const FeatureBelief& belief) {
+    if (!any_.exists()) any_ = number;
     if (!tells(belief)) return;
     main_ = number;
     observations_ = belief.observations;
@@ -81,7 +81,8 @@ class ObjectEvidence {
   Eigen::Matrix2d information_ = Eigen::Matrix2d::Zero();
   Point pull_ = Point::Zero(), normal_ = Point::UnitX();
   double seen_ = 0, through_ = 0, covered_m_ = 0;
-  int main_ = -1, any_ = -1, observations_ = 0;
+  MapFeatureNumber main_, any_;
+  int observations_ = 0;
 };
 
 bool farther(const Deviation& a, const Deviation& b) {
@@ -108,7 +109,7 @@ std::vector<Deviation> deviations_of(const SemanticMap& map, const MapBelief& be
   std::vector<Deviation> found;
   for (const MapObject& object : map.objects()) {
     ObjectEvidence evidence(options);
-    for (int number : object.features) evidence.add(number, map.features()[number].geometry, belief[number]);
+    for (MapFeatureNumber number : object.features) evidence.add(number, map.feature(number).geometry, belief[number]);
     Deviation deviation;
     deviation.object = object.id;
     deviation.type = object.type;
@@ -124,7 +125,7 @@ nlohmann::ordered_json to_json(const SemanticMap& map, const std::vector<Deviati
     objects.push_back({{"object", d.object},
                        {"type", d.type},
                        {"verdict", name_of(d.verdict)},
-                       {"feature", map.features()[d.feature].id},
+                       {"feature", map.feature(d.feature).id},
                        {"offset_m", rounded(d.offset_m)},
                        {"sigma_m", rounded(d.sigma_m)},
                        {"moved_x_m", rounded(d.moved.x())},

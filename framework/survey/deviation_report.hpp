@@ -14,7 +14,7 @@ OPAL_EXPORT const char* name_of(DeviationVerdict verdict);
 /// Where a mapped object really is. Frame: `map`.
 struct Deviation {
   std::string object, type;
-  int feature = -1;  ///< its longest face that was recognized, or its circle; position in features()
+  MapFeatureNumber feature = {};  ///< its longest face that was recognized, or its circle
   /// From where the map says to where it is [m]: along that face's normal, positive towards the visible side; of a
   /// column, the distance.
   double offset_m = 0;

@@ -35,7 +35,7 @@ SurfaceOffset offset_from(const Surface& surface, const Point& p) {
 
 ExpectedFeatures::ExpectedFeatures(const MapView& map, const MapBelief& belief, const Point& eye, double view_m,
                                    double margin_m) {
-  for (int number : map.within(eye, view_m)) {
+  for (MapFeatureNumber number : map.within(eye, view_m)) {
     if (!is_surface(map.feature(number).geometry)) continue;
     const Surface surface = moved_by(map.surface(number), belief[number].moved);
     if (!surface.is_circle() && offset_from(surface, eye).offset_m < -margin_m) continue;  // seen from behind

@@ -11,7 +11,7 @@ namespace opal {
 
 /// A face or column that the map holds near the robot, where it is believed to be. Frame: `map`.
 struct ExpectedFeature {
-  int number = -1;     ///< position in SemanticMap::features()
+  MapFeatureNumber number = {};
   Surface surface;     ///< corrected by what is believed
   bool known = false;  ///< it has been recognized before, so its offset is known
 };

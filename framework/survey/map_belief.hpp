@@ -1,8 +1,9 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
+#include <opal/map/map_numbers.hpp>
 
-#include <vector>
+#include "survey/list_by_id.hpp"
 
 namespace opal {
 
@@ -23,8 +24,7 @@ struct FeatureBelief {
   }
 };
 
-/// By position in SemanticMap::features().
-using MapBelief = std::vector<FeatureBelief>;
+using MapBelief = ListById<MapFeatureNumber, FeatureBelief>;
 
 /// The feature where it is believed to be.
 inline Geometry corrected(const Geometry& mapped, const FeatureBelief& belief) {

@@ -39,8 +39,8 @@ struct TrackedPose {
 
 /// A mapped feature as one scan shows it.
 struct MapMeasurement {
-  int feature = -1;  ///< position in SemanticMap::features()
-  Geometry seen;     ///< base_link frame, of the mapped feature's kind
+  MapFeatureNumber feature = {};
+  Geometry seen;  ///< base_link frame, of the mapped feature's kind
   Eigen::Matrix2d covariance =
       Eigen::Matrix2d::Identity();  ///< segments: (offset, heading) [m, rad]; others: (x, y) [m]
 };

@@ -57,7 +57,7 @@ FittedFace fit_face(const std::vector<Point>& points, const Point& laser) {
   return face;
 }
 
-MapMeasurement to_measurement(int number, const FittedFace& face, double mapped_length_m) {
+MapMeasurement to_measurement(MapFeatureNumber number, const FittedFace& face, double mapped_length_m) {
   Eigen::Matrix2d covariance = face.covariance;
   const double drawn = kDrawnSigma_m / std::max(0.3, mapped_length_m);
   covariance(0, 0) += kFaceSigma_m * kFaceSigma_m;
@@ -78,7 +78,8 @@ MapMeasurement glimpse(const ExpectedFeature& feature, const std::vector<Point>&
 }
 
 /// The centre of a circle of known radius through points of its rim.
-std::optional<MapMeasurement> fit_column(int number, double radius_m, const std::vector<Point>& points, Point center) {
+std::optional<MapMeasurement> fit_column(MapFeatureNumber number, double radius_m, const std::vector<Point>& points,
+                                         Point center) {
   constexpr double kShareAcross = 0.8;  // of the diameter: otherwise it may be any corner
   constexpr int kSteps = 5;
   if (points.size() < kFewestPoints) return std::nullopt;

@@ -28,7 +28,7 @@ class Problem {
                                             keyframe.T_map_base.y() - origin_.y(), keyframe.T_map_base.heading_rad()}));
     problem_.AddParameterBlock(poses_.back()->data(), 3);
     if (poses_.size() < 2) return;
-    const RelativePose motion{0, 0, keyframe.T_before_now, doubt * keyframe.motion_covariance};
+    const RelativePose motion{{}, {}, keyframe.T_before_now, doubt * keyframe.motion_covariance};
     problem_.AddResidualBlock(new MotionFactor(motion), nullptr, poses_[poses_.size() - 2]->data(),
                               poses_.back()->data());
   }
@@ -39,7 +39,7 @@ class Problem {
   }
 
   /// From the newest pose.
-  void add_measurement(const MapMeasurement& measured, const std::vector<OffsetMemory>& memory, int epoch) {
+  void add_measurement(const MapMeasurement& measured, const OffsetMemories& memory, int epoch) {
     double* offset = offset_of(measured.feature, memory, epoch);
     if (const auto* face = std::get_if<Segment>(&map_.feature(measured.feature).geometry)) {
       const Segment local{face->begin - origin_, face->end - origin_};
@@ -74,7 +74,7 @@ class Problem {
       track.T_map_base.emplace_back(Point((*pose)[0] + origin_.x(), (*pose)[1] + origin_.y()), (*pose)[2]);
       track.usable = track.usable && track.T_map_base.back().position().allFinite() && std::isfinite((*pose)[2]);
     }
-    std::map<int, double> epochs;
+    std::map<MapFeatureNumber, double> epochs;
     for (const auto& [key, offset] : offsets_) {
       SolvedOffset& solved = track.offsets[key.first];
       const double n = ++epochs[key.first];
@@ -106,16 +106,18 @@ class Problem {
   }
 
  private:
-  bool is_face(int feature) const { return std::holds_alternative<Segment>(map_.feature(feature).geometry); }
-  int size_of(int feature) const { return is_face(feature) ? 1 : 2; }
+  bool is_face(MapFeatureNumber feature) const {
+    return std::holds_alternative<Segment>(map_.feature(feature).geometry);
+  }
+  int size_of(MapFeatureNumber feature) const { return is_face(feature) ? 1 : 2; }
 
-  Point moved_by(int feature, const std::array<double, 2>& offset) const {
+  Point moved_by(MapFeatureNumber feature, const std::array<double, 2>& offset) const {
     if (const auto* face = std::get_if<Segment>(&map_.feature(feature).geometry)) return offset[0] * face->normal();
     return {offset[0], offset[1]};
   }
 
   /// The variable of a feature's offset at the newest pose; new ones begin with what is known.
-  double* offset_of(int feature, const std::vector<OffsetMemory>& memory, int epoch) {
+  double* offset_of(MapFeatureNumber feature, const OffsetMemories& memory, int epoch) {
     auto& offset = offsets_[{feature, epoch}];
     if (offset) return offset->data();
     offset = std::make_unique<std::array<double, 2>>();
@@ -133,7 +135,8 @@ class Problem {
 
   /// Small or, at a price that hardly grows, large; and as remembered, if it is.
   template <int N>
-  void add_offset(int feature, std::array<double, 2>& offset, const Eigen::Matrix<double, N, 1>& mean, double sigma_m) {
+  void add_offset(MapFeatureNumber feature, std::array<double, 2>& offset, const Eigen::Matrix<double, N, 1>& mean,
+                  double sigma_m) {
     using Mean = Eigen::Matrix<double, N, 1>;
     const double scale = std::max(options_.offset_scale_m, map_.feature(feature).position_sigma_m);
     problem_.AddParameterBlock(offset.data(), N);
@@ -145,7 +148,7 @@ class Problem {
 
   /// Offsets change slowly over a batch: what all measurements of a face have in common (the laser's range, how
   /// straight it is) looks different from elsewhere, and must not be taken for where it stands.
-  void link_to_epoch_before(int feature, int epoch) {
+  void link_to_epoch_before(MapFeatureNumber feature, int epoch) {
     const auto now = offsets_.find({feature, epoch});
     if (now == offsets_.begin()) return;
     const auto before = std::prev(now);
@@ -170,7 +173,8 @@ class Problem {
   const PoseTrackerOptions& options_;
   Point origin_;
   std::vector<std::unique_ptr<Variable>> poses_;
-  std::map<std::pair<int, int>, std::unique_ptr<std::array<double, 2>>> offsets_;  ///< by feature and epoch
+  std::map<std::pair<MapFeatureNumber, int>, std::unique_ptr<std::array<double, 2>>>
+      offsets_;  ///< by feature and epoch
   ceres::CauchyLoss measured_loss_, offset_loss_{1};
   ceres::Problem problem_{borrow_losses()};
 };
@@ -178,7 +182,7 @@ class Problem {
 }  // namespace
 
 SolvedTrack TrackingGraph::solve(std::span<const TrackedKeyframe* const> poses, const PosePrior& oldest,
-                                 const std::vector<OffsetMemory>& memory) const {
+                                 const OffsetMemories& memory) const {
   if (poses.empty()) return {};
   Problem problem(map_, options_, poses.front()->T_map_base.position());
   for (const TrackedKeyframe* keyframe : poses) {

@@ -20,6 +20,8 @@ struct OffsetMemory {
   double sigma_m = 0;  ///< 0: nothing is remembered
 };
 
+using OffsetMemories = ListById<MapFeatureNumber, OffsetMemory>;
+
 struct SolvedOffset {
   Point moved = Point::Zero();
   double sigma_m = 0;
@@ -30,7 +32,7 @@ struct SolvedTrack {
   bool usable = false;
   std::vector<Pose2> T_map_base;
   std::vector<Eigen::Matrix3d> covariances;  ///< per pose, map frame; empty for a batch
-  std::map<int, SolvedOffset> offsets;       ///< by feature
+  std::map<MapFeatureNumber, SolvedOffset> offsets;
 };
 
 /// The factor graph of map-first tracking (Hendrikx 2023, 2.4): poses, linked by odometry and scan matching; measured
@@ -41,7 +43,7 @@ class TrackingGraph {
 
   /// A few poses, solved within a millisecond.
   SolvedTrack solve(std::span<const TrackedKeyframe* const> poses, const PosePrior& oldest,
-                    const std::vector<OffsetMemory>& memory) const;
+                    const OffsetMemories& memory) const;
   /// All poses of a track.
   SolvedTrack solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest) const;
 

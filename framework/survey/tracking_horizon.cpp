@@ -48,8 +48,8 @@ void TrackingHorizon::thin() {
   if (distance_m(before.T_map_base, middle.T_map_base) >= options_.pose_spacing_m ||
       angle_between_rad(before.T_map_base, middle.T_map_base) >= options_.pose_spacing_rad)
     return;
-  const RelativePose first{0, 1, middle.T_before_now, middle.motion_covariance};
-  const RelativePose second{1, 2, newest.T_before_now, newest.motion_covariance};
+  const RelativePose first{{}, {}, middle.T_before_now, middle.motion_covariance};
+  const RelativePose second{{}, {}, newest.T_before_now, newest.motion_covariance};
   newest.motion_covariance = chained(first, second);
   newest.T_before_now = first.T_from_to * second.T_from_to;
   keyframes_.erase(keyframes_.end() - 2);
@@ -68,7 +68,7 @@ bool TrackingHorizon::solve(MapBelief& belief) {
 }
 
 std::size_t TrackingHorizon::different_features(std::size_t from) const {
-  std::set<int> features;
+  std::set<MapFeatureNumber> features;
   for (std::size_t k = from; k < keyframes_.size(); ++k)
     for (const MapMeasurement& measured : keyframes_[k].measurements) features.insert(measured.feature);
   return features.size();

@@ -34,7 +34,7 @@ class TrackingHorizon {
   PosePrior prior_;
   std::deque<TrackedKeyframe> keyframes_;
   std::vector<Eigen::Matrix3d> covariances_;  ///< of the keyframes, as last solved
-  std::vector<OffsetMemory> memory_;
+  OffsetMemories memory_;
   Eigen::Matrix3d newest_covariance_ = Eigen::Matrix3d::Identity();
 };
 

@@ -85,22 +85,22 @@ class Assembly {
     return text.data();
   }
 
-  int add_object(bool is_column) {
+  MapObjectNumber add_object(bool is_column) {
     const std::string id = is_column ? numbered("column-%03d", ++columns_) : numbered("wall-%04d", ++walls_);
     objects_.push_back({id, is_column ? "opal:Column" : "opal:Wall"});
-    return static_cast<int>(objects_.size()) - 1;
+    return MapObjectNumber(objects_.size() - 1);
   }
 
   /// A cell's own spread is the least that a grid can be off.
   double sigma_m(double rms) const { return grid_.resolution_m() * std::max(rms, 1 / std::sqrt(12.0)); }
 
-  void add_feature(int object, const std::string& id, const char* type, const Geometry& geometry, double rms,
-                   std::vector<std::string> points = {}) {
+  void add_feature(MapObjectNumber object, const std::string& id, const char* type, const Geometry& geometry,
+                   double rms, std::vector<std::string> points = {}) {
     features_.push_back({id, object, type, kSensor, geometry, sigma_m(rms), 1, std::move(points)});
   }
 
   void add(const RoundColumn& column) {
-    const int object = add_object(true);
+    const MapObjectNumber object = add_object(true);
     const Circle circle{grid_.to_map(column.centre), column.radius * grid_.resolution_m()};
     add_feature(object, objects_.back().id + "/circle", "opal:Column", circle, column.rms);
   }
@@ -124,7 +124,7 @@ class Assembly {
   }
 
   void add(const Chain& chain) {
-    const int object = add_object(is_pillar(chain));
+    const MapObjectNumber object = add_object(is_pillar(chain));
     std::vector<std::string> corner_ids;
     for (const int number : chain.corners) {
       corner_ids.push_back(numbered("corner-%04d", ++corners_));
@@ -135,8 +135,8 @@ class Assembly {
     for (std::size_t k = 0; k < chain.faces.size(); ++k) add_face(object, chain, k, corner_ids);
   }
 
-  void add_face(int object, const Chain& chain, std::size_t k, const std::vector<std::string>& corner_ids) {
-    const std::string& owner = objects_[static_cast<std::size_t>(object)].id;
+  void add_face(MapObjectNumber object, const Chain& chain, std::size_t k, const std::vector<std::string>& corner_ids) {
+    const std::string& owner = objects_[object.number()].id;
     const std::string id = chain.faces.size() == 1 ? owner + "/face" : fmt::format("{}/face-{}", owner, k + 1);
     std::string begin = id + "/begin";
     std::string end = id + "/end";

@@ -51,11 +51,11 @@ class Assembly {
 
  private:
   const ElementCut& cut_of(int owner) const { return cuts_[order_[static_cast<std::size_t>(owner)]]; }
-  int object_of(const ElementCut& cut) const { return numbers_.at(cut.object->id); }
+  MapObjectNumber object_of(const ElementCut& cut) const { return numbers_.at(cut.object->id); }
 
   void add_object(const ElementCut& cut, const Duplicates& duplicates) {
     const Element& source = *cut.object;
-    const auto [entry, is_new] = numbers_.try_emplace(source.id, static_cast<int>(objects_.size()));
+    const auto [entry, is_new] = numbers_.try_emplace(source.id, objects_.size());
     if (is_new) {
       MapObject object{source.id, cut.treatment.type};
       object.notes.name = source.name;
@@ -67,11 +67,11 @@ class Assembly {
         object.notes.merged_ids = others->second;
       objects_.push_back(std::move(object));
     }
-    if (cut.width_m > 0) objects_[static_cast<std::size_t>(entry->second)].notes.width_m = cut.width_m;
+    if (cut.width_m > 0) objects_[entry->second.number()].notes.width_m = cut.width_m;
   }
 
-  std::string numbered(int object, const char* what) {
-    const std::string prefix = objects_[static_cast<std::size_t>(object)].id + "/" + what;
+  std::string numbered(MapObjectNumber object, const char* what) {
+    const std::string prefix = objects_[object.number()].id + "/" + what;
     return fmt::format("{}-{}", prefix, ++counts_[prefix]);
   }
 
@@ -80,7 +80,7 @@ class Assembly {
   }
 
   /// A point is named after the first thing that has it.
-  std::string point_name(int node, int object) {
+  std::string point_name(int node, MapObjectNumber object) {
     std::string& name = points_[node];
     if (name.empty()) name = numbered(object, "point");
     return name;
@@ -106,7 +106,7 @@ class Assembly {
         ++result_.specks;
         continue;
       }
-      const int object = object_of(cut_of(face.owner));
+      const MapObjectNumber object = object_of(cut_of(face.owner));
       ++result_.faces;
       result_.length_m += length_m;
       features_.push_back({numbered(object, "face"),
@@ -142,7 +142,7 @@ class Assembly {
     if (chain[next].is_round || b.length_m() < kShortestFace_m || turn_rad < kLeastTurn_rad || turn_rad > kFolded_rad)
       return;
     if (std::min(arm_m(chain, k, false), arm_m(chain, next, true)) < kShortestArm_m) return;
-    const int object = object_of(cut_of(chain[k].owner));
+    const MapObjectNumber object = object_of(cut_of(chain[k].owner));
     ++result_.corners;
     features_.push_back({numbered(object, "corner"),
                          object,
@@ -159,14 +159,14 @@ class Assembly {
     if (circle.visible_share <= 0 || 2 * std::numbers::pi * circle.circle.radius_m < kThinnestAround_m) return;
     is_visible[static_cast<std::size_t>(circle.owner)] = true;
     if (circle.visible_share < kLeastCircle) return result_.hidden_rounds.push_back(cut.element->id);
-    const int object = object_of(cut);
+    const MapObjectNumber object = object_of(cut);
     ++result_.circles;
     features_.push_back({numbered(object, "rim"), object, "opal:Column", sensor_, circle.circle});
   }
 
   /// Leaves, panes and glass stay in the map; no sensor is named that perceives them.
   void add_unseen(const ElementCut& cut) {
-    const int object = object_of(cut);
+    const MapObjectNumber object = object_of(cut);
     for (const Loop& loop : cut.unseen)
       for (const Segment& s : segments_of({loop}))
         if (s.length_m() >= kShortestFace_m)
@@ -177,7 +177,7 @@ class Assembly {
   const Plan& plan_;
   const std::vector<std::size_t>& order_;
   const std::string& sensor_;
-  std::map<std::string, int> numbers_;  // of objects, by id
+  std::map<std::string, MapObjectNumber> numbers_;  // by id
   std::map<std::string, int> counts_;
   std::map<int, std::string> points_;  // names of nodes
   std::vector<MapObject> objects_;

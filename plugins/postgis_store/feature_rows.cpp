@@ -54,7 +54,7 @@ std::vector<std::string> feature_rows(const SemanticMap& map) {
   rows.reserve(map.features().size());
   for (const MapFeature& feature : map.features()) {
     json row = std::visit(ShapeColumns{}, feature.geometry);
-    const MapObject& object = map.objects()[static_cast<std::size_t>(feature.object)];
+    const MapObject& object = map.object(feature.object);
     row["number"] = rows.size();
     row["id"] = feature.id;
     row["sensor"] = feature.sensor;

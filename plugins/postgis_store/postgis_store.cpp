@@ -253,7 +253,8 @@ std::vector<NearFeature> PostgisStore::features_near(const NearQuery& query) con
     const FoundVersion found = find_version(session, where(), query.building, query.version);
     for (const Row& row : session.ask(kNearCandidates, {found.map, query.sensor, number(query.center.x()),
                                                         number(query.center.y()), number(query.radius_m + kSlack_m)})) {
-      NearFeature feature{std::stoi(row.at(0)), row.at(1), row.at(2), row.at(3), geometry_of(row, 4), 0};
+      NearFeature feature{
+          MapFeatureNumber(std::stoi(row.at(0))), row.at(1), row.at(2), row.at(3), geometry_of(row, 4), 0};
       feature.distance_m = opal::distance_m(feature.geometry, query.center);
       if (feature.distance_m <= query.radius_m) near.push_back(std::move(feature));
     }

@@ -2,26 +2,45 @@
 
 #include "face_ends.hpp"
 
+#include <opal/local_map/local_map_ids.hpp>
 #include <opal/localization/scoring/scorer_memory.hpp>
+#include <opal/map/map_numbers.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
-/// Amounts by the number of a mapped thing, in order of number.
-class Amounts {
+/// Amounts by things of a kind, in the order of their numbers.
+template <class Thing>
+class AmountsBy {
  public:
   struct Entry {
-    int thing = -1;
+    Thing thing;
     double amount = 0;
   };
   /// 0 for a thing that was never added.
-  double of(int thing) const;
-  void add(int thing, double amount);
+  double of(Thing thing) const {
+    const auto at = std::lower_bound(entries_.begin(), entries_.end(), thing, comes_before);
+    return at != entries_.end() && at->thing == thing ? at->amount : 0;
+  }
+  void add(Thing thing, double amount) {
+    const auto at = std::lower_bound(entries_.begin(), entries_.end(), thing, comes_before);
+    if (at != entries_.end() && at->thing == thing)
+      at->amount += amount;
+    else
+      entries_.insert(at, {thing, amount});
+  }
   /// All amounts times `keep`; what has nearly vanished is forgotten.
-  void fade(double keep);
+  void fade(double keep) {
+    constexpr double kNothing = 0.01;
+    for (Entry& entry : entries_) entry.amount *= keep;
+    std::erase_if(entries_, [](const Entry& entry) { return entry.amount < kNothing; });
+  }
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
+  static bool comes_before(const Entry& entry, Thing thing) { return entry.thing < thing; }
+
   std::vector<Entry> entries_;
 };
 
@@ -29,12 +48,13 @@ class Amounts {
 /// scorer counts what is not in here yet. In beams of a hundred where nothing else is said, summed over whole pieces of
 /// evidence.
 struct Encounters final : opal::ScorerMemory {
-  Amounts cells_met;       ///< by evidence cell of the local map: beams that ended there, on a mapped surface
-  Amounts lines_met;       ///< by Surface::line: beams that ended there
-  Amounts ends_met;        ///< by FaceEnd::number: how often it was seen, each time by how near
-  Amounts lines_ended;     ///< by Surface::line: ends of its faces that were seen, each by what its sightings are worth
-  Amounts objects_met;     ///< by object: beams that ended there
-  Amounts objects_passed;  ///< by object: beams that passed through it
+  AmountsBy<opal::EvidenceCell> cells_met;    ///< beams that ended there, on a mapped surface
+  AmountsBy<opal::WallLineNumber> lines_met;  ///< beams that ended there
+  AmountsBy<FaceEndNumber> ends_met;          ///< how often it was seen, each time by how near
+  AmountsBy<opal::WallLineNumber>
+      lines_ended;  ///< ends of its faces that were seen, each by what its sightings are worth
+  AmountsBy<opal::MapObjectNumber> objects_met;     ///< beams that ended there
+  AmountsBy<opal::MapObjectNumber> objects_passed;  ///< beams that passed through it
 
   std::shared_ptr<const FaceEnds> face_ends;  ///< of the map; null in what one scan adds
 

@@ -17,7 +17,7 @@ struct Passage {
   int beams = 0;
   double depth_m = 0;  ///< how far the deepest of them reaches beyond the surface
   std::string beam;    ///< its name
-  int map_feature = -1;
+  opal::MapFeatureNumber map_feature;
   std::vector<Point> line;
 };
 
@@ -28,7 +28,7 @@ class Passages {
   void add(const std::string& beam, const Point& eye, const Point& end, double margin_m) {
     ++judged_;
     const auto wall = map_.first_crossing(eye, end, margin_m);
-    if (wall.feature < 0) return;
+    if (!wall.feature.exists()) return;
     const double range_m = (end - eye).norm();
     Passage& passage = by_object_[map_.feature(wall.feature).object];
     ++passage.beams;
@@ -43,7 +43,7 @@ class Passages {
   std::vector<opal::Finding> findings() const {
     std::vector<const Passage*> order;
     for (const auto& [object, passage] : by_object_)
-      if (passage.map_feature >= 0) order.push_back(&passage);
+      if (passage.map_feature.exists()) order.push_back(&passage);
     std::stable_sort(order.begin(), order.end(),
                      [](const Passage* a, const Passage* b) { return a->beams > b->beams; });
     if (order.size() > kMostFindings) order.resize(kMostFindings);
@@ -64,7 +64,7 @@ class Passages {
 
   const opal::MapView& map_;
   int judged_ = 0;
-  std::map<int, Passage> by_object_;
+  std::map<opal::MapObjectNumber, Passage> by_object_;
 };
 
 std::string beam_without_return(double bearing_rad) {

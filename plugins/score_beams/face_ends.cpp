@@ -23,11 +23,11 @@ int cell_at(double offset_m, double cell_m, int cells) {
 }
 
 /// Whether another face that looks to the same side carries on where this one ends.
-bool goes_on(const opal::MapView& map, int number, const Point& end, const Point& outwards) {
+bool goes_on(const opal::MapView& map, opal::MapFeatureNumber number, const Point& end, const Point& outwards) {
   constexpr double kBeyond_m = 0.3, kBeside_m = 0.15, kRounding_m = 0.01, kLeastCosine = 0.97;
   const Point beyond = end + kBeyond_m * outwards;
-  const std::vector<int> near = map.within(beyond, kBeside_m + kRounding_m);
-  return std::any_of(near.begin(), near.end(), [&](int number_there) {
+  const std::vector<opal::MapFeatureNumber> near = map.within(beyond, kBeside_m + kRounding_m);
+  return std::any_of(near.begin(), near.end(), [&](opal::MapFeatureNumber number_there) {
     const opal::Surface& other = map.surface(number_there);
     return number_there != number && other.direction.dot(map.surface(number).direction) > kLeastCosine &&
            other.distance_m(beyond) <= kBeside_m;
@@ -38,7 +38,7 @@ bool goes_on(const opal::MapView& map, int number, const Point& end, const Point
 
 FaceEnds FaceEnds::of(const opal::MapView& map) {
   std::vector<End> found;
-  for (int number : map.features()) {
+  for (opal::MapFeatureNumber number : map.features()) {
     const opal::Surface& face = map.surface(number);
     if (face.is_circle()) continue;
     const Point end = face.origin + face.size_m * face.direction;

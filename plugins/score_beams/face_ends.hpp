@@ -18,13 +18,15 @@ struct EndGate {
 };
 
 /// An end of a mapped face.
+struct FaceEnd;
+using FaceEndNumber = opal::Id<FaceEnd>;
 struct FaceEnd {
-  int face = -1;  ///< feature number; -1: there is none
+  opal::MapFeatureNumber face = {};  ///< none: there is no such end
   Tip tip = Tip::begin;
   double gates = 1;  ///< how far off, in the gate's semi-axes, 0 to 1
 
   /// No two ends of a map have the same.
-  int number() const { return 2 * face + (tip == Tip::end ? 1 : 0); }
+  FaceEndNumber number() const { return FaceEndNumber(2 * face.number() + (tip == Tip::end ? 1 : 0)); }
 };
 
 /// Ends of mapped faces by place, in square cells: a lookup costs the same however large the map is. Only where a wall
@@ -34,7 +36,7 @@ class FaceEnds {
   struct End {
     Point position;
     Point direction;  ///< of its face, unit
-    int face = -1;    ///< feature number
+    opal::MapFeatureNumber face = {};
     Tip tip = Tip::begin;
   };
 

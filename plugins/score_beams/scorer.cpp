@@ -13,12 +13,12 @@ double worth(double amount, double enough) { return amount / (1 + amount / enoug
 }  // namespace
 
 struct BeamScorer::Tally {
-  SumsByThing matched;      ///< beams that end on a mapped surface, by evidence cell of the local map
-  SumsByThing lines;        ///< the same by the surface's line, with those beyond an absent object
-  SumsByThing ends;         ///< ends of faces that were seen where the map has one, by FaceEnd::number
-  SumsByThing ended_lines;  ///< what these sightings are worth, by the mapped face's line
-  SumsByThing ended;        ///< beams that end on a mapped surface, by its object
-  SumsByThing passed;       ///< beams by the object that they pass through
+  SumsBy<opal::EvidenceCell> matched;        ///< beams that end on a mapped surface
+  SumsBy<opal::WallLineNumber> lines;        ///< the same, with those beyond an absent object
+  SumsBy<FaceEndNumber> ends;                ///< ends of faces that were seen where the map has one
+  SumsBy<opal::WallLineNumber> ended_lines;  ///< what these sightings are worth, by the mapped face's line
+  SumsBy<opal::MapObjectNumber> ended;       ///< beams that end on a mapped surface of it
+  SumsBy<opal::MapObjectNumber> passed;      ///< beams that pass through it
   int beams = 0;
   double hits = 0, hits_behind = 0, other_side = 0, early = 0, throughs = 0, free_throughs = 0;
 };
@@ -53,16 +53,16 @@ double BeamScorer::likelihood_field(double distance_m, double range_m) const {
   return std::exp(-0.5 * z * z);
 }
 
-void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end, int evidence_cell,
-                              Tally& tally) const {
+void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end,
+                              opal::EvidenceCell evidence_cell, Tally& tally) const {
   constexpr double kLeast = 0.05, kStepBack_m = 0.02, kCrossed_m = 0.1;
   const double range = (end - eye).norm();
-  const int nearest = map.nearest_facing(end, end - eye);
-  const double hit = nearest < 0 ? 0 : likelihood_field(map.surface(nearest).distance_m(end), range);
+  const opal::MapFeatureNumber nearest = map.nearest_facing(end, end - eye);
+  const double hit = nearest.exists() ? likelihood_field(map.surface(nearest).distance_m(end), range) : 0;
   ++tally.beams;
   if (hit > kLeast) tally.lines.add(map.surface(nearest).line, hit);
   const auto wall = map.first_crossing(eye, end, margin_at(range));
-  if (wall.feature >= 0) {
+  if (wall.feature.exists()) {
     constexpr double kExcused = 0.7;  // what lies behind a surface that is not there may well be mapped, too
     tally.throughs += 1;
     tally.hits_behind += hit;
@@ -77,7 +77,7 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
   if (hit > 1 - kLeast) return;
   const Point direction = (end - eye) / range;
   const auto next = map.first_crossing(end - kStepBack_m * direction, end + ahead_m_ * direction, kCrossed_m);
-  if (next.feature < 0) return;
+  if (!next.feature.exists()) return;
   if (!next.from_behind)
     tally.early += 1 - hit;
   else if (next.range_m < other_side_m_) {
@@ -98,7 +98,7 @@ void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_b
     if (!seen.true_end[at_begin ? 0 : 1]) continue;
     const FaceEnd met = before.face_ends->nearest(T_map_base * (at_begin ? face->begin : face->end),
                                                   T_map_base.rotate(face->direction()), tip, end_gate_);
-    if (met.face < 0) continue;
+    if (!met.face.exists()) continue;
     const double known = before.ends_met.of(met.number()) + tally.ends.of(met.number()),
                  fresh = std::exp(-2 * met.gates * met.gates);
     tally.ends.add(met.number(), fresh);
@@ -112,12 +112,14 @@ void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double b
   const double range = std::min(range_max_m, free_range_m_);
   const Point end = eye + range * opal::unit_vector(bearing_rad);
   ++tally.beams;
-  if (map.first_crossing(eye, end, margin_at(range)).feature >= 0) tally.free_throughs += 1;
+  if (map.first_crossing(eye, end, margin_at(range)).feature.exists()) tally.free_throughs += 1;
 }
 
-double BeamScorer::news(const SumsByThing& beams, double each, double enough, const Amounts& before, Amounts& now) {
+template <class Thing>
+double BeamScorer::news(const SumsBy<Thing>& beams, double each, double enough, const AmountsBy<Thing>& before,
+                        AmountsBy<Thing>& now) {
   double total = 0;
-  beams.each([&](int thing, double count) {
+  beams.each([&](Thing thing, double count) {
     const double known = before.of(thing), fresh = each * count;
     total += worth(known + fresh, enough) - worth(known, enough);
     now.add(thing, fresh);
@@ -129,9 +131,11 @@ double BeamScorer::news(const SumsByThing& beams, double each, double enough, co
 /// is passed through wherever it is looked at, one that is there nowhere; if it is both, the pose is wrong.
 double BeamScorer::conflict(const Tally& tally, double each, const Encounters& before) const {
   double beams = 0;
-  const auto add = [&](const SumsByThing& these, const Amounts& these_before, const SumsByThing& others,
-                       const Amounts& others_before) {
-    these.each([&](int object, double count) {
+  using Beams = SumsBy<opal::MapObjectNumber>;
+  using Before = AmountsBy<opal::MapObjectNumber>;
+  const auto add = [&](const Beams& these, const Before& these_before, const Beams& others,
+                       const Before& others_before) {
+    these.each([&](opal::MapObjectNumber object, double count) {
       const double against = others_before.of(object) + each * others.of(object);
       beams += count * against / (against + these_before.of(object) + each * count);
     });
@@ -147,9 +151,9 @@ BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const 
   Tally tally;
   for (const opal::ObservedScan& scan : observation.scans) {
     const Point eye = T_map_base * scan.laser_position;
-    std::vector<int> as_now;
+    std::vector<opal::EvidenceCell> as_now;
     if (scan.evidence_cells.empty()) as_now = observation.local_map.evidence_cells(scan.points);
-    const std::vector<int>& evidence_cells = scan.evidence_cells.empty() ? as_now : scan.evidence_cells;
+    const std::vector<opal::EvidenceCell>& evidence_cells = scan.evidence_cells.empty() ? as_now : scan.evidence_cells;
     for (std::size_t k = 0; k < scan.points.size(); ++k)
       judge_return(map, eye, T_map_base * scan.points[k], evidence_cells[k], tally);
     for (double bearing : scan.free_bearings_rad)
@@ -188,8 +192,8 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const double ends = news(tally.ended_lines, 1, enough_ends_, before.lines_ended, now.lines_ended);
   const double passed = news(tally.passed, each, enough_, before.objects_passed, now.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;
-  tally.ended.each([&](int object, double count) { now.objects_met.add(object, each * count); });
-  tally.ends.each([&](int end, double sightings) { now.ends_met.add(end, sightings); });
+  tally.ended.each([&](opal::MapObjectNumber object, double count) { now.objects_met.add(object, each * count); });
+  tally.ends.each([&](FaceEndNumber end, double sightings) { now.ends_met.add(end, sightings); });
   const double nat = match_ * matched + line_ * lines + end_ * ends - absent_ * passed -
                      conflict_ * conflict(tally, each, before) +
                      (hit_ * met - early_ * tally.early - through_ * (tally.throughs - tally.hits_behind) -

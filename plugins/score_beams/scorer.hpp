@@ -52,9 +52,11 @@ class BeamScorer final : public opal::HypothesisScorer {
   Tally compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map,
                 const Encounters& before) const;
   /// Sum of what the amounts are worth beyond what was met `before`; adds them to `now`.
-  static double news(const SumsByThing& beams, double each, double enough, const Amounts& before, Amounts& now);
-  void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end, int evidence_cell,
-                    Tally& tally) const;
+  template <class Thing>
+  static double news(const SumsBy<Thing>& beams, double each, double enough, const AmountsBy<Thing>& before,
+                     AmountsBy<Thing>& now);
+  void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end,
+                    opal::EvidenceCell evidence_cell, Tally& tally) const;
   void judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
                   const Encounters& before, Tally& tally) const;
   void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,

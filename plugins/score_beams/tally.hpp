@@ -3,14 +3,15 @@
 #include <array>
 #include <cstddef>
 
-/// Sums by the number of a thing, for the few dozen things that one scan meets. Things beyond what there is room for
-/// share the last sum.
-class SumsByThing {
+/// Sums for the few dozen things of a kind that one scan meets. Things beyond what there is room for share the last
+/// sum.
+template <class Thing>
+class SumsBy {
  public:
-  void add(int thing, double amount) { at(thing) += amount; }
+  void add(Thing thing, double amount) { at(thing) += amount; }
 
   /// 0 for a thing that nothing was added to.
-  double of(int thing) const {
+  double of(Thing thing) const {
     for (std::size_t k = 0; k < size_; ++k)
       if (sums_[k].thing == thing) return sums_[k].amount;
     return 0;
@@ -23,11 +24,11 @@ class SumsByThing {
 
  private:
   struct Sum {
-    int thing = -1;
+    Thing thing;
     double amount = 0;
   };
 
-  double& at(int thing) {
+  double& at(Thing thing) {
     if (last_ < size_ && sums_[last_].thing == thing) return sums_[last_].amount;  // neighbouring beams meet one thing
     for (last_ = 0; last_ < size_; ++last_)
       if (sums_[last_].thing == thing) return sums_[last_].amount;

@@ -18,7 +18,7 @@ opal::Finding unexplained(const opal::Feature& placed) {
   const std::string length = segment ? fmt::format(" of {:.1f} m", segment->length_m()) : "";
   std::vector<opal::Point> line;
   if (segment) line = {segment->begin, segment->end};
-  return {fmt::format("a seen {}{} matches nothing on the map", placed.type, length), -1, line};
+  return {fmt::format("a seen {}{} matches nothing on the map", placed.type, length), {}, line};
 }
 
 }  // namespace

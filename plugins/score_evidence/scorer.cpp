@@ -23,8 +23,8 @@ EvidenceScorer::EvidenceScorer(const nlohmann::json& options)
 EvidenceScorer::Match EvidenceScorer::match_face(const Segment& observed, const Point& eye,
                                                  const opal::MapView& map) const {
   const Point middle = observed.midpoint();
-  const int number = map.nearest_facing(middle, middle - eye);
-  const auto* face = number < 0 ? nullptr : std::get_if<Segment>(&map.feature(number).geometry);
+  const opal::MapFeatureNumber number = map.nearest_facing(middle, middle - eye);
+  const auto* face = number.exists() ? std::get_if<Segment>(&map.feature(number).geometry) : nullptr;
   if (!face) return {};
   const double length = std::max(observed.length_m(), 1e-3);
   const double angle = opal::wrap_angle(observed.heading_rad() - face->heading_rad());
@@ -44,7 +44,7 @@ EvidenceScorer::Match EvidenceScorer::match_point(const opal::Feature& observed,
   const Point place = anchor_of(observed.geometry);
   const double gate_m = std::sqrt(gate_chi2_) * sigma_m_;
   Match best;
-  for (int number : map.within(place, gate_m + 1.0)) {
+  for (opal::MapFeatureNumber number : map.within(place, gate_m + 1.0)) {
     const opal::MapFeature& mapped = map.feature(number);
     if (mapped.type != observed.type || kind_of(mapped.geometry) != kind_of(observed.geometry)) continue;
     const double distance = (anchor_of(mapped.geometry) - place).norm();

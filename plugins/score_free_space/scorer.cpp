@@ -79,10 +79,10 @@ const std::vector<FreeSpaceScorer::ScanRoom>& FreeSpaceScorer::rooms_of(const op
 }
 
 FreeSpaceScorer::Overlap FreeSpaceScorer::overlap_of(const FreeRoom& room, const Pose2& T_base_map, const Point& eye,
-                                                     int number, const opal::MapView& map) const {
+                                                     opal::MapFeatureNumber number, const opal::MapView& map) const {
   const opal::MapFeature& feature = map.feature(number);
   Overlap overlap{number, 0, {}};
-  if (no_evidence_.contains(map.map().objects()[feature.object].type)) return overlap;
+  if (no_evidence_.contains(map.map().object(feature.object).type)) return overlap;
   Segment body;
   if (const auto* face = std::get_if<Segment>(&feature.geometry)) {
     body = transformed(T_base_map, *face);
@@ -104,10 +104,10 @@ FreeSpaceScorer::Overlap FreeSpaceScorer::overlap_of(const FreeRoom& room, const
 std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_map_base, const ScanRoom& seen,
                                                                 const opal::MapView& map) const {
   const Pose2 T_base_map = T_map_base.inverse();
-  std::vector<int> near = map.within(T_map_base * seen.laser_position, outline_.reach_m);
+  std::vector<opal::MapFeatureNumber> near = map.within(T_map_base * seen.laser_position, outline_.reach_m);
   std::sort(near.begin(), near.end());  // sums do not depend on the order of an index
   std::vector<Overlap> found;
-  for (const int number : near) {
+  for (const opal::MapFeatureNumber number : near) {
     const Overlap overlap = overlap_of(seen.room, T_base_map, seen.laser_position, number, map);
     if (overlap.length_m > 0) found.push_back(overlap);
   }

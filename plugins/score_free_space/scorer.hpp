@@ -27,7 +27,7 @@ class FreeSpaceScorer final : public opal::HypothesisScorer {
 
  private:
   struct Overlap {
-    int map_feature = -1;
+    opal::MapFeatureNumber map_feature = {};
     double length_m = 0;
     opal::Segment longest;  ///< its longest part, base_link frame
   };
@@ -39,8 +39,8 @@ class FreeSpaceScorer final : public opal::HypothesisScorer {
   std::vector<Overlap> overlaps(const opal::Pose2& T_map_base, const opal::Observation& observation,
                                 const opal::MapView& map) const;
   std::vector<Overlap> overlaps(const opal::Pose2& T_map_base, const ScanRoom& seen, const opal::MapView& map) const;
-  Overlap overlap_of(const FreeRoom& room, const opal::Pose2& T_base_map, const opal::Point& eye, int number,
-                     const opal::MapView& map) const;
+  Overlap overlap_of(const FreeRoom& room, const opal::Pose2& T_base_map, const opal::Point& eye,
+                     opal::MapFeatureNumber number, const opal::MapView& map) const;
   double margin_for(const opal::Observation& observation) const;
   /// The same observation is asked about for every hypothesis, so its polygons are kept.
   const std::vector<ScanRoom>& rooms_of(const opal::Observation& observation) const;

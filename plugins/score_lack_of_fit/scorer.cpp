@@ -6,10 +6,11 @@
 
 namespace {
 
-const opal::LocalFeature* find(const opal::LocalMap& map, int id) {
+const opal::LocalFeature* find(const opal::LocalMap& map, opal::LocalFeatureId id) {
   const auto& features = map.features();
-  const auto it = std::lower_bound(features.begin(), features.end(), id,
-                                   [](const opal::LocalFeature& f, int wanted) { return f.id < wanted; });
+  const auto it =
+      std::lower_bound(features.begin(), features.end(), id,
+                       [](const opal::LocalFeature& f, opal::LocalFeatureId wanted) { return f.id < wanted; });
   return it != features.end() && it->id == id ? &*it : nullptr;
 }
 
@@ -47,7 +48,7 @@ LackOfFitScorer::Fit LackOfFitScorer::fit_of(const opal::Hypothesis& hypothesis,
   for (auto it = all.rbegin(); it != all.rend() && fit.matched + fit.unmatched < horizon_; ++it) {
     const opal::LocalFeature* local = find(observation.local_map, it->local_feature);
     if (!local) continue;
-    if (it->map_feature < 0) {
+    if (!it->map_feature.exists()) {
       ++fit.unmatched;
       continue;
     }
@@ -80,13 +81,13 @@ std::vector<opal::Finding> LackOfFitScorer::explain(const opal::Hypothesis& hypo
                                                     const opal::Observation& observation,
                                                     const opal::MapView& map) const {
   const Fit fit = fit_of(hypothesis, observation, map);
-  if (fit.worst.map_feature < 0) return {};
+  if (!fit.worst.map_feature.exists()) return {};
   const opal::MapFeature& mapped = map.feature(fit.worst.map_feature);
-  const opal::MapObject& object = map.map().objects()[mapped.object];
+  const opal::MapObject& object = map.map().object(mapped.object);
   const opal::LocalFeature* local = find(observation.local_map, fit.worst.local_feature);
   const opal::Geometry placed = transformed(hypothesis.T_map_local, local->feature.geometry);
   const std::string off = fmt::format("{:.2f} m", fit.worst_m);
-  return {{fmt::format("local feature {} is {} off {} {}, more than any other", fit.worst.local_feature, off,
+  return {{fmt::format("local feature {} is {} off {} {}, more than any other", to_string(fit.worst.local_feature), off,
                        object.type, object.id),
            fit.worst.map_feature,
            {anchor_of(placed), anchor_of(mapped.geometry)}}};

@@ -33,13 +33,15 @@ PluginRegistry shipped_plugins() {
 
 /// Two walls that make a room's corner, and a column.
 std::shared_ptr<const SemanticMap> room(bool with_column) {
-  std::vector<MapObject> objects{{"south", "opal:Wall", {0}}, {"east", "opal:Wall", {1}}};
+  std::vector<MapObject> objects{{"south", "opal:Wall", {MapFeatureNumber(0)}},
+                                 {"east", "opal:Wall", {MapFeatureNumber(1)}}};
   std::vector<MapFeature> features{
-      {"south/face", 0, "opal:Wall", "PlanarLidar2D", Segment{{0, 0}, {20, 0}}, 0, 1, {}},
-      {"east/face", 1, "opal:Wall", "PlanarLidar2D", Segment{{20, 0}, {20, 10}}, 0, 1, {}}};
+      {"south/face", MapObjectNumber(0), "opal:Wall", "PlanarLidar2D", Segment{{0, 0}, {20, 0}}, 0, 1, {}},
+      {"east/face", MapObjectNumber(1), "opal:Wall", "PlanarLidar2D", Segment{{20, 0}, {20, 10}}, 0, 1, {}}};
   if (with_column) {
-    objects.push_back({"column", "opal:Column", {2}});
-    features.push_back({"column/rim", 2, "opal:Column", "PlanarLidar2D", Circle{{5, 4}, 0.3}, 0, 1, {}});
+    objects.push_back({"column", "opal:Column", {MapFeatureNumber(2)}});
+    features.push_back(
+        {"column/rim", MapObjectNumber(2), "opal:Column", "PlanarLidar2D", Circle{{5, 4}, 0.3}, 0, 1, {}});
   }
   return SemanticMap::make("room", objects, features);
 }

@@ -35,7 +35,7 @@ class Hall {
   void object(const std::string& id, const std::string& type, const std::vector<Point>& corners) {
     objects_.push_back({id, type});
     for (std::size_t k = 0; k < corners.size(); ++k)
-      features_.push_back({id + "/face-" + std::to_string(k), static_cast<int>(objects_.size()) - 1, "opal:Wall",
+      features_.push_back({id + "/face-" + std::to_string(k), MapObjectNumber(objects_.size() - 1), "opal:Wall",
                            "PlanarLidar2D",
                            transformed(T_map_hall_, Segment{corners[k], corners[(k + 1) % corners.size()]})});
   }
@@ -75,8 +75,8 @@ std::shared_ptr<const SemanticMap> two_rooms(const std::string& leaf) {
   std::vector<MapObject> objects{{"wall", "opal:Wall"}};
   std::vector<MapFeature> features;
   const auto face = [&](const Point& begin, const Point& end) {
-    features.push_back(
-        {"face-" + std::to_string(features.size()), 0, "opal:Wall", "PlanarLidar2D", Segment{begin, end}});
+    features.push_back({"face-" + std::to_string(features.size()), MapObjectNumber(0), "opal:Wall", "PlanarLidar2D",
+                        Segment{begin, end}});
   };
   const auto outline = [&](const std::vector<Point>& corners) {
     for (std::size_t k = 0; k < corners.size(); ++k) face(corners[k], corners[(k + 1) % corners.size()]);
@@ -86,7 +86,7 @@ std::shared_ptr<const SemanticMap> two_rooms(const std::string& leaf) {
   outline({{4.95, 3.5}, {4.95, 6}, {5.05, 6}, {5.05, 3.5}});
   if (leaf.empty()) return SemanticMap::make("two rooms", objects, features);
   objects.push_back({"door", leaf});
-  features.push_back({"leaf", 1, "opal:Wall", "", Segment{{5, 2.5}, {5, 3.5}}});
+  features.push_back({"leaf", MapObjectNumber(1), "opal:Wall", "", Segment{{5, 2.5}, {5, 3.5}}});
   return SemanticMap::make("two rooms", objects, features);
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("the edges of a pillar are derived where they are, and belong to it, w
           }) == 1);
   }
   for (const MapFeature& feature : found) {
-    CHECK(derivation.map->objects()[feature.object].id == "pillar");
+    CHECK(derivation.map->object(feature.object).id == "pillar");
     CHECK(feature.sensor == "PlanarLidar2D");
     CHECK_THAT(feature.id, Contains("pillar/PillarCorner-"));
   }
@@ -196,13 +196,13 @@ TEST_CASE("a pillar in a room behind a door that is shut is looked at, too") {
   const auto hall = Hall().map();
   std::vector<MapObject> objects = hall->objects();
   std::vector<MapFeature> features = hall->features();
-  const int door = static_cast<int>(objects.size());
+  const MapObjectNumber door(objects.size());
   objects.push_back({"door", "opal:Door"});
   features.push_back({"door/leaf", door, "opal:Door", "", Segment{{6, 0}, {6, 8}}});
   objects.push_back({"far", "opal:Column"});
   const Point corners[] = {{7.8, 3.8}, {7.8, 4.2}, {8.2, 4.2}, {8.2, 3.8}};
   for (int k = 0; k < 4; ++k)
-    features.push_back({"far/face-" + std::to_string(k), door + 1, "opal:Wall", "PlanarLidar2D",
+    features.push_back({"far/face-" + std::to_string(k), door.next(), "opal:Wall", "PlanarLidar2D",
                         Segment{corners[k], corners[(k + 1) % 4]}});
   const auto map = SemanticMap::make("two rooms", objects, features);
   CHECK(derived_features(*map, boxes::BoxDetector({}), kPillarCorner).added.size() == 8);

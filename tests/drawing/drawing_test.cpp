@@ -35,12 +35,14 @@ std::array<int, 2> png_size(const std::string& bytes) {
 }
 
 DrawingScene hall() {
-  std::vector<MapObject> objects{
-      {"south", "opal:Wall", {0}}, {"column", "opal:Column", {1}}, {"lift", "acme:Lift", {2}}};
+  std::vector<MapObject> objects{{"south", "opal:Wall", {MapFeatureNumber(0)}},
+                                 {"column", "opal:Column", {MapFeatureNumber(1)}},
+                                 {"lift", "acme:Lift", {MapFeatureNumber(2)}}};
   std::vector<MapFeature> features(3);
-  features[0] = {"south/face", 0, "opal:Wall", "PlanarLidar2D", Segment{{0, 0}, {20, 0}}, 0, 1, {}};
-  features[1] = {"column/rim", 1, "opal:Column", "PlanarLidar2D", Circle{{5, 4}, 0.3}, 0, 1, {}};
-  features[2] = {"lift/corner", 2, "opal:Corner", "PlanarLidar2D", OrientedPoint{{9, 8}, 0.3, 1.5}, 0, 1, {}};
+  features[0] = {"south/face", MapObjectNumber(0), "opal:Wall", "PlanarLidar2D", Segment{{0, 0}, {20, 0}}, 0, 1, {}};
+  features[1] = {"column/rim", MapObjectNumber(1), "opal:Column", "PlanarLidar2D", Circle{{5, 4}, 0.3}, 0, 1, {}};
+  features[2] = {
+      "lift/corner", MapObjectNumber(2), "opal:Corner", "PlanarLidar2D", OrientedPoint{{9, 8}, 0.3, 1.5}, 0, 1, {}};
   DrawingScene scene;
   scene.title = "hall";
   scene.map = SemanticMap::make("hall", objects, features);

@@ -23,7 +23,8 @@ std::shared_ptr<const SemanticMap> room() {
   for (int k = 0; k < 4; ++k) {
     const std::string id = "wall-" + std::to_string(k);
     objects.push_back({id, "opal:Wall"});
-    features.push_back({id + "/face", k, "opal:Wall", kSensor, Segment{corners[k], corners[(k + 1) % 4]}});
+    features.push_back(
+        {id + "/face", MapObjectNumber(k), "opal:Wall", kSensor, Segment{corners[k], corners[(k + 1) % 4]}});
     features.back().points = {"corner-" + std::to_string(k), "corner-" + std::to_string((k + 1) % 4)};
   }
   return SemanticMap::make("room", objects, features);

@@ -156,12 +156,12 @@ TEST_CASE("every association names a local feature that holds the measurement") 
   std::mt19937 random(6);
   const Drive drive = random_drive(random, 40);
   LocalMap map({}, nullptr);
-  int newest_id = -1;
+  LocalFeatureId newest_id;
   for (std::size_t i = 0; i < drive.scans.size(); ++i) {
     map.add(sample_of(drive.scans[i], drive.T_odom_base[i], kT_base_laser), drive.detected[i]);
     REQUIRE(map.last_associations().size() == drive.detected[i].size());
     for (std::size_t k = 0; k < drive.detected[i].size(); ++k) {
-      const int id = map.last_associations()[k];
+      const LocalFeatureId id = map.last_associations()[k];
       const auto found = std::find_if(map.features().begin(), map.features().end(),
                                       [&](const LocalFeature& local) { return local.id == id; });
       CAPTURE(i, k, id);
@@ -170,7 +170,7 @@ TEST_CASE("every association names a local feature that holds the measurement") 
       CHECK(found->feature.type == drive.detected[i][k].type);
     }
     for (std::size_t k = 1; k < map.features().size(); ++k) CHECK(map.features()[k - 1].id < map.features()[k].id);
-    const int last_id = map.features().empty() ? -1 : map.features().back().id;
+    const LocalFeatureId last_id = map.features().empty() ? LocalFeatureId() : map.features().back().id;
     if (last_id > newest_id) newest_id = last_id;
     CHECK(map.keyframes().back().driven_m - map.keyframes().front().driven_m <= LocalMapOptions().horizon_m);
   }

@@ -33,6 +33,12 @@ LocalMapOptions without_graph() {
   return options;
 }
 
+std::vector<LocalFeatureId> ids(std::initializer_list<int> numbers) {
+  std::vector<LocalFeatureId> ids;
+  for (const int number : numbers) ids.emplace_back(number);
+  return ids;
+}
+
 const Segment& segment_of(const LocalFeature& local) { return std::get<Segment>(local.feature.geometry); }
 
 /// Gives the same answer whatever it is asked.
@@ -87,7 +93,7 @@ TEST_CASE("a robot that stands still makes nothing stable and does not fill the 
   LocalMap map({}, nullptr);
   for (int i = 0; i < 500; ++i) see(map, Pose2(1e-4 * (i % 2), 0, 0), {pillar({3, 1}, 0.2)});
   REQUIRE(map.features().size() == 1);
-  CHECK(map.features()[0].id == 0);
+  CHECK(map.features()[0].id == LocalFeatureId(0));
   CHECK(map.features()[0].distinct_poses == 1);
   CHECK_FALSE(map.features()[0].stable);
   CHECK(map.keyframes().size() <= 2);
@@ -109,7 +115,7 @@ TEST_CASE("features of another type, shape, size or side are other features") {
   Feature renamed = first[0];
   renamed.type = "acme:Barrel";
   see(map, Pose2(), {renamed, pillar({3, 0}, 0.5), wall({4, 2}, {0, 2}), wall({1, 2.5}, {3, 2.5})});
-  for (const int id : map.last_associations()) CHECK(id >= 2);
+  for (const LocalFeatureId id : map.last_associations()) CHECK(id >= LocalFeatureId(2));
 }
 
 TEST_CASE("two near circles are not mixed up, whichever is detected first") {
@@ -118,7 +124,7 @@ TEST_CASE("two near circles are not mixed up, whichever is detected first") {
   const auto first = map.last_associations();
   REQUIRE(first[0] != first[1]);
   see(map, Pose2(0.1, 0, 0), {pillar({3, 0.27}, 0.2), pillar({3, 0.02}, 0.2)});
-  CHECK(map.last_associations() == std::vector<int>{first[1], first[0]});
+  CHECK(map.last_associations() == std::vector<LocalFeatureId>{first[1], first[0]});
 }
 
 TEST_CASE("partial segments are joined and reach as far as any piece") {
@@ -137,8 +143,8 @@ TEST_CASE("a piece that bridges two local segments makes them one, with the olde
   REQUIRE(map.features().size() == 2);
   see(map, Pose2(0.2, 0, 0), {wall({0.5, 2}, {3.5, 2})});
   REQUIRE(map.features().size() == 1);
-  CHECK(map.features()[0].id == 0);
-  CHECK(map.last_associations() == std::vector<int>{0});
+  CHECK(map.features()[0].id == LocalFeatureId(0));
+  CHECK(map.last_associations() == ids({0}));
   CHECK(map.features()[0].measurements.size() == 3);
   CHECK(segment_of(map.features()[0]).length_m() == Approx(4));
 }
@@ -173,7 +179,7 @@ TEST_CASE("what lies beyond the horizon is forgotten and its id is not used agai
   CHECK(map.keyframes().size() == 5);
   CHECK(map.keyframes().back().driven_m - map.keyframes().front().driven_m <= 2);
   see(map, Pose2(5, 0, 0), {pillar({1, 1}, 0.2)});
-  CHECK(map.last_associations() == std::vector<int>{1});
+  CHECK(map.last_associations() == ids({1}));
 }
 
 TEST_CASE("turning on the spot ages the map, too") {
@@ -190,8 +196,8 @@ TEST_CASE("clear forgets everything but the ids") {
   CHECK(map.keyframes().empty());
   CHECK(map.last_associations().empty());
   see(map, Pose2(-3, 2, 0), {pillar({1, 1}, 0.2)});
-  CHECK(map.features()[0].id == 1);
-  CHECK(map.keyframes()[0].id == 1);
+  CHECK(map.features()[0].id == LocalFeatureId(1));
+  CHECK(map.keyframes()[0].id == KeyframeId(1));
   CHECK(map.T_local_base().position().norm() == Approx(0).margin(1e-12));
 }
 
@@ -199,15 +205,15 @@ TEST_CASE("what is kept alone keeps its id and its views, and what is seen again
   LocalMap map({}, nullptr);
   const std::vector<Feature> columns{pillar({3, 0}, 0.2), pillar({3, 3}, 0.2), pillar({0, 3}, 0.2)};
   for (int k = 0; k < 4; ++k) see(map, Pose2(0.1 * k, 0, 0), columns);
-  map.keep_only({1, 77});
+  map.keep_only(ids({1, 77}));
   REQUIRE(map.features().size() == 1);
-  CHECK(map.features()[0].id == 1);
+  CHECK(map.features()[0].id == LocalFeatureId(1));
   CHECK(map.features()[0].stable);
   CHECK(map.keyframes().size() == 4);
   see(map, Pose2(0.4, 0, 0), columns);
   REQUIRE(map.features().size() == 3);
-  CHECK(map.features()[0].id == 1);
-  CHECK(map.features()[1].id == 3);
+  CHECK(map.features()[0].id == LocalFeatureId(1));
+  CHECK(map.features()[1].id == LocalFeatureId(3));
   CHECK_FALSE(map.features()[1].stable);
   map.keep_only({});
   CHECK(map.features().empty());
@@ -220,7 +226,7 @@ TEST_CASE("features, points and odometry that are not finite are left out") {
   no_covariance.covariance(0, 0) = kNan;
   map.add(sample_of(scan_of({{kNan, 1}, {2, 2}}), Pose2(kNan, 0, 0)),
           {pillar({kNan, 0}, 0.2), wall({1, 1}, {1, 1}), no_covariance, pillar({2, 0}, 0.2)});
-  CHECK(map.last_associations() == std::vector<int>{-1, -1, -1, 0});
+  CHECK(map.last_associations() == ids({-1, -1, -1, 0}));
   CHECK(map.keyframes().back().points.size() == 1);
   CHECK(map.T_local_base().position().norm() == Approx(0).margin(1e-12));
   map.add(sample_of({}, Pose2(1, 0, 0)), {});

@@ -48,7 +48,7 @@ std::shared_ptr<const MapView> view_of(const Features& features) {
   for (std::size_t k = 0; k < features.size(); ++k) {
     const std::string id = "k" + std::to_string(k);
     objects.push_back({id, features[k].type});
-    mapped.push_back({id + "-shape", static_cast<int>(k), features[k].type, "lidar", features[k].geometry});
+    mapped.push_back({id + "-shape", MapObjectNumber(k), features[k].type, "lidar", features[k].geometry});
   }
   return std::make_shared<MapView>(SemanticMap::make("synthetic", std::move(objects), std::move(mapped)), "lidar");
 }
@@ -61,7 +61,7 @@ Scan scan_from(const MapView& map, const Pose2& T_map_base) {
     const double bearing = -std::numbers::pi + beam * step_rad;
     const auto met =
         map.first_crossing(T_map_laser.position(), T_map_laser * Point(kRange_m * unit_vector(bearing)), 0);
-    if (met.feature >= 0)
+    if (met.feature.exists())
       scan.points.push_back({met.range_m * unit_vector(bearing), met.range_m, bearing, beam});
     else
       scan.free_bearings_rad.push_back(bearing);
@@ -72,7 +72,7 @@ Scan scan_from(const MapView& map, const Pose2& T_map_base) {
 Features detected_from(const MapView& map, const Pose2& T_map_base) {
   const Pose2 T_laser_map = (T_map_base * T_base_laser).inverse();
   Features features;
-  for (const int number : map.features()) {
+  for (const MapFeatureNumber number : map.features()) {
     const MapFeature& mapped = map.feature(number);
     if (kind_of(mapped.geometry) != GeometryKind::segment)
       features.push_back(transformed(T_laser_map, Feature{mapped.type, mapped.geometry}));

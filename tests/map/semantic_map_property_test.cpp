@@ -52,7 +52,7 @@ class RandomMap {
   void add_features() {
     MapFeature feature;
     feature.id = name("feature");
-    feature.object = static_cast<int>(objects_.size()) - 1;
+    feature.object = MapObjectNumber(objects_.size() - 1);
     feature.sensor = pick({"PlanarLidar2D", "urn:x:camera", ""});
     shape(feature);
     if (count(0, 2) == 0) feature.type = pick({"acme:Skirting", "opal:Wall", "https://example.org/types#Post"});
@@ -88,7 +88,7 @@ class RandomMap {
     const int first = count(0, static_cast<int>(features_.size()) - 1);
     for (std::size_t i = 0; i < features_.size(); ++i)
       if (features_[i].sensor == features_[first].sensor && (static_cast<int>(i) == first || count(0, 2) == 0))
-        made.features.push_back(static_cast<int>(i));
+        made.features.emplace_back(i);
     std::shuffle(made.features.begin(), made.features.end(), random_);
     for (int i = count(0, 3); i > 0; --i) made.dimensions.push_back(uniform(-9, 9));
     if (number > 0 && count(0, 1) == 0) made.subpatterns = {last_pattern_};
@@ -204,10 +204,11 @@ TEST_CASE("the order in which a map is made of its parts does not matter") {
   std::vector<MapObject> objects(map->objects().rbegin(), map->objects().rend());
   std::vector<MapFeature> features(map->features().rbegin(), map->features().rend());
   for (MapObject& object : objects) object.features.clear();
-  for (MapFeature& feature : features) feature.object = static_cast<int>(objects.size()) - 1 - feature.object;
+  for (MapFeature& feature : features) feature.object = MapObjectNumber(objects.size() - 1 - feature.object.number());
   std::vector<MapPattern> patterns = map->patterns();
   for (MapPattern& pattern : patterns)
-    for (int& feature : pattern.features) feature = static_cast<int>(features.size()) - 1 - feature;
+    for (MapFeatureNumber& feature : pattern.features)
+      feature = MapFeatureNumber(features.size() - 1 - feature.number());
   CHECK(contents_of(*SemanticMap::make(map->name(), objects, features, patterns, map->origin())) == contents_of(*map));
 }
 

@@ -16,7 +16,7 @@ const double kNaN = std::numeric_limits<double>::quiet_NaN();
 MapFeature feature(const std::string& id, const Geometry& geometry, int object = 0) {
   MapFeature made;
   made.id = id;
-  made.object = object;
+  made.object = MapObjectNumber(object);
   made.sensor = "PlanarLidar2D";
   made.geometry = geometry;
   return made;
@@ -64,10 +64,10 @@ TEST_CASE("a map made in memory has types, point names and lists of features fil
   REQUIRE(map->objects().size() == 2);
   CHECK(map->objects()[0].id == "column");
   CHECK(map->objects()[0].type == "opal:Column");
-  CHECK(map->objects()[0].features == std::vector<int>{1});
+  CHECK(map->objects()[0].features == std::vector{MapFeatureNumber(1)});
   CHECK(map->objects()[1].type == "opal:Wall");
   CHECK(map->features()[0].type == "opal:Wall");
-  CHECK(map->features()[0].object == 1);
+  CHECK(map->features()[0].object == MapObjectNumber(1));
   CHECK(map->features()[0].points == std::vector<std::string>{"face/begin", "face/end"});
   CHECK(map->features()[1].type == "opal:Column");
   CHECK(map->features()[1].points == std::vector<std::string>{"rim/center"});
@@ -127,13 +127,17 @@ TEST_CASE("a pattern of a map has members of one sensor and parts that are no ci
   const auto make = [&](const std::vector<MapPattern>& patterns) {
     return SemanticMap::make("t", objects, features, patterns);
   };
-  CHECK(make({{"p", "opal:ColumnPair", {1, 0}, {}, {4}}})->patterns()[0].features == std::vector<int>{1, 0});
-  CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {0, 2}}}), Catch::Contains("feature number 2, expected one of 2"));
+  CHECK(make({{"p", "opal:ColumnPair", {MapFeatureNumber(1), MapFeatureNumber(0)}, {}, {4}}})->patterns()[0].features ==
+        std::vector{MapFeatureNumber(1), MapFeatureNumber(0)});
+  CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {MapFeatureNumber(0), MapFeatureNumber(2)}}}),
+                    Catch::Contains("feature number 2, expected one of 2"));
   CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {}}}), Catch::Contains("has no features"));
-  CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {0}, {"q"}}}), Catch::Contains("subpattern 'q', expected the id"));
-  CHECK_THROWS_WITH(make({{"p", "opal:A", {0}, {"q"}}, {"q", "opal:A", {0}, {"p"}}}),
-                    Catch::Contains("expected no cycle"));
-  CHECK_THROWS_WITH(make({{"p", "opal:A", {0}, {}, {kNaN}}}),
+  CHECK_THROWS_WITH(make({{"p", "opal:ColumnPair", {MapFeatureNumber(0)}, {"q"}}}),
+                    Catch::Contains("subpattern 'q', expected the id"));
+  CHECK_THROWS_WITH(
+      make({{"p", "opal:A", {MapFeatureNumber(0)}, {"q"}}, {"q", "opal:A", {MapFeatureNumber(0)}, {"p"}}}),
+      Catch::Contains("expected no cycle"));
+  CHECK_THROWS_WITH(make({{"p", "opal:A", {MapFeatureNumber(0)}, {}, {kNaN}}}),
                     Catch::Contains("dimension null, expected a finite number"));
 }
 
@@ -156,7 +160,7 @@ TEST_CASE("the example room is read with its topology, qualities and pattern") {
   CHECK(std::get<Circle>(at("column_1_rim").geometry).radius_m == 0.25);
   REQUIRE(map->patterns().size() == 1);
   CHECK(map->patterns()[0].pattern_template == "opal:ColumnPair");
-  CHECK(map->features()[map->patterns()[0].features[1]].id == "column_2_rim");
+  CHECK(map->feature(map->patterns()[0].features[1]).id == "column_2_rim");
   CHECK(map->unused().empty());
 }
 
@@ -247,7 +251,7 @@ TEST_CASE("one geometry can be perceived by two sensors, and a pattern says for 
   CHECK_THROWS_WITH(SemanticMap::parse(with(""), "two"), Catch::Contains("expected a perceivable_by"));
   const auto map = SemanticMap::parse(with(R"("perceivable_by": {"@id": "camera"}, )"), "two");
   REQUIRE(map->features().size() == 2);
-  CHECK(map->features()[map->patterns()[0].features[0]].type == "acme:Pillar");
+  CHECK(map->feature(map->patterns()[0].features[0]).type == "acme:Pillar");
   CHECK(SemanticMap::parse(map->to_json_ld().dump(), "two")->to_json_ld() == map->to_json_ld());
 }
 

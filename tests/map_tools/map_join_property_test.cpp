@@ -61,7 +61,7 @@ TEST_CASE("a join of one map is that map, moved") {
     const MapFeature& there = named(*moved, "hall-1/" + feature.id);
     CHECK(far_apart_m(there.geometry, transformed(placement.T_map_source, feature.geometry)) < 1e-9);
     CHECK(there.type == feature.type);
-    CHECK(moved->objects()[there.object].id == "hall-1/" + map->objects()[feature.object].id);
+    CHECK(moved->object(there.object).id == "hall-1/" + map->object(feature.object).id);
   }
 }
 

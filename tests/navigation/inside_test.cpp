@@ -31,8 +31,9 @@ std::shared_ptr<const SemanticMap> with_leaf(const std::vector<Segment>& faces, 
   std::vector<MapObject> objects{{"house", "opal:Wall"}, {"door", "opal:Door"}};
   std::vector<MapFeature> features;
   for (const Segment& face : faces)
-    features.push_back({"face-" + std::to_string(features.size()), 0, "opal:Wall", "PlanarLidar2D", face});
-  features.push_back({"leaf", 1, "opal:Door", "", leaf});
+    features.push_back(
+        {"face-" + std::to_string(features.size()), MapObjectNumber(0), "opal:Wall", "PlanarLidar2D", face});
+  features.push_back({"leaf", MapObjectNumber(1), "opal:Door", "", leaf});
   return SemanticMap::make("house", std::move(objects), std::move(features));
 }
 

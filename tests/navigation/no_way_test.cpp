@@ -19,8 +19,9 @@ std::shared_ptr<const SemanticMap> two_rooms(double door_m) {
   std::vector<MapObject> objects{{"wall", "opal:Wall"}, {"D7", "opal:Door"}};
   std::vector<MapFeature> features;
   for (const Segment& face : faces)
-    features.push_back({"face-" + std::to_string(features.size()), 0, "opal:Wall", "PlanarLidar2D", face});
-  features.push_back({"leaf", 1, "opal:Door", "", Segment{{5.1, low}, {5.1, high}}});
+    features.push_back(
+        {"face-" + std::to_string(features.size()), MapObjectNumber(0), "opal:Wall", "PlanarLidar2D", face});
+  features.push_back({"leaf", MapObjectNumber(1), "opal:Door", "", Segment{{5.1, low}, {5.1, high}}});
   return SemanticMap::make("two rooms", std::move(objects), std::move(features));
 }
 

@@ -16,7 +16,7 @@ inline std::shared_ptr<const SemanticMap> map_of(const std::vector<Segment>& fac
   std::vector<MapFeature> features;
   for (const Segment& face : faces) {
     const std::string name = "wall-" + std::to_string(objects.size());
-    features.push_back({name + "/face", static_cast<int>(objects.size()), "opal:Wall", "PlanarLidar2D", face});
+    features.push_back({name + "/face", MapObjectNumber(objects.size()), "opal:Wall", "PlanarLidar2D", face});
     objects.push_back({name, "opal:Wall"});
   }
   return SemanticMap::make("synthetic", std::move(objects), std::move(features));
@@ -40,7 +40,7 @@ inline Scan seen(const MapView& map, const LaserModel& laser, const Pose2& T_map
     const double bearing = laser.angle_min_rad + beam * laser.angle_increment_rad;
     const Point direction = laser.range_max_m * unit_vector(bearing);
     const auto met = map.first_crossing(T_map_laser.position(), T_map_laser * direction, 0);
-    if (met.feature >= 0) scan.points.push_back({met.range_m * unit_vector(bearing), met.range_m, bearing, beam});
+    if (met.feature.exists()) scan.points.push_back({met.range_m * unit_vector(bearing), met.range_m, bearing, beam});
   }
   return scan;
 }
@@ -66,7 +66,7 @@ struct ToldQueries : LocalizationQueries {
     said.probability = places.empty() ? 0 : 1.0 / static_cast<double>(places.size());
     if (said.has_pose) said.T_map_base = places.front();
     for (std::size_t k = 1; k < places.size(); ++k)
-      said.alternatives.push_back({static_cast<int>(k), places[k], said.probability});
+      said.alternatives.push_back({HypothesisId(k), places[k], said.probability});
   }
 
   MapView view;

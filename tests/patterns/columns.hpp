@@ -41,7 +41,7 @@ inline std::shared_ptr<const opal::SemanticMap> map_of(const std::vector<opal::F
     objects.push_back({id, features[k].type});
     opal::MapFeature feature;
     feature.id = id + "-shape";
-    feature.object = static_cast<int>(k);
+    feature.object = opal::MapObjectNumber(k);
     feature.type = features[k].type;
     feature.sensor = "lidar";
     feature.geometry = features[k].geometry;

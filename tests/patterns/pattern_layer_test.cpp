@@ -141,33 +141,38 @@ TEST_CASE("the same building in another order gets the same layer") {
 }
 
 TEST_CASE("a layer that contradicts its template is refused with its place") {
-  CHECK(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {7.4}}) == "accepted");
-  CHECK(complaint_about({"p", "opal:ColumnPair", {1, 0}}) == "accepted");  // symmetric: either order
-  CHECK(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {9.9}}) ==
+  CHECK(complaint_about({"p", "opal:ColumnPair", {MapFeatureNumber(0), MapFeatureNumber(1)}, {}, {7.4}}) == "accepted");
+  CHECK(complaint_about({"p", "opal:ColumnPair", {MapFeatureNumber(1), MapFeatureNumber(0)}}) ==
+        "accepted");  // symmetric: either order
+  CHECK(complaint_about({"p", "opal:ColumnPair", {MapFeatureNumber(0), MapFeatureNumber(1)}, {}, {9.9}}) ==
         "columns: /patterns/0 'p': pattern 'p' of opal:ColumnPair has the dimension 9.900 at position 0, but its "
         "features give "
         "7.400");
-  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0, 1}, {}, {7.4, 0.33, 0.33, 1}}),
-             Contains("has 4 dimensions, expected at most 3"));
-  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0}}), Contains("has 1 features, expected 2"));
-  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {0, 3}}),
+  CHECK_THAT(
+      complaint_about({"p", "opal:ColumnPair", {MapFeatureNumber(0), MapFeatureNumber(1)}, {}, {7.4, 0.33, 0.33, 1}}),
+      Contains("has 4 dimensions, expected at most 3"));
+  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {MapFeatureNumber(0)}}), Contains("has 1 features, expected 2"));
+  CHECK_THAT(complaint_about({"p", "opal:ColumnPair", {MapFeatureNumber(0), MapFeatureNumber(3)}}),
              Contains("has the member 'k4-shape', which is a segment, expected a circle"));
-  CHECK_THAT(complaint_about({"p", "opal:LShape", {2, 0, 1}}),
+  CHECK_THAT(complaint_about({"p", "opal:LShape", {MapFeatureNumber(2), MapFeatureNumber(0), MapFeatureNumber(1)}}),
              Contains("in another order, expected 'k2-shape', 'k1-shape', 'k3-shape'"));
-  CHECK_THAT(complaint_about({"p", "opal:Collinear", {1, 0, 2}}),
+  CHECK_THAT(complaint_about({"p", "opal:Collinear", {MapFeatureNumber(1), MapFeatureNumber(0), MapFeatureNumber(2)}}),
              Contains("do not stand to each other as the template asks"));
 }
 
 TEST_CASE("a layer in a file that names a feature which is not there is refused with file and place") {
   auto document = nlohmann::json::parse(
-      map_of({column(0, 0), column(5, 0)}, {{"p", "opal:ColumnPair", {0, 1}}})->to_json_ld().dump());
+      map_of({column(0, 0), column(5, 0)}, {{"p", "opal:ColumnPair", {MapFeatureNumber(0), MapFeatureNumber(1)}}})
+          ->to_json_ld()
+          .dump());
   document["@graph"].back()["features"][1] = "k9-shape";
   CHECK_THROWS_WITH(SemanticMap::parse(document.dump(), "hall.jsonld"),
                     Contains("hall.jsonld: /@graph/4/features/1") && Contains("k9-shape"));
 }
 
 TEST_CASE("a pattern that was read knows where it stands") {
-  const auto map = map_of({column(0, 0), column(5, 0)}, {{"p", "opal:ColumnPair", {0, 1}, {}, {6}}});
+  const auto map = map_of({column(0, 0), column(5, 0)},
+                          {{"p", "opal:ColumnPair", {MapFeatureNumber(0), MapFeatureNumber(1)}, {}, {6}}});
   const auto read = SemanticMap::parse(map->to_json_ld().dump(), "hall.jsonld");
   CHECK_THROWS_WITH(
       layer_instances(view_of(read), "opal:ColumnPair", *shipped("opal:ColumnPair")),

@@ -18,7 +18,7 @@ LiveAnswer answer_that_is(Status status) {
   answer.estimate.T_map_base = Pose2(1, 2, 0.5);
   answer.estimate.covariance = Eigen::Vector3d(0.01, 0.04, 0.001).asDiagonal();
   answer.estimate.probability = 0.6;
-  answer.estimate.alternatives = {{7, Pose2(3, 4, 0), 0.3}};
+  answer.estimate.alternatives = {{HypothesisId(7), Pose2(3, 4, 0), 0.3}};
   answer.T_map_odom = Pose2(5, 6, 1);
   return answer;
 }

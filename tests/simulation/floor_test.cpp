@@ -25,7 +25,7 @@ class Plan {
 
  private:
   void add(const char* type, const char* sensor, const Segment& face) {
-    const int object = static_cast<int>(objects_.size()) - 1;
+    const MapObjectNumber object(objects_.size() - 1);
     features_.push_back({"face-" + std::to_string(features_.size()), object, type, sensor, face});
   }
   std::vector<MapObject> objects_;

@@ -163,7 +163,7 @@ TEST_CASE("an open door stands in its room, not across a corridor, though anothe
     const std::string id = "object-" + std::to_string(objects.size());
     MapFeature feature;
     feature.id = id + "/face";
-    feature.object = static_cast<int>(objects.size());
+    feature.object = MapObjectNumber(objects.size());
     feature.type = type;
     feature.sensor = sensor;
     feature.geometry = face;
@@ -192,7 +192,7 @@ TEST_CASE("a door that is open leaves its opening, as a whole") {
   for (const Segment& piece : {a, b}) {
     MapFeature feature;
     feature.id = "leaf-" + std::to_string(features.size());
-    feature.object = 0;
+    feature.object = MapObjectNumber(0);
     feature.type = "opal:Door";
     feature.geometry = piece;
     features.push_back(feature);

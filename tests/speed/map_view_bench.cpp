@@ -52,7 +52,7 @@ TEST_CASE("a view of maps of growing size", "[!benchmark]") {
       const MapView view = view_of(map);
       const double taken_s = thread_cpu_s() - start_s;
       int lines = 0;
-      for (int number : view.features()) lines += view.surface(number).line == number;
+      for (MapFeatureNumber number : view.features()) lines += view.surface(number).line.number() == number.number();
       CHECK(lines > 0);
       std::printf("%7zu  %10.1f  %6.3f  %5d\n", map->features().size(), turned_rad, taken_s, lines);
     }

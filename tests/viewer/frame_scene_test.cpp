@@ -48,7 +48,7 @@ TEST_CASE("a picture shows what the frame and those before it say") {
 
 TEST_CASE("without a best hypothesis there is a map, and no scan in a place nobody knows") {
   ReadRun run = frames_of({1, 5, 10});
-  run.frames[0].best = -1;
+  run.frames[0].best = {};
   const DrawingScene scene = scene_of(*run.header, state_after(run, 1), {});
   CHECK(scene.map);
   CHECK(scene.scan_points.empty());

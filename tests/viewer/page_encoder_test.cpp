@@ -14,7 +14,7 @@ namespace {
 class RecordReader {
  public:
   struct Row {
-    int id;
+    HypothesisId id;
     Pose2 T_map_base;
     double nat;
   };
@@ -95,7 +95,7 @@ TEST_CASE("a record holds what the frame holds") {
   CHECK(map["patterns"][0]["features"][2] == "column-2/rim");
   for (const RunFrame& frame : run.frames) {
     const Event record = Event::parse(encoder.frame_record(frame));
-    CHECK(record["keyframe"] == frame.keyframe);
+    CHECK(record["keyframe"].get<KeyframeId>() == frame.keyframe);
     CHECK(record.contains("start") == frame.starts.has_value());
     check_points(record["scan"], frame.scan, header["scan_unit_m"]);
     check_points(record["free"], frame.free_space, header["scan_unit_m"]);
@@ -107,7 +107,7 @@ TEST_CASE("a record holds what the frame holds") {
     CHECK(record.value("tried", Event::array()).size() == frame.rejections.size());
     CHECK(record.value("ended", Event::array()).size() == frame.ends.size());
     CHECK(record.contains("search") == frame.search.has_value());
-    CHECK(record["best"] == frame.best);
+    CHECK(record["best"].get<HypothesisId>() == frame.best);
     CHECK(record["p"][0][1].get<double>() == Approx(frame.hypotheses[0].probability).margin(1e-4));
     CHECK(record["scores"].size() == 5);
     CHECK(record["scores"][0][2]["opal:InlierScorer"].contains("inliers"));
@@ -141,7 +141,7 @@ TEST_CASE("words are said when they change, and again when a time line begins") 
 TEST_CASE("absurd values stay JSON") {
   RunFrame frame;
   frame.status = "lost";
-  frame.hypotheses = {{1, {1e6, -1e6, 3}, -1e9, 0, 1, {{"s\"", "t\\\n</script>", 1e9}}}};
+  frame.hypotheses = {{HypothesisId(1), {1e6, -1e6, 3}, -1e9, 0, 1, {{"s\"", "t\\\n</script>", 1e9}}}};
   frame.scan = {{1e6, 1e6}, {-1e6, -1e6}};
   frame.starts = "\xff bytes";
   PageEncoder encoder;

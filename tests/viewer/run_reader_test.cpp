@@ -67,19 +67,19 @@ TEST_CASE("frames say what the events say") {
     const Event event = Event::parse(line);
     if (event["event"] == "spawned") {
       const RecordedSpawn& spawn = run.frames[frame].spawns.at(spawned++);
-      CHECK(spawn.id == event["hypothesis"]);
-      CHECK(spawn.parent == event.value("parent", -1));
+      CHECK(spawn.id == event["hypothesis"].get<HypothesisId>());
+      CHECK(spawn.parent == HypothesisId(event.value("parent", -1)));
       CHECK(spawn.T_map_base.x() == event["T_map_base"][0]);
       const Event& mapped = event["pairs"][0][1];
-      CHECK((mapped.is_null() ? spawn.pairs[0].map_feature == -1
-                              : run.header->features[spawn.pairs[0].map_feature].id == mapped));
+      CHECK((mapped.is_null() ? !spawn.pairs[0].map_feature.exists()
+                              : run.header->feature(spawn.pairs[0].map_feature).id == mapped));
     }
     if (event["event"] == "estimate") {
       const RunFrame& read = run.frames[frame];
       CHECK(read.stamp_s == event["stamp_s"]);
       CHECK(read.time_s == Approx(read.stamp_s - 1000));
       CHECK(read.status == event["status"]);
-      CHECK(read.best == event["hypothesis"]);
+      CHECK(read.best == event["hypothesis"].get<HypothesisId>());
       REQUIRE(read.hypotheses.size() == event["hypotheses"].size());
       CHECK(read.hypotheses[3].log_likelihood == event["hypotheses"][3]["log_likelihood"]);
       CHECK(read.hypotheses[3].scores.size() == 3);

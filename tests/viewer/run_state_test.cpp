@@ -31,6 +31,13 @@ std::string described(const RunState& state) {
   return out.str();
 }
 
+constexpr HypothesisId kThird{3};
+
+/// @param map_feature  -1: not on the map.
+RecordedPair pair_of(int local_feature, int map_feature) {
+  return {LocalFeatureId(local_feature), MapFeatureNumber(map_feature)};
+}
+
 }  // namespace
 
 TEST_CASE("the state after a frame is that of its time line alone, from its first frame on") {
@@ -49,7 +56,7 @@ TEST_CASE("who is alive is who the estimate lists, and nobody is both alive and 
   RunState state;
   for (const RunFrame& frame : frames_of({200, 60, 4}).frames) {
     state.apply(frame);
-    std::set<int> listed, alive;
+    std::set<HypothesisId> listed, alive;
     for (const RecordedHypothesis& row : frame.hypotheses) listed.insert(row.id);
     for (const auto& [id, hypothesis] : state.alive()) alive.insert(id);
     REQUIRE(alive == listed);
@@ -63,18 +70,20 @@ TEST_CASE("a hypothesis has the associations that it was spawned with and grew, 
   RunState state;
   RunFrame frame;
   frame.starts = "run";
-  frame.spawns = {{3, -1, "opal:Row", {}, 1, {{1, 5}, {2, -1}}}};
-  frame.hypotheses = {{3, {}, 1, 0, 0.5, {}}};
+  frame.spawns = {{kThird, {}, "opal:Row", {}, 1, {pair_of(1, 5), pair_of(2, -1)}}};
+  frame.hypotheses = {{kThird, {}, 1, 0, 0.5, {}}};
   state.apply(frame);
   frame = {};
-  frame.hypotheses = {{3, {}, 1, 0, 0.5, {}}};
-  frame.losses = {{3, {1}, "gone"}};
-  frame.growths = {{3, {{4, 7}, {2, 6}}}};
+  frame.hypotheses = {{kThird, {}, 1, 0, 0.5, {}}};
+  frame.losses = {{kThird, {LocalFeatureId(1)}, "gone"}};
+  frame.growths = {{kThird, {pair_of(4, 7), pair_of(2, 6)}}};
   state.apply(frame);
-  const auto& pairs = state.alive().at(3).pairs;
+  const auto& pairs = state.alive().at(kThird).pairs;
   REQUIRE(pairs.size() == 2);
-  CHECK((pairs[0].local_feature == 4 && pairs[0].map_feature == 7));
-  CHECK((pairs[1].local_feature == 2 && pairs[1].map_feature == 6));
+  for (const auto& [k, expected] : {std::pair{0, pair_of(4, 7)}, std::pair{1, pair_of(2, 6)}}) {
+    CHECK(pairs[k].local_feature == expected.local_feature);
+    CHECK(pairs[k].map_feature == expected.map_feature);
+  }
 }
 
 TEST_CASE("a long time line is remembered in bounded memory; what was likely once stays") {
@@ -82,15 +91,15 @@ TEST_CASE("a long time line is remembered in bounded memory; what was likely onc
   RunFrame frame;
   frame.starts = "run";
   for (int id = 0; id < 12'000; ++id) {
-    frame.spawns = {{id, -1, "", {}, 0, {}}};
-    frame.hypotheses = {{id, {}, 0, 0, id == 100 ? 0.9 : 1e-4 * (id % 7), {}}};
+    frame.spawns = {{HypothesisId(id), {}, "", {}, 0, {}}};
+    frame.hypotheses = {{HypothesisId(id), {}, 0, 0, id == 100 ? 0.9 : 1e-4 * (id % 7), {}}};
     frame.ends.clear();
-    if (id > 0) frame.ends = {{id - 1, "worse", -1, {}, 0, 0, {}, {}}};
+    if (id > 0) frame.ends = {{HypothesisId(id - 1), "worse", {}, {}, 0, 0, {}, {}}};
     state.apply(frame);
     frame.starts.reset();
   }
   CHECK(state.ended().size() <= RunState::kMostEnded);
   const auto& ended = state.ended();
-  CHECK(std::any_of(ended.begin(), ended.end(), [](const auto& e) { return e.life.id == 100; }));
-  CHECK(ended.back().life.id == 11'998);
+  CHECK(std::any_of(ended.begin(), ended.end(), [](const auto& e) { return e.life.id == HypothesisId(100); }));
+  CHECK(ended.back().life.id == HypothesisId(11'998));
 }

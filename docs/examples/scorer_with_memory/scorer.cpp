@@ -52,8 +52,8 @@ SeenObjects NewObjectsScorer::seen_now(const opal::Hypothesis& hypothesis, const
     const opal::Point eye = T_map_base * scan.laser_position;
     for (const opal::Point& point : scan.points) {
       const opal::Point end = T_map_base * point;
-      const int face = map.nearest_facing(end, end - eye);
-      if (face < 0) continue;
+      const opal::MapFeatureNumber face = map.nearest_facing(end, end - eye);
+      if (!face.exists()) continue;
       const double off = map.surface(face).distance_m(end) / sigma_m_;
       now.scans[map.surface(face).object] += share * std::exp(-0.5 * off * off);
     }
@@ -61,7 +61,7 @@ SeenObjects NewObjectsScorer::seen_now(const opal::Hypothesis& hypothesis, const
   return now;
 }
 
-double NewObjectsScorer::worth_nat(int object, const SeenObjects& before) const {
+double NewObjectsScorer::worth_nat(opal::MapObjectNumber object, const SeenObjects& before) const {
   const auto at = before.scans.find(object);
   const double newness = at == before.scans.end() ? 1 : 1 / (1 + at->second / enough_scans_);
   return known_nat_ + newness * (new_nat_ - known_nat_);

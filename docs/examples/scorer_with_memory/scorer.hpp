@@ -10,7 +10,7 @@
 /// it, so that a copy is cheap.
 struct SeenObjects final : opal::ScorerMemory {
   std::unique_ptr<opal::ScorerMemory> copy() const override { return std::make_unique<SeenObjects>(*this); }
-  std::map<int, double> scans;
+  std::map<opal::MapObjectNumber, double> scans;
 };
 
 /// A likelihood field of objects that pays for what is new. A wrong place often has one wall that fits, and sees it
@@ -30,7 +30,7 @@ class NewObjectsScorer final : public opal::HypothesisScorer {
   SeenObjects seen_now(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                        const opal::MapView& map) const;
   /// Evidence of a whole scan of returns on this object.
-  double worth_nat(int object, const SeenObjects& before) const;
+  double worth_nat(opal::MapObjectNumber object, const SeenObjects& before) const;
 
   double new_nat_, known_nat_, astray_nat_, sigma_m_, enough_scans_, forget_;
 };

@@ -16,7 +16,7 @@ std::vector<ObservedScorer> let_observe(opal::Deployment& deployment, const opal
   return observed;
 }
 
-double RankedRun::judged_nat(int hypothesis) const {
+double RankedRun::judged_nat(opal::HypothesisId hypothesis) const {
   const std::map<std::string, opal::Score> scores = localizer_.scores_of(hypothesis);
   double nat = 0;
   for (const ObservedScorer& scorer : scorers_)

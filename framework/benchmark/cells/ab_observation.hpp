@@ -30,7 +30,7 @@ class RankedRun {
   std::string digest();
 
  private:
-  double judged_nat(int hypothesis) const;
+  double judged_nat(opal::HypothesisId hypothesis) const;
 
   const opal::Localizer& localizer_;
   const opal::GroundTruth& truth_;

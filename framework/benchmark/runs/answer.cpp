@@ -13,7 +13,7 @@
 
 namespace {
 
-const opal::LocalFeature* find_local(const opal::LocalMap& map, int id) {
+const opal::LocalFeature* find_local(const opal::LocalMap& map, opal::LocalFeatureId id) {
   const auto it = std::find_if(map.features().begin(), map.features().end(),
                                [&](const opal::LocalFeature& f) { return f.id == id; });
   return it == map.features().end() ? nullptr : &*it;
@@ -34,8 +34,8 @@ std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer) 
   const opal::SemanticMap& map = localizer.map().map();
   for (const opal::Association& pair : best.associations) {
     const opal::LocalFeature* local = find_local(localizer.local_map(), pair.local_feature);
-    if (!local || pair.map_feature < 0) continue;
-    const opal::MapFeature& mapped = map.features()[pair.map_feature];
+    if (!local || !pair.map_feature.exists()) continue;
+    const opal::MapFeature& mapped = map.feature(pair.map_feature);
     const opal::Geometry placed = transformed(best.T_map_local, local->feature.geometry);
     named.push_back({pair.local_feature, opal::object_words(map, mapped.object), mapped.id, placed, mapped.geometry,
                      mismatch(placed, mapped.geometry).position_m});
@@ -67,8 +67,8 @@ void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& an
   const auto associations = associations_of(localizer);
   if (!associations.empty()) std::printf("it rests on:\n");
   for (const NamedAssociation& named : associations)
-    std::printf("  %s (%.2f m off): local feature %d is %s\n", named.object.c_str(), named.off_m, named.local_feature,
-                named.feature.c_str());
+    std::printf("  %s (%.2f m off): local feature %d is %s\n", named.object.c_str(), named.off_m,
+                named.local_feature.number(), named.feature.c_str());
   for (const auto& [plugin, count] : localizer.plugin_failures())
     std::printf("skipped: %s failed %d times\n", plugin.c_str(), count);
 }

@@ -7,7 +7,7 @@
 
 /// An association of the best hypothesis, by name and by geometry (map frame).
 struct NamedAssociation {
-  int local_feature = 0;
+  opal::LocalFeatureId local_feature = {};
   std::string object, feature;  ///< the object in words, the feature's id
   opal::Geometry local, mapped;
   double off_m = 0;  ///< of the local geometry from the mapped one

@@ -22,7 +22,7 @@ struct ExplainOptions {
 struct ExplainedFrame {
   std::string time_line;
   double time_s = 0, stamp_s = 0;
-  int keyframe = 0;
+  opal::KeyframeId keyframe;
 };
 
 /// Names come from a recording: on a terminal they must not move the cursor or change colours.

@@ -101,7 +101,7 @@ void draw(const std::shared_ptr<const opal::SemanticMap>& map, const opal::Learn
   for (const opal::Proposal& proposal : learned.proposals) {
     if (proposal.change == opal::Change::added) scene.unmapped.push_back(proposal.face);
     for (const opal::MapFeature& feature : map->features()) {
-      if (map->objects()[feature.object].id != proposal.id) continue;
+      if (map->object(feature.object).id != proposal.id) continue;
       const auto* face = std::get_if<opal::Segment>(&feature.geometry);
       if (proposal.change == opal::Change::gone && face) scene.contradictions.push_back({face->begin, face->end});
       if (proposal.change == opal::Change::moved)

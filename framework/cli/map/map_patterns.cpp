@@ -66,7 +66,7 @@ void print(const opal::SemanticMap& map, const opal::PatternLayer& layer, bool e
     std::cout << pattern.id << ": ";
     if (layer.alike[k] == 0) std::cout << "unique;";
     if (layer.alike[k] > 0) std::cout << layer.alike[k] << (layer.alike[k] == 1 ? " look-alike;" : " look-alikes;");
-    for (const int member : pattern.features) std::cout << ' ' << map.features()[member].id;
+    for (const opal::MapFeatureNumber member : pattern.features) std::cout << ' ' << map.feature(member).id;
     std::cout << '\n';
   }
   for (const opal::PatternSummary& summary : layer.summaries) std::cout << sentence_of(summary) << '\n';
@@ -78,8 +78,8 @@ void draw(const Map& map, const opal::PatternLayer& layer, const PatternsOptions
   scene.map = map;
   for (const opal::MapPattern& pattern : layer.patterns) {
     scene.patterns.emplace_back();
-    for (const int member : pattern.features)
-      scene.patterns.back().push_back(anchor_of(map->features()[member].geometry));
+    for (const opal::MapFeatureNumber member : pattern.features)
+      scene.patterns.back().push_back(anchor_of(map->feature(member).geometry));
   }
   for (const opal::PatternSummary& summary : layer.summaries) scene.notes.push_back(sentence_of(summary));
   if (!options.svg.empty()) opal::write_svg(scene, options.svg);

@@ -43,8 +43,8 @@ opal::DrawingScene deviation_scene(std::shared_ptr<const opal::SemanticMap> map,
     moved += d.verdict == opal::DeviationVerdict::moved;
     absent += d.verdict == opal::DeviationVerdict::probably_absent;
     if (d.verdict == opal::DeviationVerdict::as_mapped) continue;
-    for (int number : map->objects()[map->features()[d.feature].object].features) {
-      const opal::Geometry& mapped = map->features()[number].geometry;
+    for (opal::MapFeatureNumber number : map->object(map->feature(d.feature).object).features) {
+      const opal::Geometry& mapped = map->feature(number).geometry;
       if (const auto* face = std::get_if<opal::Segment>(&mapped);
           face && d.verdict == opal::DeviationVerdict::probably_absent)
         scene.contradictions.push_back({face->begin, face->end});

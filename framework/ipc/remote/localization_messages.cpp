@@ -62,11 +62,11 @@ PoseEstimate estimate_in(ConfigObject& object) {
   estimate.probability = number_in(object, "probability", kShare);
   estimate.none = number_in(object, "none", kShare);
   estimate.hypotheses = object.integer("hypotheses", 0, {0, 1e6});
-  estimate.best = object.integer("best", -1, {-1, 2e9});
+  estimate.best = HypothesisId(object.integer("best", -1, {-1, 2e9}));
   auto alternatives = object.list("alternatives");
   if (!alternatives) object.refuse("alternatives", "a list");
   for (ConfigObject& alternative : *alternatives) {
-    estimate.alternatives.push_back({alternative.integer("hypothesis", -1, {-1, 2e9}),
+    estimate.alternatives.push_back({HypothesisId(alternative.integer("hypothesis", -1, {-1, 2e9})),
                                      pose_in(alternative, "T_map_base"),
                                      number_in(alternative, "probability", kShare)});
     alternative.expect_no_more();

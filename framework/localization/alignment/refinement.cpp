@@ -45,8 +45,8 @@ void linearize(const MapView& map, const ObservedScan& scan, const Pose2& pose, 
   const Point eye = pose * scan.laser_position;
   for (const Point& point : scan.points) {
     const Point lever = pose.rotate(point), p = pose.position() + lever;
-    const int number = map.nearest_facing(p, p - eye);
-    if (number < 0) continue;
+    const MapFeatureNumber number = map.nearest_facing(p, p - eye);
+    if (!number.exists()) continue;
     const Residual residual = residual_to(map.surface(number), p);
     if (residual.valid) equations.add(residual.normal, lever, residual.error, robust_weight(residual.error, sigma_m));
   }

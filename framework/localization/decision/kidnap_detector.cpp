@@ -40,7 +40,7 @@ void KidnapDetector::reset() {
   suspicion_nat_ = 0;
   usual_nat_ = 0;
   last_good_ = {};
-  discontinued_ = -2;
+  discontinued_ = {};
 }
 
 double KidnapDetector::share_of_usual_nat() const { return std::max(options_.scan_nat, kDrop * usual_nat_); }

@@ -20,7 +20,7 @@ class OPAL_EXPORT KidnapDetector {
 
   /// A scan beside the best hypothesis.
   struct Evidence {
-    int keyframe = 0;             ///< its number, increasing
+    KeyframeId keyframe = {};     ///< its id
     double tempering_weight = 1;  ///< how much of a new piece of evidence it is, in (0, 1]
     double match_share = 0;       ///< of its points that lie on what was seen before
     double scan_nat = 0;          ///< what it says for the hypothesis
@@ -40,7 +40,7 @@ class OPAL_EXPORT KidnapDetector {
 
  private:
   /// Some scan since then, or just before, did not continue those before.
-  bool discontinued() const { return discontinued_ + 1 >= last_good_.keyframe; }
+  bool discontinued() const { return discontinued_.exists() && discontinued_.next() >= last_good_.keyframe; }
   /// What a scan has to say, or it is a reason for suspicion [nat]: where it does not continue those before, about what
   /// they said, which a place that looks alike by chance does not.
   double wanted_nat() const;
@@ -51,7 +51,7 @@ class OPAL_EXPORT KidnapDetector {
   double suspicion_nat_ = 0;
   double usual_nat_ = 0;  ///< what scans said on average before there was suspicion
   RetrospectiveVerification::Takeover last_good_;
-  int discontinued_ = -2;  ///< the newest keyframe that did not continue those before
+  KeyframeId discontinued_;  ///< the newest keyframe that did not continue those before
 };
 
 }  // namespace opal

@@ -12,9 +12,9 @@ constexpr double kOnSurface_m = 0.2, kPassed_m = 0.2, kPassedPer_m = 0.012;
 /// Of one return.
 MapAgreement agreement(const MapView& map, const Point& eye, const Point& end) {
   const double range_m = (end - eye).norm();
-  if (map.first_crossing(eye, end, kPassed_m + kPassedPer_m * range_m).feature >= 0) return {0, 1};
-  const int nearest = map.nearest_facing(end, end - eye);
-  return {nearest >= 0 && map.surface(nearest).distance_m(end) < kOnSurface_m ? 1.0 : 0.0, 0};
+  if (map.first_crossing(eye, end, kPassed_m + kPassedPer_m * range_m).feature.exists()) return {0, 1};
+  const MapFeatureNumber nearest = map.nearest_facing(end, end - eye);
+  return {nearest.exists() && map.surface(nearest).distance_m(end) < kOnSurface_m ? 1.0 : 0.0, 0};
 }
 
 }  // namespace

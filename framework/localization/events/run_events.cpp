@@ -27,7 +27,7 @@ ordered_json feature_json(const MapFeature& feature, bool perceivable) {
 
 ordered_json pattern_json(const SemanticMap& map, const MapPattern& pattern) {
   ordered_json json{{"id", pattern.id}, {"template", pattern.pattern_template}, {"features", ordered_json::array()}};
-  for (int number : pattern.features) json["features"].push_back(map.features()[number].id);
+  for (MapFeatureNumber number : pattern.features) json["features"].push_back(map.feature(number).id);
   return json;
 }
 
@@ -54,7 +54,7 @@ ordered_json map_event(const MapView& view) {
                  {"patterns", ordered_json::array()}};
   for (const MapObject& object : map.objects()) e["objects"].push_back(object_json(object));
   std::vector<bool> perceivable(map.features().size(), false);
-  for (int number : view.features()) perceivable[number] = true;
+  for (MapFeatureNumber number : view.features()) perceivable[number.number()] = true;
   for (std::size_t k = 0; k < map.features().size(); ++k)
     e["features"].push_back(feature_json(map.features()[k], perceivable[k]));
   for (const MapPattern& pattern : map.patterns()) e["patterns"].push_back(pattern_json(map, pattern));

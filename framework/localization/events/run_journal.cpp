@@ -63,7 +63,7 @@ void RunJournal::reset() {
 
 // ---------------------------------------------------------------------------------------------- what is seen
 
-void RunJournal::keyframe(const Sample& sample, int keyframe, const Observation& observation) {
+void RunJournal::keyframe(const Sample& sample, KeyframeId keyframe, const Observation& observation) {
   stamp_s_ = sample.stamp_s;
   keyframe_ = keyframe;
   observation_ = &observation;
@@ -84,7 +84,7 @@ void RunJournal::keyframe(const Sample& sample, int keyframe, const Observation&
 
 void RunJournal::local_features(const LocalMap& local_map) {
   auto changed = Json::array(), gone = Json::array();
-  std::vector<std::pair<int, std::string>> stable;
+  std::vector<std::pair<LocalFeatureId, std::string>> stable;
   for (auto& [id, written] : written_) written.alive = false;
   for (const LocalFeature& local : local_map.features()) {
     const auto [it, fresh] = written_.try_emplace(local.id);
@@ -104,11 +104,11 @@ void RunJournal::local_features(const LocalMap& local_map) {
     add_geometry(json, local.feature.geometry);
     changed.push_back(std::move(json));
   }
-  std::vector<int> forgotten;
+  std::vector<LocalFeatureId> forgotten;
   for (const auto& [id, written] : written_)
     if (!written.alive) forgotten.push_back(id);
   std::sort(forgotten.begin(), forgotten.end());
-  for (int id : forgotten) {
+  for (LocalFeatureId id : forgotten) {
     gone.push_back(id);
     written_.erase(id);
   }
@@ -132,7 +132,7 @@ RunJournal::Json RunJournal::pairs_json(std::span<const Association> pairs) cons
   auto json = Json::array();
   for (const Association& pair : pairs)
     json.push_back(
-        {pair.local_feature, pair.map_feature < 0 ? Json(nullptr) : Json(map_->feature(pair.map_feature).id)});
+        {pair.local_feature, pair.map_feature.exists() ? Json(map_->feature(pair.map_feature).id) : Json(nullptr)});
   return json;
 }
 
@@ -147,19 +147,19 @@ RunJournal::Json RunJournal::findings_json(const Live& live) const {
   auto json = Json::array();
   for (const auto& [scorer, finding] : ensemble_.explain(live.hypothesis, *observation_)) {
     Json one{{"scorer", scorer}, {"words", finding.words}};
-    if (finding.map_feature >= 0) one["map_feature"] = map_->feature(finding.map_feature).id;
+    if (finding.map_feature.exists()) one["map_feature"] = map_->feature(finding.map_feature).id;
     if (!finding.line.empty()) one["line"] = points_json(finding.line);
     json.push_back(std::move(one));
   }
   return json;
 }
 
-void RunJournal::spawned(const Live& live, int parent, int pattern) {
+void RunJournal::spawned(const Live& live, HypothesisId parent, TemplateNumber pattern) {
   if (!listening()) return;
   auto e = event("spawned");
   e["hypothesis"] = live.hypothesis.id;
-  if (parent >= 0) e["parent"] = parent;
-  if (pattern >= 0) e["template"] = search_.pattern_name(pattern);
+  if (parent.exists()) e["parent"] = parent;
+  if (pattern.exists()) e["template"] = search_.pattern_name(pattern);
   e["T_map_base"] = pose_json(T_map_base(live));
   e["log_likelihood"] = live.hypothesis.log_likelihood;
   e["pairs"] = pairs_json(live.hypothesis.associations);
@@ -171,7 +171,7 @@ void RunJournal::ended(const Live& live, const Ending& ending) {
   auto e = event("pruned");
   e["hypothesis"] = live.hypothesis.id;
   e["reason"] = ending.reason;
-  const bool merged = ending.merged_into >= 0;
+  const bool merged = ending.merged_into.exists();
   if (merged) e["merged_into"] = ending.merged_into;
   e["T_map_base"] = pose_json(T_map_base(live));
   e["log_likelihood"] = live.hypothesis.log_likelihood;
@@ -189,7 +189,8 @@ void RunJournal::associated(const Live& live, std::span<const Association> pairs
   events_.write(e);
 }
 
-void RunJournal::dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) {
+void RunJournal::dissociated(const Live& live, const std::vector<LocalFeatureId>& local_features,
+                             const std::string& reason) {
   if (!listening()) return;
   auto e = event("dissociated");
   e["hypothesis"] = live.hypothesis.id;

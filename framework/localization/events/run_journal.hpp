@@ -22,7 +22,7 @@ class RunJournal final : public HypothesisListener {
 
   /// Begins an update.
   /// @param observation  what hypotheses are judged by; must outlive the update.
-  void keyframe(const Sample& sample, int keyframe, const Observation& observation);
+  void keyframe(const Sample& sample, KeyframeId keyframe, const Observation& observation);
   /// What the drive says of the sensor; the estimates that follow write what is not fine.
   void sensor(const std::vector<SensorFinding>& findings);
   void searched(std::span<const CandidateGenerator::LookedUp> looked_up, std::size_t proposed);
@@ -32,10 +32,11 @@ class RunJournal final : public HypothesisListener {
   /// The localizer was reset.
   void reset();
 
-  void spawned(const Live& live, int parent, int pattern) override;
+  void spawned(const Live& live, HypothesisId parent, TemplateNumber pattern) override;
   void ended(const Live& live, const Ending& ending) override;
   void associated(const Live& live, std::span<const Association> pairs) override;
-  void dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) override;
+  void dissociated(const Live& live, const std::vector<LocalFeatureId>& local_features,
+                   const std::string& reason) override;
   void branch_rejected(const Live& parent, const Association& pair, const std::string& reason) override;
   void candidate_rejected(const VerifiedCandidate& candidate, const std::string& reason) override;
 
@@ -63,9 +64,9 @@ class RunJournal final : public HypothesisListener {
   const ScorerEnsemble& ensemble_;
   const GlobalSearch& search_;
   double stamp_s_ = 0;
-  int keyframe_ = 0;
+  KeyframeId keyframe_;
   const Observation* observation_ = nullptr;  ///< of the update that is under way
-  std::unordered_map<int, Written> written_;
+  std::unordered_map<LocalFeatureId, Written> written_;
   std::optional<Status> reported_;
   Json sensor_ = Json::array();  ///< words of findings that are not fine
   Json rejected_;                ///< candidates of the search that is under way

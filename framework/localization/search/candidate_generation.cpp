@@ -63,12 +63,13 @@ CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map,
 
 /// Observed patterns of one template that the map knows: well supported ones; of those, the ones that the index expects
 /// least often.
-std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(int number, std::span<const Feature> features,
+std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(TemplateNumber pattern,
+                                                                      std::span<const Feature> features,
                                                                       bool under_constrained) const {
-  const Table& table = tables_[number];
+  const auto& [name, part, index] = table(pattern);
   std::vector<Lookup> lookups;
-  for (PatternInstance& observed : find_patterns(*table.part, features))
-    if (is_under_constrained(observed) == under_constrained) lookups.push_back({number, std::move(observed), 0});
+  for (PatternInstance& observed : find_patterns(*part, features))
+    if (is_under_constrained(observed) == under_constrained) lookups.push_back({pattern, std::move(observed), 0});
   std::stable_sort(lookups.begin(), lookups.end(), [&](const Lookup& a, const Lookup& b) {
     return support_of(a.observed, features) > support_of(b.observed, features);
   });
@@ -76,7 +77,7 @@ std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(int number
       static_cast<std::size_t>(under_constrained ? options_.under_constrained_patterns : options_.patterns);
   if (lookups.size() > most) lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(most), lookups.end());
   const auto limit = static_cast<std::size_t>(options_.lookup_limit);
-  for (Lookup& lookup : lookups) lookup.expected = table.index.count(lookup.observed, limit);
+  for (Lookup& lookup : lookups) lookup.expected = index.count(lookup.observed, limit);
   std::erase_if(lookups, [](const Lookup& lookup) { return lookup.expected == 0; });
   keep_rarest(lookups, limit, 1, under_constrained);
   return lookups;
@@ -102,8 +103,9 @@ std::vector<CandidateGenerator::Lookup> CandidateGenerator::choose(std::span<con
   std::vector<Feature> features;
   for (const SearchFeature& each : best) features.push_back(each.feature);
   std::vector<Lookup> chosen;
-  for (int number = 0; number < static_cast<int>(tables_.size()); ++number)
-    for (Lookup& lookup : shortlist(number, features, under_constrained)) chosen.push_back(std::move(lookup));
+  for (std::size_t k = 0; k < tables_.size(); ++k)
+    for (Lookup& lookup : shortlist(TemplateNumber(k), features, under_constrained))
+      chosen.push_back(std::move(lookup));
   if (options_.places > 0) keep_rarest(chosen, static_cast<std::size_t>(options_.places), kFewest, under_constrained);
   leave_out_parts(chosen);
   return chosen;
@@ -152,7 +154,7 @@ bool CandidateGenerator::is_in_region(const Point& position) const {
 
 void CandidateGenerator::look_up(const Lookup& lookup, int number, const TellingPoints& points, BestShare& filter,
                                  std::vector<Place>& places) const {
-  const Table& table = tables_[lookup.table];
+  const PatternIndex& index = table(lookup).index;
   struct Way {
     Pose2 T_frame_base;  ///< how the observed frame may lie on the mapped one
     TellingPoints::First
@@ -164,11 +166,11 @@ void CandidateGenerator::look_up(const Lookup& lookup, int number, const Telling
   if (lookup.observed.symmetric) ways.push_back({turned_about, turned(points.first(), turned_about)});
   std::vector<Point> positions;
   constexpr std::size_t kAhead = 16;
-  const std::vector<int> found = table.index.find(lookup.observed);
+  const std::vector<int> found = index.find(lookup.observed);
   for (std::size_t f = 0; f < found.size(); ++f) {
     const int k = found[f];
-    const PatternInstance& mapped = table.index.patterns()[k];
-    if (f + kAhead < found.size()) prefetch(table.index.patterns()[found[f + kAhead]]);
+    const PatternInstance& mapped = index.patterns()[k];
+    if (f + kAhead < found.size()) prefetch(index.patterns()[found[f + kAhead]]);
     for (const Way& way : ways) {
       const double heading_rad = wrap_angle(mapped.frame.heading_rad() + way.T_frame_base.heading_rad());
       const TellingPoints::First on_map = turned(way.points, mapped.frame);
@@ -195,7 +197,7 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const
                                                                            const std::vector<Lookup>& lookups) const {
   std::vector<Place> all;
   for (const Place& place : places) {
-    const PatternInstance& mapped = tables_[lookups[place.lookup].table].index.patterns()[place.mapped];
+    const PatternInstance& mapped = table(lookups[place.lookup]).index.patterns()[place.mapped];
     const Point step = kSweepStep_m * unit_vector(mapped.frame.heading_rad());
     for (int steps = -1; steps <= 1; ++steps) {
       all.push_back(place);
@@ -228,16 +230,16 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std:
 
 std::vector<Association> CandidateGenerator::pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
                                                      std::span<const SearchFeature> features) const {
-  const PatternInstance& pattern = tables_[lookup.table].index.patterns()[mapped];
+  const PatternInstance& pattern = table(lookup).index.patterns()[mapped];
   std::vector<Association> pairs;
   for (std::size_t slot = 0; slot < lookup.observed.members.size(); ++slot) {
     const SearchFeature& observed = features[lookup.observed.members[slot]];
-    const std::vector<int>& numbers = mapped_[pattern.members[slot]].numbers;
+    const std::vector<MapFeatureNumber>& numbers = mapped_[pattern.members[slot]].numbers;
     const Point place = T_map_base * anchor_of(observed.feature.geometry);
-    const int nearest = *std::min_element(numbers.begin(), numbers.end(), [&](int a, int b) {
+    const auto nearer_one = [&](MapFeatureNumber a, MapFeatureNumber b) {
       return distance_m(map_->feature(a).geometry, place) < distance_m(map_->feature(b).geometry, place);
-    });
-    pairs.push_back({observed.local, nearest});
+    };
+    pairs.push_back({observed.local, *std::min_element(numbers.begin(), numbers.end(), nearer_one)});
   }
   return pairs;
 }
@@ -248,7 +250,7 @@ CandidateGenerator::Proposal CandidateGenerator::propose(std::span<const SearchF
   const std::vector<SearchFeature> best = best_per_geometry(features, kFeaturesPerGeometry);
   const std::vector<Lookup> lookups = choose(best, under_constrained);
   for (const Lookup& lookup : lookups) {
-    proposal.looked_up.push_back({lookup.table, {}, lookup.expected});
+    proposal.looked_up.push_back({lookup.pattern, {}, lookup.expected});
     for (int member : lookup.observed.members) proposal.looked_up.back().local_features.push_back(best[member].local);
   }
   std::vector<Place> places = places_for(lookups, coarse, under_constrained);
@@ -258,7 +260,7 @@ CandidateGenerator::Proposal CandidateGenerator::propose(std::span<const SearchF
   for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.candidates)) {
     const Place& place = places[k];
     const Lookup& lookup = lookups[place.lookup];
-    proposal.candidates.push_back({poses[k], lookup.table, pair_up(lookup, place.mapped, poses[k], best)});
+    proposal.candidates.push_back({poses[k], lookup.pattern, pair_up(lookup, place.mapped, poses[k], best)});
   }
   return proposal;
 }

@@ -15,16 +15,18 @@
 
 namespace opal {
 
+using TemplateNumber = Id<PatternTemplate>;  ///< position among the generator's templates
+
 /// A feature that patterns may be made of, with the local feature that it belongs to.
 struct SearchFeature {
   Feature feature;  ///< base_link frame
-  int local = -1;   ///< LocalFeature::id
+  LocalFeatureId local = {};
 };
 
 /// A pose at which an observed pattern would be a mapped one.
 struct Candidate {
   Pose2 T_map_base;
-  int pattern = -1;  ///< which of the generator's templates
+  TemplateNumber pattern = {};  ///< that proposed it; none: a hint did
   std::vector<Association> pairs = {};
 };
 
@@ -38,8 +40,8 @@ class OPAL_EXPORT CandidateGenerator {
   /// @param under_constrained   look up patterns with a free parameter (true), or those that fix the pose (false).
   /// What was looked up, for the event stream.
   struct LookedUp {
-    int pattern = -1;
-    std::vector<int> local_features;
+    TemplateNumber pattern = {};
+    std::vector<LocalFeatureId> local_features;
     std::size_t expected = 0;  ///< places that the index predicts
   };
   struct Proposal {
@@ -49,7 +51,7 @@ class OPAL_EXPORT CandidateGenerator {
   Proposal propose(std::span<const SearchFeature> features, std::span<const Point> coarse,
                    bool under_constrained) const;
 
-  const std::string& pattern_name(int pattern) const { return tables_[pattern].name; }
+  const std::string& pattern_name(TemplateNumber pattern) const { return table(pattern).name; }
 
  private:
   struct Table {
@@ -58,7 +60,7 @@ class OPAL_EXPORT CandidateGenerator {
     PatternIndex index;  ///< members are positions in mapped_
   };
   struct Lookup {
-    int table = -1;
+    TemplateNumber pattern = {};
     PatternInstance observed;
     std::size_t expected = 0;
   };
@@ -70,7 +72,10 @@ class OPAL_EXPORT CandidateGenerator {
     int mapped;
   };
 
-  std::vector<Lookup> shortlist(int number, std::span<const Feature> features, bool under_constrained) const;
+  const Table& table(TemplateNumber pattern) const { return tables_[pattern.number()]; }
+  const Table& table(const Lookup& lookup) const { return table(lookup.pattern); }
+  std::vector<Lookup> shortlist(TemplateNumber pattern, std::span<const Feature> features,
+                                bool under_constrained) const;
   /// Those that are expected least often, as long as they have no more places together; the fewest in any case.
   static void keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest,
                           bool under_constrained);

@@ -55,7 +55,9 @@ class OPAL_EXPORT GlobalSearch {
   static constexpr std::size_t kFewestPoints = 15;
 
   /// Of a candidate: what proposed it.
-  std::string pattern_name(int pattern) const { return pattern < 0 ? "hint" : generator_.pattern_name(pattern); }
+  std::string pattern_name(TemplateNumber pattern) const {
+    return pattern.exists() ? generator_.pattern_name(pattern) : "hint";
+  }
 
  private:
   std::vector<SearchFeature> features_for(const Context& context) const;

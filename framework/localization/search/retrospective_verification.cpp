@@ -28,7 +28,7 @@ std::vector<ObservedScan> every_other_beam(const std::vector<ObservedScan>& scan
 
 }  // namespace
 
-void RetrospectiveVerification::remember(const Observation& observation, int keyframe, double tempering_weight,
+void RetrospectiveVerification::remember(const Observation& observation, KeyframeId keyframe, double tempering_weight,
                                          double best_nat) {
   if (options_.scans == 0 || observation.points() == 0) return;
   pending_ += tempering_weight;
@@ -81,7 +81,7 @@ RetrospectiveVerification::Verdict RetrospectiveVerification::if_kidnapped(const
   return {since.nat + kidnapping_->nat, since.memories, kidnapping_->keyframe, kidnapping_->nat, since.scans, false};
 }
 
-void RetrospectiveVerification::forget_until(int keyframe) {
+void RetrospectiveVerification::forget_until(KeyframeId keyframe) {
   std::erase_if(scans_, [&](const PastScan& scan) { return scan.keyframe <= keyframe; });
 }
 

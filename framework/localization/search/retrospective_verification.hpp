@@ -19,30 +19,30 @@ class OPAL_EXPORT RetrospectiveVerification {
       : map_(std::move(map)), ensemble_(ensemble), options_(options), evidence_memory_(evidence_memory) {}
 
   /// Keeps an observation once the newest ones add up to a whole new piece of evidence.
-  /// @param keyframe  its number, increasing.
+  /// @param keyframe  of the observation.
   /// @param tempering_weight   how much of a new piece of evidence it is, in (0, 1].
   /// @param best_nat  what it said for the hypothesis that was the best then.
-  void remember(const Observation& observation, int keyframe, double tempering_weight, double best_nat);
+  void remember(const Observation& observation, KeyframeId keyframe, double tempering_weight, double best_nat);
 
   /// The robot may have been kidnapped.
   struct Takeover {
-    int keyframe = 0;  ///< the last one before
-    double nat = 0;    ///< what a hypothesis starts with that takes over from the best one then, the price of being
-                       ///< kidnapped, and to this place of all places, included
+    KeyframeId keyframe{0};  ///< the last one before
+    double nat = 0;  ///< what a hypothesis starts with that takes over from the best one then, the price of being
+                     ///< kidnapped, and to this place of all places, included
   };
   /// From now on a candidate may also be where the robot was kidnapped to: it is judged by what was seen since then
   /// only, and takes over what the best hypothesis had gathered by then, at a price.
   void suspect(const std::optional<Takeover>& kidnapping) { kidnapping_ = kidnapping; }
   /// The robot was kidnapped: what was seen up to this keyframe says nothing any more.
-  void forget_until(int keyframe);
+  void forget_until(KeyframeId keyframe);
 
   struct Verdict {
-    double nat = 0;            ///< evidence of the scans that were kept, weighted as tracking would have weighted them
-    ScorerMemories memories;   ///< of the hypothesis, with what these scans add
-    int kidnapped_after = -1;  ///< that evidence rests on being kidnapped after this keyframe; -1: it does not
-    double inherited_nat = 0;  ///< part of it that another hypothesis had gathered by then
-    int scans = 0;             ///< how many of them were looked at
-    bool hopeless = false;     ///< fell so far behind the best ones of the time that the rest was not looked at
+    double nat = 0;           ///< evidence of the scans that were kept, weighted as tracking would have weighted them
+    ScorerMemories memories;  ///< of the hypothesis, with what these scans add
+    KeyframeId kidnapped_after = {};  ///< that evidence rests on being kidnapped after this keyframe; none: it does not
+    double inherited_nat = 0;         ///< part of it that another hypothesis had gathered by then
+    int scans = 0;                    ///< how many of them were looked at
+    bool hopeless = false;            ///< fell so far behind the best ones of the time that the rest was not looked at
   };
   /// @param hypothesis  registration to the local map as it is now.
   Verdict verify(const Hypothesis& hypothesis, const LocalMap& local_map) const;
@@ -63,7 +63,7 @@ class OPAL_EXPORT RetrospectiveVerification {
     std::vector<int> feature_scans;
     double tempering_weight = 0;  ///< of the observations since the one before
     double best_nat = 0;
-    int keyframe = 0;
+    KeyframeId keyframe = {};
   };
 
   /// What a verdict on the scans since then becomes.

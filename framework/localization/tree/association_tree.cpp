@@ -4,42 +4,42 @@
 
 namespace opal {
 
-int AssociationTree::add(int parent, std::vector<Association> pairs) {
-  int number = static_cast<int>(nodes_.size());
+NodeId AssociationTree::add(NodeId parent, std::vector<Association> pairs) {
+  NodeId id(nodes_.size());
   if (free_.empty()) {
     nodes_.emplace_back();
   } else {
-    number = free_.back();
+    id = free_.back();
     free_.pop_back();
   }
-  nodes_[number] = {parent, std::move(pairs), 1};
-  if (parent >= 0) ++nodes_[parent].users;
-  return number;
+  at(id) = {parent, std::move(pairs), 1};
+  if (parent.exists()) ++at(parent).users;
+  return id;
 }
 
-void AssociationTree::release(int leaf) {
-  for (int number = leaf; number >= 0;) {
-    Node& node = nodes_[number];
-    if (--node.users > 0) return;
-    const int parent = node.parent;
-    node = {};
-    free_.push_back(number);
-    number = parent;
+void AssociationTree::release(NodeId leaf) {
+  for (NodeId id = leaf; id.exists();) {
+    Node& released = at(id);
+    if (--released.users > 0) return;
+    const NodeId parent = released.parent;
+    released = {};
+    free_.push_back(id);
+    id = parent;
   }
 }
 
-std::vector<Association> AssociationTree::branch(int leaf) const {
+std::vector<Association> AssociationTree::branch(NodeId leaf) const {
   std::vector<Association> pairs;
-  for (int number = leaf; number >= 0; number = nodes_[number].parent)
-    pairs.insert(pairs.end(), nodes_[number].pairs.rbegin(), nodes_[number].pairs.rend());
+  for (NodeId id = leaf; id.exists(); id = node(id).parent)
+    pairs.insert(pairs.end(), node(id).pairs.rbegin(), node(id).pairs.rend());
   std::reverse(pairs.begin(), pairs.end());
   return pairs;
 }
 
-const std::vector<Association>& AssociationTree::first_pairs(int leaf) const {
-  int number = leaf;
-  while (nodes_[number].parent >= 0) number = nodes_[number].parent;
-  return nodes_[number].pairs;
+const std::vector<Association>& AssociationTree::first_pairs(NodeId leaf) const {
+  NodeId id = leaf;
+  while (node(id).parent.exists()) id = node(id).parent;
+  return node(id).pairs;
 }
 
 void AssociationTree::clear() {

@@ -12,20 +12,20 @@ namespace opal {
 namespace {
 
 void count(const Association& choice, Live& live) {
-  const bool not_on_map = choice.map_feature < 0;
+  const bool not_on_map = !choice.map_feature.exists();
   live.not_on_map += not_on_map;
   live.consecutive_not_on_map = not_on_map ? live.consecutive_not_on_map + 1 : 0;
 }
 
-bool knows(const Live& live, int local_feature) {
+bool knows(const Live& live, LocalFeatureId local_feature) {
   return std::any_of(live.hypothesis.associations.begin(), live.hypothesis.associations.end(),
                      [&](const Association& a) { return a.local_feature == local_feature; });
 }
 
-const LocalFeature* find_local(const LocalMap& map, int id) {
+const LocalFeature* find_local(const LocalMap& map, LocalFeatureId id) {
   const auto& all = map.features();
-  const auto it =
-      std::lower_bound(all.begin(), all.end(), id, [](const LocalFeature& f, int wanted) { return f.id < wanted; });
+  const auto it = std::lower_bound(all.begin(), all.end(), id,
+                                   [](const LocalFeature& f, LocalFeatureId wanted) { return f.id < wanted; });
   return it != all.end() && it->id == id ? &*it : nullptr;
 }
 
@@ -37,8 +37,8 @@ std::string outlier_words(double off_m, double most_m) {
 
 std::vector<Association> HypothesisSet::choices_for(const Live& live, const LocalFeature& local) const {
   const Geometry placed = transformed(live.hypothesis.T_map_local, local.feature.geometry);
-  std::vector<std::pair<double, int>> found;
-  for (int number : map_->within(anchor_of(placed), growth_.gate_m)) {
+  std::vector<std::pair<double, MapFeatureNumber>> found;
+  for (MapFeatureNumber number : map_->within(anchor_of(placed), growth_.gate_m)) {
     const MapFeature& mapped = map_->feature(number);
     if (mapped.type != local.feature.type || kind_of(mapped.geometry) != kind_of(placed)) continue;
     const Mismatch off = mismatch(placed, mapped.geometry);
@@ -49,7 +49,7 @@ std::vector<Association> HypothesisSet::choices_for(const Live& live, const Loca
   if (found.size() > static_cast<std::size_t>(growth_.max_branches)) found.resize(growth_.max_branches);
   std::vector<Association> choices;
   for (const auto& [cost, number] : found) choices.push_back({local.id, number});
-  if (found.empty() || growth_.branch_not_on_map) choices.push_back({local.id, -1});
+  if (found.empty() || growth_.branch_not_on_map) choices.push_back({local.id, {}});
   return choices;
 }
 
@@ -57,7 +57,7 @@ std::optional<double> HypothesisSet::register_anew(Live& live, const LocalMap& l
   std::vector<GeometryPair> pairs;
   const auto& all = live.hypothesis.associations;
   for (auto it = all.rbegin(); it != all.rend() && int(pairs.size()) < growth_.registration_horizon; ++it)
-    if (const LocalFeature* local = find_local(local_map, it->local_feature); local && it->map_feature >= 0)
+    if (const LocalFeature* local = find_local(local_map, it->local_feature); local && it->map_feature.exists())
       pairs.push_back({local->feature.geometry, map_->feature(it->map_feature).geometry});
   const Registration registration = register_geometry(pairs);
   const auto worst = std::max_element(registration.errors_m.begin(), registration.errors_m.end());
@@ -75,7 +75,7 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
   child.not_on_map = parent.not_on_map;
   child.consecutive_not_on_map = parent.consecutive_not_on_map;
   count(choice, child);
-  if (growth_.register_by_associations && choice.map_feature >= 0)
+  if (growth_.register_by_associations && choice.map_feature.exists())
     if (const auto off_m = register_anew(child, local_map)) {
       listener_.branch_rejected(parent, choice, outlier_words(*off_m, growth_.outlier_m));
       return false;
@@ -84,8 +84,8 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
   if (first) {
     listener_.associated(child, std::span(&choice, 1));
   } else {
-    child.hypothesis.id = next_id_++;
-    listener_.spawned(child, parent.hypothesis.id, -1);
+    child.hypothesis.id = new_id();
+    listener_.spawned(child, parent.hypothesis.id, {});
   }
   return true;
 }
@@ -102,7 +102,7 @@ void HypothesisSet::branch(const LocalFeature& feature, const LocalMap& local_ma
     for (const Association& choice : choices_for(live, feature))
       if (grow_child(live, choice, grown.size() == before, local_map, child)) grown.push_back(std::move(child));
     if (grown.size() == before)
-      end(live, "local feature " + std::to_string(feature.id) + " fits nothing that is left to choose");
+      end(live, "local feature " + to_string(feature.id) + " fits nothing that is left to choose");
     else
       tree_.release(live.leaf);
   }
@@ -137,14 +137,14 @@ void HypothesisSet::grow(const std::vector<const LocalFeature*>& features, const
     auto& known = live.hypothesis.associations;
     known.insert(known.end(), pairs.begin(), pairs.end());
     listener_.associated(live, pairs);
-    const int leaf = tree_.add(live.leaf, std::move(pairs));
+    const NodeId leaf = tree_.add(live.leaf, std::move(pairs));
     tree_.release(live.leaf);
     live.leaf = leaf;
   }
 }
 
 void HypothesisSet::forget(const LocalMap& local_map) {
-  std::vector<int> unknown, misfits;
+  std::vector<LocalFeatureId> unknown, misfits;
   for (Live& live : alive_) {
     unknown.clear();
     misfits.clear();
@@ -154,7 +154,7 @@ void HypothesisSet::forget(const LocalMap& local_map) {
         unknown.push_back(pair.local_feature);
         return true;
       }
-      if (pair.map_feature < 0) return false;
+      if (!pair.map_feature.exists()) return false;
       const Geometry placed = transformed(live.hypothesis.T_map_local, local->feature.geometry);
       const Mismatch off = mismatch(placed, map_->feature(pair.map_feature).geometry);
       if (off.position_m <= growth_.outlier_m && off.heading_rad <= growth_.outlier_rad) return false;

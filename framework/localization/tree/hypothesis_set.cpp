@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -25,7 +26,7 @@ bool better(const Live& a, const Live& b) {
 
 void sort_best_first(std::vector<Live>& alive) { std::stable_sort(alive.begin(), alive.end(), better); }
 
-bool ended(const Live& live) { return live.leaf < 0; }
+bool ended(const Live& live) { return !live.leaf.exists(); }
 
 /// The same place and associations, as if it had met nothing yet.
 Hypothesis as_new(const Hypothesis& old) {
@@ -52,10 +53,12 @@ void HypothesisSet::clear() {
   tree_.clear();
 }
 
-void HypothesisSet::end(Live& live, const std::string& reason, int merged_into) {
+HypothesisId HypothesisSet::new_id() { return std::exchange(next_id_, next_id_.next()); }
+
+void HypothesisSet::end(Live& live, const std::string& reason, HypothesisId merged_into) {
   listener_.ended(live, {reason, merged_into});
   tree_.release(live.leaf);
-  live.leaf = -1;
+  live.leaf = {};
 }
 
 Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Point> coarse,
@@ -154,24 +157,24 @@ HypothesisSet::Spawned HypothesisSet::in_retrospect(Hypothesis hypothesis, const
 
 double HypothesisSet::surplus_in_retrospect(const Observation& observation, double tempering_weight,
                                             const RetrospectiveVerification& retrospective) const {
-  if (alive_.empty() || alive_.front().kidnapped_after >= 0) return 0;
+  if (alive_.empty() || alive_.front().kidnapped_after.exists()) return 0;
   const Hypothesis best = as_new(alive_.front().hypothesis);
   const Spawned anew =
       in_retrospect(best, ensemble_.judge(best, observation), observation, tempering_weight, retrospective);
-  if (anew.past.scans == 0 || anew.past.hopeless || anew.past.kidnapped_after >= 0) return 0;
+  if (anew.past.scans == 0 || anew.past.hopeless || anew.past.kidnapped_after.exists()) return 0;
   return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
 }
 
 void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate) {
-  live.hypothesis.id = next_id_++;
+  live.hypothesis.id = new_id();
   live.hypothesis.log_likelihood = spawned.nat;
   live.hypothesis.memories = std::move(spawned.past.memories);
   live.hypothesis.associations = candidate.pairs;
   live.kidnapped_after = spawned.past.kidnapped_after;
   live.inherited_nat = spawned.past.inherited_nat;
-  live.leaf = tree_.add(-1, std::move(candidate.pairs));
+  live.leaf = tree_.add({}, std::move(candidate.pairs));
   live.updates = 1;
-  listener_.spawned(live, -1, candidate.pattern);
+  listener_.spawned(live, {}, candidate.pattern);
   alive_.push_back(std::move(live));
 }
 
@@ -200,7 +203,7 @@ void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Obser
       continue;
     }
     if (!surplus) surplus = surplus_in_retrospect(observation, tempering_weight, retrospective);
-    if (spawned.past.kidnapped_after < 0) spawned.nat -= *surplus;
+    if (!spawned.past.kidnapped_after.exists()) spawned.nat -= *surplus;
     live.scan_nat = verdict.nat;
     live.scores = std::move(verdict.scores);
     insert(std::move(live), std::move(spawned), std::move(candidate));
@@ -212,8 +215,8 @@ void HypothesisSet::spawn(std::vector<VerifiedCandidate> candidates, const Obser
 double HypothesisSet::settle() {
   const double inherited_nat = alive_.front().inherited_nat;
   for (Live& live : alive_) {
-    if (live.kidnapped_after < 0) end(live, "the robot was kidnapped");
-    live.kidnapped_after = -1;
+    if (!live.kidnapped_after.exists()) end(live, "the robot was kidnapped");
+    live.kidnapped_after = {};
     live.inherited_nat = 0;
     live.hypothesis.log_likelihood -= inherited_nat;
   }
@@ -230,7 +233,7 @@ void HypothesisSet::merge(const Pose2& T_local_base) {
       const Pose2 T_a = alive_[a].hypothesis.T_map_local * T_local_base;
       const Pose2 T_b = alive_[b].hypothesis.T_map_local * T_local_base;
       if (angle_between_rad(T_a, T_b) < kMerge_rad && distance_m(T_a, T_b) < kMerge_m)
-        end(alive_[b], "same place as hypothesis " + std::to_string(alive_[a].hypothesis.id), alive_[a].hypothesis.id);
+        end(alive_[b], "same place as hypothesis " + to_string(alive_[a].hypothesis.id), alive_[a].hypothesis.id);
     }
   }
   std::erase_if(alive_, ended);
@@ -240,19 +243,19 @@ void HypothesisSet::merge_similar() {
   if (growth_.similar_depth == 0) return;
   sort_best_first(alive_);
   const auto tail = [&](const Live& live) {
-    std::vector<std::pair<int, int>> last;
+    std::vector<std::pair<LocalFeatureId, MapFeatureNumber>> last;
     const auto& all = live.hypothesis.associations;
     for (auto it = all.rbegin(); it != all.rend() && int(last.size()) < growth_.similar_depth; ++it)
       last.emplace_back(it->local_feature, it->map_feature);
     return last;
   };
-  std::map<std::vector<std::pair<int, int>>, int> best_by_tail;
+  std::map<std::vector<std::pair<LocalFeatureId, MapFeatureNumber>>, HypothesisId> best_by_tail;
   for (Live& live : alive_) {
     auto last = tail(live);
-    const auto is_clutter = [](const auto& pair) { return pair.second < 0; };
+    const auto is_clutter = [](const auto& pair) { return !pair.second.exists(); };
     if (last.empty() || std::any_of(last.begin(), last.end(), is_clutter)) continue;
     const auto [best, is_new] = best_by_tail.try_emplace(std::move(last), live.hypothesis.id);
-    if (!is_new) end(live, "same newest associations as hypothesis " + std::to_string(best->second), best->second);
+    if (!is_new) end(live, "same newest associations as hypothesis " + to_string(best->second), best->second);
   }
   std::erase_if(alive_, ended);
 }

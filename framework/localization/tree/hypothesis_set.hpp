@@ -17,33 +17,34 @@ namespace opal {
 /// A hypothesis that is alive: a leaf of the association tree.
 struct Live {
   Hypothesis hypothesis;
-  int leaf = -1;        ///< in the tree
+  NodeId leaf = {};     ///< in the tree; none: it has ended
   double scan_nat = 0;  ///< what the newest scan said
   int updates = 0;      ///< scans judged since it was spawned
   int not_on_map = 0;   ///< associations with nothing, along the branch
   int consecutive_not_on_map = 0;
-  int kidnapped_after = -1;   ///< the robot was kidnapped after this keyframe, if it is right; -1: it was not
-  double inherited_nat = 0;   ///< part of its evidence that the best hypothesis had gathered by then
-  PoseFilter pose;            ///< what the scans since it was spawned say about where it is
-  std::vector<Score> scores;  ///< of the newest scan, in the ensemble's order
+  KeyframeId kidnapped_after = {};  ///< the robot was kidnapped after this keyframe, if it is right; none: it was not
+  double inherited_nat = 0;         ///< part of its evidence that the best hypothesis had gathered by then
+  PoseFilter pose;                  ///< what the scans since it was spawned say about where it is
+  std::vector<Score> scores;        ///< of the newest scan, in the ensemble's order
 };
 
 /// Why a hypothesis ended.
 struct Ending {
-  std::string reason;    ///< in words
-  int merged_into = -1;  ///< the hypothesis that is at the same place, if that is why
+  std::string reason;             ///< in words
+  HypothesisId merged_into = {};  ///< the hypothesis that is at the same place, if that is why
 };
 
 /// Hears what happens to hypotheses.
 class OPAL_EXPORT HypothesisListener {
  public:
   virtual ~HypothesisListener() = default;
-  /// @param parent    the hypothesis that it branches from, or -1.
-  /// @param pattern   the generator's template that it comes from, or -1.
-  virtual void spawned(const Live& live, int parent, int pattern) = 0;
+  /// @param parent    the hypothesis that it branches from, if it does.
+  /// @param pattern   the generator's template that it comes from, if it comes from one.
+  virtual void spawned(const Live& live, HypothesisId parent, TemplateNumber pattern) = 0;
   virtual void ended(const Live& live, const Ending& ending) = 0;
   virtual void associated(const Live& live, std::span<const Association> pairs) = 0;
-  virtual void dissociated(const Live& live, const std::vector<int>& local_features, const std::string& reason) = 0;
+  virtual void dissociated(const Live& live, const std::vector<LocalFeatureId>& local_features,
+                           const std::string& reason) = 0;
   /// A branch of `parent` was tried and did not fit.
   virtual void branch_rejected(const Live& parent, const Association& pair, const std::string& reason) = 0;
   /// A candidate of a search did not become a hypothesis.
@@ -116,7 +117,9 @@ class OPAL_EXPORT HypothesisSet {
                                const RetrospectiveVerification& retrospective) const;
   Alignment align(const Pose2& predicted, const Observation& observation) const;
   Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
-  void end(Live& live, const std::string& reason, int merged_into = -1);
+  /// @return an id that no hypothesis has had.
+  HypothesisId new_id();
+  void end(Live& live, const std::string& reason, HypothesisId merged_into = {});
   void merge(const Pose2& T_local_base);
   void merge_similar();
   void prune();
@@ -131,7 +134,7 @@ class OPAL_EXPORT HypothesisSet {
   HypothesisListener& listener_;
   AssociationTree tree_;
   std::vector<Live> alive_;
-  int next_id_ = 0;
+  HypothesisId next_id_{0};
 };
 
 }  // namespace opal

@@ -65,10 +65,9 @@ void measure_bounds(const SemanticMap& map, MapCheck& check) {
 }
 
 void warn_about_geometry(const SemanticMap& map, MapCheck& check) {
-  const std::vector<MapFeature>& features = map.features();
   std::vector<std::string> names;
   for (const auto& [first, second] : duplicate_features(map))
-    names.push_back(in_quotes(features[first].id) + " and " + in_quotes(features[second].id));
+    names.push_back(in_quotes(map.feature(first).id) + " and " + in_quotes(map.feature(second).id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "feature") +
                              " with the geometry of another one: " + examples(names));
@@ -79,8 +78,8 @@ void warn_about_geometry(const SemanticMap& map, MapCheck& check) {
     check.warnings.push_back(count_of(names.size(), "point") +
                              " within 1 cm of another point, without being one: " + examples(names));
   names.clear();
-  if (features.size() > 1)
-    for (const int number : isolated_features(map)) names.push_back(in_quotes(features[number].id));
+  if (map.features().size() > 1)
+    for (const MapFeatureNumber number : isolated_features(map)) names.push_back(in_quotes(map.feature(number).id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "feature") + " with no other within 15 m: " + examples(names));
 }
@@ -100,8 +99,7 @@ void warn_about_reach(const SemanticMap& map, MapCheck& check) {
     check.warnings.push_back(count_of(names.size(), "object") + " that nothing represents: " + examples(names));
   names.clear();
   for (const MapFeature& feature : map.features())
-    if (feature.sensor.empty() && stands_in_the_way(map.objects()[feature.object]))
-      names.push_back(in_quotes(feature.id));
+    if (feature.sensor.empty() && stands_in_the_way(map.object(feature.object))) names.push_back(in_quotes(feature.id));
   if (!names.empty())
     check.warnings.push_back(count_of(names.size(), "feature") + " that no sensor perceives: " + examples(names));
 }

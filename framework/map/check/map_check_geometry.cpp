@@ -114,12 +114,12 @@ std::vector<PointPair> unshared_points(const SemanticMap& map) {
   return pairs;
 }
 
-std::vector<std::pair<int, int>> duplicate_features(const SemanticMap& map) {
+std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> duplicate_features(const SemanticMap& map) {
   using Key = std::tuple<std::string, std::size_t, int, int>;  // sensor, kind, places of the points
   NearPoints near_points;
   std::vector<int> place_of_point;
-  std::map<Key, std::vector<int>> features_at;
-  std::vector<std::pair<int, int>> pairs;
+  std::map<Key, std::vector<MapFeatureNumber>> features_at;
+  std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> pairs;
   for (std::size_t i = 0; i < map.features().size(); ++i) {
     const MapFeature& feature = map.features()[i];
     std::array<int, 2> places{-1, -1};
@@ -129,18 +129,20 @@ std::vector<std::pair<int, int>> duplicate_features(const SemanticMap& map) {
       place_of_point.push_back(near < 0 ? static_cast<int>(place_of_point.size()) : place_of_point[near]);
       places[k] = place_of_point.back();
     }
-    std::vector<int>& others = features_at[{feature.sensor, feature.geometry.index(), places[0], places[1]}];
-    const auto same = std::find_if(others.begin(), others.end(),
-                                   [&](int other) { return alike(map.features()[other].geometry, feature.geometry); });
+    std::vector<MapFeatureNumber>& others =
+        features_at[{feature.sensor, feature.geometry.index(), places[0], places[1]}];
+    const auto same = std::find_if(others.begin(), others.end(), [&](MapFeatureNumber other) {
+      return alike(map.feature(other).geometry, feature.geometry);
+    });
     if (same != others.end())
-      pairs.emplace_back(*same, static_cast<int>(i));
+      pairs.emplace_back(*same, MapFeatureNumber(i));
     else
-      others.push_back(static_cast<int>(i));
+      others.emplace_back(i);
   }
   return pairs;
 }
 
-std::vector<int> isolated_features(const SemanticMap& map) {
+std::vector<MapFeatureNumber> isolated_features(const SemanticMap& map) {
   std::unordered_map<Cell, Occupants, CellHash> occupants;
   for (const MapFeature& feature : map.features())
     for (const Cell& cell : cells_passed(feature.geometry)) {
@@ -148,7 +150,7 @@ std::vector<int> isolated_features(const SemanticMap& map) {
       entry->second.lowest = std::min<std::string_view>(entry->second.lowest, feature.id);
       entry->second.highest = std::max<std::string_view>(entry->second.highest, feature.id);
     }
-  std::vector<int> isolated;
+  std::vector<MapFeatureNumber> isolated;
   for (std::size_t i = 0; i < map.features().size(); ++i) {
     const std::string& id = map.features()[i].id;
     bool has_neighbour = false;
@@ -158,7 +160,7 @@ std::vector<int> isolated_features(const SemanticMap& map) {
         if (found != occupants.end() && (found->second.lowest != id || found->second.highest != id))
           has_neighbour = true;
       });
-    if (!has_neighbour) isolated.push_back(static_cast<int>(i));
+    if (!has_neighbour) isolated.emplace_back(i);
   }
   return isolated;
 }

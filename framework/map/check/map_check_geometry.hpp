@@ -20,9 +20,9 @@ struct PointPair {
 /// Features that no sensor perceives do not count, nor those that are less sure than kSamePoint_m.
 std::vector<PointPair> unshared_points(const SemanticMap& map);
 /// Features of one sensor, kind and place, but for kSamePoint_m: pairs of positions, each later feature once.
-OPAL_EXPORT std::vector<std::pair<int, int>> duplicate_features(const SemanticMap& map);
+OPAL_EXPORT std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> duplicate_features(const SemanticMap& map);
 /// Positions of features that have no other feature within kNeighbour_m (none within twice that is surely listed).
-std::vector<int> isolated_features(const SemanticMap& map);
+std::vector<MapFeatureNumber> isolated_features(const SemanticMap& map);
 /// How many points belong to more than one geometry.
 int count_shared_points(const SemanticMap& map);
 

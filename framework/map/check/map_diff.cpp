@@ -126,7 +126,7 @@ class Comparison {
   static std::string described(const SemanticMap&, const MapPattern& pattern) { return pattern.pattern_template; }
   static std::string described(const SemanticMap& map, const MapFeature& feature) {
     const std::string seen = feature.sensor.empty() ? "perceivable by none" : "perceivable by " + feature.sensor;
-    return feature.type + " of " + map.objects()[feature.object].id + ", " + seen;
+    return feature.type + " of " + map.object(feature.object).id + ", " + seen;
   }
 
   void compare_one(const MapObject& before, const MapObject& after) {
@@ -149,7 +149,7 @@ class Comparison {
     };
     compare(MapPart::feature, ChangeKind::retyped, id, "", before.type, after.type, as_is);
     compare_geometries(id, before.geometry, after.geometry);
-    altered("object", before_.objects()[before.object].id, after_.objects()[after.object].id, in_quotes);
+    altered("object", before_.object(before.object).id, after_.object(after.object).id, in_quotes);
     altered("position_sigma_m", before.position_sigma_m, after.position_sigma_m, number);
     altered("existence", before.existence, after.existence, number);
     altered("points", before.points, after.points, listed_or_none);
@@ -187,8 +187,8 @@ class Comparison {
 
   static std::vector<std::string> members(const SemanticMap& map, const MapPattern& pattern) {
     std::vector<std::string> names;
-    for (const int feature : pattern.features) {
-      const MapFeature& member = map.features()[feature];
+    for (const MapFeatureNumber feature : pattern.features) {
+      const MapFeature& member = map.feature(feature);
       names.push_back(member.id + (member.sensor.empty() ? "" : " for " + member.sensor));
     }
     return names;

@@ -45,8 +45,8 @@ OverlaidMap overlaid_map(const SemanticMap& map, const std::vector<MapOverlay>& 
   std::move(changes.sentences.begin(), changes.sentences.end(), std::back_inserter(result.changes));
   result.doubts = std::move(changes.doubts);
   turn_corners(before, changes.set_corners, draft, result.changes, result.doubts);
-  const std::vector<int> positions = draft.settle();
-  std::vector<MapPattern> patterns = adapted_patterns(map, draft.features, positions, result.changes);
+  const std::vector<MapFeatureNumber> numbers = draft.settle();
+  std::vector<MapPattern> patterns = adapted_patterns(map, draft.features, numbers, result.changes);
   part_representations(draft.features);
   result.map =
       map.with_contents(std::move(draft.objects), std::move(draft.features), std::move(patterns), prefixes, statements);

@@ -41,7 +41,7 @@ json with_points_of_map(const OverlayDraft& draft, const MapOverlay& overlay) {
         const auto found = draft.features_by_point.find(compact_name(id, overlay.prefixes));
         if (found == draft.features_by_point.end() || !known.insert(id).second) continue;
         const OverlayDraft::Place& place = found->second.front();
-        nodes.push_back(point_node(id, points_of(draft.features[place.feature].geometry)[place.point]));
+        nodes.push_back(point_node(id, points_of(draft.feature(place.feature).geometry)[place.point]));
       }
   return nodes;
 }
@@ -58,13 +58,13 @@ MapDraft read_additions(const OverlayDraft& draft, const MapOverlay& overlay) {
 }
 
 /// What was there before the overlay, for this sensor or, as a change may have disabled it, for none.
-int position_of_twin(const OverlayDraft& draft, const MapFeature& feature, std::size_t known) {
+MapFeatureNumber number_of_twin(const OverlayDraft& draft, const MapFeature& feature, std::size_t known) {
   const auto same_id = draft.features_by_id.find(feature.id);
-  if (same_id == draft.features_by_id.end()) return -1;
+  if (same_id == draft.features_by_id.end()) return {};
   for (const std::string& sensor : {feature.sensor, std::string()})
-    for (const int i : same_id->second)
-      if (static_cast<std::size_t>(i) < known && !draft.is_twin(i) && draft.features[i].sensor == sensor) return i;
-  return -1;
+    for (const MapFeatureNumber i : same_id->second)
+      if (i < MapFeatureNumber(known) && !draft.is_twin(i) && draft.feature(i).sensor == sensor) return i;
+  return {};
 }
 
 void check_unused(const MapOverlay& overlay, const json& unused) {
@@ -81,23 +81,23 @@ json add_to(OverlayDraft& draft, const MapOverlay& overlay, std::vector<std::str
   MapDraft read = read_additions(draft, overlay);
   check_unused(overlay, read.unused);
   const std::size_t known_features = draft.features.size();
-  std::vector<int> positions;
+  std::vector<MapObjectNumber> numbers;
   for (std::size_t i = 0; i < read.objects.size(); ++i) {
     MapObject& object = read.objects[i];
     const auto known = draft.objects_by_id.find(object.id);
     const bool is_new = known == draft.objects_by_id.end();
     if (is_new) added.push_back(object.id + ": added, " + object.type);
     if (!is_new) draft.object_twins.push_back({object, overlay.source + ": " + read.object_places[i]});
-    positions.push_back(is_new ? draft.add(object) : known->second);
+    numbers.push_back(is_new ? draft.add(object) : known->second);
   }
   for (std::size_t i = 0; i < read.features.size(); ++i) {
     MapFeature& feature = read.features[i];
-    feature.object = positions[feature.object];
-    const int original = position_of_twin(draft, feature, known_features);
-    const bool of_map = original >= 0;
-    if (!of_map) added.push_back(feature.id + ": added to '" + draft.objects[feature.object].id + "', " + feature.type);
-    const int position = draft.add(std::move(feature));
-    if (of_map) draft.feature_twins[position] = {original, overlay.source + ": " + read.feature_places[i]};
+    feature.object = numbers[feature.object.number()];
+    const MapFeatureNumber original = number_of_twin(draft, feature, known_features);
+    const bool of_map = original.exists();
+    if (!of_map) added.push_back(feature.id + ": added to '" + draft.object(feature.object).id + "', " + feature.type);
+    const MapFeatureNumber number = draft.add(std::move(feature));
+    if (of_map) draft.feature_twins[number] = {original, overlay.source + ": " + read.feature_places[i]};
   }
   return read.unused;
 }

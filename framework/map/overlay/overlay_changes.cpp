@@ -56,8 +56,8 @@ std::string reason(const OverlayChange& change) { return change.because.empty() 
 struct ChangeMaker::Target {
   enum class Kind { object, features, point } kind = Kind::point;
   std::string id;
-  int object = -1;
-  std::vector<int> features;
+  MapObjectNumber object;
+  std::vector<MapFeatureNumber> features;
   std::string point;  ///< that x and y are about; empty if there is none, or are several
 };
 
@@ -75,7 +75,7 @@ bool ChangeMaker::find(const OverlayChange& change, Target& target) const {
   if (is_in(draft_.features_by_id) || representation) {
     target.kind = Target::Kind::features;
     target.features = (representation ? draft_.features_by_representation : draft_.features_by_id).at(change.target);
-    const MapFeature& first = draft_.features[target.features.front()];
+    const MapFeature& first = draft_.feature(target.features.front());
     if (!representation && first.points.size() == 1) target.point = first.points.front();
     return true;
   }
@@ -89,13 +89,13 @@ std::vector<double*> ChangeMaker::numbers_of(const Target& target, const std::st
     const auto places = draft_.features_by_point.find(target.point);
     if (places == draft_.features_by_point.end()) return {};
     for (const OverlayDraft::Place& place : places->second) {
-      Point& point = *points_of(draft_.features[place.feature].geometry)[place.point];
+      Point& point = *points_of(draft_.feature(place.feature).geometry)[place.point];
       numbers.push_back(word == "x" ? &point.x() : &point.y());
     }
     return numbers;
   }
-  for (const int i : target.features) {
-    MapFeature& feature = draft_.features[i];
+  for (const MapFeatureNumber i : target.features) {
+    MapFeature& feature = draft_.feature(i);
     double* number = word == "existence"          ? &feature.existence
                      : word == "position_sigma_m" ? &feature.position_sigma_m
                                                   : number_of(feature.geometry, word);
@@ -117,8 +117,8 @@ void ChangeMaker::check(const OverlayChange& change, const Target& target) {
                           : is_quality(word)  ? "an object that something represents, or a geometry"
                                               : "a geometry that has it"));
     if (is_coordinate(word)) claim("point '" + target.point + "' " + word, text_of(value), change.place);
-    for (const int i : target.features)
-      if (!is_coordinate(word)) claim("'" + draft_.features[i].id + "' " + word, text_of(value), change.place);
+    for (const MapFeatureNumber i : target.features)
+      if (!is_coordinate(word)) claim("'" + draft_.feature(i).id + "' " + word, text_of(value), change.place);
     if (word == "heading_rad" || word == "opening_rad") set_corners.insert(target.id);
   }
   for (const auto& [word, type] : change.types) {
@@ -126,8 +126,8 @@ void ChangeMaker::check(const OverlayChange& change, const Target& target) {
     if (of_object ? target.kind != Target::Kind::object : target.features.empty())
       refuse(change, "'" + target.id + "' has no " + word + ", expected " + (of_object ? "an object" : "a geometry"));
     if (of_object) claim("object '" + target.id + "' " + word, type, change.place);
-    for (const int i : target.features)
-      if (!of_object) claim("'" + draft_.features[i].id + "' " + word, type, change.place);
+    for (const MapFeatureNumber i : target.features)
+      if (!of_object) claim("'" + draft_.feature(i).id + "' " + word, type, change.place);
   }
   for (const auto* sensors : {&change.perceivable_by, &change.not_perceivable_by})
     for (const std::string& sensor : *sensors) {
@@ -135,8 +135,8 @@ void ChangeMaker::check(const OverlayChange& change, const Target& target) {
         refuse(change,
                "'" + target.id +
                    "' is nothing that a sensor perceives, expected an object that something represents, or a geometry");
-      for (const int i : target.features)
-        claim("'" + draft_.features[i].id + "' perceivable by " + sensor,
+      for (const MapFeatureNumber i : target.features)
+        claim("'" + draft_.feature(i).id + "' perceivable by " + sensor,
               sensors == &change.perceivable_by ? "yes" : "no", change.place);
     }
 }
@@ -175,20 +175,21 @@ std::string ChangeMaker::set_type(const Target& target, const std::string& word,
   if (word == "object_type") {
     for (OverlayDraft::ObjectTwin& twin : draft_.object_twins)
       if (twin.object.id == target.id) twin.object.type = type;
-    std::string& known = draft_.objects[target.object].type;
+    std::string& known = draft_.object(target.object).type;
     const std::string before = std::exchange(known, type);
     return before == type ? "" : word + " " + before + " -> " + type;
   }
-  const std::string before = draft_.features[target.features.front()].type;
+  const std::string before = draft_.feature(target.features.front()).type;
   bool changes = false;
-  for (const int i : target.features) changes = std::exchange(draft_.features[i].type, type) != type || changes;
+  for (const MapFeatureNumber i : target.features)
+    changes = std::exchange(draft_.feature(i).type, type) != type || changes;
   return changes ? word + " " + before + " -> " + type : "";
 }
 
 std::string ChangeMaker::disable(const OverlayChange& change, const Target& target, const std::string& sensor) {
   std::size_t disabled = 0, others = 0, all = 0;
-  for (const int i : target.features) {
-    MapFeature& feature = draft_.features[i];
+  for (const MapFeatureNumber i : target.features) {
+    MapFeature& feature = draft_.feature(i);
     const bool counts = !draft_.is_twin(i);
     if (counts) ++all;
     if (counts && !feature.sensor.empty() && feature.sensor != sensor) ++others;
@@ -198,28 +199,28 @@ std::string ChangeMaker::disable(const OverlayChange& change, const Target& targ
   }
   if (disabled == 0 && others == all)
     doubts.push_back(target.id + ": is not perceivable by " + sensor + " but by " +
-                     draft_.features[target.features.front()].sensor + ", so that nothing is disabled (" +
-                     change.place + ")");
+                     draft_.feature(target.features.front()).sensor + ", so that nothing is disabled (" + change.place +
+                     ")");
   return disabled == 0 ? "" : count_of(disabled, "feature") + " no longer perceivable by " + sensor;
 }
 
 std::string ChangeMaker::enable(const Target& target, const std::string& sensor) {
   std::set<std::string> perceived;
-  for (const int i : target.features)
-    if (draft_.features[i].sensor == sensor && !draft_.is_twin(i)) perceived.insert(draft_.features[i].id);
+  for (const MapFeatureNumber i : target.features)
+    if (draft_.feature(i).sensor == sensor && !draft_.is_twin(i)) perceived.insert(draft_.feature(i).id);
   std::size_t enabled = 0;
-  for (const int i : target.features) {
+  for (const MapFeatureNumber i : target.features) {
     if (draft_.is_twin(i)) {
-      if (draft_.features[i].sensor.empty()) draft_.features[i].sensor = sensor;
+      if (draft_.feature(i).sensor.empty()) draft_.feature(i).sensor = sensor;
       continue;
     }
-    if (!perceived.insert(draft_.features[i].id).second) continue;
+    if (!perceived.insert(draft_.feature(i).id).second) continue;
     ++enabled;
-    if (draft_.features[i].sensor.empty()) {
-      draft_.features[i].sensor = sensor;
+    if (draft_.feature(i).sensor.empty()) {
+      draft_.feature(i).sensor = sensor;
       continue;
     }
-    MapFeature for_sensor = draft_.features[i];
+    MapFeature for_sensor = draft_.feature(i);
     for_sensor.sensor = sensor;
     for_sensor.representation.clear();
     draft_.add(std::move(for_sensor));

@@ -13,21 +13,21 @@ constexpr double kTurned_rad = 1e-9;
 
 /// The faces that end and begin at a point, seen from their left.
 struct Faces {
-  std::optional<int> before, after;
+  std::optional<MapFeatureNumber> before, after;
   bool several = false;
 };
 
-void take(std::optional<int>& face, int feature, const std::vector<MapFeature>& features, bool& several) {
-  if (face && features[*face].id != features[feature].id) several = true;
+void take(std::optional<MapFeatureNumber>& face, MapFeatureNumber feature, const OverlayDraft& draft, bool& several) {
+  if (face && draft.feature(*face).id != draft.feature(feature).id) several = true;
   if (!face) face = feature;
 }
 
 Faces faces_at(const OverlayDraft& draft, const std::string& point) {
   Faces faces;
   for (const OverlayDraft::Place& place : draft.features_by_point.at(point)) {
-    if (draft.is_twin(place.feature) || kind_of(draft.features[place.feature].geometry) != GeometryKind::segment)
+    if (draft.is_twin(place.feature) || kind_of(draft.feature(place.feature).geometry) != GeometryKind::segment)
       continue;
-    take(place.point == 0 ? faces.after : faces.before, place.feature, draft.features, faces.several);
+    take(place.point == 0 ? faces.after : faces.before, place.feature, draft, faces.several);
   }
   return faces;
 }
@@ -47,14 +47,14 @@ bool fits(const OrientedPoint& corner, const OrientedPoint& faces, double tolera
 }
 
 /// Who takes a wall away may have forgotten its corner.
-void doubt_lonely(const std::vector<MapFeature>& before, const OverlayDraft& draft, int corner, const Faces& faces,
-                  std::vector<std::string>& doubts) {
-  const std::string& sensor = draft.features[corner].sensor;
+void doubt_lonely(const std::vector<MapFeature>& before, const OverlayDraft& draft, MapFeatureNumber corner,
+                  const Faces& faces, std::vector<std::string>& doubts) {
+  const std::string& sensor = draft.feature(corner).sensor;
   if (sensor.empty() || draft.is_twin(corner)) return;
-  for (const int face : {*faces.before, *faces.after})
-    if (before[face].sensor == sensor && draft.features[face].sensor != sensor) {
-      doubts.push_back(draft.features[corner].id + ": is still perceivable by " + sensor + ", but '" +
-                       draft.features[face].id + "', which meets in it, no longer is");
+  for (const MapFeatureNumber face : {*faces.before, *faces.after})
+    if (before[face.number()].sensor == sensor && draft.feature(face).sensor != sensor) {
+      doubts.push_back(draft.feature(corner).id + ": is still perceivable by " + sensor + ", but '" +
+                       draft.feature(face).id + "', which meets in it, no longer is");
       return;
     }
 }
@@ -64,21 +64,23 @@ void doubt_lonely(const std::vector<MapFeature>& before, const OverlayDraft& dra
 void turn_corners(const std::vector<MapFeature>& before, const std::set<std::string>& set_corners, OverlayDraft& draft,
                   std::vector<std::string>& sentences, std::vector<std::string>& doubts) {
   for (std::size_t i = 0; i < before.size(); ++i) {
-    MapFeature& feature = draft.features[i];
+    const MapFeatureNumber number(i);
+    MapFeature& feature = draft.feature(number);
     auto* corner = std::get_if<OrientedPoint>(&feature.geometry);
     if (!corner || set_corners.contains(feature.id)) continue;
     const Faces faces = faces_at(draft, feature.points.front());
     if (!faces.before || !faces.after) continue;
-    const auto limit = static_cast<int>(before.size());
+    const MapFeatureNumber limit(before.size());
     if (*faces.before >= limit || *faces.after >= limit) continue;  // a face was added
-    doubt_lonely(before, draft, static_cast<int>(i), faces, doubts);
+    doubt_lonely(before, draft, number, faces, doubts);
     const auto segment = [](const MapFeature& face) { return std::get<Segment>(face.geometry); };
-    const OrientedPoint was = corner_of(segment(before[*faces.before]), segment(before[*faces.after]));
-    const OrientedPoint is = corner_of(segment(draft.features[*faces.before]), segment(draft.features[*faces.after]));
+    const OrientedPoint was =
+        corner_of(segment(before[faces.before->number()]), segment(before[faces.after->number()]));
+    const OrientedPoint is = corner_of(segment(draft.feature(*faces.before)), segment(draft.feature(*faces.after)));
     if (fits(was, is, kTurned_rad)) continue;
     const auto& old_corner = std::get<OrientedPoint>(before[i].geometry);
     if (faces.several || !fits(old_corner, was, kFits_rad)) {
-      if (!draft.is_twin(static_cast<int>(i)))
+      if (!draft.is_twin(number))
         doubts.push_back(feature.id +
                          ": faces that meet in it have turned, but not its heading_rad and opening_rad; expected a "
                          "change that says them");
@@ -86,8 +88,7 @@ void turn_corners(const std::vector<MapFeature>& before, const std::set<std::str
     }
     corner->heading_rad = is.heading_rad;
     corner->opening_rad = is.opening_rad;
-    if (!draft.is_twin(static_cast<int>(i)))
-      sentences.push_back(feature.id + ": turned with the faces that meet in it");
+    if (!draft.is_twin(number)) sentences.push_back(feature.id + ": turned with the faces that meet in it");
   }
 }
 

@@ -38,44 +38,44 @@ OverlayDraft::OverlayDraft(const SemanticMap& map) {
   for (const MapFeature& feature : map.features()) add(feature);
 }
 
-int OverlayDraft::add(MapObject object) {
-  const int position = static_cast<int>(objects.size());
-  objects_by_id[object.id] = position;
+MapObjectNumber OverlayDraft::add(MapObject object) {
+  const MapObjectNumber number(objects.size());
+  objects_by_id[object.id] = number;
   object.features.clear();  // SemanticMap fills it in
   objects.push_back(std::move(object));
-  return position;
+  return number;
 }
 
-int OverlayDraft::add(MapFeature feature) {
-  const int position = static_cast<int>(features.size());
-  features_by_id[feature.id].push_back(position);
-  features_by_object[feature.object].push_back(position);
-  if (!feature.representation.empty()) features_by_representation[feature.representation].push_back(position);
+MapFeatureNumber OverlayDraft::add(MapFeature feature) {
+  const MapFeatureNumber number(features.size());
+  features_by_id[feature.id].push_back(number);
+  features_by_object[feature.object].push_back(number);
+  if (!feature.representation.empty()) features_by_representation[feature.representation].push_back(number);
   for (std::size_t i = 0; i < feature.points.size(); ++i)
-    features_by_point[feature.points[i]].push_back({position, static_cast<int>(i)});
+    features_by_point[feature.points[i]].push_back({number, static_cast<int>(i)});
   features.push_back(std::move(feature));
-  return position;
+  return number;
 }
 
-std::vector<int> OverlayDraft::settle() {
+std::vector<MapFeatureNumber> OverlayDraft::settle() {
   for (const ObjectTwin& twin : object_twins)
-    if (const MapObject& original = objects[objects_by_id.at(twin.object.id)]; twin.object.type != original.type)
+    if (const MapObject& original = object(objects_by_id.at(twin.object.id)); twin.object.type != original.type)
       throw MapError(twin.place + ": object '" + original.id + "' is " + twin.object.type + ", but the map has it as " +
                      original.type + "; expected the same, or a MapChange");
-  for (const auto& [position, twin] : feature_twins)
-    if (!same_feature(features[position], features[twin.original]))
-      throw MapError(twin.place + ": the map has another '" + features[position].id +
+  for (const auto& [number, twin] : feature_twins)
+    if (!same_feature(feature(number), feature(twin.original)))
+      throw MapError(twin.place + ": the map has another '" + feature(number).id +
                      "'; expected the same, a new id, or a MapChange of it");
   std::vector<MapFeature> kept;
-  std::vector<int> positions;
+  std::vector<MapFeatureNumber> numbers;
   std::set<std::pair<std::string, std::string>> known;
   for (std::size_t i = 0; i < features.size(); ++i) {
-    const bool gone = is_twin(static_cast<int>(i)) || !known.emplace(features[i].id, features[i].sensor).second;
-    positions.push_back(gone ? -1 : static_cast<int>(kept.size()));
+    const bool gone = is_twin(MapFeatureNumber(i)) || !known.emplace(features[i].id, features[i].sensor).second;
+    numbers.push_back(gone ? MapFeatureNumber() : MapFeatureNumber(kept.size()));
     if (!gone) kept.push_back(std::move(features[i]));
   }
   features = std::move(kept);
-  return positions;
+  return numbers;
 }
 
 }  // namespace opal

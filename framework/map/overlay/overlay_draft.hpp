@@ -12,14 +12,15 @@
 
 namespace opal {
 
-/// A map that overlays are being laid over. Objects and features of the map stand first, in its order.
+/// A map that overlays are being laid over. Objects and features of the map stand first, in its order. Numbers are
+/// positions in `objects` and `features`.
 ///
 /// What an overlay adds and the map has already stands here a second time, as a twin: changes are made to both, and in
 /// the end they must be the same. So an overlay may change what another one adds, and be applied again.
 struct OverlayDraft {
   struct Place {
-    int feature;  ///< position in `features`
-    int point;    ///< position in its points
+    MapFeatureNumber feature = {};
+    int point;  ///< position in its points
   };
 
   struct ObjectTwin {
@@ -27,29 +28,32 @@ struct OverlayDraft {
     std::string place;  ///< "FILE: /@graph/3"
   };
   struct FeatureTwin {
-    int original;  ///< position of what it must equal
+    MapFeatureNumber original = {};  ///< what it must equal
     std::string place;
   };
 
   std::vector<MapObject> objects;
   std::vector<MapFeature> features;
   std::vector<ObjectTwin> object_twins;
-  std::map<int, FeatureTwin> feature_twins;  ///< by position in `features`
+  std::map<MapFeatureNumber, FeatureTwin> feature_twins;
 
-  std::unordered_map<std::string, int> objects_by_id;
-  std::unordered_map<std::string, std::vector<int>> features_by_id, features_by_representation;
-  std::unordered_map<int, std::vector<int>> features_by_object;
+  std::unordered_map<std::string, MapObjectNumber> objects_by_id;
+  std::unordered_map<std::string, std::vector<MapFeatureNumber>> features_by_id, features_by_representation;
+  std::unordered_map<MapObjectNumber, std::vector<MapFeatureNumber>> features_by_object;
   std::unordered_map<std::string, std::vector<Place>> features_by_point;
 
   explicit OverlayDraft(const SemanticMap& map);
-  int add(MapObject object);  ///< @return its position
-  int add(MapFeature feature);
-  bool is_twin(int feature) const { return feature_twins.contains(feature); }
+  MapObjectNumber add(MapObject object);
+  MapFeatureNumber add(MapFeature feature);
+  MapObject& object(MapObjectNumber number) { return objects[number.number()]; }
+  MapFeature& feature(MapFeatureNumber number) { return features[number.number()]; }
+  const MapFeature& feature(MapFeatureNumber number) const { return features[number.number()]; }
+  bool is_twin(MapFeatureNumber feature) const { return feature_twins.contains(feature); }
 
   /// Takes out the twins, and of several features with one id and sensor all but the first.
-  /// @return for each position in `features` the new one; -1: gone.
+  /// @return for each position in `features` the new number; none: gone.
   /// @throws MapError if a twin differs from what it must equal.
-  std::vector<int> settle();
+  std::vector<MapFeatureNumber> settle();
 };
 
 /// Adds the objects and features of an overlay. @return what other vocabularies say there.
@@ -92,8 +96,10 @@ class ChangeMaker {
 void turn_corners(const std::vector<MapFeature>& before, const std::set<std::string>& set_corners, OverlayDraft& draft,
                   std::vector<std::string>& sentences, std::vector<std::string>& doubts);
 
-/// The map's patterns with the features that they have now; `positions` of features that are gone are -1.
+/// The map's patterns with the features that they have now; `numbers` has the new number of
+/// each; none: it is gone.
 std::vector<MapPattern> adapted_patterns(const SemanticMap& map, const std::vector<MapFeature>& features,
-                                         const std::vector<int>& positions, std::vector<std::string>& sentences);
+                                         const std::vector<MapFeatureNumber>& numbers,
+                                         std::vector<std::string>& sentences);
 
 }  // namespace opal

@@ -19,30 +19,31 @@ bool same_geometry(const MapFeature& a, const MapFeature& b) {
 
 class PatternAdapter {
  public:
-  PatternAdapter(const SemanticMap& map, const std::vector<MapFeature>& features, const std::vector<int>& positions)
-      : map_(map), features_(features), positions_(positions) {}
+  PatternAdapter(const SemanticMap& map, const std::vector<MapFeature>& features,
+                 const std::vector<MapFeatureNumber>& numbers)
+      : map_(map), features_(features), numbers_(numbers) {}
 
   std::vector<MapPattern> adapted(std::vector<std::string>& sentences) {
     find_broken(sentences);
     std::vector<MapPattern> kept;
     for (MapPattern pattern : map_.patterns()) {
       if (broken_.contains(pattern.id)) continue;
-      if (!pattern.dimensions.empty() &&
-          std::any_of(pattern.features.begin(), pattern.features.end(), [&](int i) { return is_moved(i); })) {
+      if (!pattern.dimensions.empty() && std::any_of(pattern.features.begin(), pattern.features.end(),
+                                                     [&](MapFeatureNumber i) { return is_moved(i); })) {
         pattern.dimensions.clear();
         sentences.push_back(pattern.id + ": pattern without the dimensions that it had, as a member was moved");
       }
-      for (int& feature : pattern.features) feature = positions_[feature];
+      for (MapFeatureNumber& feature : pattern.features) feature = now(feature);
       kept.push_back(std::move(pattern));
     }
     return kept;
   }
 
  private:
-  bool is_lost(int i) const {
-    return positions_[i] < 0 || (features_[positions_[i]].sensor != map_.features()[i].sensor);
-  }
-  bool is_moved(int i) const { return !same_geometry(map_.features()[i], features_[positions_[i]]); }
+  MapFeatureNumber now(MapFeatureNumber before) const { return numbers_[before.number()]; }
+  const MapFeature& feature_now(MapFeatureNumber before) const { return features_[now(before).number()]; }
+  bool is_lost(MapFeatureNumber i) const { return !now(i).exists() || feature_now(i).sensor != map_.feature(i).sensor; }
+  bool is_moved(MapFeatureNumber i) const { return !same_geometry(map_.feature(i), feature_now(i)); }
 
   /// Patterns that have lost a member, and those that they are a part of.
   void find_broken(std::vector<std::string>& sentences) {
@@ -55,10 +56,10 @@ class PatternAdapter {
     };
     for (const MapPattern& pattern : map_.patterns()) {
       for (const std::string& part : pattern.subpatterns) wholes[part].push_back(pattern.id);
-      const auto lost =
-          std::find_if(pattern.features.begin(), pattern.features.end(), [&](int i) { return is_lost(i); });
+      const auto lost = std::find_if(pattern.features.begin(), pattern.features.end(),
+                                     [&](MapFeatureNumber i) { return is_lost(i); });
       if (lost != pattern.features.end())
-        leave_out(pattern.id, "its member '" + map_.features()[*lost].id + "' is no longer perceivable");
+        leave_out(pattern.id, "its member '" + map_.feature(*lost).id + "' is no longer perceivable");
     }
     while (!waiting.empty()) {
       const std::string part = waiting.back();
@@ -69,15 +70,16 @@ class PatternAdapter {
 
   const SemanticMap& map_;
   const std::vector<MapFeature>& features_;
-  const std::vector<int>& positions_;
+  const std::vector<MapFeatureNumber>& numbers_;
   std::set<std::string> broken_;
 };
 
 }  // namespace
 
 std::vector<MapPattern> adapted_patterns(const SemanticMap& map, const std::vector<MapFeature>& features,
-                                         const std::vector<int>& positions, std::vector<std::string>& sentences) {
-  return PatternAdapter(map, features, positions).adapted(sentences);
+                                         const std::vector<MapFeatureNumber>& numbers,
+                                         std::vector<std::string>& sentences) {
+  return PatternAdapter(map, features, numbers).adapted(sentences);
 }
 
 }  // namespace opal

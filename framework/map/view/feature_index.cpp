@@ -33,7 +33,7 @@ Range accepted_by(const Geometry& observed) {
 }  // namespace
 
 FeatureIndex::FeatureIndex(const MapView& map) {
-  for (const int number : map.features()) {
+  for (const MapFeatureNumber number : map.features()) {
     const MapFeature& feature = map.feature(number);
     sizes_[feature.type][feature.geometry.index()].push_back(size_of(feature.geometry));
   }

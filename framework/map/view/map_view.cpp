@@ -16,7 +16,7 @@ namespace {
 namespace bg = boost::geometry;
 using BoostPoint = bg::model::point<double, 2, bg::cs::cartesian>;
 using Box = bg::model::box<BoostPoint>;
-using Entry = std::pair<Box, int>;
+using Entry = std::pair<Box, MapFeatureNumber>;
 using RTree = bg::index::rtree<Entry, bg::index::quadratic<16>>;
 
 struct Extent {
@@ -37,26 +37,27 @@ Extent extent_of(const Geometry& geometry) { return std::visit(ExtentOf{}, geome
 
 Box box_of(const Extent& extent) { return {{extent.low.x(), extent.low.y()}, {extent.high.x(), extent.high.y()}}; }
 
-std::vector<int> features_of(const SemanticMap& map, const std::string& sensor) {
-  std::vector<int> numbers;
+std::vector<MapFeatureNumber> features_of(const SemanticMap& map, const std::string& sensor) {
+  std::vector<MapFeatureNumber> numbers;
   for (std::size_t k = 0; k < map.features().size(); ++k)
-    if (map.features()[k].sensor == sensor) numbers.push_back(static_cast<int>(k));
+    if (map.features()[k].sensor == sensor) numbers.emplace_back(k);
   if (numbers.empty()) throw ConfigError(map.name() + ": holds no feature that sensor '" + sensor + "' can perceive");
   return numbers;
 }
 
-Extent bounds_of(const SemanticMap& map, const std::vector<int>& numbers) {
-  Extent all = extent_of(map.features()[numbers.front()].geometry);
-  for (int number : numbers) {
-    const Extent one = extent_of(map.features()[number].geometry);
+Extent bounds_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& numbers) {
+  Extent all = extent_of(map.feature(numbers.front()).geometry);
+  for (MapFeatureNumber number : numbers) {
+    const Extent one = extent_of(map.feature(number).geometry);
     all = {all.low.cwiseMin(one.low), all.high.cwiseMax(one.high)};
   }
   return all;
 }
 
-std::vector<SurfaceGrid::NumberedShape> shapes_of(const SemanticMap& map, const std::vector<int>& numbers) {
+std::vector<SurfaceGrid::NumberedShape> shapes_of(const SemanticMap& map,
+                                                  const std::vector<MapFeatureNumber>& numbers) {
   std::vector<SurfaceGrid::NumberedShape> shapes;
-  for (int number : numbers) shapes.emplace_back(number, map.features()[number].geometry);
+  for (MapFeatureNumber number : numbers) shapes.emplace_back(number, map.feature(number).geometry);
   return shapes;
 }
 
@@ -136,10 +137,10 @@ struct MapView::Index {
         surfaces(bounds.low, bounds.high, shapes_of(map, numbers)) {
     std::vector<Entry> entries;
     by_number.resize(map.features().size());
-    for (int number : numbers) {
-      const Geometry& geometry = map.features()[number].geometry;
-      by_number[number] = surface_of(geometry);
-      by_number[number].object = map.features()[number].object;
+    for (MapFeatureNumber number : numbers) {
+      const Geometry& geometry = map.feature(number).geometry;
+      surface(number) = surface_of(geometry);
+      surface(number).object = map.feature(number).object;
       entries.emplace_back(box_of(extent_of(geometry)), number);
     }
     tree = RTree(entries);
@@ -149,23 +150,26 @@ struct MapView::Index {
   /// Wider than the lines that patterns are made of: evidence must not count one wall twice.
   void number_lines(const SemanticMap& map) {
     constexpr SupportLineOptions kSameWall{.min_length_m = 0, .angle_rad = 0.15, .offset_m = 0.2, .gap_m = 30};
-    std::vector<int> faces;
-    for (int number : numbers) {
-      by_number[number].line = number;
-      if (std::holds_alternative<Segment>(map.features()[number].geometry)) faces.push_back(number);
+    std::vector<MapFeatureNumber> faces;
+    for (MapFeatureNumber number : numbers) {
+      surface(number).line = WallLineNumber(number.number());
+      if (std::holds_alternative<Segment>(map.feature(number).geometry)) faces.push_back(number);
     }
     for (const MappedFeature& line : support_lines(map, std::move(faces), kSameWall))
-      for (int number : line.numbers) by_number[number].line = line.numbers.front();
+      for (MapFeatureNumber number : line.numbers) surface(number).line = surface(line.numbers.front()).line;
   }
 
+  Surface& surface(MapFeatureNumber number) { return by_number[number.number()]; }
+  const Surface& surface(MapFeatureNumber number) const { return by_number[number.number()]; }
+
   template <class Query>
-  std::vector<int> numbers_of(const Query& query) const {
-    std::vector<int> found;
+  std::vector<MapFeatureNumber> numbers_of(const Query& query) const {
+    std::vector<MapFeatureNumber> found;
     for (auto it = tree.qbegin(query); it != tree.qend(); ++it) found.push_back(it->second);
     return found;
   }
 
-  std::vector<int> numbers;
+  std::vector<MapFeatureNumber> numbers;
   Extent bounds;
   SurfaceGrid surfaces;
   std::vector<Surface> by_number;
@@ -178,12 +182,12 @@ MapView::MapView(std::shared_ptr<const SemanticMap> map, const std::string& sens
 MapView::~MapView() = default;
 
 const SemanticMap& MapView::map() const { return *map_; }
-const MapFeature& MapView::feature(int number) const { return map_->features()[number]; }
-const Surface& MapView::surface(int number) const { return index_->by_number[number]; }
-std::span<const int> MapView::features() const { return index_->numbers; }
+const MapFeature& MapView::feature(MapFeatureNumber number) const { return map_->feature(number); }
+const Surface& MapView::surface(MapFeatureNumber number) const { return index_->surface(number); }
+std::span<const MapFeatureNumber> MapView::features() const { return index_->numbers; }
 std::array<Point, 2> MapView::bounds() const { return {index_->bounds.low, index_->bounds.high}; }
 
-std::vector<int> MapView::within(const Point& p, double radius_m) const {
+std::vector<MapFeatureNumber> MapView::within(const Point& p, double radius_m) const {
   constexpr double kRounding_m = 1e-9;  // of the box, for coordinates up to 1e6 m: what is near enough decides
   const Point radius = Point::Constant(radius_m + kRounding_m);
   const auto near_enough = [&](const Entry& e) { return distance_m(feature(e.second).geometry, p) <= radius_m; };
@@ -191,14 +195,15 @@ std::vector<int> MapView::within(const Point& p, double radius_m) const {
   return index_->numbers_of(query);
 }
 
-int MapView::nearest_facing(const Point& p, const Point& view_direction) const {
-  const auto faces_viewer = [&](int number) {
-    if (number < 0) return false;
-    const Surface& surface = index_->by_number[number];
+MapFeatureNumber MapView::nearest_facing(const Point& p, const Point& view_direction) const {
+  const auto faces_viewer = [&](MapFeatureNumber number) {
+    if (!number.exists()) return false;
+    const Surface& surface = index_->surface(number);
     return surface.is_circle() || !(surface.normal().dot(view_direction) >= 0);
   };
   const auto [first, second] = index_->surfaces.nearest(p);
-  if (!faces_viewer(second)) return faces_viewer(first) ? first : -1;  // mostly: a wall's faces look either way
+  if (!faces_viewer(second))
+    return faces_viewer(first) ? first : MapFeatureNumber();  // mostly: a wall's faces look either way
   if (!faces_viewer(first)) return second;
   return surface(second).distance_m(p) >= surface(first).distance_m(p) ? first : second;
 }
@@ -237,9 +242,9 @@ MapView::Crossing MapView::first_crossing(const Point& origin, const Point& targ
   for (double range = 0; range < length;) {
     const std::uint8_t cm = grid.distance_cm_in_cells(from + range * along);
     if (cm < kPassable_cm) {
-      for (int number : grid.nearest(origin + range * ray.direction)) {
-        if (number < 0) continue;
-        const Surface& surface = index_->by_number[number];
+      for (MapFeatureNumber number : grid.nearest(origin + range * ray.direction)) {
+        if (!number.exists()) continue;
+        const Surface& surface = index_->surface(number);
         bool from_behind = false;
         const double meets = surface.is_circle() ? meets_circle(ray, surface) : meets_face(ray, surface, from_behind);
         if (meets > 0) return {number, meets, from_behind};

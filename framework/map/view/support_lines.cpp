@@ -18,7 +18,7 @@ using FaceTree = bg::index::rtree<NumberedBox, bg::index::quadratic<16>>;
 struct Line {
   Segment extent;
   double support_m = 0;
-  std::vector<int> numbers;
+  std::vector<MapFeatureNumber> numbers;
 };
 
 /// Where `face` begins and ends along `line`, and how far aside of it, all [m].
@@ -147,12 +147,12 @@ bool absorb_once(std::vector<Line>& lines, const SupportLineOptions& options) {
 
 }  // namespace
 
-std::vector<MappedFeature> support_lines(const SemanticMap& map, std::vector<int> faces,
+std::vector<MappedFeature> support_lines(const SemanticMap& map, std::vector<MapFeatureNumber> faces,
                                          const SupportLineOptions& options) {
   std::sort(faces.begin(), faces.end());
   std::vector<Line> lines;
-  for (int number : faces) {
-    const auto& face = std::get<Segment>(map.features()[number].geometry);
+  for (MapFeatureNumber number : faces) {
+    const auto& face = std::get<Segment>(map.feature(number).geometry);
     if (face.length_m() >= options.min_length_m) lines.push_back({face, face.length_m(), {number}});
   }
   while (absorb_once(lines, options)) {
@@ -160,7 +160,7 @@ std::vector<MappedFeature> support_lines(const SemanticMap& map, std::vector<int
   std::vector<MappedFeature> found;
   for (Line& line : lines) {
     MappedFeature mapped;
-    mapped.feature.type = map.features()[line.numbers.front()].type;
+    mapped.feature.type = map.feature(line.numbers.front()).type;
     mapped.feature.geometry = line.extent;
     mapped.feature.support_m = line.support_m;
     mapped.numbers = std::move(line.numbers);
@@ -169,11 +169,11 @@ std::vector<MappedFeature> support_lines(const SemanticMap& map, std::vector<int
   return found;
 }
 
-std::vector<MappedFeature> mapped_features(const SemanticMap& map, std::span<const int> perceivable) {
-  std::vector<int> faces;
+std::vector<MappedFeature> mapped_features(const SemanticMap& map, std::span<const MapFeatureNumber> perceivable) {
+  std::vector<MapFeatureNumber> faces;
   std::vector<MappedFeature> all;
-  for (int number : perceivable) {
-    const MapFeature& feature = map.features()[number];
+  for (MapFeatureNumber number : perceivable) {
+    const MapFeature& feature = map.feature(number);
     if (kind_of(feature.geometry) == GeometryKind::segment) {
       faces.push_back(number);
       continue;

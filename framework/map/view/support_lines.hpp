@@ -10,8 +10,8 @@ namespace opal {
 
 /// A mapped feature as patterns see it: one feature, or several faces that lie on one line.
 struct MappedFeature {
-  Feature feature;           ///< in the map frame
-  std::vector<int> numbers;  ///< positions in SemanticMap::features(), along the line
+  Feature feature;                        ///< in the map frame
+  std::vector<MapFeatureNumber> numbers;  ///< along the line
 };
 
 struct SupportLineOptions {
@@ -22,10 +22,10 @@ struct SupportLineOptions {
 };
 
 /// Joins faces that look the same way along one line. Order of `faces` does not matter for the result's set.
-std::vector<MappedFeature> support_lines(const SemanticMap& map, std::vector<int> faces,
+std::vector<MappedFeature> support_lines(const SemanticMap& map, std::vector<MapFeatureNumber> faces,
                                          const SupportLineOptions& options);
 
 /// What patterns are searched among: support lines, and every other perceivable feature as it is.
-std::vector<MappedFeature> mapped_features(const SemanticMap& map, std::span<const int> perceivable);
+std::vector<MappedFeature> mapped_features(const SemanticMap& map, std::span<const MapFeatureNumber> perceivable);
 
 }  // namespace opal

@@ -59,7 +59,7 @@ void SurfaceGrid::make_coarse() {
 
 std::uint32_t SurfaceGrid::add_tile(Painting& painting) {
   nearest_.push_back(std::make_unique<Nearest>());
-  for (auto& layers : *nearest_.back()) layers.fill(-1);
+  for (auto& layers : *nearest_.back()) layers.fill({});
   painting.layer_distance_cm.push_back(std::make_unique<Painting::LayerDistances>());
   for (auto& distances : *painting.layer_distance_cm.back()) distances.fill(kFar_cm);
   painting.distance_cm.push_back(std::make_unique<Distances>());
@@ -67,8 +67,8 @@ std::uint32_t SurfaceGrid::add_tile(Painting& painting) {
   return static_cast<std::uint32_t>(nearest_.size() - 1);
 }
 
-void SurfaceGrid::paint_cell(Painting& painting, int i, int j, double distance_m, int number, int first_layer,
-                             int last_layer) {
+void SurfaceGrid::paint_cell(Painting& painting, int i, int j, double distance_m, MapFeatureNumber number,
+                             int first_layer, int last_layer) {
   std::uint32_t& tile = tile_of_[static_cast<std::size_t>(j / kSide) * columns_ + i / kSide];
   if (tile == 0) tile = add_tile(painting);
   const unsigned offset = offset_of(i % kSide, j % kSide);
@@ -84,7 +84,7 @@ void SurfaceGrid::paint_cell(Painting& painting, int i, int j, double distance_m
   }
 }
 
-void SurfaceGrid::paint(Painting& painting, int number, const Segment& segment) {
+void SurfaceGrid::paint(Painting& painting, MapFeatureNumber number, const Segment& segment) {
   const int layer = layer_of(segment);
   const Point direction = segment.direction();
   const double length = segment.length_m();
@@ -116,7 +116,7 @@ void SurfaceGrid::paint(Painting& painting, int number, const Segment& segment) 
   }
 }
 
-void SurfaceGrid::paint(Painting& painting, int number, const Circle& circle) {
+void SurfaceGrid::paint(Painting& painting, MapFeatureNumber number, const Circle& circle) {
   const Point extent = Point::Constant(circle.radius_m + kCap_m);
   const Point low = (circle.center - extent - low_) / kCell_m, high = (circle.center + extent - low_) / kCell_m;
   for (int j = std::max(0, int(low.y())); j <= std::min(rows_ * kSide - 1, int(high.y())); ++j)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
+#include <opal/map/map_numbers.hpp>
 
 #include <array>
 #include <cstdint>
@@ -24,7 +25,7 @@ class SurfaceGrid {
 
   /// A segment or a circle, and what `nearest` answers. A segment's heading decides its layer, a circle goes into both;
   /// other shapes have no surface.
-  using NumberedShape = std::pair<int, Geometry>;
+  using NumberedShape = std::pair<MapFeatureNumber, Geometry>;
   SurfaceGrid(const Point& low, const Point& high, const std::vector<NumberedShape>& shapes);
 
   /// Distance to the nearest surface [cm], 255 if farther.
@@ -43,8 +44,8 @@ class SurfaceGrid {
     const Cell at = locate(p);
     return coarse_cm_[at.tile][coarse_offset_of(at.i, at.j)];
   }
-  /// Nearest surface within kReach_m of the cell in each layer, or -1.
-  std::array<int, kLayers> nearest(const Point& p) const {
+  /// Nearest surface within kReach_m of the cell in each layer, or none.
+  std::array<MapFeatureNumber, kLayers> nearest(const Point& p) const {
     const Cell at = locate(p);
     return (*nearest_[at.tile])[offset_of(at.i, at.j)];
   }
@@ -55,7 +56,7 @@ class SurfaceGrid {
   static constexpr int kCoarse = 4;  ///< cells to a side of a coarse one
   using Distances = std::array<std::uint8_t, kCells>;
   using CoarseDistances = std::array<std::uint8_t, kCells / (kCoarse * kCoarse)>;
-  using Nearest = std::array<std::array<std::int32_t, kLayers>, kCells>;
+  using Nearest = std::array<std::array<MapFeatureNumber, kLayers>, kCells>;
   struct Painting;
 
   /// Tile 0 is that of all places with no surface near, so that looking one up takes no decision.
@@ -76,9 +77,10 @@ class SurfaceGrid {
   static unsigned coarse_offset_of(unsigned i, unsigned j) { return j / kCoarse * (kSide / kCoarse) + i / kCoarse; }
 
   std::uint32_t add_tile(Painting& painting);
-  void paint(Painting& painting, int number, const Segment& segment);
-  void paint(Painting& painting, int number, const Circle& circle);
-  void paint_cell(Painting& painting, int i, int j, double distance_m, int number, int first_layer, int last_layer);
+  void paint(Painting& painting, MapFeatureNumber number, const Segment& segment);
+  void paint(Painting& painting, MapFeatureNumber number, const Circle& circle);
+  void paint_cell(Painting& painting, int i, int j, double distance_m, MapFeatureNumber number, int first_layer,
+                  int last_layer);
   void make_coarse();
 
   Point low_;

@@ -15,7 +15,7 @@ namespace {
 MapFeature map_feature(const std::string& type, int number, const Geometry& geometry) {
   MapFeature feature;
   feature.id = type + "-" + std::to_string(number) + "-feature";
-  feature.object = number;
+  feature.object = MapObjectNumber(number);
   feature.type = "opal:" + type;
   feature.sensor = "PlanarLidar2D";
   feature.geometry = geometry;
@@ -33,7 +33,7 @@ class Visit {
  public:
   Visit(const MapView& view, const Pose2& T_map_base) : local_map_(LocalMapOptions{}, nullptr) {
     std::vector<Geometry> surfaces;
-    for (const int number : view.features()) surfaces.push_back(view.feature(number).geometry);
+    for (const MapFeatureNumber number : view.features()) surfaces.push_back(view.feature(number).geometry);
     const int steps = 4;
     for (int step = 0; step < steps; ++step) {
       const Pose2 T_odom_base(0.1 * (step - steps + 1), 0, 0);
@@ -58,7 +58,7 @@ class Visit {
   void see_features(const MapView& view, const Pose2& T_map_base) {
     features_.clear();
     numbers_.clear();
-    for (const int number : view.within(T_map_base.position(), 6.0)) {
+    for (const MapFeatureNumber number : view.within(T_map_base.position(), 6.0)) {
       Feature feature;
       feature.type = view.feature(number).type;
       feature.geometry = transformed(T_map_base.inverse(), view.feature(number).geometry);
@@ -72,17 +72,17 @@ class Visit {
   }
 
   void associate(const Pose2& T_map_base) {
-    truth_.id = 1;
+    truth_.id = HypothesisId(1);
     truth_.T_map_local = T_map_base * local_map_.T_local_base().inverse();
-    const std::vector<int>& local = local_map_.last_associations();
+    const std::vector<LocalFeatureId>& local = local_map_.last_associations();
     for (std::size_t i = 0; i < local.size() && i < numbers_.size(); ++i)
-      if (local[i] >= 0) truth_.associations.push_back({local[i], numbers_[i]});
+      if (local[i].exists()) truth_.associations.push_back({local[i], numbers_[i]});
   }
 
   LocalMap local_map_;
   Scan scan_;
   std::vector<Feature> features_;
-  std::vector<int> numbers_;
+  std::vector<MapFeatureNumber> numbers_;
   Hypothesis truth_;
 };
 
@@ -100,8 +100,9 @@ std::vector<NamedHypothesis> hypotheses_near(const Hypothesis& truth) {
   };
   Hypothesis alone = truth, denied = truth, unknown = truth;
   alone.associations.clear();
-  for (Association& association : denied.associations) association.map_feature = -1;
-  for (Association& association : unknown.associations) association.local_feature += 100000;
+  for (Association& association : denied.associations) association.map_feature = {};
+  for (Association& association : unknown.associations)
+    association.local_feature = LocalFeatureId(association.local_feature.number() + 100000);
   return {{"the true hypothesis", truth},
           {"a hypothesis 0.3 m off", with_pose(truth.T_map_local * Pose2(0.3, 0, 0.05))},
           {"a hypothesis that is turned round", with_pose(truth.T_map_local * Pose2(0, 0, 3))},
@@ -181,7 +182,7 @@ class Judging {
     violations_.expect_no_throw("explaining " + name, [&] { findings = scorer_.explain(hypothesis, seen, view); });
     for (const Finding& finding : findings) {
       if (finding.words.empty()) violations_.add("finding", "explains " + name + " with a finding without words");
-      if (finding.map_feature >= static_cast<int>(view.map().features().size()))
+      if (finding.map_feature >= MapFeatureNumber(view.map().features().size()))
         violations_.add("finding", "explains " + name + " with a mapped feature that does not exist");
       const bool finite =
           std::all_of(finding.line.begin(), finding.line.end(), [](const Point& p) { return p.allFinite(); });

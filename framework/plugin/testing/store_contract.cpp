@@ -20,7 +20,7 @@ std::shared_ptr<const SemanticMap> map_of_room(const std::string& suffix) {
   for (const Geometry& geometry : example_room()) {
     MapFeature feature;
     feature.id = std::string("f").append(std::to_string(features.size() + 1)).append(suffix);
-    feature.object = 0;
+    feature.object = MapObjectNumber(0);
     feature.sensor = features.size() % 5 == 4 ? "Camera" : kSensor;
     feature.geometry = geometry;
     features.push_back(feature);
@@ -43,8 +43,8 @@ void expect_refusal(Violations& violations, const std::string& what, Call&& call
   }
 }
 
-std::vector<int> numbers_near(const MapStore& store, const NearQuery& query) {
-  std::vector<int> numbers;
+std::vector<MapFeatureNumber> numbers_near(const MapStore& store, const NearQuery& query) {
+  std::vector<MapFeatureNumber> numbers;
   for (const NearFeature& feature : store.features_near(query)) numbers.push_back(feature.number);
   return numbers;
 }
@@ -54,7 +54,7 @@ void check_questions(Violations& violations, const MapStore& store, const std::s
   const MapView view(map, kSensor);
   for (int k = 0; k < 40; ++k) {
     const Point center(0.35 * (k % 8), 0.6 * (k / 8));
-    std::vector<int> expected = view.within(center, 0.25 * (k % 6));
+    std::vector<MapFeatureNumber> expected = view.within(center, 0.25 * (k % 6));
     std::sort(expected.begin(), expected.end());
     if (numbers_near(store, {building, 1, kSensor, center, 0.25 * (k % 6)}) != expected)
       violations.add("near", "finds other features near a point than a MapView does");

@@ -30,7 +30,7 @@ std::string stem_of(const std::string& type) {
 
 class Assembly {
  public:
-  explicit Assembly(const FloorPlan& plan) : plan_(plan), things_(plan.things().size(), -1) {}
+  explicit Assembly(const FloorPlan& plan) : plan_(plan), things_(plan.things().size()) {}
 
   std::shared_ptr<const SemanticMap> run(const std::string& name) {
     for (const FloorPlan::Column& column : plan_.columns()) add(column);
@@ -47,16 +47,16 @@ class Assembly {
     return after.quarter == (before.quarter + 1) % 4;
   }
 
-  int add_object(const std::string& type) {
+  MapObjectNumber add_object(const std::string& type) {
     const std::string stem = stem_of(type);
     objects_.push_back({numbered(stem, ++counts_[stem]), type});
     faces_.push_back(0);
-    return static_cast<int>(objects_.size()) - 1;
+    return MapObjectNumber(objects_.size() - 1);
   }
-  const std::string& id_of(int object) const { return objects_[static_cast<std::size_t>(object)].id; }
+  const std::string& id_of(MapObjectNumber object) const { return objects_[object.number()].id; }
 
   void add(const FloorPlan::Column& column) {
-    const int object = add_object("opal:Column");
+    const MapObjectNumber object = add_object("opal:Column");
     features_.push_back({id_of(object) + "/rim", object, "opal:Column", kSensor,
                          Circle{to_map({column.x, column.y}), column.radius / 100.0}});
   }
@@ -73,13 +73,13 @@ class Assembly {
   }
 
   void add(const Outline& outline) {
-    const int pillar = is_pillar(outline) ? add_object("opal:Column") : -1;
+    const MapObjectNumber pillar = is_pillar(outline) ? add_object("opal:Column") : MapObjectNumber();
     walls_.clear();
     int space = first_space(outline);
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const OutlineFace& face = outline[k];
       if (face.space != FloorPlan::kNoSpace) space = face.space;
-      const int object = pillar >= 0 ? pillar : owner_of(face, space);
+      const MapObjectNumber object = pillar.exists() ? pillar : owner_of(face, space);
       add_face(face, object);
       add_corner(face, outline[(k + 1) % outline.size()], object);
     }
@@ -92,16 +92,16 @@ class Assembly {
     return FloorPlan::kNoSpace;
   }
 
-  int owner_of(const OutlineFace& face, int space) {
+  MapObjectNumber owner_of(const OutlineFace& face, int space) {
     if (face.is_glass) return add_object("opal:Window");
-    int& object = face.thing == FloorPlan::kWall ? walls_.try_emplace(space, -1).first->second
-                                                 : things_[static_cast<std::size_t>(face.thing)];
-    if (object < 0) object = add_object(plan_.things()[static_cast<std::size_t>(face.thing)]);
+    MapObjectNumber& object = face.thing == FloorPlan::kWall ? walls_.try_emplace(space).first->second
+                                                             : things_[static_cast<std::size_t>(face.thing)];
+    if (!object.exists()) object = add_object(plan_.things()[static_cast<std::size_t>(face.thing)]);
     return object;
   }
 
-  void add_face(const OutlineFace& face, int object) {
-    const std::string id = id_of(object) + "/face-" + std::to_string(++faces_[static_cast<std::size_t>(object)]);
+  void add_face(const OutlineFace& face, MapObjectNumber object) {
+    const std::string id = id_of(object) + "/face-" + std::to_string(++faces_[object.number()]);
     features_.push_back({id,
                          object,
                          "opal:Wall",
@@ -112,7 +112,7 @@ class Assembly {
                          {point_at(face.begin), point_at(face.end)}});
   }
 
-  void add_corner(const OutlineFace& before, const OutlineFace& after, int object) {
+  void add_corner(const OutlineFace& before, const OutlineFace& after, MapObjectNumber object) {
     if (before.quarter == after.quarter || before.is_glass || after.is_glass) return;
     const bool is_concave = turns_left(before, after);
     // The opening is what lies counter-clockwise from the way on, up to the way back; in eighths of a turn.
@@ -130,7 +130,7 @@ class Assembly {
   }
 
   void add(const FloorPlan::Closure& closure) {
-    const int object = add_object(closure.type);
+    const MapObjectNumber object = add_object(closure.type);
     const Box& box = closure.box;
     // Clockwise: seen from outside.
     const std::array<Place, 4> places{
@@ -157,10 +157,10 @@ class Assembly {
   const FloorPlan& plan_;
   std::vector<MapObject> objects_;
   std::vector<MapFeature> features_;
-  std::vector<int> things_;            // objects of the plan's things; -1: none yet
-  std::map<int, int> walls_;           // objects of this outline, by room
-  std::vector<int> faces_;             // how many each object has
-  std::map<std::string, int> counts_;  // of names
+  std::vector<MapObjectNumber> things_;   // of the plan's things; none: not yet
+  std::map<int, MapObjectNumber> walls_;  // of this outline, by room
+  std::vector<int> faces_;                // how many each object has
+  std::map<std::string, int> counts_;     // of names
   std::map<Place, std::string> points_;
 };
 

@@ -45,8 +45,7 @@ struct WriteGeometry {
 
 void write_pairs(const std::vector<RecordedPair>& pairs, RecordText& record) {
   record.open('[');
-  for (const RecordedPair& pair : pairs)
-    record.open('[').integer(pair.local_feature).integer(pair.map_feature).close(']');
+  for (const RecordedPair& pair : pairs) record.open('[').id(pair.local_feature).id(pair.map_feature).close(']');
   record.close(']');
 }
 
@@ -66,7 +65,7 @@ void write_scores(const std::vector<RecordedTerm>& terms, RecordText& record) {
 void write_findings(const std::vector<RecordedFinding>& findings, RecordText& record) {
   record.open('[');
   for (const RecordedFinding& finding : findings) {
-    record.open('[').text(finding.scorer).text(finding.words).integer(finding.map_feature).open('[');
+    record.open('[').text(finding.scorer).text(finding.words).id(finding.map_feature).open('[');
     for (const Point& p : finding.line) record.number(p.x(), kMetreDecimals).number(p.y(), kMetreDecimals);
     record.close(']').close(']');
   }
@@ -89,7 +88,7 @@ void write_list(const char* name, const std::vector<Item>& items, RecordText& re
 }  // namespace
 
 void write_mapped_feature(const RunHeader::Feature& feature, RecordText& record) {
-  record.open('{').key("id").text(feature.id).key("object").integer(feature.object);
+  record.open('{').key("id").text(feature.id).key("object").id(feature.object);
   record.key("type").text(feature.type).key("perceivable").boolean(feature.perceivable);
   std::visit(WriteGeometry{record, true}, feature.geometry);
   record.close('}');
@@ -97,7 +96,7 @@ void write_mapped_feature(const RunHeader::Feature& feature, RecordText& record)
 
 void write_local_features(const RunFrame& frame, RecordText& record) {
   write_list("features", frame.changed, record, [&](const RecordedLocalFeature& feature) {
-    record.integer(feature.id).text(feature.type).integer(feature.stable ? 1 : 0).integer(feature.measurements);
+    record.id(feature.id).text(feature.type).integer(feature.stable ? 1 : 0).integer(feature.measurements);
     std::visit(WriteGeometry{record, false}, feature.geometry);
   });
   if (!frame.gone.empty()) record.key("gone").ids(frame.gone);
@@ -105,24 +104,23 @@ void write_local_features(const RunFrame& frame, RecordText& record) {
 
 void write_tree(const RunFrame& frame, RecordText& record) {
   write_list("spawned", frame.spawns, record, [&](const RecordedSpawn& spawn) {
-    record.integer(spawn.id).integer(spawn.parent).text(spawn.pattern_template).pose(spawn.T_map_base, kPoseDecimals);
+    record.id(spawn.id).id(spawn.parent).text(spawn.pattern_template).pose(spawn.T_map_base, kPoseDecimals);
     record.number(spawn.log_likelihood, kNatDecimals);
     write_pairs(spawn.pairs, record);
   });
   write_list("grown", frame.growths, record, [&](const RecordedGrowth& growth) {
-    record.integer(growth.hypothesis);
+    record.id(growth.hypothesis);
     write_pairs(growth.pairs, record);
   });
-  write_list("lost", frame.losses, record, [&](const RecordedLoss& loss) {
-    record.integer(loss.hypothesis).ids(loss.local_features).text(loss.reason);
-  });
+  write_list("lost", frame.losses, record,
+             [&](const RecordedLoss& loss) { record.id(loss.hypothesis).ids(loss.local_features).text(loss.reason); });
   write_list("tried", frame.rejections, record, [&](const RecordedRejection& rejection) {
-    record.integer(rejection.hypothesis);
+    record.id(rejection.hypothesis);
     write_pairs(rejection.pairs, record);
     record.text(rejection.reason);
   });
   write_list("ended", frame.ends, record, [&](const RecordedEnd& end) {
-    record.integer(end.id).text(end.reason).integer(end.merged_into).pose(end.T_map_base, kPoseDecimals);
+    record.id(end.id).text(end.reason).id(end.merged_into).pose(end.T_map_base, kPoseDecimals);
     record.number(end.log_likelihood, kNatDecimals).number(end.scan_nat, kNatDecimals);
     write_scores(end.scores, record);
     write_findings(end.findings, record);
@@ -149,10 +147,10 @@ void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t m
   record.key("p").open('[');
   for (const RecordedHypothesis& hypothesis : hypotheses)
     if (hypothesis.probability > kShownProbability)
-      record.open('[').integer(hypothesis.id).number(hypothesis.probability, kProbabilityDecimals).close(']');
+      record.open('[').id(hypothesis.id).number(hypothesis.probability, kProbabilityDecimals).close(']');
   record.close(']').key("scores").open('[');
   for (const RecordedHypothesis& hypothesis : hypotheses.first(std::min(most_scores, hypotheses.size()))) {
-    record.open('[').integer(hypothesis.id).number(hypothesis.scan_nat, kNatDecimals);
+    record.open('[').id(hypothesis.id).number(hypothesis.scan_nat, kNatDecimals);
     write_scores(hypothesis.scores, record);
     record.close(']');
   }
@@ -162,7 +160,7 @@ void write_beliefs(std::span<const RecordedHypothesis> hypotheses, std::size_t m
 void write_answer(const RunFrame& frame, RecordText& record) {
   record.key("status").text(frame.status);
   record.key("probability").number(frame.probability, kProbabilityDecimals);
-  record.key("none").number(frame.none, kProbabilityDecimals).key("best").integer(frame.best).key("findings");
+  record.key("none").number(frame.none, kProbabilityDecimals).key("best").id(frame.best).key("findings");
   write_findings(frame.findings, record);
   if (frame.truth) record.key("truth").open('[').pose(*frame.truth, kPoseDecimals).close(']');
   record.key("cpu").open('{');

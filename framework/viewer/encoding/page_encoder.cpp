@@ -16,7 +16,7 @@ Pose2 as_written(const Pose2& pose) {
 }
 
 void write_moment(const RunFrame& frame, RecordText& record) {
-  record.key("r").text("frame").key("keyframe").integer(frame.keyframe);
+  record.key("r").text("frame").key("keyframe").id(frame.keyframe);
   record.key("stamp").number(frame.stamp_s, 6).key("time").number(frame.time_s, 4);
   if (frame.starts) record.key("start").text(*frame.starts);
   record.key("local").open('[').pose(frame.T_local_base, kLocalDecimals).close(']');
@@ -60,7 +60,7 @@ std::string PageEncoder::map_record(const RunHeader& header) const {
   for (const auto& pattern : header.patterns) {
     record.open('{').key("id").text(pattern.id).key("template").text(pattern.pattern_template);
     record.key("features").open('[');
-    for (const int member : pattern.features) record.text(header.features[static_cast<std::size_t>(member)].id);
+    for (const MapFeatureNumber member : pattern.features) record.text(header.feature(member).id);
     record.close(']').close('}');
   }
   return record.close(']').close('}').take();

@@ -82,9 +82,9 @@ RecordText& RecordText::points(std::span<const Point> points, double unit_m, int
   return close(']');
 }
 
-RecordText& RecordText::ids(std::span<const int> ids) {
+RecordText& RecordText::integers(std::span<const int> values) {
   open('[');
-  for (const int id : ids) integer(id);
+  for (const int value : values) integer(value);
   return close(']');
 }
 

@@ -7,8 +7,8 @@
 namespace opal {
 namespace {
 
-std::unordered_map<int, const RecordedHypothesis*> by_id(std::span<const RecordedHypothesis> hypotheses) {
-  std::unordered_map<int, const RecordedHypothesis*> found;
+std::unordered_map<HypothesisId, const RecordedHypothesis*> by_id(std::span<const RecordedHypothesis> hypotheses) {
+  std::unordered_map<HypothesisId, const RecordedHypothesis*> found;
   for (const RecordedHypothesis& hypothesis : hypotheses) found.emplace(hypothesis.id, &hypothesis);
   return found;
 }
@@ -35,7 +35,7 @@ void RowCoder::write_leave(std::span<const RecordedHypothesis> hypotheses, Recor
   for (std::size_t k = rows_.size(); k-- > 0;)
     if (!alive.contains(rows_[k].id)) positions.push_back(static_cast<int>(k));
   if (positions.empty()) return;
-  record.key("leave").ids(positions);
+  record.key("leave").integers(positions);
   std::erase_if(rows_, [&](const Row& row) { return !alive.contains(row.id); });
 }
 
@@ -55,7 +55,7 @@ void RowCoder::write_rows(std::span<const RecordedHypothesis> hypotheses, const 
 
 void RowCoder::write_enter(std::span<const RecordedHypothesis> hypotheses, std::size_t carried, RecordText& record) {
   if (hypotheses.size() == carried) return;
-  std::vector<int> known;
+  std::vector<HypothesisId> known;
   for (const Row& row : rows_) known.push_back(row.id);
   std::sort(known.begin(), known.end());
   record.key("enter").open('[');
@@ -63,7 +63,7 @@ void RowCoder::write_enter(std::span<const RecordedHypothesis> hypotheses, std::
     if (std::binary_search(known.begin(), known.end(), hypothesis.id)) continue;
     const Step step = step_of(hypothesis.T_map_base);
     const long long nat = std::llround(hypothesis.log_likelihood / detail_.unit_nat);
-    record.open('[').integer(hypothesis.id).integer(step.x).integer(step.y).integer(step.heading).integer(nat);
+    record.open('[').id(hypothesis.id).integer(step.x).integer(step.y).integer(step.heading).integer(nat);
     record.close(']');
     rows_.push_back({hypothesis.id, pose_of(step), nat});
   }

@@ -23,7 +23,7 @@ class RowCoder {
 
  private:
   struct Row {
-    int id = -1;
+    HypothesisId id = {};
     Pose2 T_map_base;   ///< as decoded
     long long nat = 0;  ///< in steps
   };

@@ -97,7 +97,7 @@ int EventPlace::count() const {
   return value_->get<int>();
 }
 
-int EventPlace::id() const {
+int EventPlace::number_of_id() const {
   if (!is_integer(*value_, -1)) fail("an id, an integer in [-1, 2e9]");
   return value_->get<int>();
 }
@@ -141,12 +141,6 @@ std::vector<Point> EventPlace::points() const {
   std::vector<Point> points(elements() / 2);
   for (std::size_t k = 0; k < points.size(); ++k) points[k] = {coordinate(2 * k), coordinate(2 * k + 1)};
   return points;
-}
-
-std::vector<int> EventPlace::ids() const {
-  std::vector<int> ids(elements());
-  for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = element(k).id();
-  return ids;
 }
 
 Geometry EventPlace::geometry() const {

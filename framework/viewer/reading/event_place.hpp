@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace opal {
 
@@ -38,7 +39,6 @@ class EventPlace {
   double probability() const;  ///< null: 0
   double nat() const;          ///< null (no number): kWorst_nat
   int count() const;           ///< an integer >= 0
-  int id() const;              ///< of a hypothesis or a local feature; -1: none
   bool flag() const;
   bool is_null() const { return value_->is_null(); }
   /// What things are referred to by: ids, types, scorers. At most 1000 bytes.
@@ -49,7 +49,23 @@ class EventPlace {
   Pose2 pose() const;
   std::vector<Point> points() const;  ///< [x, y, x, y, ...]
   Geometry geometry() const;          ///< of an object that has one of the members which name a geometry
-  std::vector<int> ids() const;
+  /// The id of something that there is.
+  template <class Of>
+  Of id() const {
+    return Of(count());
+  }
+  /// The same; -1: of none.
+  template <class Of>
+  Of id_or_none() const {
+    return Of(number_of_id());
+  }
+  /// An array of them.
+  template <class Of>
+  std::vector<Of> ids() const {
+    std::vector<Of> ids;
+    for (std::size_t k = 0; k < elements(); ++k) ids.push_back(element(k).id_or_none<Of>());
+    return ids;
+  }
 
   [[noreturn]] void fail(const std::string& expected) const;
 
@@ -66,6 +82,7 @@ class EventPlace {
   EventPlace step(const Step& next, const Event& value) const;
   void require_object() const;
   void require_array(std::size_t size, const char* expected) const;
+  int number_of_id() const;
   double coordinate(std::size_t index) const;
   double angle(std::size_t index) const;
 

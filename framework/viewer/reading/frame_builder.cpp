@@ -3,6 +3,7 @@
 #include "viewer/reading/frame_events.hpp"
 
 #include <opal/common/error.hpp>
+#include "viewer/reading/id_format.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ std::optional<RunFrame> FrameBuilder::add(const Event& event) {
   }
 }
 
-std::optional<int> FrameBuilder::open_keyframe() const {
+std::optional<KeyframeId> FrameBuilder::open_keyframe() const {
   return frame_ ? std::optional(frame_->keyframe) : std::nullopt;
 }
 
@@ -91,7 +92,8 @@ RunFrame FrameBuilder::end_frame(const EventPlace& event) {
 void FrameBuilder::require_open(const EventPlace& event) const {
   const EventPlace keyframe = event.member("keyframe");
   if (!frame_) keyframe.fail("a 'keyframe' event that begins this update");
-  if (keyframe.count() != frame_->keyframe) keyframe.fail(fmt::format("{}, the open keyframe", frame_->keyframe));
+  if (keyframe.id<KeyframeId>() != frame_->keyframe)
+    keyframe.fail(fmt::format("{}, the open keyframe", frame_->keyframe));
 }
 
 void FrameBuilder::require_closed(const EventPlace& event) const {

@@ -20,7 +20,7 @@ class FrameBuilder {
   /// What `run` and `map` said; null before `map`.
   const std::shared_ptr<const RunHeader>& header() const { return header_; }
   /// The keyframe that has begun and is not complete yet.
-  std::optional<int> open_keyframe() const;
+  std::optional<KeyframeId> open_keyframe() const;
 
  private:
   std::optional<RunFrame> dispatch(const std::string& kind, const EventPlace& event);

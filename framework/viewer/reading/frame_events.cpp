@@ -6,9 +6,9 @@
 namespace opal {
 namespace {
 
-int optional_id(const EventPlace& event, const char* name) {
+HypothesisId optional_hypothesis(const EventPlace& event, const char* name) {
   const auto found = event.find(name);
-  return found ? found->id() : -1;
+  return found ? found->id_or_none<HypothesisId>() : HypothesisId();
 }
 
 std::string optional_name(const EventPlace& event, const char* name) {
@@ -34,7 +34,8 @@ std::vector<RecordedPair> read_pairs(const EventPlace& event, const FeaturePosit
     const EventPlace pair = array->element(k);
     if (pair.elements() != 2) pair.fail("[local feature, mapped feature or null]");
     const EventPlace mapped = pair.element(1);
-    pairs.push_back({pair.element(0).id(), mapped.is_null() ? -1 : mapped_feature(mapped, features)});
+    pairs.push_back({pair.element(0).id_or_none<LocalFeatureId>(),
+                     mapped.is_null() ? MapFeatureNumber() : mapped_feature(mapped, features)});
   }
   return pairs;
 }
@@ -58,8 +59,8 @@ std::vector<RecordedFinding> read_findings(const EventPlace& event, const Featur
   if (!array) return findings;
   for (std::size_t k = 0; k < array->elements(); ++k) {
     const EventPlace place = array->element(k);
-    RecordedFinding finding{place.member("scorer").name(), place.member("words").sentence(), -1,
-                            optional_points(place, "line")};
+    RecordedFinding finding{
+        place.member("scorer").name(), place.member("words").sentence(), {}, optional_points(place, "line")};
     if (!finding.line.empty() && finding.line.size() != 2) place.member("line").fail("[x, y, x, y]");
     if (const auto mapped = place.find("map_feature")) finding.map_feature = mapped_feature(*mapped, features);
     findings.push_back(std::move(finding));
@@ -71,7 +72,7 @@ std::vector<RecordedFinding> read_findings(const EventPlace& event, const Featur
 // events
 
 void read_keyframe(const EventPlace& event, const FeaturePositions&, RunFrame& frame) {
-  frame.keyframe = event.member("keyframe").count();
+  frame.keyframe = event.member("keyframe").id<KeyframeId>();
   frame.stamp_s = event.member("stamp_s").stamp_s();
   frame.T_local_base = event.member("T_local_base").pose();
   if (const auto match = event.find("scan_match")) frame.scan_match = match->flag();
@@ -83,18 +84,18 @@ void read_local_features(const EventPlace& event, const FeaturePositions&, RunFr
   if (const auto changed = event.find("changed"))
     for (std::size_t k = 0; k < changed->elements(); ++k) {
       const EventPlace place = changed->element(k);
-      frame.changed.push_back({place.member("id").count(), place.member("type").name(), place.member("stable").flag(),
-                               place.member("measurements").count(), place.geometry()});
+      frame.changed.push_back({place.member("id").id<LocalFeatureId>(), place.member("type").name(),
+                               place.member("stable").flag(), place.member("measurements").count(), place.geometry()});
     }
   if (const auto gone = event.find("gone"))
-    for (const int id : gone->ids()) frame.gone.push_back(id);
+    for (const LocalFeatureId id : gone->ids<LocalFeatureId>()) frame.gone.push_back(id);
 }
 
 void read_pruned(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
   RecordedEnd end;
-  end.id = event.member("hypothesis").count();
+  end.id = event.member("hypothesis").id<HypothesisId>();
   end.reason = event.member("reason").sentence();
-  end.merged_into = optional_id(event, "merged_into");
+  end.merged_into = optional_hypothesis(event, "merged_into");
   end.T_map_base = event.member("T_map_base").pose();
   end.log_likelihood = optional_nat(event, "log_likelihood");
   end.scan_nat = optional_nat(event, "scan_nat");
@@ -108,8 +109,8 @@ void read_searched(const EventPlace& event, const FeaturePositions& features, Ru
   if (const auto patterns = event.find("patterns"))
     for (std::size_t k = 0; k < patterns->elements(); ++k) {
       const EventPlace place = patterns->element(k);
-      search.patterns.push_back(
-          {place.member("template").name(), place.member("local_features").ids(), place.member("candidates").count()});
+      search.patterns.push_back({place.member("template").name(), place.member("local_features").ids<LocalFeatureId>(),
+                                 place.member("candidates").count()});
     }
   const auto proposed = event.find("proposed");
   search.proposed = proposed ? proposed->count() : 0;
@@ -123,28 +124,28 @@ void read_searched(const EventPlace& event, const FeaturePositions& features, Ru
 }
 
 void read_spawned(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
-  frame.spawns.push_back({event.member("hypothesis").count(), optional_id(event, "parent"),
+  frame.spawns.push_back({event.member("hypothesis").id<HypothesisId>(), optional_hypothesis(event, "parent"),
                           optional_name(event, "template"), event.member("T_map_base").pose(),
                           optional_nat(event, "log_likelihood"), read_pairs(event, features)});
 }
 
 void read_associated(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
-  frame.growths.push_back({event.member("hypothesis").count(), read_pairs(event, features)});
+  frame.growths.push_back({event.member("hypothesis").id<HypothesisId>(), read_pairs(event, features)});
 }
 
 void read_dissociated(const EventPlace& event, const FeaturePositions&, RunFrame& frame) {
-  frame.losses.push_back(
-      {event.member("hypothesis").count(), event.member("local_features").ids(), event.member("reason").sentence()});
+  frame.losses.push_back({event.member("hypothesis").id<HypothesisId>(),
+                          event.member("local_features").ids<LocalFeatureId>(), event.member("reason").sentence()});
 }
 
 void read_rejected(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
   frame.rejections.push_back(
-      {event.member("hypothesis").count(), read_pairs(event, features), event.member("reason").sentence()});
+      {event.member("hypothesis").id<HypothesisId>(), read_pairs(event, features), event.member("reason").sentence()});
 }
 
 RecordedHypothesis read_hypothesis(const EventPlace& place) {
   RecordedHypothesis hypothesis;
-  hypothesis.id = place.member("hypothesis").count();
+  hypothesis.id = place.member("hypothesis").id<HypothesisId>();
   hypothesis.T_map_base = place.member("T_map_base").pose();
   hypothesis.log_likelihood = place.member("log_likelihood").nat();
   hypothesis.scan_nat = optional_nat(place, "scan_nat");
@@ -154,7 +155,7 @@ RecordedHypothesis read_hypothesis(const EventPlace& place) {
 }
 
 void require_distinct(const EventPlace& array, const std::vector<RecordedHypothesis>& hypotheses) {
-  std::vector<int> ids;
+  std::vector<HypothesisId> ids;
   for (const RecordedHypothesis& hypothesis : hypotheses) ids.push_back(hypothesis.id);
   std::sort(ids.begin(), ids.end());
   if (std::adjacent_find(ids.begin(), ids.end()) != ids.end()) array.fail("each hypothesis once");
@@ -175,7 +176,7 @@ void read_estimate(const EventPlace& event, const FeaturePositions& features, Ru
   frame.sensor.clear();
   if (const auto sensor = event.find("sensor"))
     for (std::size_t k = 0; k < sensor->elements(); ++k) frame.sensor.push_back(sensor->element(k).sentence());
-  frame.best = optional_id(event, "hypothesis");
+  frame.best = optional_hypothesis(event, "hypothesis");
   const EventPlace array = event.member("hypotheses");
   frame.hypotheses.clear();
   frame.hypotheses.reserve(array.elements());

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
+#include <opal/local_map/local_map_ids.hpp>
+#include <opal/localization/scoring/hypothesis.hpp>
+#include <opal/map/map_numbers.hpp>
 
 #include <map>
 #include <optional>
@@ -9,7 +12,8 @@
 
 namespace opal {
 
-/// What `run` and `map` say about a whole recording. Frame: `map` [m, rad].
+/// What `run` and `map` say about a whole recording. Frame: `map` [m, rad]. Numbers are positions in `objects` and
+/// `features`, which are those of the map that the run was made with.
 struct RunHeader {
   std::string opal, log, config, map_file, sensor;
   Pose2 T_base_laser;
@@ -22,25 +26,28 @@ struct RunHeader {
   };
   struct Feature {
     std::string id;
-    int object = -1;  ///< position in objects
+    MapObjectNumber object = {};
     std::string type;
     bool perceivable = true;  ///< by the run's sensor; only such features take part in associations
     Geometry geometry;
   };
   struct Pattern {
     std::string id, pattern_template;
-    std::vector<int> features;  ///< positions in features
+    std::vector<MapFeatureNumber> features;
   };
   std::string map_name;
   std::vector<Object> objects;
   std::vector<Feature> features;
   std::vector<Pattern> patterns;
+
+  const Object& object(MapObjectNumber number) const { return objects[number.number()]; }
+  const Feature& feature(MapFeatureNumber number) const { return features[number.number()]; }
 };
 
-/// One recorded association: local feature -> position in RunHeader::features, or -1 for "not on the map".
+/// One recorded association.
 struct RecordedPair {
-  int local_feature = -1;
-  int map_feature = -1;
+  LocalFeatureId local_feature = {};
+  MapFeatureNumber map_feature = {};  ///< none: not on the map
 };
 
 struct RecordedTerm {
@@ -51,12 +58,12 @@ struct RecordedTerm {
 /// What a scorer saw for or against a hypothesis. Frame of `line`: `map` [m].
 struct RecordedFinding {
   std::string scorer, words;
-  int map_feature = -1;     ///< position in RunHeader::features; -1: none
+  MapFeatureNumber map_feature = {};
   std::vector<Point> line;  ///< two points, or empty
 };
 
 struct RecordedLocalFeature {
-  int id = -1;
+  LocalFeatureId id = {};
   std::string type;
   bool stable = false;
   int measurements = 0;
@@ -64,7 +71,7 @@ struct RecordedLocalFeature {
 };
 
 struct RecordedHypothesis {
-  int id = -1;
+  HypothesisId id = {};
   Pose2 T_map_base;
   double log_likelihood = 0;  ///< [nat]
   double scan_nat = 0;        ///< of the newest scan
@@ -73,8 +80,8 @@ struct RecordedHypothesis {
 };
 
 struct RecordedSpawn {
-  int id = -1;
-  int parent = -1;  ///< -1: from a search
+  HypothesisId id = {};
+  HypothesisId parent = {};  ///< none: from a search
   std::string pattern_template;
   Pose2 T_map_base;
   double log_likelihood = 0;
@@ -82,26 +89,26 @@ struct RecordedSpawn {
 };
 
 struct RecordedGrowth {
-  int hypothesis = -1;
+  HypothesisId hypothesis = {};
   std::vector<RecordedPair> pairs;
 };
 
 struct RecordedLoss {
-  int hypothesis = -1;
-  std::vector<int> local_features;
+  HypothesisId hypothesis = {};
+  std::vector<LocalFeatureId> local_features;
   std::string reason;
 };
 
 struct RecordedRejection {
-  int hypothesis = -1;  ///< the parent
+  HypothesisId hypothesis = {};  ///< the parent
   std::vector<RecordedPair> pairs;
   std::string reason;
 };
 
 struct RecordedEnd {
-  int id = -1;
+  HypothesisId id = {};
   std::string reason;
-  int merged_into = -1;
+  HypothesisId merged_into = {};
   Pose2 T_map_base;
   double log_likelihood = 0, scan_nat = 0;
   std::vector<RecordedTerm> scores;
@@ -111,7 +118,7 @@ struct RecordedEnd {
 struct RecordedSearch {
   struct Lookup {
     std::string pattern_template;
-    std::vector<int> local_features;
+    std::vector<LocalFeatureId> local_features;
     int candidates = 0;
   };
   struct Rejected {
@@ -129,7 +136,7 @@ struct RecordedSearch {
 /// Everything about one update of the localizer: all events of one keyframe, between `keyframe` and `cost`.
 /// docs/events.md says what each means.
 struct RunFrame {
-  int keyframe = 0;
+  KeyframeId keyframe = {};
   double stamp_s = 0;
   double time_s = 0;                  ///< since the first update of the time line
   std::optional<std::string> starts;  ///< name of the time line that begins here
@@ -138,7 +145,7 @@ struct RunFrame {
   std::vector<Point> scan;        ///< base_link
   std::vector<Point> free_space;  ///< base_link
   std::vector<RecordedLocalFeature> changed;
-  std::vector<int> gone;
+  std::vector<LocalFeatureId> gone;
   std::optional<RecordedSearch> search;
   std::vector<RecordedSpawn> spawns;
   std::vector<RecordedGrowth> growths;
@@ -150,7 +157,7 @@ struct RunFrame {
   double none = 0;
   std::string why;                  ///< the status is what it is; may be empty
   std::vector<std::string> sensor;  ///< where the drive does not agree with the sensor description
-  int best = -1;
+  HypothesisId best = {};
   std::vector<RecordedHypothesis> hypotheses;          ///< alive at the end of the update, best first
   std::vector<RecordedFinding> findings;               ///< about the best one
   std::vector<std::pair<std::string, double>> cpu_ms;  ///< per stage, in the order of the pipeline, "total" last

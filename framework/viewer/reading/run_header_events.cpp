@@ -39,8 +39,8 @@ RunHeader::Feature read_feature(const EventPlace& place, std::size_t objects) {
   RunHeader::Feature feature;
   feature.id = place.member("id").name();
   const EventPlace object = place.member("object");
-  feature.object = object.count();
-  if (feature.object >= static_cast<int>(objects)) object.fail(fmt::format("one of {} objects", objects));
+  feature.object = object.id<MapObjectNumber>();
+  if (feature.object >= MapObjectNumber(objects)) object.fail(fmt::format("one of {} objects", objects));
   feature.type = place.member("type").name();
   if (const auto perceivable = place.find("perceivable")) feature.perceivable = perceivable->flag();
   feature.geometry = place.geometry();
@@ -57,7 +57,7 @@ RunHeader::Pattern read_pattern(const EventPlace& place, const FeaturePositions&
 
 }  // namespace
 
-int mapped_feature(const EventPlace& id, const FeaturePositions& positions) {
+MapFeatureNumber mapped_feature(const EventPlace& id, const FeaturePositions& positions) {
   const auto found = positions.find(id.name());
   if (found == positions.end()) id.fail("the id of a feature of the map event");
   return found->second;
@@ -84,8 +84,8 @@ FeaturePositions read_map_event(const EventPlace& event, RunHeader& header) {
     const EventPlace place = features.element(k);
     header.features.push_back(read_feature(place, header.objects.size()));
     // One geometry may stand once per sensor; what this run's sensor perceives is what events mean.
-    const auto [known, is_new] = positions.try_emplace(header.features.back().id, static_cast<int>(k));
-    if (!is_new && !header.features[known->second].perceivable) known->second = static_cast<int>(k);
+    const auto [known, is_new] = positions.try_emplace(header.features.back().id, MapFeatureNumber(k));
+    if (!is_new && !header.feature(known->second).perceivable) known->second = MapFeatureNumber(k);
   }
   if (const auto patterns = event.find("patterns"))
     for (std::size_t k = 0; k < patterns->elements(); ++k)

@@ -6,6 +6,7 @@
 
 #include <opal/common/error.hpp>
 #include "output/unfinished_run.hpp"
+#include "viewer/reading/id_format.hpp"
 
 #include <fmt/format.h>
 

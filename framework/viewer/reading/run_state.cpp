@@ -6,7 +6,9 @@
 namespace opal {
 namespace {
 
-bool contains(const std::vector<int>& ids, int id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
+bool contains(const std::vector<LocalFeatureId>& ids, LocalFeatureId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
 
 }  // namespace
 
@@ -33,10 +35,10 @@ const TracedHypothesis* RunState::best() const {
 
 void RunState::apply_local_features() {
   for (const RecordedLocalFeature& feature : frame_.changed) local_features_[feature.id] = feature;
-  for (const int id : frame_.gone) local_features_.erase(id);
+  for (const LocalFeatureId id : frame_.gone) local_features_.erase(id);
 }
 
-TracedHypothesis& RunState::traced(int id) {
+TracedHypothesis& RunState::traced(HypothesisId id) {
   const auto [found, is_new] = alive_.try_emplace(id);
   if (is_new) {
     found->second.id = id;
@@ -59,7 +61,7 @@ void RunState::grow(const RecordedGrowth& growth) {
   std::vector<RecordedPair>& pairs = traced(growth.hypothesis).pairs;
   for (const RecordedPair& pair : growth.pairs) {
     std::erase_if(pairs, [&](const RecordedPair& old) {
-      return old.local_feature == pair.local_feature && old.local_feature >= 0;
+      return old.local_feature == pair.local_feature && old.local_feature.exists();
     });
     pairs.push_back(pair);
   }
@@ -99,7 +101,7 @@ void RunState::take_estimate() {
 
 /// A recording may lack the end of a hypothesis; what is alive is what the estimate lists.
 void RunState::keep_alive_only_listed() {
-  std::set<int> listed;
+  std::set<HypothesisId> listed;
   for (const RecordedHypothesis& row : frame_.hypotheses) listed.insert(row.id);
   std::erase_if(alive_, [&](const auto& entry) { return !listed.contains(entry.first); });
 }

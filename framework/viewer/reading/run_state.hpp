@@ -9,11 +9,11 @@ namespace opal {
 
 /// A hypothesis from spawn to end, as far as the frames that were applied tell.
 struct TracedHypothesis {
-  int id = -1;
-  int parent = -1;
+  HypothesisId id = {};
+  HypothesisId parent = {};
   std::string pattern_template;
   double spawned_s = 0;  ///< time since the start of the time line
-  int spawned_keyframe = 0;
+  KeyframeId spawned_keyframe = {};
   std::vector<RecordedPair> pairs;  ///< associations that hold now (at the end, if it has ended), oldest first
 
   // Newest, or the last there were.
@@ -32,7 +32,7 @@ struct EndedHypothesis {
   TracedHypothesis life;
   RecordedEnd end;
   double end_s = 0;
-  int end_keyframe = 0;
+  KeyframeId end_keyframe = {};
 };
 
 /// What holds after some updates of a time line: frames are applied in order, a frame that starts a time line
@@ -48,9 +48,9 @@ class RunState {
   const std::string& time_line() const { return time_line_; }
 
   /// Those that exist now, by id.
-  const std::map<int, RecordedLocalFeature>& local_features() const { return local_features_; }
+  const std::map<LocalFeatureId, RecordedLocalFeature>& local_features() const { return local_features_; }
   /// Those that are alive now, by id.
-  const std::map<int, TracedHypothesis>& alive() const { return alive_; }
+  const std::map<HypothesisId, TracedHypothesis>& alive() const { return alive_; }
   /// The best one; null if there is none.
   const TracedHypothesis* best() const;
   /// Those that have ended, oldest first. When there are very many, those that were never likely are
@@ -71,13 +71,13 @@ class RunState {
   void take_estimate();
   void keep_alive_only_listed();
   void forget_unlikely();
-  TracedHypothesis& traced(int id);
+  TracedHypothesis& traced(HypothesisId id);
 
   RunFrame frame_;
   std::size_t frames_ = 0;
   std::string time_line_;
-  std::map<int, RecordedLocalFeature> local_features_;
-  std::map<int, TracedHypothesis> alive_;
+  std::map<LocalFeatureId, RecordedLocalFeature> local_features_;
+  std::map<HypothesisId, TracedHypothesis> alive_;
   std::vector<EndedHypothesis> ended_;
   std::vector<Point> trajectory_, truth_;
 };

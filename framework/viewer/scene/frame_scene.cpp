@@ -49,9 +49,9 @@ class PlacedByBest {
   void add_associations() {
     for (const RecordedPair& pair : best_.pairs) {
       const RecordedLocalFeature* local = find(pair.local_feature);
-      if (!local || pair.map_feature < 0) continue;
-      scene_.associations.push_back({transformed(T_map_local_, local->geometry),
-                                     header_.features[static_cast<std::size_t>(pair.map_feature)].geometry});
+      if (!local || !pair.map_feature.exists()) continue;
+      scene_.associations.push_back(
+          {transformed(T_map_local_, local->geometry), header_.feature(pair.map_feature).geometry});
     }
   }
 
@@ -59,7 +59,7 @@ class PlacedByBest {
     if (!state_.frame().search) return;
     for (const auto& lookup : state_.frame().search->patterns) {
       std::vector<Point> members;
-      for (const int id : lookup.local_features)
+      for (const LocalFeatureId id : lookup.local_features)
         if (const RecordedLocalFeature* local = find(id)) members.push_back(T_map_local_ * anchor_of(local->geometry));
       if (members.size() > 1) scene_.patterns.push_back(std::move(members));
     }
@@ -71,13 +71,13 @@ class PlacedByBest {
   }
 
  private:
-  const RecordedLocalFeature* find(int id) const {
+  const RecordedLocalFeature* find(LocalFeatureId id) const {
     const auto found = state_.local_features().find(id);
     return found == state_.local_features().end() ? nullptr : &found->second;
   }
   DrawingScene::Perception perception_of(const RecordedLocalFeature& feature) const {
     const bool matched = std::any_of(best_.pairs.begin(), best_.pairs.end(), [&](const RecordedPair& pair) {
-      return pair.local_feature == feature.id && pair.map_feature >= 0;
+      return pair.local_feature == feature.id && pair.map_feature.exists();
     });
     if (matched) return DrawingScene::Perception::matched;
     return feature.stable ? DrawingScene::Perception::stable : DrawingScene::Perception::candidate;
@@ -96,7 +96,7 @@ void add_ended(const RunState& state, DrawingScene& scene) {
   constexpr double kReckonedWith = 0.05;
   for (const EndedHypothesis& ended : state.ended()) {
     const bool shown = ended.end_keyframe == state.frame().keyframe || ended.life.highest_probability >= kReckonedWith;
-    if (shown && ended.end.merged_into < 0) scene.ended.push_back(ended.end.T_map_base);
+    if (shown && !ended.end.merged_into.exists()) scene.ended.push_back(ended.end.T_map_base);
   }
 }
 

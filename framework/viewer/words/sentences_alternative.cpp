@@ -1,5 +1,6 @@
 #include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
+#include "viewer/reading/id_format.hpp"
 #include "viewer/words/score_comparison.hpp"
 #include "viewer/words/sentences.hpp"
 
@@ -38,7 +39,7 @@ auto rank_of(const EndedHypothesis& ended) {
 std::vector<const EndedHypothesis*> fallen_of(const RunState& state) {
   std::vector<const EndedHypothesis*> fallen;
   for (const EndedHypothesis& ended : state.ended())
-    if (ended.end.merged_into < 0 && (ended.life.led_s || ended.life.highest_probability >= kLeastProbability))
+    if (!ended.end.merged_into.exists() && (ended.life.led_s || ended.life.highest_probability >= kLeastProbability))
       fallen.push_back(&ended);
   std::sort(fallen.begin(), fallen.end(), [](const auto* a, const auto* b) { return rank_of(*a) < rank_of(*b); });
   return fallen;

@@ -1,6 +1,7 @@
 #include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 #include "report/status_text.hpp"
+#include "viewer/reading/id_format.hpp"
 #include "viewer/words/sentences.hpp"
 
 #include <opal/map/object_words.hpp>
@@ -22,8 +23,8 @@ struct SeenObject {
 };
 
 std::string name_of_object(const RunHeader& header, const RunHeader::Feature& feature) {
-  if (feature.object < 0) return object_words(feature.type, feature.id, "", false);
-  const RunHeader::Object& object = header.objects[feature.object];
+  if (!feature.object.exists()) return object_words(feature.type, feature.id, "", false);
+  const RunHeader::Object& object = header.object(feature.object);
   return object_words(object.type, object.id, object.name, object.name_is_shared);
 }
 
@@ -35,10 +36,10 @@ class Support {
     for (const RecordedPair& pair : best.pairs) {
       const auto local = locals.find(pair.local_feature);
       if (local == locals.end()) continue;
-      if (pair.map_feature < 0)
-        not_on_map_.insert(pair.local_feature);
-      else
+      if (pair.map_feature.exists())
         see(local->second, pair.map_feature);
+      else
+        not_on_map_.insert(pair.local_feature);
     }
   }
 
@@ -55,8 +56,8 @@ class Support {
   }
 
  private:
-  void see(const RecordedLocalFeature& local, int mapped) {
-    const RunHeader::Feature& feature = header_.features[mapped];
+  void see(const RecordedLocalFeature& local, MapFeatureNumber mapped) {
+    const RunHeader::Feature& feature = header_.feature(mapped);
     if (kind_of(feature.geometry) != kind_of(local.geometry)) return;
     const Geometry placed = transformed(T_map_local_, local.geometry);
     const double off_m = mismatch(placed, feature.geometry).position_m;
@@ -78,13 +79,14 @@ class Support {
   Pose2 T_map_local_;
   std::size_t pairs_ = 0;
   std::map<std::string, double> nearest_m_;  ///< per object
-  std::set<int> not_on_map_;
+  std::set<LocalFeatureId> not_on_map_;
 };
 
 /// Empty if its spawn is not recorded.
 std::string origin_text(const TracedHypothesis& hypothesis) {
-  if (hypothesis.parent < 0 && hypothesis.pattern_template.empty()) return {};
-  std::string text = hypothesis.parent >= 0 ? fmt::format("branched from hypothesis {}", hypothesis.parent) : "spawned";
+  if (!hypothesis.parent.exists() && hypothesis.pattern_template.empty()) return {};
+  std::string text =
+      hypothesis.parent.exists() ? fmt::format("branched from hypothesis {}", hypothesis.parent) : "spawned";
   text += " at " + seconds_text(hypothesis.spawned_s);
   return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
 }

@@ -10,7 +10,7 @@ namespace {
 /// One place that explains everything, for as many scans.
 PoseEstimate sure_of_one_place(StatusEstimator& estimator, int scans) {
   Live live;
-  live.hypothesis.id = 1;
+  live.hypothesis.id = HypothesisId(1);
   live.hypothesis.log_likelihood = 50;
   live.scan_nat = 1;
   PoseEstimate estimate;

@@ -15,7 +15,8 @@ constexpr double kDetectorMemory = 0.99;
 struct Watch {
   void see(double scan_nat, double match_share = 1, bool established = true) {
     gathered_nat = kDetectorMemory * gathered_nat + scan_nat;
-    detector.add({++keyframe, 1, match_share, scan_nat, gathered_nat, established});
+    keyframe = keyframe.next();
+    detector.add({keyframe, 1, match_share, scan_nat, gathered_nat, established});
   }
   void see_good(int scans) {
     for (int k = 0; k < scans; ++k) see(kGood_nat);
@@ -29,7 +30,7 @@ struct Watch {
     see_bad(scans_after);
   }
   KidnapDetector detector{KidnappingOptions{}, kDetectorMemory};
-  int keyframe = 0;
+  KeyframeId keyframe{0};
   double gathered_nat = 0;
 };
 
@@ -70,7 +71,7 @@ TEST_CASE("who drives into a part that the map has wrong is not kidnapped, howev
 TEST_CASE("bad scans after one that continues nothing are a kidnapping after the last good scan") {
   Watch watch;
   watch.see_good(10);
-  const int last_good = watch.keyframe;
+  const KeyframeId last_good = watch.keyframe;
   const double gathered_nat = watch.gathered_nat;
   watch.be_kidnapped(3);
   const auto takeover = watch.detector.suspected();

@@ -17,7 +17,7 @@ const Pose2 kHere(3, 2, 0.5), kThere(20, 9, 2), kElsewhere(-8, 4, -1);
 /// @param T_map_base  where the robot is now by it.
 Live hypothesis(int id, const Pose2& T_map_base, double nat, double scan_nat = 1, const Pose2& T_local_base = Pose2()) {
   Live live;
-  live.hypothesis.id = id;
+  live.hypothesis.id = HypothesisId(id);
   live.hypothesis.T_map_local = T_map_base * T_local_base.inverse();
   live.hypothesis.log_likelihood = nat;
   live.scan_nat = scan_nat;
@@ -87,7 +87,7 @@ TEST_CASE("two places with as much evidence are ambiguous, however much that is"
     for (int k = 0; k < 10; ++k) estimate = answer.to({hypothesis(1, kHere, nat), hypothesis(2, kThere, nat)});
     CHECK(estimate.status == Status::ambiguous);
     REQUIRE(estimate.alternatives.size() == 1);
-    CHECK(estimate.alternatives[0].hypothesis == 2);
+    CHECK(estimate.alternatives[0].hypothesis == HypothesisId(2));
     CHECK(estimate.alternatives[0].probability == Approx(estimate.probability));
     CHECK(distance_m(estimate.alternatives[0].T_map_base, kThere) == Approx(0).margin(1e-9));
   }

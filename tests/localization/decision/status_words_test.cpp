@@ -8,7 +8,7 @@ namespace {
 
 Live lone_hypothesis(double nat) {
   Live live;
-  live.hypothesis.id = 1;
+  live.hypothesis.id = HypothesisId(1);
   live.hypothesis.log_likelihood = nat;
   live.scan_nat = 1;
   return live;

@@ -202,7 +202,7 @@ TEST_CASE("a scorer that cannot explain itself leaves the others' findings") {
     }
     std::vector<Finding> explain(const Hypothesis&, const Observation&, const MapView&) const override {
       if (fails_) throw std::runtime_error("no words");
-      return {{"it fits", -1, {}}};
+      return {{"it fits", {}, {}}};
     }
     bool fails_;
   };

@@ -26,7 +26,7 @@ struct Past {
       : judges(map, std::move(scorers)), past(map, judges.ensemble, given, memory) {}
   void see(double tempering_weight = 1, double best_nat = 2.9) {
     robot.drive_to(robot.T_map_base() * Pose2(0.4, 0.05, 0.02));
-    ++keyframe;
+    keyframe = keyframe.next();
     past.remember(robot.observation(), keyframe, tempering_weight, best_nat);
   }
   void see_scans(int scans, double tempering_weight = 1) {
@@ -45,7 +45,7 @@ struct Past {
   Judges judges;
   RetrospectiveVerification past;
   Robot robot{map, Pose2(2, 4, 0)};
-  int keyframe = 0;
+  KeyframeId keyframe{0};
 };
 
 /// Each scan says this for every hypothesis.
@@ -78,9 +78,9 @@ TEST_CASE("no more scans are kept than asked for, the newest ones") {
   Past past({{"fit", fit_scorer(), true, 1}}, verification_options(3));
   past.see_scans(10);
   CHECK(past.truth().scans == 3);
-  past.past.forget_until(7);
+  past.past.forget_until(KeyframeId(7));
   CHECK(past.truth().scans == 3);  // 8, 9 and 10
-  past.past.forget_until(9);
+  past.past.forget_until(KeyframeId(9));
   CHECK(past.truth().scans == 1);
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("who may keep no scan verifies nothing") {
 TEST_CASE("a scan without points is not kept") {
   Past past;
   past.robot.drive_blind_to(Pose2(3, 4, 0));
-  past.past.remember(past.robot.observation(), 1, 1, 0);
+  past.past.remember(past.robot.observation(), KeyframeId(1), 1, 0);
   CHECK(past.truth().scans == 0);
 }
 
@@ -164,19 +164,19 @@ TEST_CASE("verifying a hypothesis leaves its own memories alone") {
 TEST_CASE("what was seen before a kidnapping says nothing once it is forgotten") {
   Past past;
   past.see_scans(6);
-  past.past.forget_until(4);
+  past.past.forget_until(KeyframeId(4));
   CHECK(past.truth().scans == 2);
-  past.past.forget_until(100);
+  past.past.forget_until(KeyframeId(100));
   CHECK(past.truth().scans == 0);
 }
 
 TEST_CASE("a past that is cleared is none, whatever was suspected") {
   Past past;
   past.see_scans(6, 0.5);
-  past.past.suspect(RetrospectiveVerification::Takeover{3, 50});
+  past.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(3), 50});
   past.past.clear();
   CHECK(past.truth().scans == 0);
-  CHECK(past.truth().kidnapped_after == -1);
+  CHECK_FALSE(past.truth().kidnapped_after.exists());
   past.see(0.1);
   CHECK(past.truth().scans == 1);
 }
@@ -185,9 +185,9 @@ TEST_CASE("a candidate that the past speaks for does not pay for a kidnapping") 
   Past past;
   past.see_scans(8);
   const double alone = past.truth().nat;
-  past.past.suspect(RetrospectiveVerification::Takeover{5, -20});
+  past.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(5), -20});
   const auto verdict = past.truth();
-  CHECK(verdict.kidnapped_after == -1);
+  CHECK_FALSE(verdict.kidnapped_after.exists());
   CHECK(verdict.inherited_nat == 0);
   CHECK(verdict.nat == alone);
 }
@@ -196,9 +196,9 @@ TEST_CASE("a candidate after a kidnapping has the scans since then and what it t
   const double memory = 1, takeover_nat = 6;
   Past past = past_of(1, verification_options(), memory);
   past.see_scans(8);
-  past.past.suspect(RetrospectiveVerification::Takeover{5, takeover_nat});
+  past.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(5), takeover_nat});
   const auto verdict = past.truth();
-  CHECK(verdict.kidnapped_after == 5);
+  CHECK(verdict.kidnapped_after == KeyframeId(5));
   CHECK(verdict.inherited_nat == takeover_nat);
   CHECK(verdict.scans == 3);  // 6, 7 and 8
   CHECK(verdict.nat == Approx(3 + takeover_nat));
@@ -210,12 +210,12 @@ TEST_CASE("where the robot was kidnapped to is not hopeless because of what was 
   past.robot = Robot(past.map, Pose2(8, 1, 2));  // a local map of its own, as far as this test sees
   const auto before = past.truth();
   CHECK(before.hopeless);
-  past.past.suspect(RetrospectiveVerification::Takeover{8, 3});
+  past.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(8), 3});
   const auto verdict = past.truth();
   CHECK_FALSE(verdict.hopeless);
-  CHECK(verdict.kidnapped_after == 8);
+  CHECK(verdict.kidnapped_after == KeyframeId(8));
   CHECK(verdict.nat == 3);
-  past.past.suspect(RetrospectiveVerification::Takeover{8, -100});  // a high price is a price all the same
+  past.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(8), -100});  // a high price is a price all the same
   CHECK_FALSE(past.truth().hopeless);
   CHECK(past.truth().nat == -100);
 }
@@ -223,10 +223,10 @@ TEST_CASE("where the robot was kidnapped to is not hopeless because of what was 
 TEST_CASE("a kidnapping excuses nothing that was seen since then") {
   Past past;
   past.see_scans(12);
-  past.past.suspect(RetrospectiveVerification::Takeover{1, 3});
+  past.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(1), 3});
   const auto verdict = past.elsewhere(Pose2(2, 2, 0.8));
   CHECK(verdict.hopeless);
-  CHECK(verdict.kidnapped_after == -1);
+  CHECK_FALSE(verdict.kidnapped_after.exists());
 }
 
 TEST_CASE("in retrospect no scan is more than one whole piece of evidence to a scorer") {
@@ -242,7 +242,8 @@ TEST_CASE("the first scan after a blind drive counts once") {
   Past past = past_of(1, verification_options(), 1);
   for (int k = 1; k <= 10; ++k) {
     past.robot.drive_blind_to(Pose2(2 + 0.4 * k, 4, 0));
-    past.past.remember(past.robot.observation(), ++past.keyframe, 1, 0);
+    past.keyframe = past.keyframe.next();
+    past.past.remember(past.robot.observation(), past.keyframe, 1, 0);
   }
   past.see(1);
   CHECK(past.truth().scans == 1);

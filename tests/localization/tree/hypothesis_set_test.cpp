@@ -18,7 +18,7 @@ constexpr double kSpawn_nat = HypothesesOptions{}.spawn_nat, kPrune_nat = Hypoth
 
 /// Hears everything.
 struct Listener : HypothesisListener {
-  void spawned(const Live& live, int parent, int) override {
+  void spawned(const Live& live, HypothesisId parent, TemplateNumber) override {
     ++spawns[live.hypothesis.id];
     parents[live.hypothesis.id] = parent;
   }
@@ -29,14 +29,15 @@ struct Listener : HypothesisListener {
   void associated(const Live& live, std::span<const Association> pairs) override {
     pairs_heard[live.hypothesis.id] += static_cast<int>(pairs.size());
   }
-  void dissociated(const Live&, const std::vector<int>& local_features, const std::string&) override {
+  void dissociated(const Live&, const std::vector<LocalFeatureId>& local_features, const std::string&) override {
     dissociations += static_cast<int>(local_features.size());
   }
   void branch_rejected(const Live&, const Association&, const std::string&) override {}
   void candidate_rejected(const VerifiedCandidate&, const std::string& reason) override { rejected.push_back(reason); }
 
-  std::map<int, int> spawns, ends, parents, pairs_heard;
-  std::map<int, Ending> why;
+  std::map<HypothesisId, int> spawns, ends, pairs_heard;
+  std::map<HypothesisId, HypothesisId> parents;
+  std::map<HypothesisId, Ending> why;
   std::vector<std::string> rejected;
   int dissociations = 0;
 };
@@ -83,7 +84,7 @@ struct Line {
     for (const LocalFeature& feature : local_map.features()) all.push_back(&feature);
     set.grow(all, local_map);
   }
-  double nat_of(int id) const {
+  double nat_of(HypothesisId id) const {
     for (const Live& live : set.alive())
       if (live.hypothesis.id == id) return live.hypothesis.log_likelihood;
     return -1e9;
@@ -99,21 +100,27 @@ struct Line {
   HypothesisSet set;
 };
 
+std::set<HypothesisId> ids(std::initializer_list<int> numbers) {
+  std::set<HypothesisId> ids;
+  for (const int number : numbers) ids.emplace(number);
+  return ids;
+}
+
 bool best_first(const std::vector<Live>& alive) {
   return std::is_sorted(alive.begin(), alive.end(), [](const Live& a, const Live& b) {
     return a.hypothesis.log_likelihood > b.hypothesis.log_likelihood;
   });
 }
 
-std::set<int> ids_of(const std::vector<Live>& alive) {
-  std::set<int> ids;
+std::set<HypothesisId> ids_of(const std::vector<Live>& alive) {
+  std::set<HypothesisId> ids;
   for (const Live& live : alive) ids.insert(live.hypothesis.id);
   return ids;
 }
 
 /// Whoever was heard to begin and not to end is alive, and nobody did either twice.
 void check_heard(const Listener& listener, const std::vector<Live>& alive) {
-  std::set<int> heard;
+  std::set<HypothesisId> heard;
   for (const auto& [id, times] : listener.spawns) {
     CHECK(times == 1);
     if (!listener.ends.contains(id)) heard.insert(id);
@@ -129,7 +136,7 @@ void check_heard(const Listener& listener, const std::vector<Live>& alive) {
 struct AssociationMemory : CountingScorer {
   Score score(const Hypothesis& hypothesis, const Observation&, const MapView&, const ScorerMemory*) const override {
     auto seen = std::make_shared<CountMemory>();
-    seen->count = hypothesis.associations.empty() ? 0 : 100 + hypothesis.associations.back().map_feature;
+    seen->count = hypothesis.associations.empty() ? 0 : 100 + hypothesis.associations.back().map_feature.number();
     return {0, {}, {}, std::move(seen)};
   }
   void fade(ScorerMemory&, double) const override {}
@@ -152,7 +159,7 @@ TEST_CASE("a candidate becomes a hypothesis with what the scan says and the pric
   CHECK(live.hypothesis.log_likelihood == Approx(kSpawn_nat + 10));
   CHECK(live.scan_nat == 10);
   CHECK(live.hypothesis.T_map_local.x() == Approx(5));
-  CHECK(line.listener.parents.at(live.hypothesis.id) == -1);
+  CHECK_FALSE(line.listener.parents.at(live.hypothesis.id).exists());
 }
 
 TEST_CASE("candidates at one place are one hypothesis, in one search or in two") {
@@ -170,9 +177,9 @@ TEST_CASE("a candidate that is clearly better aligned moves the hypothesis at it
   line.spawn({5});
   line.spawn({5.2});
   REQUIRE(line.set.alive().size() == 1);
-  CHECK(line.set.alive().front().hypothesis.id == 0);
+  CHECK(line.set.alive().front().hypothesis.id == HypothesisId(0));
   CHECK(line.set.alive().front().hypothesis.T_map_local.x() == Approx(5.2));
-  CHECK(line.nat_of(0) == Approx(kSpawn_nat + 12));
+  CHECK(line.nat_of(HypothesisId(0)) == Approx(kSpawn_nat + 12));
 }
 
 TEST_CASE("a candidate that is hardly better aligned moves nobody") {
@@ -181,7 +188,7 @@ TEST_CASE("a candidate that is hardly better aligned moves nobody") {
   line.spawn({5});
   line.spawn({5.2});
   CHECK(line.set.alive().front().hypothesis.T_map_local.x() == Approx(5));
-  CHECK(line.nat_of(0) == Approx(kSpawn_nat + 10));
+  CHECK(line.nat_of(HypothesisId(0)) == Approx(kSpawn_nat + 10));
 }
 
 TEST_CASE("evidence adds up by its weight, and what was gathered fades by the same") {
@@ -189,18 +196,18 @@ TEST_CASE("evidence adds up by its weight, and what was gathered fades by the sa
   options.tracking.evidence_memory = 0.9;
   Line line(options);
   line.spawn({5});
-  const double before = line.nat_of(0);
+  const double before = line.nat_of(HypothesisId(0));
   line.track(0.5);
-  CHECK(line.nat_of(0) == Approx(0.95 * before + 0.5 * 10));
+  CHECK(line.nat_of(HypothesisId(0)) == Approx(0.95 * before + 0.5 * 10));
 }
 
 TEST_CASE("who is worse than the best by more than the limit ends, and nobody else") {
   Line line;
   line.nat_at = [](double x_m) { return 20 - x_m; };
   line.spawn({0, kPrune_nat - 0.1, kPrune_nat + 0.5});
-  CHECK(ids_of(line.set.alive()) == std::set<int>{0, 1});
+  CHECK(ids_of(line.set.alive()) == ids({0, 1}));
   CHECK(line.listener.ends.size() == 1);
-  CHECK(line.listener.why.at(2).merged_into == -1);
+  CHECK_FALSE(line.listener.why.at(HypothesisId(2)).merged_into.exists());
 }
 
 TEST_CASE("a hypothesis that falls behind while it is tracked ends") {
@@ -211,7 +218,7 @@ TEST_CASE("a hypothesis that falls behind while it is tracked ends") {
   CHECK(line.set.alive().size() == 2);
   line.track();
   line.track();
-  CHECK(ids_of(line.set.alive()) == std::set<int>{0});
+  CHECK(ids_of(line.set.alive()) == ids({0}));
   check_heard(line.listener, line.set.alive());
 }
 
@@ -221,9 +228,9 @@ TEST_CASE("there are never more hypotheses than allowed, and the best ones stay"
   Line line(options);
   line.nat_at = [](double x_m) { return 10 + 0.1 * x_m; };
   line.spawn({0, 10, 20, 30, 40});
-  CHECK(ids_of(line.set.alive()) == std::set<int>{2, 3, 4});
+  CHECK(ids_of(line.set.alive()) == ids({2, 3, 4}));
   line.spawn({50});
-  CHECK(ids_of(line.set.alive()) == std::set<int>{3, 4, 5});
+  CHECK(ids_of(line.set.alive()) == ids({3, 4, 5}));
   check_heard(line.listener, line.set.alive());
 }
 
@@ -234,7 +241,7 @@ TEST_CASE("numbers of hypotheses are never used again, not even when all begins 
   CHECK(line.set.alive().empty());
   CHECK(line.set.tree().size() == 0);
   line.spawn({0, 10});
-  CHECK(ids_of(line.set.alive()) == std::set<int>{2, 3});
+  CHECK(ids_of(line.set.alive()) == ids({2, 3}));
 }
 
 TEST_CASE("a vetoed candidate is rejected with the reason") {
@@ -251,8 +258,8 @@ TEST_CASE("a hypothesis that is vetoed ends, even the best one") {
   line.spawn({0, 10});
   line.veto_at = [](double x_m) { return x_m < 5 ? "behind a wall" : ""; };
   line.track();
-  CHECK(ids_of(line.set.alive()) == std::set<int>{1});
-  CHECK(line.listener.why.at(0).reason == "veto by told: behind a wall");
+  CHECK(ids_of(line.set.alive()) == ids({1}));
+  CHECK(line.listener.why.at(HypothesisId(0)).reason == "veto by told: behind a wall");
 }
 
 TEST_CASE("every beginning and every end is heard once, and the best hypothesis stands first, whatever happens") {
@@ -288,14 +295,14 @@ TEST_CASE("a feature with two mapped ones near it makes two hypotheses: one goes
   line.see({column(1.02, 0)}, Pose2());
   line.grow();
   REQUIRE(line.set.alive().size() == 2);
-  std::set<int> paired;
+  std::set<MapFeatureNumber> paired;
   for (const Live& live : line.set.alive()) {
     REQUIRE(live.hypothesis.associations.size() == 1);
     paired.insert(live.hypothesis.associations.front().map_feature);
     CHECK(line.set.tree().branch(live.leaf).size() == 1);
   }
-  CHECK(paired == std::set<int>{0, 1});
-  CHECK(line.listener.parents.at(1) == 0);
+  CHECK(paired == std::set{MapFeatureNumber(0), MapFeatureNumber(1)});
+  CHECK(line.listener.parents.at(HypothesisId(1)) == HypothesisId(0));
   check_heard(line.listener, line.set.alive());
 }
 
@@ -313,7 +320,7 @@ TEST_CASE("hypotheses that branched remember for themselves from then on") {
   line.track();
   REQUIRE(line.set.alive().size() == 2);
   for (const Live& live : line.set.alive())
-    CHECK(count_of(live.hypothesis, 1) == before + 100 + live.hypothesis.associations.back().map_feature);
+    CHECK(count_of(live.hypothesis, 1) == before + 100 + live.hypothesis.associations.back().map_feature.number());
 }
 
 TEST_CASE("branches that stay at one place are one hypothesis again with the next scan") {
@@ -335,8 +342,8 @@ TEST_CASE("a feature with nothing mapped near it is not on the map, and is said 
   line.grow();
   REQUIRE(line.set.alive().size() == 1);
   REQUIRE(line.set.alive().front().hypothesis.associations.size() == 1);
-  CHECK(line.set.alive().front().hypothesis.associations.front().map_feature == -1);
-  CHECK(line.listener.pairs_heard.at(0) == 1);
+  CHECK_FALSE(line.set.alive().front().hypothesis.associations.front().map_feature.exists());
+  CHECK(line.listener.pairs_heard.at(HypothesisId(0)) == 1);
 }
 
 TEST_CASE("tracking lets scorers' memories fade before it adds to them") {
@@ -401,16 +408,16 @@ TEST_CASE("once a kidnapping is settled, those without it end and what was taken
   Line line;
   line.nat_at = [](double x_m) { return x_m > 5 ? 12 : 10; };
   line.spawn({0});
-  line.past.suspect(RetrospectiveVerification::Takeover{5, 4});
+  line.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(5), 4});
   line.spawn({10, 20});
   REQUIRE(line.set.alive().size() == 3);
-  CHECK(line.set.alive().front().kidnapped_after == 5);
-  CHECK(line.nat_of(1) == Approx(kSpawn_nat + 12 + 4));
+  CHECK(line.set.alive().front().kidnapped_after == KeyframeId(5));
+  CHECK(line.nat_of(HypothesisId(1)) == Approx(kSpawn_nat + 12 + 4));
   CHECK(line.set.settle() == Approx(4));
-  CHECK(ids_of(line.set.alive()) == std::set<int>{1, 2});
-  CHECK(line.listener.why.at(0).reason == "the robot was kidnapped");
+  CHECK(ids_of(line.set.alive()) == ids({1, 2}));
+  CHECK(line.listener.why.at(HypothesisId(0)).reason == "the robot was kidnapped");
   for (const Live& live : line.set.alive()) {
-    CHECK(live.kidnapped_after == -1);
+    CHECK_FALSE(live.kidnapped_after.exists());
     CHECK(live.inherited_nat == 0);
     CHECK(live.hypothesis.log_likelihood == Approx(kSpawn_nat + 12));
   }
@@ -422,7 +429,7 @@ TEST_CASE("what is taken over from a kidnapping fades like everything that was g
   LocalizerOptions options;
   options.tracking.evidence_memory = 0.9;
   Line line(options);
-  line.past.suspect(RetrospectiveVerification::Takeover{5, 4});
+  line.past.suspect(RetrospectiveVerification::Takeover{KeyframeId(5), 4});
   line.spawn({10});
   line.track(0.5);
   CHECK(line.set.alive().front().inherited_nat == Approx(0.95 * 4));
@@ -502,7 +509,7 @@ TEST_CASE("a candidate that the scans before speak against is rejected") {
   scene.robot = Robot(scene.map, Pose2(2, 4, 0));
   for (int k = 0; k < 10; ++k) {
     scene.robot.drive_to(scene.robot.T_map_base() * Pose2(0.4, 0.05, 0.02));
-    scene.past.remember(scene.robot.observation(), k, 1, 2.9);
+    scene.past.remember(scene.robot.observation(), KeyframeId(k), 1, 2.9);
   }
   scene.spawn({Pose2(2, 2, 0.8), scene.robot.T_map_base()});
   REQUIRE(scene.set.alive().size() == 1);
@@ -531,7 +538,7 @@ struct Latecomer {
     for (int k = 0; k < 20; ++k) {
       scene.robot.drive_to(scene.robot.T_map_base() * Pose2(0.2, 0.02, 0.02));
       scene.track(0.3);
-      scene.past.remember(scene.robot.observation(), k, 0.3, scene.set.alive().front().scan_nat);
+      scene.past.remember(scene.robot.observation(), KeyframeId(k), 0.3, scene.set.alive().front().scan_nat);
     }
     scene.spawn({T_map_second * scene.robot.T_map_base()}, 0.3);
   }
@@ -540,7 +547,7 @@ struct Latecomer {
     for (const Feature& feature : moved(T_map_second, room())) features.push_back(feature);
     return features;
   }
-  double nat_of(int id) const {
+  double nat_of(HypothesisId id) const {
     const auto& alive = scene.set.alive();
     const auto found =
         std::find_if(alive.begin(), alive.end(), [&](const Live& live) { return live.hypothesis.id == id; });
@@ -555,11 +562,11 @@ struct Latecomer {
 
 TEST_CASE("who comes late has no more than who was right all along, and does not start with nothing") {
   const Latecomer by_fit(fit_scorer());
-  CHECK(by_fit.nat_of(1) <= by_fit.nat_of(0) + 0.05);
-  CHECK(by_fit.nat_of(1) > 0.5 * by_fit.nat_of(0));
+  CHECK(by_fit.nat_of(HypothesisId(1)) <= by_fit.nat_of(HypothesisId(0)) + 0.05);
+  CHECK(by_fit.nat_of(HypothesisId(1)) > 0.5 * by_fit.nat_of(HypothesisId(0)));
 }
 
 TEST_CASE("who comes late has no advantage of seeing in few large pieces what was tracked in many small ones") {
   const Latecomer by_first_sight(std::make_shared<FirstSightScorer>());
-  CHECK(by_first_sight.nat_of(1) <= by_first_sight.nat_of(0) + 0.05);
+  CHECK(by_first_sight.nat_of(HypothesisId(1)) <= by_first_sight.nat_of(HypothesisId(0)) + 0.05);
 }

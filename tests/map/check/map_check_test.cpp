@@ -10,11 +10,13 @@ namespace {
 MapFeature feature(const std::string& id, const Geometry& geometry, const std::string& sensor = "lidar") {
   MapFeature made;
   made.id = id;
-  made.object = 0;
+  made.object = MapObjectNumber(0);
   made.sensor = sensor;
   made.geometry = geometry;
   return made;
 }
+
+const std::vector<MapFeatureNumber> kBoth{MapFeatureNumber(0), MapFeatureNumber(1)};
 
 std::shared_ptr<const SemanticMap> map_of(std::vector<MapFeature> features, std::vector<MapPattern> patterns = {}) {
   return SemanticMap::make("test", {{"thing", "Wall"}}, std::move(features), std::move(patterns));
@@ -59,7 +61,7 @@ TEST_CASE("a detector runs if the map holds what it produces, a pattern if all i
 
 TEST_CASE("templates that the map's patterns name run alone") {
   const auto map = map_of({feature("c1", kColumn), feature("c2", Circle{{6, 2}, 0.3})},
-                          {{"p", "t:Pair", {0, 1}}, {"q", "t:Missing", {0, 1}}});
+                          {{"p", "t:Pair", kBoth}, {"q", "t:Missing", kBoth}});
   const PipelinePlan plan = plan_pipeline(*map, "lidar", kTypes);
   CHECK(plan.patterns == Names{"t:Pair"});
   CHECK(plan.reasons.back() == "t:Missing: no plugin offers it; 1 patterns of the map stay unused");
@@ -72,7 +74,7 @@ TEST_CASE("a template that waits to be named runs only where the map's patterns 
   const PipelinePlan plan = plan_pipeline(*map_of(columns), "lidar", types);
   CHECK(plan.patterns == Names{"t:Any"});
   CHECK(plan.on_request == Names{"t:Pair"});
-  const PipelinePlan named = plan_pipeline(*map_of(columns, {{"p", "t:Pair", {0, 1}}}), "lidar", types);
+  const PipelinePlan named = plan_pipeline(*map_of(columns, {{"p", "t:Pair", kBoth}}), "lidar", types);
   CHECK(named.patterns == Names{"t:Pair"});
   CHECK(named.on_request.empty());
 }
@@ -109,8 +111,8 @@ TEST_CASE("a wall that nothing represents or nobody perceives is warned about, a
   std::vector<MapFeature> features{feature("seen", kWall), feature("unseen", Segment{{0, 3}, {4, 3}}, ""),
                                    feature("leaf", Segment{{0, 2}, {1, 2}}, ""),
                                    feature("glass", Segment{{2, 2}, {3, 2}}, "")};
-  features[2].object = 2;
-  features[3].object = 3;
+  features[2].object = MapObjectNumber(2);
+  features[3].object = MapObjectNumber(3);
   const auto map = SemanticMap::make(
       "test", {{"wall", "Wall"}, {"ghost", "Wall"}, {"door", "Door"}, pane, {"opening", "Door"}}, features, {});
   CHECK(check_map(*map).warnings ==

@@ -12,7 +12,7 @@ struct Parts {
   std::string name = "hall";
   std::vector<MapObject> objects{{"w1", "opal:Wall"}, {"w2", "opal:Wall"}};
   std::vector<MapFeature> features;
-  std::vector<MapPattern> patterns{{"p1", "acme:Pair", {0, 1}}};
+  std::vector<MapPattern> patterns{{"p1", "acme:Pair", {MapFeatureNumber(0), MapFeatureNumber(1)}}};
   MapOrigin origin;
 };
 
@@ -23,7 +23,7 @@ Parts parts() {
   for (const Geometry& geometry : geometries) {
     MapFeature feature;
     feature.id = "f" + std::to_string(made.features.size());
-    feature.object = static_cast<int>(made.features.size()) % 2;
+    feature.object = MapObjectNumber(made.features.size() % 2);
     feature.sensor = "lidar";
     feature.geometry = geometry;
     made.features.push_back(feature);
@@ -49,7 +49,7 @@ TEST_CASE("equal maps do not differ, however they were made") {
   CHECK(diff_after([](Parts&) {}).sentences().empty());
   CHECK(diff_after([](Parts& p) {
           std::swap(p.objects[0], p.objects[1]);
-          for (MapFeature& feature : p.features) feature.object = 1 - feature.object;
+          for (MapFeature& feature : p.features) feature.object = MapObjectNumber(1 - feature.object.number());
         }).empty());
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("maps do not differ if and only if their documents are equal") {
       [](Parts& p) { p.objects.push_back({"w3", "opal:Wall"}); },
       [](Parts& p) { p.features[0].type = "acme:Edge"; },
       [](Parts& p) { p.features[0].sensor = "camera"; p.features[1].sensor = "camera"; },
-      [](Parts& p) { p.features[0].object = 1; },
+      [](Parts& p) { p.features[0].object = MapObjectNumber(1); },
       [](Parts& p) { p.features[0].position_sigma_m = 0.1; },
       [](Parts& p) { p.features[0].existence = 0.5; },
       [](Parts& p) { p.features[0].points = {"a", "b"}; },
@@ -90,9 +90,9 @@ TEST_CASE("maps do not differ if and only if their documents are equal") {
       [](Parts& p) { p.features[3].geometry = Point(7, 7.5); },
       [](Parts& p) { p.features.pop_back(); },
       [](Parts& p) { p.patterns[0].pattern_template = "acme:Other"; },
-      [](Parts& p) { p.patterns[0].features = {1, 0}; },
+      [](Parts& p) { p.patterns[0].features = {MapFeatureNumber(1), MapFeatureNumber(0)}; },
       [](Parts& p) { p.patterns[0].dimensions = {0.1}; },
-      [](Parts& p) { p.patterns.push_back({"p2", "acme:Pair", {2, 3}, {"p1"}}); },
+      [](Parts& p) { p.patterns.push_back({"p2", "acme:Pair", {MapFeatureNumber(2), MapFeatureNumber(3)}, {"p1"}}); },
       [](Parts& p) { p.patterns.clear(); },
       // clang-format on
   };

@@ -214,5 +214,5 @@ TEST_CASE("patterns follow their members") {
                                       Contains("whole: pattern left out, as its part 'pair' is"));
   const OverlaidMap other = overlaid(*room(), overlay(R"({"target": "face-4", "existence": 0.5})"));
   CHECK(other.map->patterns().size() == 2);
-  CHECK(other.map->features()[other.map->patterns()[0].features[1]].id == "c1/rim");
+  CHECK(other.map->feature(other.map->patterns()[0].features[1]).id == "c1/rim");
 }

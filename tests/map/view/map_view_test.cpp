@@ -25,10 +25,10 @@ TEST_CASE("features within a radius are those that a walk over all features find
   for (int query = 0; query < 100; ++query) {
     const Point p{place(random), place(random)};
     const double r = radius(random);
-    std::vector<int> expected;
+    std::vector<MapFeatureNumber> expected;
     for (std::size_t k = 0; k < walls.size(); ++k)
-      if (distance_m(walls[k], p) <= r) expected.push_back(static_cast<int>(k));
-    std::vector<int> found = view.within(p, r);
+      if (distance_m(walls[k], p) <= r) expected.emplace_back(k);
+    std::vector<MapFeatureNumber> found = view.within(p, r);
     std::sort(found.begin(), found.end());
     CAPTURE(query, p.transpose(), r);
     CHECK(found == expected);
@@ -51,22 +51,22 @@ TEST_CASE("clearance is the distance to the nearest surface, within a cell") {
 
 TEST_CASE("of a thin wall's two faces, the one that faces the viewer is found") {
   const MapView view(map_of({kUpper, kLower}), "PlanarLidar2D");
-  CHECK(view.nearest_facing({2, 0.05}, {0, -1}) == 0);
-  CHECK(view.nearest_facing({2, 0.05}, {0, 1}) == 1);
-  CHECK(view.nearest_facing({2, 3}, {0, -1}) == -1);
+  CHECK(view.nearest_facing({2, 0.05}, {0, -1}) == MapFeatureNumber(0));
+  CHECK(view.nearest_facing({2, 0.05}, {0, 1}) == MapFeatureNumber(1));
+  CHECK_FALSE(view.nearest_facing({2, 3}, {0, -1}).exists());
 }
 
 TEST_CASE("a ray finds the first wall it crosses, and says if it comes from behind") {
   const MapView view(map_of({kUpper, Segment{{0, -2}, {4, -2}}, Circle{{2, 3}, 0.3}}), "PlanarLidar2D");
   const auto from_above = view.first_crossing({1, 2}, {1, -3}, 0.2);
-  CHECK(from_above.feature == 0);
+  CHECK(from_above.feature == MapFeatureNumber(0));
   CHECK(from_above.range_m == Approx(1.9).margin(0.01));
   CHECK_FALSE(from_above.from_behind);
   CHECK(view.first_crossing({1, -1}, {1, 1}, 0.2).from_behind);
-  CHECK(view.first_crossing({2, 5}, {2, 1}, 0.2).feature == 2);
-  CHECK(view.first_crossing({1, 2}, {1, 0.0}, 0.2).feature == -1);  // overshoots by less than the margin
-  CHECK(view.first_crossing({5, 2}, {5, -3}, 0.2).feature == -1);   // passes beside
-  CHECK(view.first_crossing({1, 2}, {1, 2}, 0.2).feature == -1);    // no way at all
+  CHECK(view.first_crossing({2, 5}, {2, 1}, 0.2).feature == MapFeatureNumber(2));
+  CHECK_FALSE(view.first_crossing({1, 2}, {1, 0.0}, 0.2).feature.exists());  // overshoots by less than the margin
+  CHECK_FALSE(view.first_crossing({5, 2}, {5, -3}, 0.2).feature.exists());   // passes beside
+  CHECK_FALSE(view.first_crossing({1, 2}, {1, 2}, 0.2).feature.exists());    // no way at all
 }
 
 TEST_CASE("faces that lie on one straight line and look the same way share its number, wherever the map lies") {
@@ -85,7 +85,8 @@ TEST_CASE("faces that lie on one straight line and look the same way share its n
     geometries.push_back(Circle{moved * Point(8, 0), 0.2});
     const MapView view(map_of(geometries), "PlanarLidar2D");
     std::vector<int> lines;
-    for (std::size_t k = 0; k < geometries.size(); ++k) lines.push_back(view.surface(static_cast<int>(k)).line);
+    for (std::size_t k = 0; k < geometries.size(); ++k)
+      lines.push_back(view.surface(MapFeatureNumber(k)).line.number());
     CAPTURE(moved.x(), moved.y(), moved.heading_rad());
     CHECK(lines == std::vector<int>{0, 0, 0, 3, 4, 5, 6, 7});
   }
@@ -98,9 +99,9 @@ TEST_CASE("one line goes on as far as each piece follows the one before, in both
       geometries.push_back(
           transformed(Pose2(3, 5, turned_rad), Segment{{25.0 * k, 0.01 * k}, {25.0 * k + 2, 0.01 * k}}));
     const MapView view(map_of(geometries), "PlanarLidar2D");
-    for (int number : view.features()) {
+    for (MapFeatureNumber number : view.features()) {
       CAPTURE(turned_rad, number);
-      CHECK(view.surface(number).line == view.surface(0).line);
+      CHECK(view.surface(number).line == view.surface(MapFeatureNumber(0)).line);
     }
   }
 }
@@ -108,7 +109,7 @@ TEST_CASE("one line goes on as far as each piece follows the one before, in both
 TEST_CASE("far outside the map there is nothing, whatever is asked") {
   const MapView view(map_of({kUpper}), "PlanarLidar2D");
   for (const Point& p : {Point(1e9, 1e9), Point(-1e9, 3), Point(std::nan(""), 0)}) {
-    CHECK(view.nearest_facing(p, {0, -1}) == -1);
+    CHECK_FALSE(view.nearest_facing(p, {0, -1}).exists());
     CHECK(view.clearance_m(p) == MapView::clearance_cap_m());
     CHECK(view.likelihood_field(p) == 0);
   }

@@ -13,10 +13,11 @@ inline std::shared_ptr<const SemanticMap> map_of(const std::vector<Geometry>& ge
   for (const Geometry& geometry : geometries) {
     const int number = static_cast<int>(features.size());
     const bool column = kind_of(geometry) == GeometryKind::circle;
-    objects.push_back({"object-" + std::to_string(number), column ? "opal:Column" : "opal:Wall", {number}});
+    objects.push_back(
+        {"object-" + std::to_string(number), column ? "opal:Column" : "opal:Wall", {MapFeatureNumber(number)}});
     MapFeature feature;
     feature.id = "feature-" + std::to_string(number);
-    feature.object = number;
+    feature.object = MapObjectNumber(number);
     feature.type = column ? "opal:Column" : "opal:Wall";
     feature.sensor = "PlanarLidar2D";
     feature.geometry = geometry;

@@ -258,10 +258,10 @@ TEST_CASE("a scorer that explains itself badly is told so") {
     scorer.finding = finding;
     return text(testing::scorer_violations(scorer, {"acme:Scorer", {}, {}}));
   };
-  CHECK(offences({"a beam passes through a wall", 0, {{0, 0}, {1, 0}}}) == "");
-  CHECK_THAT(offences({"", -1, {}}), Contains("a finding without words"));
-  CHECK_THAT(offences({"something", 100000, {}}), Contains("a mapped feature that does not exist"));
-  CHECK_THAT(offences({"something", -1, {{0, 0}, {kNan, 0}}}), Contains("not two finite points"));
+  CHECK(offences({"a beam passes through a wall", MapFeatureNumber(0), {{0, 0}, {1, 0}}}) == "");
+  CHECK_THAT(offences({"", {}, {}}), Contains("a finding without words"));
+  CHECK_THAT(offences({"something", MapFeatureNumber(100000), {}}), Contains("a mapped feature that does not exist"));
+  CHECK_THAT(offences({"something", {}, {{0, 0}, {kNan, 0}}}), Contains("not two finite points"));
 }
 
 namespace {

@@ -82,7 +82,7 @@ TEST_CASE("faces that meet in a corner share its point, and are one object") {
   CHECK(map->objects()[0].type == "opal:Wall");
   std::multiset<std::string> points;
   for (const MapFeature& feature : map->features()) {
-    CHECK(feature.object == 0);
+    CHECK(feature.object == MapObjectNumber(0));
     CHECK(feature.sensor == "PlanarLidar2D");
     CHECK(feature.type == (kind_of(feature.geometry) == GeometryKind::segment ? "opal:Wall" : "opal:Corner"));
     points.insert(feature.points.begin(), feature.points.end());

@@ -182,8 +182,8 @@ std::vector<const MapFeature*> features_of(const SemanticMap& map, const std::st
                                            bool seen) {
   std::vector<const MapFeature*> features;
   for (const MapFeature& feature : map.features())
-    if (map.objects()[static_cast<std::size_t>(feature.object)].id == DrawnBuilding::id(name) &&
-        kind_of(feature.geometry) == kind && feature.sensor.empty() != seen)
+    if (map.object(feature.object).id == DrawnBuilding::id(name) && kind_of(feature.geometry) == kind &&
+        feature.sensor.empty() != seen)
       features.push_back(&feature);
   return features;
 }

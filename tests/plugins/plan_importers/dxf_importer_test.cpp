@@ -38,8 +38,7 @@ TEST_CASE("a small office comes in with its walls, columns, doors and glass, and
   CHECK(says(office, "left out, its layer is frozen: layer A-OLD: 1 LINE"));
   CHECK(says(office, "left out, entities of this type are not read: layer A-WALL: 1 REGION"));
   for (const MapFeature& feature : office.map->features())
-    if (office.map->objects()[static_cast<std::size_t>(feature.object)].type == "opal:Door")
-      CHECK(feature.sensor.empty());
+    if (office.map->object(feature.object).type == "opal:Door") CHECK(feature.sensor.empty());
 }
 
 TEST_CASE("the unit is the drawing's, or that of the option, or asked for") {

@@ -96,7 +96,7 @@ TEST_CASE("who judges a scan of before by its evidence_cells of then judges as t
   then.scans.front().evidence_cells = no_local_map().evidence_cells(then.scans.front().points);
   CHECK(nat(room(), at(Pose2()), then) == nat(room()));
   std::fill(then.scans.front().evidence_cells.begin(), then.scans.front().evidence_cells.end(),
-            7);  // all of it one thing
+            EvidenceCell(7));  // all of it one thing
   CHECK(nat(room(), at(Pose2()), then) < nat(room()) - 1);
 }
 

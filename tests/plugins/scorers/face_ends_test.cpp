@@ -33,19 +33,19 @@ TEST_CASE("the end of a face is found within the gate, and which of two ends it 
   const FaceEnds view = ends_of(map_of({kUpper, kLower}));
   const Point east(1, 0);
   const EndGate gate;
-  CHECK(view.nearest({0.1, 0.1}, east, Tip::begin, gate).number() == 0);
-  CHECK(view.nearest({3.9, 0.3}, east, Tip::end, gate).number() == 1);
-  CHECK(view.nearest({3.9, 0.1}, east, Tip::begin, gate).face == -1);
-  CHECK(view.nearest({3.9, 0}, -east, Tip::begin, gate).number() == 2);  // the other side
-  CHECK(view.nearest({2, 0.1}, east, Tip::begin, gate).face == -1);
-  CHECK(view.nearest({0, 0.1}, unit_vector(0.3), Tip::begin, gate).face == -1);
+  CHECK(view.nearest({0.1, 0.1}, east, Tip::begin, gate).number() == FaceEndNumber(0));
+  CHECK(view.nearest({3.9, 0.3}, east, Tip::end, gate).number() == FaceEndNumber(1));
+  CHECK_FALSE(view.nearest({3.9, 0.1}, east, Tip::begin, gate).face.exists());
+  CHECK(view.nearest({3.9, 0}, -east, Tip::begin, gate).number() == FaceEndNumber(2));  // the other side
+  CHECK_FALSE(view.nearest({2, 0.1}, east, Tip::begin, gate).face.exists());
+  CHECK_FALSE(view.nearest({0, 0.1}, unit_vector(0.3), Tip::begin, gate).face.exists());
   CHECK(view.nearest({0.15, 0.1}, east, Tip::begin, gate).gates == Approx(0.5));
   CHECK(view.nearest({0, 0.3}, east, Tip::begin, gate).gates == Approx(0.5));
-  CHECK(view.nearest({std::nan(""), 0}, east, Tip::begin, gate).face == -1);
-  CHECK(view.nearest({1e300, -1e300}, east, Tip::begin, gate).face == -1);
+  CHECK_FALSE(view.nearest({std::nan(""), 0}, east, Tip::begin, gate).face.exists());
+  CHECK_FALSE(view.nearest({1e300, -1e300}, east, Tip::begin, gate).face.exists());
   const FaceEnds wide = ends_of(map_of({kUpper, Segment{{4000, 9000}, {4002, 9000}}}));  // cells of more than 2 m
-  CHECK(wide.nearest({4002.1, 9000.1}, east, Tip::end, gate).number() == 3);
-  CHECK(wide.nearest({3.9, 0.1}, east, Tip::end, gate).number() == 1);
+  CHECK(wide.nearest({4002.1, 9000.1}, east, Tip::end, gate).number() == FaceEndNumber(3));
+  CHECK(wide.nearest({3.9, 0.1}, east, Tip::end, gate).number() == FaceEndNumber(1));
 }
 
 TEST_CASE("where a wall goes on as another piece of it, there is no end") {
@@ -53,15 +53,15 @@ TEST_CASE("where a wall goes on as another piece of it, there is no end") {
   for (const double gap_m : {0.0, 0.2}) {
     const FaceEnds view = ends_of(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4 + gap_m, 0.05}, {7, 0.05}}}));
     CAPTURE(gap_m);
-    CHECK(view.nearest({4, 0}, east, Tip::end, {}).face == -1);
-    CHECK(view.nearest({4, 0}, east, Tip::begin, {}).face == -1);
-    CHECK(view.nearest({7, 0}, east, Tip::end, {}).number() == 3);
+    CHECK_FALSE(view.nearest({4, 0}, east, Tip::end, {}).face.exists());
+    CHECK_FALSE(view.nearest({4, 0}, east, Tip::begin, {}).face.exists());
+    CHECK(view.nearest({7, 0}, east, Tip::end, {}).number() == FaceEndNumber(3));
   }
   const FaceEnds door = ends_of(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4.9, 0}, {7, 0}}}));
-  CHECK(door.nearest({4, 0}, east, Tip::end, {}).number() == 1);
+  CHECK(door.nearest({4, 0}, east, Tip::end, {}).number() == FaceEndNumber(1));
   const FaceEnds corner = ends_of(map_of({Segment{{0, 0}, {4, 0}}, Segment{{4, 0}, {4, 3}}}));
-  CHECK(corner.nearest({4, 0}, east, Tip::end, {}).number() == 1);
-  CHECK(corner.nearest({4, 0}, {0, 1}, Tip::begin, {}).number() == 2);
+  CHECK(corner.nearest({4, 0}, east, Tip::end, {}).number() == FaceEndNumber(1));
+  CHECK(corner.nearest({4, 0}, {0, 1}, Tip::begin, {}).number() == FaceEndNumber(2));
 }
 
 TEST_CASE("ends of faces are those that a walk over all faces finds") {
@@ -84,13 +84,13 @@ TEST_CASE("ends of faces are those that a walk over all faces finds") {
       const Point from = p - other.end;
       const double gates =
           std::hypot(other.direction().dot(from) / gate.along_m, cross(other.direction(), from) / gate.across_m);
-      if (gates < expected.gates) expected = {static_cast<int>(n), Tip::end, gates};
+      if (gates < expected.gates) expected = {MapFeatureNumber(n), Tip::end, gates};
     }
     const FaceEnd end = view.nearest(p, unit_vector(heading_rad), Tip::end, gate);
     CAPTURE(k, p.transpose(), heading_rad);
     CHECK(end.number() == expected.number());
     CHECK(end.gates == Approx(expected.gates));
-    found += end.face >= 0;
+    found += end.face.exists();
   }
   CHECK(found > 100);
 }

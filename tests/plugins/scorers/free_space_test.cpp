@@ -76,7 +76,7 @@ TEST_CASE("an explanation names the object and where it stands, in the map") {
       free_space_scorer()->explain(at(Pose2(10, 0, 0)), seen_around(), map_of({{"Wall", Segment{{13, -1}, {13, 1}}}}));
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].words == "2.0 m of Wall thing-0 stand where the scan shows free space");
-  CHECK(findings[0].map_feature == 0);
+  CHECK(findings[0].map_feature == MapFeatureNumber(0));
   REQUIRE(findings[0].line.size() == 2);
   CHECK(findings[0].line[0].x() == Approx(13));
 }

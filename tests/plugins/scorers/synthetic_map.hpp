@@ -30,7 +30,7 @@ inline opal::MapView map_of(const std::vector<Thing>& things) {
     const std::string id = "thing-" + std::to_string(objects.size());
     opal::MapFeature feature;
     feature.id = id + "-shape";
-    feature.object = static_cast<int>(objects.size());
+    feature.object = opal::MapObjectNumber(objects.size());
     feature.sensor = "lidar";
     feature.geometry = thing.geometry;
     feature.position_sigma_m = thing.position_sigma_m;

@@ -15,7 +15,7 @@ constexpr double kBesideFace_m = 0.02;
 constexpr double kOffGrid = 0.37;
 
 bool is_open_door(const SemanticMap& map, const MapFeature& feature) {
-  return feature.sensor.empty() && map.objects()[static_cast<std::size_t>(feature.object)].type == "opal:Door";
+  return feature.sensor.empty() && map.object(feature.object).type == "opal:Door";
 }
 
 std::vector<Solid> standing_solids(const SemanticMap& map) {

@@ -139,7 +139,7 @@ TEST_CASE("what no sensor perceives is a door's leaf or a pane") {
     const Building building = generate_building(request);
     for (const MapFeature& feature : building.map->features()) {
       if (!feature.sensor.empty()) continue;
-      const std::string& type = building.map->objects()[static_cast<std::size_t>(feature.object)].type;
+      const std::string& type = building.map->object(feature.object).type;
       CHECK((type == "opal:Door" || type == "opal:Window"));
     }
   }
@@ -192,7 +192,8 @@ TEST_CASE("floor that nobody can get to is not drivable") {
   const auto room = [](double left, double right, std::vector<MapFeature>& features) {
     const Point a(left, 0), b(right, 0), c(right, 4), d(left, 4);
     for (const Segment& face : {Segment{a, b}, Segment{b, c}, Segment{c, d}, Segment{d, a}})
-      features.push_back({"face-" + std::to_string(features.size()), 0, "opal:Wall", "PlanarLidar2D", face});
+      features.push_back(
+          {"face-" + std::to_string(features.size()), MapObjectNumber(0), "opal:Wall", "PlanarLidar2D", face});
   };
   std::vector<MapFeature> features;
   room(0, 6, features);

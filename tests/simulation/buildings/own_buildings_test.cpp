@@ -68,8 +68,8 @@ TEST_CASE("gemini is 70 x 17 m with 17 pairs of columns along x and 9 along y") 
   const PatternLayer layer = binary_layer(map, 8);
   int along_x = 0, along_y = 0;
   for (const MapPattern& pattern : layer.patterns) {
-    const Point way = anchor_of(map->features()[static_cast<std::size_t>(pattern.features[0])].geometry) -
-                      anchor_of(map->features()[static_cast<std::size_t>(pattern.features[1])].geometry);
+    const Point way =
+        anchor_of(map->feature(pattern.features[0]).geometry) - anchor_of(map->feature(pattern.features[1]).geometry);
     along_x += std::abs(std::abs(way.x()) - 7.4) < 1e-9 && std::abs(way.y()) < 1e-9;
     along_y += std::abs(std::abs(way.y()) - 6.2) < 1e-9 && std::abs(way.x()) < 1e-9;
   }

@@ -13,12 +13,12 @@ using nlohmann::ordered_json;
 
 namespace {
 
-using Pair = std::pair<int, std::string>;  ///< local feature, mapped feature ("" for "not on the map")
+using Pair = std::pair<LocalFeatureId, std::string>;  ///< local feature, mapped feature ("" for "not on the map")
 
 /// Books kept from events alone.
 struct Books {
-  std::map<int, std::set<Pair>> associations;  ///< by hypothesis that is alive
-  std::map<int, ordered_json> local_features;
+  std::map<HypothesisId, std::set<Pair>> associations;  ///< by hypothesis that is alive
+  std::map<LocalFeatureId, ordered_json> local_features;
 
   void take(const ordered_json& e) {
     const std::string kind = e["event"];
@@ -31,25 +31,27 @@ struct Books {
       add(e);
     } else if (kind == "dissociated") {
       auto& pairs = associations.at(e["hypothesis"]);
-      for (int local : e["local_features"]) std::erase_if(pairs, [&](const Pair& p) { return p.first == local; });
+      for (LocalFeatureId local : e["local_features"])
+        std::erase_if(pairs, [&](const Pair& p) { return p.first == local; });
     } else if (kind == "pruned") {
       REQUIRE(associations.erase(e["hypothesis"]) == 1);
     } else if (kind == "local_features") {
       for (const auto& changed : e["changed"]) local_features[changed["id"]] = changed;
-      for (int id : e["gone"]) REQUIRE(local_features.erase(id) == 1);
+      for (LocalFeatureId id : e["gone"]) REQUIRE(local_features.erase(id) == 1);
     }
   }
 
  private:
   void add(const ordered_json& e) {
     for (const auto& pair : e["pairs"])
-      associations[e["hypothesis"]].emplace(pair[0], pair[1].is_null() ? "" : pair[1].get<std::string>());
+      associations[e["hypothesis"]].emplace(pair[0].get<LocalFeatureId>(),
+                                            pair[1].is_null() ? "" : pair[1].get<std::string>());
   }
 };
 
-std::set<int> alive_in(const ordered_json& estimate) {
-  std::set<int> ids;
-  for (const auto& row : estimate["hypotheses"]) ids.insert(row["hypothesis"].get<int>());
+std::set<HypothesisId> alive_in(const ordered_json& estimate) {
+  std::set<HypothesisId> ids;
+  for (const auto& row : estimate["hypotheses"]) ids.insert(row["hypothesis"].get<HypothesisId>());
   return ids;
 }
 
@@ -82,7 +84,7 @@ TEST_CASE("hypotheses, associations and local features can be followed from even
       CAPTURE(read, e["event"], e["keyframe"]);
       books.take(e);
       if (e["event"] != "estimate") continue;
-      std::set<int> known;
+      std::set<HypothesisId> known;
       for (const auto& [id, pairs] : books.associations) known.insert(id);
       REQUIRE(alive_in(e) == known);
     }
@@ -92,7 +94,7 @@ TEST_CASE("hypotheses, associations and local features can be followed from even
   for (const Hypothesis& hypothesis : localizer.hypotheses()) {
     std::set<Pair> pairs;
     for (const Association& pair : hypothesis.associations)
-      pairs.emplace(pair.local_feature, pair.map_feature < 0 ? "" : map.features()[pair.map_feature].id);
+      pairs.emplace(pair.local_feature, pair.map_feature.exists() ? map.feature(pair.map_feature).id : "");
     CHECK(books.associations.at(hypothesis.id) == pairs);
   }
   REQUIRE(books.local_features.size() == localizer.local_map().features().size());

@@ -50,7 +50,7 @@ std::shared_ptr<const SemanticMap> with_glass(const RecordedSite& site, int pane
     const Pose2 ahead = T_map_laser * Pose2(2.5, 0, 0);
     MapFeature pane = features.front();
     pane.id = "glass-" + std::to_string(k) + "/face";
-    pane.object = static_cast<int>(objects.size());
+    pane.object = MapObjectNumber(objects.size());
     pane.type = "opal:Wall";
     pane.geometry = Segment{ahead * Point(0, -1.5), ahead * Point(0, 1.5)};
     pane.points.clear();

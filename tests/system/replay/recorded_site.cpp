@@ -62,8 +62,7 @@ std::shared_ptr<const SemanticMap> moved_map(const SemanticMap& map, const Pose2
 std::shared_ptr<const SemanticMap> reversed_map(const SemanticMap& map) {
   std::vector<MapFeature> features(map.features().rbegin(), map.features().rend());
   std::vector<MapObject> objects = map.objects();
-  const int last = static_cast<int>(features.size()) - 1;
   for (MapObject& object : objects)
-    for (int& number : object.features) number = last - number;
+    for (MapFeatureNumber& number : object.features) number = MapFeatureNumber(features.size() - 1 - number.number());
   return SemanticMap::make(map.name(), objects, features);
 }

@@ -78,7 +78,7 @@ Map large_map(int features, unsigned seed) {
     if (k % 3 == 0) objects.push_back({"object-" + std::to_string(k / 3), k % 2 == 0 ? "opal:Wall" : "acme:Thing"});
     MapFeature feature;
     feature.id = "f" + std::to_string(k);
-    feature.object = static_cast<int>(objects.size()) - 1;
+    feature.object = MapObjectNumber(objects.size() - 1);
     feature.sensor = k % 10 == 0 ? "Camera" : k % 17 == 0 ? "" : "PlanarLidar2D";
     feature.geometry = random_geometry(random, side_m);
     made.push_back(feature);

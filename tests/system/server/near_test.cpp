@@ -19,7 +19,7 @@ struct Question {
   double radius_m;
 };
 
-std::vector<int> sorted(std::vector<int> numbers) {
+std::vector<MapFeatureNumber> sorted(std::vector<MapFeatureNumber> numbers) {
   std::sort(numbers.begin(), numbers.end());
   return numbers;
 }
@@ -42,7 +42,7 @@ class Questions {
     return view_.feature(view_.features()[random_() % view_.features().size()]).geometry;
   }
   const Geometry& some_geometry_near(const Point& center) {
-    const std::vector<int> near = view_.within(center, 15);
+    const std::vector<MapFeatureNumber> near = view_.within(center, 15);
     return near.empty() ? some_geometry() : view_.feature(near[random_() % near.size()]).geometry;
   }
   Point anywhere() {
@@ -69,25 +69,25 @@ struct Tally {
 };
 
 /// By the SQL function that the database offers to everybody.
-std::vector<int> by_sql(postgis_store::Server& server, const NearQuery& query) {
-  std::vector<int> numbers;
+std::vector<MapFeatureNumber> by_sql(postgis_store::Server& server, const NearQuery& query) {
+  std::vector<MapFeatureNumber> numbers;
   const auto text = [](double value) { return nlohmann::json(value).dump(); };
   server.read([&](postgis_store::Session& session) {
     for (const auto& row :
          session.ask("SELECT number FROM opal.features_near($1, $2::integer, $3, $4::float8, $5::float8, $6::float8)",
                      {query.building, std::to_string(query.version), query.sensor, text(query.center.x()),
                       text(query.center.y()), text(query.radius_m)}))
-      numbers.push_back(std::stoi(row[0]));
+      numbers.emplace_back(std::stoi(row[0]));
   });
   return numbers;
 }
 
-void compare_sql(const MapView& view, const Question& question, const std::vector<int>& expected,
-                 const std::vector<int>& found, Tally& tally) {
-  std::vector<int> different;
+void compare_sql(const MapView& view, const Question& question, const std::vector<MapFeatureNumber>& expected,
+                 const std::vector<MapFeatureNumber>& found, Tally& tally) {
+  std::vector<MapFeatureNumber> different;
   std::set_symmetric_difference(expected.begin(), expected.end(), found.begin(), found.end(),
                                 std::back_inserter(different));
-  for (const int number : different) {
+  for (const MapFeatureNumber number : different) {
     const double off_m = distance_m(view.feature(number).geometry, question.center) - question.radius_m;
     ++(std::abs(off_m) < 1e-9 ? tally.on_the_line : tally.sql_differ);
   }
@@ -102,12 +102,12 @@ Tally ask_both(const Map& map, const std::string& building, const std::string& s
   Tally tally;
   for (int k = 0; k < questions; ++k, ++tally.questions) {
     const Question question = ask.next();
-    const std::vector<int> expected = sorted(view.within(question.center, question.radius_m));
+    const std::vector<MapFeatureNumber> expected = sorted(view.within(question.center, question.radius_m));
     const NearQuery query{building, version, sensor, question.center, question.radius_m};
-    std::vector<int> found;
+    std::vector<MapFeatureNumber> found;
     for (const NearFeature& feature : both->features_near(query)) {
       found.push_back(feature.number);
-      CHECK(feature.distance_m == distance_m(map->features()[feature.number].geometry, question.center));
+      CHECK(feature.distance_m == distance_m(map->feature(feature.number).geometry, question.center));
     }
     tally.found += static_cast<int>(found.size());
     tally.differ += found != expected;

@@ -56,7 +56,7 @@ Map example_room() { return SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_roo
 std::set<std::string> walls_and_doors_within(const SemanticMap& map, const Point& place, double radius_m) {
   std::set<std::string> ids;
   for (const MapFeature& feature : map.features()) {
-    const std::string& type = map.objects()[feature.object].type;
+    const std::string& type = map.object(feature.object).type;
     if ((type == "opal:Wall" || type == "opal:Door") && feature.sensor == "PlanarLidar2D" &&
         distance_m(feature.geometry, place) <= radius_m)
       ids.insert(feature.id);

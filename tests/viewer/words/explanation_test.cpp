@@ -12,12 +12,12 @@ const Pose2 kHere(4, -2, 0.5), kThere(12.1, 3.4, 0);
 /// A best hypothesis that stands where the local map says, with a spawn and associations.
 RunFrame first_frame() {
   RunFrame frame = with(frame_at(0, "searching", 0.5, 0.4), {hypothesis(7, kHere, 0.5, 2)});
-  frame.changed = {{0, "opal:Wall", true, 4, Segment{{7, -0.03}, {1, -0.03}}},
-                   {1, "opal:Column", true, 4, Circle{{2.1, -3}, 0.3}},
-                   {2, "opal:Column", false, 1, Circle{{8, -3}, 0.3}},
-                   {3, "opal:Column", true, 5, Circle{{5, -3}, 0.3}}};
-  frame.spawns = {{7, -1, "opal:LinePair", kHere, 2, {{0, kWallFace}, {-1, kColumnB}}}};
-  frame.growths = {{7, {{1, kColumnA}, {3, -1}}}};
+  frame.changed = {{LocalFeatureId(0), "opal:Wall", true, 4, Segment{{7, -0.03}, {1, -0.03}}},
+                   {LocalFeatureId(1), "opal:Column", true, 4, Circle{{2.1, -3}, 0.3}},
+                   {LocalFeatureId(2), "opal:Column", false, 1, Circle{{8, -3}, 0.3}},
+                   {LocalFeatureId(3), "opal:Column", true, 5, Circle{{5, -3}, 0.3}}};
+  frame.spawns = {{HypothesisId(7), {}, "opal:LinePair", kHere, 2, {{LocalFeatureId(0), kWallFace}, {{}, kColumnB}}}};
+  frame.growths = {{HypothesisId(7), {{LocalFeatureId(1), kColumnA}, {LocalFeatureId(3), {}}}}};
   return frame;
 }
 
@@ -27,7 +27,7 @@ RunFrame later(double time_s, const std::string& status = "localized") {
 
 RecordedEnd ended(int id, const std::string& reason) {
   RecordedEnd end;
-  end.id = id;
+  end.id = HypothesisId(id);
   end.reason = reason;
   end.T_map_base = kThere;
   return end;
@@ -99,8 +99,8 @@ TEST_CASE("where the sensor is not as described, more evidence is not waited for
 
 TEST_CASE("an association that ended is not what it rests on, a new one of the same local feature is") {
   RunFrame frame = later(1);
-  frame.losses = {{7, {0, 1}, "it no longer fits"}};
-  frame.growths = {{7, {{1, kColumnB}}}};
+  frame.losses = {{HypothesisId(7), {LocalFeatureId(0), LocalFeatureId(1)}, "it no longer fits"}};
+  frame.growths = {{HypothesisId(7), {{LocalFeatureId(1), kColumnB}}}};
   CHECK(said(SentenceKind::support, {first_frame(), frame}).front() ==
         "rests on 1 association with 1 object: acme:Column B (5.90 m)");
 }
@@ -108,16 +108,16 @@ TEST_CASE("an association that ended is not what it rests on, a new one of the s
 TEST_CASE("what is known of a spawn only is said if it is recorded") {
   CHECK(said(SentenceKind::support, {later(0)}).empty());
   RunFrame branch = later(0);
-  branch.spawns = {{7, 3, "", kHere, 2, {}}};
+  branch.spawns = {{HypothesisId(7), HypothesisId(3), "", kHere, 2, {}}};
   CHECK(said(SentenceKind::support, {branch}) == Texts{"branched from hypothesis 3 at 0.0 s"});
 }
 
 TEST_CASE("findings are repeated word for word, the weightiest ones") {
   RunFrame frame = later(1);
   frame.findings = {{"acme:X", "beam 221 passes 1.8 m through wall wall-1", kWallFace, {}},
-                    {"acme:Y", "50 % <b>odd</b>", -1, {}},
-                    {"acme:Z", "third", -1, {}},
-                    {"acme:Z", "fourth", -1, {}}};
+                    {"acme:Y", "50 % <b>odd</b>", {}, {}},
+                    {"acme:Z", "third", {}, {}},
+                    {"acme:Z", "fourth", {}, {}}};
   CHECK(said(SentenceKind::against, {first_frame(), frame}) ==
         Texts{"beam 221 passes 1.8 m through wall wall-1; 50 % <b>odd</b>; and 2 more findings"});
   frame.findings.clear();
@@ -163,7 +163,7 @@ TEST_CASE("an alternative that fell is told with place, time, reason and finding
   before.hypotheses.push_back(hypothesis(12, kThere, 0.3, 1));
   now.ends = {ended(12, "worse than the best by more than 17 nat")};
   now.ends.front().findings = {{"opal:Beams", "beam 221 passes 1.8 m through wall wall-1", kWallFace, {}},
-                               {"opal:Beams", "second", -1, {}}};
+                               {"opal:Beams", "second", {}, {}}};
   CHECK(said(SentenceKind::fell, {before, now, later(20)}) ==
         Texts{"hypothesis 12 at (12.10, 3.40) fell at 14.2 s: worse than the best by more than 17 nat; beam 221 passes "
               "1.8 m "
@@ -175,7 +175,7 @@ TEST_CASE("who merged with another hypothesis, or never mattered, has not fallen
   before.hypotheses.push_back(hypothesis(12, kThere, 0.3, 1));
   before.hypotheses.push_back(hypothesis(13, kThere, 0.003, 1));
   now.ends = {ended(12, "same place as hypothesis 7"), ended(13, "worse")};
-  now.ends.front().merged_into = 7;
+  now.ends.front().merged_into = HypothesisId(7);
   CHECK(said(SentenceKind::fell, {before, now}).empty());
 }
 
@@ -198,13 +198,15 @@ TEST_CASE("former best ones are told first, the latest of them first") {
 TEST_CASE("while it searches, it tells what it looked for and why nothing came of it") {
   RunFrame frame = with(frame_at(0, "searching", 0.05, 0.93), {hypothesis(7, kHere, 0.05, 1)});
   frame.scan.assign(12, Point(1, 1));
-  frame.changed = {{0, "opal:Wall", true, 4, Segment{{7, 0}, {1, 0}}},
-                   {1, "opal:Wall", false, 1, Segment{{7, 0}, {1, 0}}}};
+  frame.changed = {{LocalFeatureId(0), "opal:Wall", true, 4, Segment{{7, 0}, {1, 0}}},
+                   {LocalFeatureId(1), "opal:Wall", false, 1, Segment{{7, 0}, {1, 0}}}};
   CHECK(said(SentenceKind::note, {frame}) ==
         Texts{"\"none of these\" is more probable than the best hypothesis", "no search is recorded so far",
               "the scan has 12 points (thinned), the local map 2 features, 1 of them stable"});
   frame.search.emplace();
-  frame.search->patterns = {{"opal:LinePair", {0, 1}, 20}, {"opal:CornerPose", {1}, 4}, {"opal:LinePair", {1, 2}, 1}};
+  frame.search->patterns = {{"opal:LinePair", {LocalFeatureId(0), LocalFeatureId(1)}, 20},
+                            {"opal:CornerPose", {LocalFeatureId(1)}, 4},
+                            {"opal:LinePair", {LocalFeatureId(1), LocalFeatureId(2)}, 1}};
   frame.search->proposed = 80;
   frame.search->rejected = {{"opal:LinePair", kHere, {}, -3, "worse"},
                             {"opal:LinePair", kThere, {}, 2.1, "veto by acme:X"}};
@@ -224,7 +226,7 @@ TEST_CASE("the recorded truth is told if it is known") {
 TEST_CASE("a new time line begins with nothing known") {
   RunFrame anew = later(0);
   anew.hypotheses.front() = hypothesis(9, kHere, 0.98, 30);
-  anew.best = 9;
+  anew.best = HypothesisId(9);
   anew.starts = "second";
   const RunHeader header = hall();
   Explainer after(header), alone(header);

@@ -5,16 +5,16 @@ using namespace opal;
 RunHeader hall() {
   RunHeader header;
   header.objects = {{"wall-1", "opal:Wall"}, {"A.008", "opal:Column"}, {"B", "acme:Column"}};
-  header.features = {{"wall-1/face", 0, "opal:Wall", true, Segment{{10, 0}, {0, 0}}},
-                     {"A.008/rim", 1, "opal:Column", true, Circle{{2, -3}, 0.3}},
-                     {"B/rim", 2, "opal:Column", true, Circle{{8, -3}, 0.3}}};
+  header.features = {{"wall-1/face", MapObjectNumber(0), "opal:Wall", true, Segment{{10, 0}, {0, 0}}},
+                     {"A.008/rim", MapObjectNumber(1), "opal:Column", true, Circle{{2, -3}, 0.3}},
+                     {"B/rim", MapObjectNumber(2), "opal:Column", true, Circle{{8, -3}, 0.3}}};
   return header;
 }
 
 RunFrame frame_at(double time_s, const std::string& status, double probability, double none) {
   RunFrame frame;
   if (time_s == 0) frame.starts = "run";
-  frame.keyframe = static_cast<int>(10 * time_s);
+  frame.keyframe = KeyframeId(static_cast<int>(10 * time_s));
   frame.time_s = time_s;
   frame.stamp_s = 1000 + time_s;
   frame.T_local_base = Pose2(4, -2, 0.5);
@@ -26,12 +26,12 @@ RunFrame frame_at(double time_s, const std::string& status, double probability, 
 
 RecordedHypothesis hypothesis(int id, const Pose2& T_map_base, double probability, double nat,
                               std::vector<RecordedTerm> scores) {
-  return {id, T_map_base, nat, 1.0, probability, std::move(scores)};
+  return {HypothesisId(id), T_map_base, nat, 1.0, probability, std::move(scores)};
 }
 
 RunFrame with(RunFrame frame, std::vector<RecordedHypothesis> hypotheses) {
   frame.hypotheses = std::move(hypotheses);
-  frame.best = frame.hypotheses.empty() ? -1 : frame.hypotheses.front().id;
+  frame.best = frame.hypotheses.empty() ? HypothesisId() : frame.hypotheses.front().id;
   return frame;
 }
 

@@ -8,7 +8,7 @@
 
 /// A hall with a wall along y = 0 and two columns, and frames made by hand in it.
 opal::RunHeader hall();
-enum HallFeature { kWallFace, kColumnA, kColumnB };
+inline constexpr opal::MapFeatureNumber kWallFace{0}, kColumnA{1}, kColumnB{2};
 
 /// A frame in which everything is where it was: a local map that coincides with the map.
 opal::RunFrame frame_at(double time_s, const std::string& status, double probability, double none);

@@ -33,7 +33,7 @@ std::string newest(const WrittenRun& run, const std::string& at, const std::stri
   std::string time_line, found;
   read_until(run.path(), parse_moment(at, query), [&](const RunHeader&, const RunFrame& frame) {
     time_line = frame.starts.value_or(time_line);
-    found = time_line + " " + std::to_string(frame.keyframe);
+    found = time_line + " " + to_string(frame.keyframe);
   });
   return found;
 }

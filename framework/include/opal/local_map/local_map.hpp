@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/feature.hpp>
+#include <opal/local_map/local_map_ids.hpp>
 #include <opal/local_map/scan_matcher.hpp>
 #include <opal/sensing/sample.hpp>
 
@@ -12,23 +13,23 @@ namespace opal {
 
 /// One detection of a local feature: the measurement set of a feature is a list of these (thesis 3.4.1).
 struct Measurement {
-  int keyframe = 0;  ///< LocalMap::Keyframe::id
-  Feature feature;   ///< as detected, in the base_link frame at that keyframe
+  KeyframeId keyframe = {};  ///< at which it was detected
+  Feature feature;           ///< as detected, in the base_link frame at that keyframe
 };
 
 /// A feature of the local map, with its measurement set. Frame: `local`.
 struct LocalFeature {
-  int id = 0;                             ///< unique over a run; never reused
+  LocalFeatureId id = {};                 ///< unique over a run; never reused
   Feature feature;                        ///< best estimate of all measurements; frame `local`
   std::vector<Measurement> measurements;  ///< oldest first; never empty
   int distinct_poses = 0;                 ///< measurements from poses that differ by the configured distance or angle
   bool stable = false;                    ///< distinct_poses has reached the configured number at some time
-  int last_keyframe = 0;                  ///< Keyframe::id of the newest measurement
+  KeyframeId last_keyframe = {};          ///< of the newest measurement
 };
 
 /// A pose of the robot that the horizon still holds, with the raw points seen from it.
 struct Keyframe {
-  int id = 0;                 ///< increasing; numbers of keyframes that brought nothing new are missing
+  KeyframeId id = {};         ///< increasing; ids of keyframes that brought nothing new are missing
   double stamp_s = 0;         ///< of the scan
   Pose2 T_local_base;         ///< the robot's pose, as scan matching and the factor graph improved it
   Pose2 T_odom_base;          ///< what odometry said
@@ -81,7 +82,7 @@ class OPAL_EXPORT LocalMap {
   /// Forgets everything; ids go on.
   void clear();
   /// Forgets all features but these. The way here stays, with the points seen from it.
-  void keep_only(const std::vector<int>& ids);
+  void keep_only(const std::vector<LocalFeatureId>& ids);
 
   /// By increasing id. Where two features turn out to be pieces of one, the older id keeps both.
   const std::vector<LocalFeature>& features() const;
@@ -90,12 +91,12 @@ class OPAL_EXPORT LocalMap {
   /// Where the newest pose would be at odometry reading `T_odom_base` (between keyframes).
   Pose2 T_local_base_at(const Pose2& T_odom_base) const;
   /// For each feature of the last scan, by its position in `features` given to add: the id of its local feature;
-  /// -1 if the feature was not usable (not finite, or a segment without length).
-  const std::vector<int>& last_associations() const;
+  /// none if the feature was not usable (not finite, or a segment without length).
+  const std::vector<LocalFeatureId>& last_associations() const;
   /// The evidence cells, squares of 1 m, that points lie on as the robot stands now. What lies on one evidence cell is
   /// one thing, whatever the map calls it, however long the robot looks at it, and however it moves.
   /// @param points  base_link frame [m].
-  std::vector<int> evidence_cells(const std::vector<Point>& points) const;
+  std::vector<EvidenceCell> evidence_cells(const std::vector<Point>& points) const;
   /// Quality of the last scan match; converged = false if there was none.
   const ScanMatch& last_match() const;
 

@@ -78,7 +78,7 @@ class OPAL_EXPORT Localizer {
   /// Alive, best first.
   const std::vector<Hypothesis>& hypotheses() const;
   /// Latest opinions on a hypothesis, by scorer name; empty if there is no such hypothesis.
-  std::map<std::string, Score> scores_of(int hypothesis) const;
+  std::map<std::string, Score> scores_of(HypothesisId hypothesis) const;
   /// What the drive says of the sensor description, of all of which it has told enough. While one of them contradicts
   /// it, no estimate is called localized.
   const std::vector<SensorFinding>& sensor_findings() const;

@@ -70,12 +70,12 @@ struct NearQuery {
 
 /// One answer to a NearQuery.
 struct NearFeature {
-  int number = -1;          ///< position in SemanticMap::features() of the stored map
-  std::string id;           ///< MapFeature::id
-  std::string object;       ///< id of the object that it belongs to
-  std::string object_type;  ///< MapObject::type: "opal:Wall"
-  Geometry geometry;        ///< as mapped, frame `map`
-  double distance_m = 0;    ///< shortest, to the geometry; a circle is its rim (opal::distance_m)
+  MapFeatureNumber number = {};  ///< in the stored map
+  std::string id;                ///< MapFeature::id
+  std::string object;            ///< id of the object that it belongs to
+  std::string object_type;       ///< MapObject::type: "opal:Wall"
+  Geometry geometry;             ///< as mapped, frame `map`
+  double distance_m = 0;         ///< shortest, to the geometry; a circle is its rim (opal::distance_m)
 };
 
 /// Keeps the maps of many buildings, in versions, for many robots (thesis C.2). Slow beside a MapView: a robot preloads

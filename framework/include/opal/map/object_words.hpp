@@ -19,9 +19,9 @@ inline std::string object_words(const std::string& type, const std::string& id, 
   return kind + " \"" + name + "\"" + (name_is_shared ? " (" + id + ")" : "");
 }
 
-/// The same for an object of a map. @param map  that holds it. @param object  position in SemanticMap::objects().
-inline std::string object_words(const SemanticMap& map, int object) {
-  const MapObject& it = map.objects()[static_cast<std::size_t>(object)];
+/// The same for an object of a map. @param map  that holds it. @param object  in that map.
+inline std::string object_words(const SemanticMap& map, MapObjectNumber object) {
+  const MapObject& it = map.object(object);
   if (it.notes.name.empty()) return object_words(it.type, it.id, "", false);  // nothing to compare with all others
   const bool shared = std::any_of(map.objects().begin(), map.objects().end(), [&](const MapObject& other) {
     return &other != &it && other.notes.name == it.notes.name && other.type == it.type;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
+#include <opal/map/map_numbers.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -34,15 +35,15 @@ struct ObjectNotes {
 struct MapObject {
   std::string id;    ///< IRI or local name, unique in the map (for imported buildings the IFC GlobalId)
   std::string type;  ///< open: "opal:Wall", "opal:Column", "acme:Kiosk"; "Wall" is taken as "opal:Wall"
-  /// Positions in SemanticMap::features(), all sensors; may be empty. `make` fills it in.
-  std::vector<int> features = {};
+  /// All sensors'; may be empty. `make` fills it in.
+  std::vector<MapFeatureNumber> features = {};
   ObjectNotes notes = {};  ///< what the source says beside; may be empty
 };
 
 /// One geometric primitive through which an object can be perceived, in the `map` frame.
 struct MapFeature {
   std::string id;               ///< of the geometry; unique in the map for one sensor
-  int object = -1;              ///< position in SemanticMap::objects()
+  MapObjectNumber object = {};  ///< that it belongs to
   std::string type;             ///< what a detector must produce to see it: "opal:Wall", "opal:Corner", "opal:Column"
   std::string sensor;           ///< id of the sensor that can perceive it; empty: none does
   Geometry geometry;            ///< shape and place [m, rad]; frame `map`
@@ -60,7 +61,7 @@ struct MapFeature {
 struct MapPattern {
   std::string id;                             ///< IRI or local name; unique in the map
   std::string pattern_template;               ///< the template's type name
-  std::vector<int> features;                  ///< positions in SemanticMap::features(), in the template's slot order
+  std::vector<MapFeatureNumber> features;     ///< in the template's slot order
   std::vector<std::string> subpatterns = {};  ///< ids of the patterns that it is made of
   std::vector<double> dimensions = {};        ///< the template's invariants; the last ones, or all, may be left out
   std::string place = {};  ///< where it stands, for messages: "hall.jsonld: /@graph/12"; `make` and `read` fill it in
@@ -120,7 +121,7 @@ class OPAL_EXPORT SemanticMap {
                                                  std::vector<MapFeature> features,
                                                  std::vector<MapPattern> patterns = {}, MapOrigin origin = {});
 
-  /// The same map with these patterns instead of its own; `features` of a pattern are positions in features().
+  /// The same map with these patterns instead of its own.
   std::shared_ptr<const SemanticMap> with_patterns(std::vector<MapPattern> patterns) const;
   /// The same map with other contents, which refer to each other as in `make`; same checks. Its prefixes and what Opal
   /// makes no use of stay, and these are added.
@@ -133,7 +134,11 @@ class OPAL_EXPORT SemanticMap {
   const std::vector<MapObject>& objects() const { return objects_; }     ///< by id
   const std::vector<MapFeature>& features() const { return features_; }  ///< by id and sensor
   const std::vector<MapPattern>& patterns() const { return patterns_; }  ///< by id; empty without a layer
-  const MapOrigin& origin() const { return origin_; }                    ///< how the map was made
+  /// One of the objects.
+  const MapObject& object(MapObjectNumber number) const { return objects_[number.number()]; }
+  /// One of the features.
+  const MapFeature& feature(MapFeatureNumber number) const { return features_[number.number()]; }
+  const MapOrigin& origin() const { return origin_; }  ///< how the map was made
 
   /// Prefixes in the names of other makers ("acme:Kiosk") and the IRIs that they stand for, as the document's context
   /// defines them. Names in memory have their prefix, so that they are those that plugins register.

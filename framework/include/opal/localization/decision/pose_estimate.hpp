@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
+#include <opal/localization/scoring/hypothesis.hpp>
 
 #include <Eigen/Core>
 
@@ -29,12 +30,12 @@ struct PoseEstimate {
   double probability = 0;  ///< that the best hypothesis is right, "none of these" included
   double none = 1;         ///< that neither the best nor any other hypothesis is right
   int hypotheses = 0;      ///< number that are alive
-  int best = -1;           ///< Hypothesis::id
+  HypothesisId best = {};  ///< the best one
   /// Another place that explains what was seen.
   struct Alternative {
-    int hypothesis = -1;     ///< Hypothesis::id of the best one there
-    Pose2 T_map_base;        ///< of that hypothesis
-    double probability = 0;  ///< that it is right
+    HypothesisId hypothesis = {};  ///< the best one there
+    Pose2 T_map_base;              ///< of that hypothesis
+    double probability = 0;        ///< that it is right
   };
   std::vector<Alternative> alternatives;  ///< at other places, most probable first
 };

@@ -2,6 +2,7 @@
 
 #include <opal/local_map/local_map.hpp>
 #include <opal/localization/scoring/scorer_memory.hpp>
+#include <opal/map/map_numbers.hpp>
 
 #include <memory>
 #include <string>
@@ -24,9 +25,9 @@ struct Score {
 
 /// One thing that a scorer saw for or against a hypothesis, for people.
 struct Finding {
-  std::string words;        ///< "beam 221 passes 1.8 m through opal:Wall wall-12"
-  int map_feature = -1;     ///< position in SemanticMap::features(); -1: none
-  std::vector<Point> line;  ///< where: two points in the `map` frame [m], or empty
+  std::string words;                  ///< "beam 221 passes 1.8 m through opal:Wall wall-12"
+  MapFeatureNumber map_feature = {};  ///< none: it is about no feature
+  std::vector<Point> line;            ///< where: two points in the `map` frame [m], or empty
 };
 
 /// What one laser sees now; base_link frame.
@@ -39,7 +40,7 @@ struct ObservedScan {
   std::vector<int> beams = {};  ///< for each of `points`, the number of its beam
   /// For each of `points`, its evidence cell of the local map (LocalMap::evidence_cells): the same for whoever is
   /// judged. Empty: as they are now.
-  std::vector<int> evidence_cells = {};
+  std::vector<EvidenceCell> evidence_cells = {};
 };
 
 /// What hypotheses are judged against: what the robot sees now, with all its lasers.

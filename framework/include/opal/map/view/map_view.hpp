@@ -10,15 +10,17 @@
 
 namespace opal {
 
+using WallLineNumber = Id<struct WallLine>;  ///< of a straight line that faces lie on, or of a circle
+
 /// A face or a round column, prepared for fast geometry: the numbers that every beam needs, computed once.
 struct Surface {
   Point origin = Point::Zero();     ///< a face's begin; a circle's centre
   Point direction = Point::Zero();  ///< a face's unit direction, visible side on the left; zero for a circle
   double size_m = 0;                ///< a face's length; a circle's radius
-  int object = -1;                  ///< position in SemanticMap::objects()
+  MapObjectNumber object = {};      ///< that it belongs to
   /// Faces that lie on one straight line, look to the same side and are at most 30 m apart share a number, however a
   /// map cuts them up; a circle has its own.
-  int line = -1;
+  WallLineNumber line = {};
 
   /// True for a round column, false for a face.
   bool is_circle() const { return direction.x() == 0 && direction.y() == 0; }
@@ -33,7 +35,7 @@ struct Surface {
 };
 
 /// What one sensor can perceive of a map, with indices that answer spatial questions in microseconds. Immutable and
-/// shared. Frame: `map`. Feature numbers are positions in SemanticMap::features().
+/// shared. Frame: `map`.
 class OPAL_EXPORT MapView {
  public:
   /// @throws ConfigError if the map holds nothing that this sensor can perceive.
@@ -42,21 +44,21 @@ class OPAL_EXPORT MapView {
   MapView(const MapView&) = delete;
   MapView& operator=(const MapView&) = delete;
 
-  const SemanticMap& map() const;               ///< the whole map, other sensors' features included
-  const MapFeature& feature(int number) const;  ///< by number, perceivable or not
+  const SemanticMap& map() const;                            ///< the whole map, other sensors' features included
+  const MapFeature& feature(MapFeatureNumber number) const;  ///< perceivable or not
   /// All perceivable features.
-  std::span<const int> features() const;
+  std::span<const MapFeatureNumber> features() const;
   /// The surface of a feature that is a segment or a circle.
-  const Surface& surface(int number) const;
+  const Surface& surface(MapFeatureNumber number) const;
   /// Features with some point within radius_m of p, in no order (R-tree, exact).
-  std::vector<int> within(const Point& p, double radius_m) const;
+  std::vector<MapFeatureNumber> within(const Point& p, double radius_m) const;
 
   /// The surface (segment or circle) nearest to `p` that faces a viewer who looks along `view_direction`, among those
   /// within reach_m(). A lookup in a grid of 0.1 m cells, so a surface up to one cell farther may be named.
   /// @param p               where the surface is looked for [m].
   /// @param view_direction  any length; from the viewer to p.
-  /// @return feature number, or -1.
-  int nearest_facing(const Point& p, const Point& view_direction) const;
+  /// @return its feature; none if there is no surface.
+  MapFeatureNumber nearest_facing(const Point& p, const Point& view_direction) const;
   /// Distance [m] from p to the nearest surface whatever its side, by grid lookup (within one cell's diagonal), capped
   /// at clearance_cap_m().
   double clearance_m(const Point& p) const;
@@ -81,9 +83,9 @@ class OPAL_EXPORT MapView {
 
   /// First surface that a ray from `origin` crosses on its way to `target`.
   struct Crossing {
-    int feature = -1;          ///< -1: the way is free
-    double range_m = 0;        ///< from origin
-    bool from_behind = false;  ///< crossed from the side on which it is not visible
+    MapFeatureNumber feature = {};  ///< none: the way is free
+    double range_m = 0;             ///< from origin
+    bool from_behind = false;       ///< crossed from the side on which it is not visible
   };
   /// The first surface between two points, both in the map [m].
   /// @param origin             where the ray begins.
