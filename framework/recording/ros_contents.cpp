@@ -5,6 +5,8 @@
 #include "recording/fixed_frames.hpp"
 #include "sensing/log_tally.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace opal::recording {
