@@ -49,9 +49,9 @@ class Id {
 
 }  // namespace opal
 
-/// Ids are keys of tables.
+/// @cond  ids are keys of tables: the hash is that of the number
 template <class Kind>
 struct std::hash<opal::Id<Kind>> {
-  /// That of the number.
   std::size_t operator()(const opal::Id<Kind>& id) const noexcept { return std::hash<int>{}(id.number()); }
 };
+/// @endcond

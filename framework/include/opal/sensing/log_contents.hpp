@@ -69,9 +69,12 @@ struct LogCloud {
   std::string time_field;           ///< when each point was measured; empty: not stated in a way that is known
   double sweep_s = 0;               ///< from the first point of a cloud to the last; 0: not stated
   std::optional<LogMount> mount;    ///< if the log states it
-  double x_min_m = 0, x_max_m = 0;  ///< of the points; in the robot's frame if the mount is known, else the sensor's
-  double y_min_m = 0, y_max_m = 0;  ///< the same
-  double z_min_m = 0, z_max_m = 0;  ///< the same
+  double x_min_m = 0;               ///< of the points; in the robot's frame if the mount is known, else the sensor's
+  double x_max_m = 0;               ///< the same
+  double y_min_m = 0;               ///< the same
+  double y_max_m = 0;               ///< the same
+  double z_min_m = 0;               ///< the same
+  double z_max_m = 0;               ///< the same
   double farthest_m = 0;            ///< horizontal distance from the sensor that one point in a hundred exceeds
   std::optional<CloudSlice> suggested;  ///< between floor and ceiling; none without points
 };

@@ -12,7 +12,7 @@ namespace opal {
 
 /// One symbolic statement: local feature -> map feature, or -> not on the map.
 struct Association {
-  LocalFeatureId local_feature = {};
+  LocalFeatureId local_feature = {};  ///< in the local map
   MapFeatureNumber map_feature = {};  ///< none: not on the map
 };
 
