@@ -123,7 +123,7 @@ std::string cloud_lines(const LogContents& contents) {
   std::string text;
   for (const LogCloud& cloud : contents.clouds) {
     text += "\npoint clouds " + cloud.topic + ", frame " + cloud.frame +
-            ": a slice of them is read if the deployment " + "describes one\n";
+            ": a slice of them is read if the deployment describes one\n";
     text +=
         sentence("  %lld x %lld points", static_cast<long long>(cloud.height), static_cast<long long>(cloud.width)) +
         fmt::format(" with {}\n", fmt::join(cloud.fields, ", "));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/options/number_option.hpp"
 #include "session/session.hpp"
 
 #include "simulation/simulation.hpp"
@@ -27,19 +28,16 @@ struct WorldOptions {
   }
 
   void add_to(CLI::App& verb) {
-    const auto flag = [&](const char* name, auto& value, double least, double most, const char* help) {
-      verb.add_option(name, value, help)->check(CLI::Range(least, most))->capture_default_str();
-    };
-    flag("--clutter", world.clutter.level, 0, 100,
-         "how much stands about that the map does not hold; 1: everyday, 0: nothing");
-    flag("--lookalikes", world.clutter.lookalikes, 0, 100,
-         "round things like the building's columns, per 100 m2, times --clutter");
-    flag("--hidden", world.clutter.hidden_share, 0, 1, "share of columns and corners behind a board");
+    add_number(verb, "--clutter", world.clutter.level, 0.0, 100.0,
+               "how much stands about that the map does not hold; 1: everyday, 0: nothing");
+    add_number(verb, "--lookalikes", world.clutter.lookalikes, 0.0, 100.0,
+               "round things like the building's columns, per 100 m2, times --clutter");
+    add_number(verb, "--hidden", world.clutter.hidden_share, 0.0, 1.0, "share of columns and corners behind a board");
     verb.add_option("--furniture", furnished,
                     "another map of the building: what only that one holds stands there, too");
-    flag("--people", world.people, 0, 1000, "who walk about");
-    flag("--doors-open", world.doors_open_share, 0, 1, "share of doors that are open");
-    flag("--robot-radius", world.robot_radius_m, 0.01, 10, "[m]");
+    add_number(verb, "--people", world.people, 0.0, 1000.0, "who walk about");
+    add_number(verb, "--doors-open", world.doors_open_share, 0.0, 1.0, "share of doors that are open");
+    add_number(verb, "--robot-radius", world.robot_radius_m, 0.01, 10.0, "[m]");
     verb.add_flag("--outdoors", world.outdoors, "robots can be outdoors, too, and outer doors may be open");
     verb.add_flag_callback(
         "--omnidirectional", [this] { world.drive = opal::simulation::Drive::omnidirectional; },

@@ -1,5 +1,6 @@
 #include "cli/options/damage_options.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/verbs.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/terminal/stop_signals.hpp"
@@ -106,35 +107,30 @@ int simulate(SimulateOptions options) {
 }
 
 void add_drives(CLI::App& verb, SimulateOptions& o) {
-  const auto flag = [&](const char* name, auto& value, auto least, auto most, const char* help) {
-    verb.add_option(name, value, help)->check(CLI::Range(least, most))->capture_default_str();
-  };
-  flag("--drives", o.drives.drives, 1, 100000, "each from a place of its own");
-  flag("--distance", o.drives.distance_m, 0.1, 1e5, "of each drive [m]");
-  flag("--speed", o.drives.follower.speed_mps, 0.01, 10.0, "[m/s]");
-  flag("--turn", o.drives.follower.turn_radps, 0.01, 10.0, "[rad/s]");
-  flag("--scan-every", o.drives.scan_every_s, 0.01, 60.0, "[s]");
+  add_number(verb, "--drives", o.drives.drives, 1, 100000, "each from a place of its own");
+  add_number(verb, "--distance", o.drives.distance_m, 0.1, 1e5, "of each drive [m]");
+  add_number(verb, "--speed", o.drives.follower.speed_mps, 0.01, 10.0, "[m/s]");
+  add_number(verb, "--turn", o.drives.follower.turn_radps, 0.01, 10.0, "[rad/s]");
+  add_number(verb, "--scan-every", o.drives.scan_every_s, 0.01, 60.0, "[s]");
 }
 
 void add_sensing(CLI::App& verb, SimulateOptions& o) {
-  const auto flag = [&](const char* name, auto& value, auto least, auto most, const char* help) {
-    verb.add_option(name, value, help)->check(CLI::Range(least, most))->capture_default_str();
-  };
-  flag("--fov", o.fov_deg, 1.0, 360.0, "of the laser [deg]");
-  flag("--beams", o.world.laser.beams, 1, 100000, "of the laser");
-  flag("--range", o.world.laser.range_max_m, 0.1, 1000.0, "of the laser [m]");
+  add_number(verb, "--fov", o.fov_deg, 1.0, 360.0, "of the laser [deg]");
+  add_number(verb, "--beams", o.world.laser.beams, 1, 100000, "of the laser");
+  add_number(verb, "--range", o.world.laser.range_max_m, 0.1, 1000.0, "of the laser [m]");
   verb.add_option("--sweep", o.world.laser.sweep_s, "time from the first beam to the last [s] (default: all at once)")
       ->check(CLI::Range(0.0, 1.0));
-  flag("--mount-x", o.mount_x_m, -10.0, 10.0, "laser before the robot's centre [m]");
-  flag("--range-sigma", o.world.laser_errors.range_sigma_m, 0.0, 1.0, "of a reading [m]");
-  flag("--missed", o.world.laser_errors.missed_share, 0.0, 1.0, "share of beams that are lost");
-  flag("--mixed", o.world.laser_errors.mixed_share, 0.0, 1.0,
-       "share of beams at an edge that report something in between");
-  flag("--glass", o.world.laser_errors.glass_share, 0.0, 1.0, "share of beams that glass sends back");
-  flag("--slips", o.world.odometry_errors.slips_per_m, 0.0, 10.0, "of a wheel, per metre");
-  flag("--odometry-sigma", o.world.odometry_errors.sigma_m_per_sqrt_m, 0.0, 1.0,
-       "along the way [m per square root of m]");
-  flag("--heading-sigma", o.world.odometry_errors.sigma_rad_per_sqrt_m, 0.0, 1.0, "[rad per square root of m]");
+  add_number(verb, "--mount-x", o.mount_x_m, -10.0, 10.0, "laser before the robot's centre [m]");
+  add_number(verb, "--range-sigma", o.world.laser_errors.range_sigma_m, 0.0, 1.0, "of a reading [m]");
+  add_number(verb, "--missed", o.world.laser_errors.missed_share, 0.0, 1.0, "share of beams that are lost");
+  add_number(verb, "--mixed", o.world.laser_errors.mixed_share, 0.0, 1.0,
+             "share of beams at an edge that report something in between");
+  add_number(verb, "--glass", o.world.laser_errors.glass_share, 0.0, 1.0, "share of beams that glass sends back");
+  add_number(verb, "--slips", o.world.odometry_errors.slips_per_m, 0.0, 10.0, "of a wheel, per metre");
+  add_number(verb, "--odometry-sigma", o.world.odometry_errors.sigma_m_per_sqrt_m, 0.0, 1.0,
+             "along the way [m per square root of m]");
+  add_number(verb, "--heading-sigma", o.world.odometry_errors.sigma_rad_per_sqrt_m, 0.0, 1.0,
+             "[rad per square root of m]");
 }
 
 void add_config(CLI::App& verb, SimulateOptions& o) {
