@@ -107,22 +107,23 @@ std::vector<Obstacle> SeenObstacles::near(double reach_m) const {
   return found;
 }
 
-std::vector<Point> SeenObstacles::standing(double reach_m) const {
+template <class Test>
+std::vector<Point> SeenObstacles::within(double reach_m, Test test) const {
   std::vector<Point> found;
   for (const auto& [key, seen] : points_)
-    if (!moved_when_seen(seen) && (seen.p_odom - T_odom_base_.position()).norm() <= reach_m)
-      found.push_back(seen.p_odom);
+    if (test(seen) && (seen.p_odom - T_odom_base_.position()).norm() <= reach_m) found.push_back(seen.p_odom);
   return found;
 }
 
+std::vector<Point> SeenObstacles::standing(double reach_m) const {
+  return within(reach_m, [this](const SeenPoint& seen) { return !moved_when_seen(seen); });
+}
+
 std::vector<Point> SeenObstacles::moving(double reach_m) const {
-  std::vector<Point> found;
-  for (const auto& [key, seen] : points_) {
+  return within(reach_m, [this](const SeenPoint& seen) {
     const bool has_gone = now_s_ - seen.stamp_s > memory_.unseen_s;
-    if (moved_when_seen(seen) && !has_gone && (seen.p_odom - T_odom_base_.position()).norm() <= reach_m)
-      found.push_back(seen.p_odom);
-  }
-  return found;
+    return moved_when_seen(seen) && !has_gone;
+  });
 }
 
 }  // namespace opal::behaviours

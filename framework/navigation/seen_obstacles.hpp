@@ -53,6 +53,9 @@ class SeenObstacles {
   void sweep(const Scan& scan);
   void forget();
   bool moved_when_seen(const SeenPoint& seen) const { return seen.stamp_s - seen.moved_s < memory_.moving_s; }
+  /// Those that pass a test, within reach of the robot. Frame odom.
+  template <class Test>
+  std::vector<Point> within(double reach_m, Test test) const;
   std::vector<Point> moved(const Scan& scan) const;
 
   ObstacleMemory memory_;
