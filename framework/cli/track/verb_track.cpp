@@ -51,16 +51,18 @@ struct TrackSetup {
   opal::Deployment deployment;
   std::shared_ptr<const opal::SemanticMap> map;
   RecordedLog log;
+  std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
   std::optional<opal::GroundTruth> truth;
   opal::LocalizerParts parts;
 };
 
 TrackSetup set_up(const TrackOptions& options) {
-  TrackSetup setup{load_plugins(), deployment_for(options), {}, {}, {}, {}};
+  TrackSetup setup{load_plugins(), deployment_for(options), {}, {}, {}, {}, {}};
   setup.map = load_map(setup.plugins, setup.deployment);
   if (options.damage.any()) setup.map = opal::damaged_map(*setup.map, options.damage.damage());
   setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
+  setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
   if (!options.queries.empty()) expect_scans(options.windows(), setup.log, options.queries);
   if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
   if (setup.truth) expect_overlap(*setup.truth, setup.log, options.truth);
@@ -97,6 +99,12 @@ TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup
   return window;
 }
 
+void tell_doubts(const TrackSetup& setup) {
+  if (!setup.mount_doubt.empty()) std::printf("sensor: %s\n", setup.mount_doubt.c_str());
+  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.lasers.front()))
+    std::printf("log: %s\n", doubt.c_str());
+}
+
 int track(const TrackOptions& options) {
   expect_start(options);
   const TrackSetup setup = set_up(options);
@@ -117,8 +125,7 @@ int track(const TrackOptions& options) {
   if (window.rows.empty() && !window.is_cut)
     throw opal::LogError(options.log + ": no scan with odometry to track" +
                          (setup.truth ? " that the truth covers" : ""));
-  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.lasers.front()))
-    std::printf("log: %s\n", doubt.c_str());
+  tell_doubts(setup);
   if (window.last.lost) std::printf("lost: at the end the scans do not fit the map where the track is\n");
   return end_run(folder, window.is_cut ? signals.signal() : 0, window.last.lost ? kNo : kDone);
 }
