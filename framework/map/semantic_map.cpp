@@ -192,7 +192,8 @@ std::shared_ptr<const SemanticMap> SemanticMap::finish(MapDraft draft) {
 std::shared_ptr<const SemanticMap> SemanticMap::make(std::string name, std::vector<MapObject> objects,
                                                      std::vector<MapFeature> features, std::vector<MapPattern> patterns,
                                                      MapOrigin origin) {
-  MapDraft draft{name, name, std::move(objects), std::move(features), std::move(patterns), std::move(origin)};
+  MapDraft draft{
+      name, std::move(name), std::move(objects), std::move(features), std::move(patterns), std::move(origin)};
   draft.object_places = places_in("/objects", draft.objects);
   draft.feature_places = places_in("/features", draft.features);
   draft.pattern_places = places_in("/patterns", draft.patterns);

@@ -49,7 +49,8 @@ int FloorGrid::cell_at(const Point& p) const {
 }
 
 Point FloorGrid::center_of(int cell) const {
-  return low_ + cell_m_ * Point(cell % columns_ + 0.5, cell / columns_ + 0.5);
+  const int column = cell % columns_, row = cell / columns_;
+  return low_ + cell_m_ * Point(column + 0.5, row + 0.5);
 }
 
 void FloorGrid::keep_parts(Parts parts) {
@@ -67,8 +68,8 @@ void FloorGrid::keep_parts(Parts parts) {
         part.push_back(next);
       }
     const double part_m2 = cell_m_ * cell_m_ * static_cast<double>(part.size());
-    if (parts == Parts::largest && part.size() > free_.size()) free_ = std::move(part);
     if (parts == Parts::all && part_m2 >= kLeast_m2) free_.insert(free_.end(), part.begin(), part.end());
+    if (parts == Parts::largest && part.size() > free_.size()) free_ = std::move(part);
   }
   std::fill(clearance_m_.begin(), clearance_m_.end(), 0.f);
   for (int cell : free_) clearance_m_[cell] = 1;
@@ -169,8 +170,8 @@ FloorWays FloorGrid::search(int start, int goal, const Surcharge& surcharge) con
   const bool begins_inside = !is_outside(start);
   const auto left = [&](int cell) {
     if (goal < 0) return 0.f;
-    return std::hypot(static_cast<float>(cell % columns_ - goal % columns_),
-                      static_cast<float>(cell / columns_ - goal / columns_));
+    const int columns = cell % columns_ - goal % columns_, rows = cell / columns_ - goal / columns_;
+    return std::hypot(static_cast<float>(columns), static_cast<float>(rows));
   };
   FloorWays ways{start, std::vector<float>(clearance_m_.size(), std::numeric_limits<float>::infinity()),
                  std::vector<int>(clearance_m_.size(), -1)};
@@ -261,8 +262,8 @@ FloorGrid seen_floor(const MapRaster& raster, const std::function<bool(const Poi
                      FloorGrid::Parts parts) {
   std::vector<char> free(raster.cells.size(), 0);
   for (int cell = 0; cell < raster.columns * raster.rows; ++cell) {
-    const Point center =
-        raster.origin + raster.resolution_m * Point(cell % raster.columns + 0.5, cell / raster.columns + 0.5);
+    const int column = cell % raster.columns, row = cell / raster.columns;
+    const Point center = raster.origin + raster.resolution_m * Point(column + 0.5, row + 0.5);
     free[cell] = raster.cells[cell] == MapRaster::Cell::free && has_room(center);
   }
   return {raster.origin, raster.resolution_m, raster.columns, raster.rows, std::move(free), parts};

@@ -45,7 +45,8 @@ void add_controls(NodeRegistry& registry) {
 
 void add_conditions(NodeRegistry& registry) {
   const auto condition = [&](const char* name, Condition::Question question) {
-    registry.add(name, Arity::none, [=](ConfigObject&, Children) { return std::make_unique<Condition>(question); });
+    registry.add(name, Arity::none,
+                 [=](ConfigObject&, const Children&) { return std::make_unique<Condition>(question); });
   };
   condition("opal:IsLocalized", [](const Blackboard& s) { return s.estimate().status == Status::localized; });
   condition("opal:HasPose",
@@ -56,28 +57,28 @@ void add_conditions(NodeRegistry& registry) {
 }
 
 void add_actions(NodeRegistry& registry) {
-  registry.add("opal:Rotate", Arity::none, [](ConfigObject& options, Children) {
+  registry.add("opal:Rotate", Arity::none, [](ConfigObject& options, const Children&) {
     const double turns = options.number("turns", 1, {-10, 10});
     return std::make_unique<Rotate>(turns, options.number("turn_radps", 0.9, {0.05, 3}));
   });
-  registry.add("opal:DriveFreely", Arity::none, [](ConfigObject& options, Children) {
+  registry.add("opal:DriveFreely", Arity::none, [](ConfigObject& options, const Children&) {
     return std::make_unique<DriveFreely>(options.number("distance_m", 0, {0, 1000}));
   });
   registry.add("opal:KeepPattern", Arity::none,
-               [](ConfigObject&, Children) { return std::make_unique<KeepPattern>(); });
+               [](ConfigObject&, const Children&) { return std::make_unique<KeepPattern>(); });
   registry.add("opal:DriveBetweenFeatures", Arity::none,
-               [](ConfigObject&, Children) { return std::make_unique<DriveBetweenFeatures>(); });
-  registry.add("opal:Disambiguate", Arity::none, [](ConfigObject& options, Children) {
+               [](ConfigObject&, const Children&) { return std::make_unique<DriveBetweenFeatures>(); });
+  registry.add("opal:Disambiguate", Arity::none, [](ConfigObject& options, const Children&) {
     DisambiguateOptions wanted;
     wanted.view_m = options.number("view_m", wanted.view_m, {1, 100});
     wanted.most_places = options.integer("most_places", wanted.most_places, {2, 20});
     wanted.least_separation = options.number("least_separation", wanted.least_separation, {0, 1});
     return std::make_unique<Disambiguate>(wanted);
   });
-  registry.add("opal:GoToGoal", Arity::none, [](ConfigObject& options, Children) {
+  registry.add("opal:GoToGoal", Arity::none, [](ConfigObject& options, const Children&) {
     return std::make_unique<GoToGoal>(options.number("arrived_m", 0.25, {0.05, 10}));
   });
-  registry.add("opal:BackOff", Arity::none, [](ConfigObject& options, Children) {
+  registry.add("opal:BackOff", Arity::none, [](ConfigObject& options, const Children&) {
     return std::make_unique<BackOff>(options.number("distance_m", 0.4, {0.01, 5}));
   });
 }

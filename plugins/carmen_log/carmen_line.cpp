@@ -100,7 +100,7 @@ bool read_ranges(Words& words, std::vector<float>& ranges_m) {
   return true;
 }
 
-ParsedLine finish_scan(Words& words, RawScan scan, std::optional<Pose2> T_odom_base) {
+ParsedLine finish_scan(Words& words, RawScan scan, const std::optional<Pose2>& T_odom_base) {
   if (const char* defect = finish(words, scan.stamp_s)) return {{}, defect};
   if (!words.pose_ok()) return {std::move(scan), kBadPose};
   scan.T_odom_base = T_odom_base;

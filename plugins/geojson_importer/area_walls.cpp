@@ -119,7 +119,7 @@ std::vector<Segment> closed_pieces(const Segment& line, const std::vector<const 
 
 }  // namespace
 
-std::vector<WallLine> walls_around(const std::vector<Area>& areas) {
+std::vector<AreaWall> walls_around(const std::vector<Area>& areas) {
   std::vector<Area> simple = areas;
   for (Area& area : simple)
     for (auto& polygon : area.polygons)
@@ -127,7 +127,7 @@ std::vector<WallLine> walls_around(const std::vector<Area>& areas) {
   std::vector<std::pair<std::size_t, OpenArea>> open;
   for (std::size_t k = 0; k < simple.size(); ++k)
     if (simple[k].kind != Area::Kind::room) open.emplace_back(k, OpenArea(simple[k]));
-  std::vector<WallLine> walls;
+  std::vector<AreaWall> walls;
   for (std::size_t k = 0; k < simple.size(); ++k) {
     if (simple[k].kind == Area::Kind::open) continue;
     visit_edges(simple[k], [&](const Segment& edge) {

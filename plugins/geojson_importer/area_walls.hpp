@@ -21,13 +21,13 @@ struct Area {
 };
 
 /// A straight piece of wall.
-struct WallLine {
+struct AreaWall {
   int element = 0;  ///< number of what it belongs to
   Segment line;
 };
 
 /// The walls that stand around areas; `element` is the number of the area. Two areas that share a border give two lines
 /// at one place.
-std::vector<WallLine> walls_around(const std::vector<Area>& areas);
+std::vector<AreaWall> walls_around(const std::vector<Area>& areas);
 
 }  // namespace opal::geojson_importer

@@ -11,9 +11,9 @@ constexpr double kAlongSine = 0.17;  // 10 degrees
 constexpr double kShortestWall_m = 0.02;
 constexpr double kNarrowest_m = 0.3, kWidest_m = 20;
 
-const WallLine* nearest_to(const Point& p, double at_most_m, const std::vector<WallLine>& walls) {
-  const WallLine* nearest = nullptr;
-  for (const WallLine& wall : walls)
+const AreaWall* nearest_to(const Point& p, double at_most_m, const std::vector<AreaWall>& walls) {
+  const AreaWall* nearest = nullptr;
+  for (const AreaWall& wall : walls)
     if (const double d = opal::distance_m(wall.line, p); d <= at_most_m) {
       nearest = &wall;
       at_most_m = d;
@@ -22,9 +22,9 @@ const WallLine* nearest_to(const Point& p, double at_most_m, const std::vector<W
 }
 
 /// The place of a door within its wall; at the end of a wall, it does not go on into the next one.
-std::optional<Segment> place_of(const Opening& opening, double thickness_m, const std::vector<WallLine>& walls) {
+std::optional<Segment> place_of(const Opening& opening, double thickness_m, const std::vector<AreaWall>& walls) {
   if (!opening.is_point()) return opening.line;
-  const WallLine* wall = nearest_to(opening.line.begin, thickness_m, walls);
+  const AreaWall* wall = nearest_to(opening.line.begin, thickness_m, walls);
   if (wall == nullptr) return std::nullopt;
   const Point along = wall->line.direction();
   const double length_m = wall->line.length_m(), half_m = std::min(opening.width_m, length_m) / 2;
@@ -33,7 +33,7 @@ std::optional<Segment> place_of(const Opening& opening, double thickness_m, cons
 }
 
 /// What is left of a wall where an opening is: none, one or two pieces. @return whether anything was taken.
-bool cut(const WallLine& wall, const Segment& opening, double thickness_m, std::vector<WallLine>& left) {
+bool cut(const AreaWall& wall, const Segment& opening, double thickness_m, std::vector<AreaWall>& left) {
   const Point along = wall.line.direction();
   const double length_m = wall.line.length_m();
   const double begin = along.dot(opening.begin - wall.line.begin), end = along.dot(opening.end - wall.line.begin);
@@ -67,14 +67,14 @@ std::optional<double> width_m_of(const Feature& feature) {
 }
 
 std::vector<std::optional<Segment>> cut_openings(const std::vector<Opening>& openings, double thickness_m,
-                                                 std::vector<WallLine>& walls) {
+                                                 std::vector<AreaWall>& walls) {
   std::vector<std::optional<Segment>> places;
   for (const Opening& opening : openings) places.push_back(place_of(opening, thickness_m, walls));
   for (std::optional<Segment>& place : places) {
     if (!place || place->length_m() < kShortestWall_m) continue;
-    std::vector<WallLine> left;
+    std::vector<AreaWall> left;
     bool is_cut = false;
-    for (const WallLine& wall : walls) is_cut |= cut(wall, *place, thickness_m, left);
+    for (const AreaWall& wall : walls) is_cut |= cut(wall, *place, thickness_m, left);
     walls = std::move(left);
     if (!is_cut) place.reset();
   }

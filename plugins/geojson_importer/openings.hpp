@@ -24,6 +24,6 @@ std::optional<double> width_m_of(const Feature& feature);
 /// that run the same way and are at most `thickness_m` away: a wall may be drawn by its two faces.
 /// @return where each opening is in its wall; none if no wall is near it.
 std::vector<std::optional<Segment>> cut_openings(const std::vector<Opening>& openings, double thickness_m,
-                                                 std::vector<WallLine>& walls);
+                                                 std::vector<AreaWall>& walls);
 
 }  // namespace opal::geojson_importer

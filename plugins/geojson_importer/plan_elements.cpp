@@ -131,8 +131,8 @@ void PlanElements::add_polygon(const std::vector<Ring>& polygon, int solid, Plan
 }
 
 /// Straight pieces of the walls that were drawn as lines; only doors that are points are cut into them.
-std::vector<WallLine> PlanElements::thin_walls() const {
-  std::vector<WallLine> walls;
+std::vector<AreaWall> PlanElements::thin_walls() const {
+  std::vector<AreaWall> walls;
   for (std::size_t k = 0; has_point_openings_ && k < elements.size(); ++k)
     if (is_thin_wall(elements[k]))
       for (const PlanLine& line : elements[k].lines)
@@ -142,8 +142,8 @@ std::vector<WallLine> PlanElements::thin_walls() const {
   return walls;
 }
 
-void PlanElements::put_back(const std::vector<WallLine>& walls) {
-  for (const WallLine& wall : walls) {
+void PlanElements::put_back(const std::vector<AreaWall>& walls) {
+  for (const AreaWall& wall : walls) {
     const auto element = static_cast<std::size_t>(wall.element);
     const bool is_area = std::binary_search(element_of_area_.begin(), element_of_area_.end(), element);
     elements[element].lines.push_back(
@@ -152,9 +152,9 @@ void PlanElements::put_back(const std::vector<WallLine>& walls) {
 }
 
 void PlanElements::finish() {
-  std::vector<WallLine> walls = thin_walls();
-  for (const WallLine& wall : walls) elements[static_cast<std::size_t>(wall.element)].lines.clear();
-  for (WallLine wall : walls_around(areas_)) {
+  std::vector<AreaWall> walls = thin_walls();
+  for (const AreaWall& wall : walls) elements[static_cast<std::size_t>(wall.element)].lines.clear();
+  for (AreaWall wall : walls_around(areas_)) {
     wall.element = static_cast<int>(element_of_area_[static_cast<std::size_t>(wall.element)]);
     walls.push_back(wall);
   }

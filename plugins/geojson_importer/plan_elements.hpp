@@ -54,8 +54,8 @@ class PlanElements {
   std::string use_opening(const Feature& feature, const std::string& type);
   std::optional<double> radius_of(const Feature& feature) const;
   void add_polygon(const std::vector<Ring>& polygon, int solid, PlanElement& element);
-  std::vector<WallLine> thin_walls() const;
-  void put_back(const std::vector<WallLine>& walls);
+  std::vector<AreaWall> thin_walls() const;
+  void put_back(const std::vector<AreaWall>& walls);
   void report_opening(const Opening& opening, bool is_in_wall);
 
   std::string source_;

@@ -98,7 +98,7 @@ class LeastSquares3 {
 /// Algebraic circle fit: least squares of x^2 + y^2 - 2 a x - 2 b y - c (Kasa 1976, "A circle fitting procedure and
 /// its error analysis"). Too small a radius for short arcs.
 std::optional<RoundColumn> fit_algebraic(const std::vector<CellPoint>& points) {
-  const CellPoint origin = points.front();
+  const CellPoint& origin = points.front();
   LeastSquares3 equations;
   for (const CellPoint& p : points) {
     const CellPoint d = p - origin;

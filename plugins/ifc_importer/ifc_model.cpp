@@ -29,6 +29,7 @@ using namespace ifcpp;
 struct Messages {
   std::map<std::string, int> counts;
 
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the library's type of a callback
   static void take(void* self, shared_ptr<StatusCallback::Message> message) {
     const auto type = message ? message->m_message_type : StatusCallback::MESSAGE_TYPE_UNKNOWN;
     if (type != StatusCallback::MESSAGE_TYPE_ERROR && type != StatusCallback::MESSAGE_TYPE_WARNING) return;

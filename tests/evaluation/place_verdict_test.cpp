@@ -21,7 +21,7 @@ GroundTruth a_minute() {
 
 /// q1 is right from its third metre on, q2 looks the other way, q3 never says that it is localized.
 PlaceVerdict judged_minute() {
-  std::vector<ResultRow> rows;
+  std::vector<opal::ResultRow> rows;
   for (int t = 0; t <= 20; ++t)
     rows.push_back({"q1", double(t), Pose2(t < 3 ? 50 : t, 0, 0), t < 5 ? Status::searching : Status::localized});
   for (int t = 20; t <= 40; ++t) rows.push_back({"q2", double(t), Pose2(t, 0, std::numbers::pi), Status::localized});

@@ -11,7 +11,7 @@ namespace {
 using namespace opal;
 using namespace opal::ros2;
 
-DiscoveryRange range_with(std::map<std::string, std::string> variables, const DiscoveryOptions& options = {}) {
+DiscoveryRange range_with(const std::map<std::string, std::string>& variables, const DiscoveryOptions& options = {}) {
   const Environment environment = [variables](const std::string& name) -> std::optional<std::string> {
     const auto found = variables.find(name);
     if (found == variables.end()) return std::nullopt;

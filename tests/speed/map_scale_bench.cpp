@@ -19,10 +19,11 @@ std::vector<Feature> columns(int count) {
   std::uniform_real_distribution<double> aside(-1.5, 1.5), radius(0.2, 0.6);
   const int side = static_cast<int>(std::ceil(std::sqrt(count)));
   std::vector<Feature> features;
-  for (int k = 0; k < count; ++k)
+  for (int k = 0; k < count; ++k) {
+    const int column = k % side, row = k / side;
     features.push_back(
-        {"opal:Column", Circle{{6.0 * (k % side) + aside(random), 6.0 * static_cast<double>(k / side) + aside(random)},
-                               radius(random)}});
+        {"opal:Column", Circle{{6.0 * column + aside(random), 6.0 * row + aside(random)}, radius(random)}});
+  }
   return features;
 }
 

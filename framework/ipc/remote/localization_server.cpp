@@ -33,7 +33,7 @@ json parsed(const Request& request) {
 }  // namespace
 
 struct LocalizationServer::Implementation {
-  Implementation(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make)
+  Implementation(const std::shared_ptr<const SemanticMap>& map, std::string sensor, Maker make)
       : map_message(json{{"protocol", kProtocol}, {"sensor", std::move(sensor)}, {"map", map->to_json_ld()}}.dump()),
         drives(std::move(make)) {}
 
@@ -60,8 +60,9 @@ void LocalizationServer::Implementation::configure() {
   server.set_tcp_nodelay(true);
   server.set_pre_routing_handler(
       [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
-  server.set_exception_handler(
-      [this](const Request&, Response& response, std::exception_ptr trouble) { answer_trouble(response, trouble); });
+  server.set_exception_handler([this](const Request&, Response& response, const std::exception_ptr& trouble) {
+    answer_trouble(response, trouble);
+  });
   server.Get("/v1/map", [this](const Request&, Response& response) { response.set_content(map_message, kJson); });
   server.Post("/v1/begin", [this](const Request& request, Response& response) {
     response.set_content(json{{"session", drives.begin(laser_from(parsed(request)))}}.dump(), kJson);

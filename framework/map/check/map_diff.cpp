@@ -43,9 +43,9 @@ std::string text_of(const nlohmann::ordered_json& notes, const std::string& key)
 }
 
 /// Gathers changes of one thing after the other.
-class Comparison {
+class MapComparison {
  public:
-  Comparison(const SemanticMap& before, const SemanticMap& after) : before_(before), after_(after) {}
+  MapComparison(const SemanticMap& before, const SemanticMap& after) : before_(before), after_(after) {}
 
   MapDiff run() {
     compare_maps();
@@ -247,6 +247,6 @@ std::vector<std::string> MapDiff::sentences() const {
   return all;
 }
 
-MapDiff map_diff(const SemanticMap& before, const SemanticMap& after) { return Comparison(before, after).run(); }
+MapDiff map_diff(const SemanticMap& before, const SemanticMap& after) { return MapComparison(before, after).run(); }
 
 }  // namespace opal

@@ -22,7 +22,7 @@ class UselessFiles {
     if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern + ": cannot make a folder for the contract's files");
     folder_ = pattern;
     fs::create_directory(folder_ / "folder");
-    std::ofstream(folder_ / "empty.bin");
+    std::ofstream empty(folder_ / "empty.bin");
     std::ofstream noise(folder_ / "noise.bin", std::ios::binary);
     std::mt19937 random(3);
     for (int i = 0; i < 4096; ++i) noise.put(static_cast<char>(random()));

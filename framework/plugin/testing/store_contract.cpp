@@ -53,7 +53,8 @@ void check_questions(Violations& violations, const MapStore& store, const std::s
                      const std::string& building) {
   const MapView view(map, kSensor);
   for (int k = 0; k < 40; ++k) {
-    const Point center(0.35 * (k % 8), 0.6 * (k / 8));
+    const int column = k % 8, row = k / 8;
+    const Point center(0.35 * column, 0.6 * row);
     std::vector<MapFeatureNumber> expected = view.within(center, 0.25 * (k % 6));
     std::sort(expected.begin(), expected.end());
     if (numbers_near(store, {building, 1, kSensor, center, 0.25 * (k % 6)}) != expected)

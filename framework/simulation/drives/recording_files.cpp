@@ -17,18 +17,18 @@
 namespace opal::simulation {
 namespace {
 
-std::string pose_text(const Pose2& pose) {
+std::string pose_words(const Pose2& pose) {
   return fmt::format("{:.6f} {:.6f} {:.6f}", pose.x(), pose.y(), pose.heading_rad());
 }
 
 std::string when_text(double stamp_s) { return fmt::format("{0:.4f} nohost {0:.4f}\n", stamp_s); }
 
 std::string line_of(const OdometryRecord& odometry) {
-  return "ODOM " + pose_text(odometry.T_odom_base) + " 0 0 0 " + when_text(odometry.stamp_s);
+  return "ODOM " + pose_words(odometry.T_odom_base) + " 0 0 0 " + when_text(odometry.stamp_s);
 }
 
 std::string line_of(const RawScan& scan) {
-  const std::string odometry = pose_text(scan.T_odom_base.value_or(Pose2()));
+  const std::string odometry = pose_words(scan.T_odom_base.value_or(Pose2()));
   const std::string message = scan.frame.empty() ? "FLASER" : scan.frame;
   std::string line = message + " " + std::to_string(scan.ranges_m.size());
   for (float range : scan.ranges_m) line += fmt::format(" {:.3f}", static_cast<double>(range));

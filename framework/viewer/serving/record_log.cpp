@@ -18,7 +18,7 @@ void RecordLog::end() {
   grown_.notify_all();
 }
 
-RecordLog::Reading RecordLog::wait(std::size_t position, std::stop_token stop,
+RecordLog::Reading RecordLog::wait(std::size_t position, const std::stop_token& stop,
                                    std::chrono::milliseconds patience) const {
   std::unique_lock lock(mutex_);
   grown_.wait_for(lock, stop, patience, [&] { return position < records_.size() || ended_; });

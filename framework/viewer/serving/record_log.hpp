@@ -22,7 +22,7 @@ class RecordLog {
     const std::string* record = nullptr;  ///< lives as long as the log
   };
   /// Waits for the record at a position, counted from 0.
-  Reading wait(std::size_t position, std::stop_token stop, std::chrono::milliseconds patience) const;
+  Reading wait(std::size_t position, const std::stop_token& stop, std::chrono::milliseconds patience) const;
 
   std::size_t size() const;
 

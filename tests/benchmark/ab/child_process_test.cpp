@@ -67,10 +67,10 @@ TEST_CASE("tasks that one process has claimed are refused to others, and free ag
     pause();
   });
   REQUIRE(next_answer(other, 60, 1e6).given);
-  Claim(folder.path(), 0, 10);
-  Claim(folder.path(), 20, 30);
+  CHECK_NOTHROW(Claim(folder.path(), 0, 10));
+  CHECK_NOTHROW(Claim(folder.path(), 20, 30));
   CHECK_THROWS_WITH(Claim(folder.path(), 19, 21),
                     Catch::StartsWith(folder.path() + ": process ") && Catch::Contains("computes these cells already"));
   other.end();
-  Claim(folder.path(), 0, 30);
+  CHECK_NOTHROW(Claim(folder.path(), 0, 30));
 }

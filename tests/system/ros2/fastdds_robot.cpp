@@ -60,10 +60,11 @@ class Robot {
   }
 
  private:
-  Topic* topic_of(const std::string& name, TopicDataType* type) {
+  eprosima::fastdds::dds::Topic* topic_of(const std::string& name, TopicDataType* type) {
     const TypeSupport support(type);
     support.register_type(participant_);
-    if (auto* known = dynamic_cast<Topic*>(participant_->lookup_topicdescription(name))) return known;
+    if (auto* known = dynamic_cast<eprosima::fastdds::dds::Topic*>(participant_->lookup_topicdescription(name)))
+      return known;
     return participant_->create_topic(name, support.get_type_name(), TOPIC_QOS_DEFAULT);
   }
   DomainParticipant* participant_ = nullptr;

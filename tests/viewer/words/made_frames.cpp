@@ -35,7 +35,7 @@ RunFrame with(RunFrame frame, std::vector<RecordedHypothesis> hypotheses) {
   return frame;
 }
 
-std::vector<std::string> said(SentenceKind kind, const std::vector<RunFrame>& frames) {
+std::vector<std::string> sentences_of(SentenceKind kind, const std::vector<RunFrame>& frames) {
   const RunHeader header = hall();
   Explainer explainer(header);
   for (const RunFrame& frame : frames) explainer.take(frame);

@@ -20,4 +20,4 @@ opal::RecordedHypothesis hypothesis(int id, const opal::Pose2& T_map_base, doubl
 opal::RunFrame with(opal::RunFrame frame, std::vector<opal::RecordedHypothesis> hypotheses);
 
 /// What is said of one kind, one line each, after all frames.
-std::vector<std::string> said(opal::SentenceKind kind, const std::vector<opal::RunFrame>& frames);
+std::vector<std::string> sentences_of(opal::SentenceKind kind, const std::vector<opal::RunFrame>& frames);
