@@ -1,0 +1,47 @@
+# The package `opal` of Python: build/NAME/python/opal, and dist-packages of an installed Opal. Optional.
+#
+# opal_find_python(RESULT): sets RESULT if the system's Python, its headers, numpy and pybind11 are there; else says what is
+# missing. The system's Python, not one that a version switcher puts before it: Debian's packages are for that one.
+function(opal_find_python result)
+  set(${result} FALSE PARENT_SCOPE)
+  if(OPAL_SANITIZE)
+    message(STATUS "the Python module is left out: a sanitizer would have to be in the interpreter, too")
+    return()
+  endif()
+  set(Python_EXECUTABLE /usr/bin/python3)
+  find_package(Python 3.9 QUIET COMPONENTS Interpreter Development NumPy GLOBAL)
+  find_package(pybind11 2.10 QUIET GLOBAL)
+  if(NOT Python_FOUND OR NOT pybind11_FOUND)
+    message(STATUS "pybind11-dev, python3-dev or python3-numpy not found: the Python module is left out")
+    return()
+  endif()
+  set(${result} TRUE PARENT_SCOPE)
+endfunction()
+
+# opal_add_python_package(FOLDER [LINKS target...]): the sources in FOLDER as the module opal._opal, with the files of
+# FOLDER/package/opal.
+function(opal_add_python_package folder)
+  cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
+  set(package ${CMAKE_BINARY_DIR}/python/opal)
+  set(installed lib/python3/dist-packages/opal)  # what Debian's Python searches below /usr and /usr/local
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  add_library(opal_python MODULE ${sources})
+  target_link_libraries(opal_python PRIVATE pybind11::module opal::opal opal_tree ${arg_LINKS})
+  file(RELATIVE_PATH to_libraries /${installed} /${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(opal_python PROPERTIES PREFIX "" OUTPUT_NAME _opal SUFFIX .${Python_SOABI}.so
+                        LIBRARY_OUTPUT_DIRECTORY ${package} INSTALL_RPATH "$ORIGIN/${to_libraries}")
+  target_precompile_headers(opal_python REUSE_FROM opal_headers)
+  opal_one_unit_per_folder(opal_python)
+  install(TARGETS opal_python LIBRARY DESTINATION ${installed})
+
+  file(GLOB files CONFIGURE_DEPENDS ${folder}/package/opal/*)
+  foreach(file IN LISTS files)
+    get_filename_component(name ${file} NAME)
+    add_custom_command(OUTPUT ${package}/${name} DEPENDS ${file} VERBATIM
+                       COMMAND ${CMAKE_COMMAND} -E copy ${file} ${package}/${name})
+    list(APPEND copies ${package}/${name})
+  endforeach()
+  add_custom_target(opal_python_package ALL DEPENDS ${copies})
+  add_dependencies(opal_python opal_python_package)
+  install(FILES ${files} DESTINATION ${installed})
+endfunction()
