@@ -1,5 +1,6 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
+#include "deployment/class_parts.hpp"
 #include "deployment/pipeline_plan.hpp"
 #include "patterns/consuming_template.hpp"
 
@@ -43,6 +44,7 @@ void expect_options(const PartConfig& part, const PluginRegistry& registry) {
 }
 
 void expect_usable(const PartConfig& part, PluginKind kind, const PluginRegistry& registry) {
+  if (!part.code.empty()) return expect_class(part, kind, registry);
   expect_type(part, kind, registry);
   expect_options(part, registry);
 }
@@ -72,24 +74,29 @@ std::vector<std::string> allowed_patterns(const PipelinePlan& plan, const MaybeP
   return allowed;
 }
 
+/// One of `types`.
+const TypeInfo& info_of(const std::string& name, const std::vector<RegisteredType>& types) {
+  return std::find_if(types.begin(), types.end(), [&](const auto& type) { return type.info.name == name; })->info;
+}
+
 /// A pattern cannot be seen if the deployment has left out a detector that its features need.
 std::vector<PartConfig> observable(std::vector<PartConfig> patterns, const std::vector<PartConfig>& detectors,
-                                   const PluginRegistry& registry) {
+                                   const std::vector<RegisteredType>& types) {
   std::vector<std::string> produced;
   for (const PartConfig& detector : detectors)
-    for (const std::string& type : registry.type(detector.type).info.produces) produced.push_back(type);
+    for (const std::string& type : info_of(detector.type, types).produces) produced.push_back(type);
   const auto unseen = [&](const std::string& type) { return !holds(produced, type); };
   std::erase_if(patterns, [&](const PartConfig& pattern) {
-    const auto& consumes = registry.type(pattern.type).info.consumes;
+    const auto& consumes = info_of(pattern.type, types).consumes;
     return std::any_of(consumes.begin(), consumes.end(), unseen);
   });
   return patterns;
 }
 
 template <class T>
-std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, const PluginRegistry& registry) {
+std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, PluginKind kind, const PluginRegistry& registry) {
   std::vector<Named<T>> made;
-  for (const PartConfig& part : parts) made.push_back({part.type, registry.make<T>(part.type, part.options)});
+  for (const PartConfig& part : parts) made.push_back({part.type, make_part<T>(part, kind, registry)});
   return made;
 }
 
@@ -137,10 +144,11 @@ void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
 LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
                            std::shared_ptr<const SemanticMap> map) {
   check_parts(deployment, registry);
-  const PipelinePlan plan = plan_pipeline(*map, deployment.lasers.front().id, registry.types());
+  const std::vector<RegisteredType> types = types_for(deployment, registry);
+  const PipelinePlan plan = plan_pipeline(*map, deployment.lasers.front().id, types);
   const auto detectors = narrowed(plan.detectors, deployment.detectors);
   const auto patterns =
-      observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, registry);
+      observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, types);
   if (detectors.empty()) refuse_empty(deployment, "detectors", plan);
   if (patterns.empty()) refuse_empty(deployment, "patterns", plan);
 
@@ -152,14 +160,14 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   parts.local_map = deployment.local_map;
   if (deployment.matcher)
     parts.matcher = registry.make<ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
-  parts.detectors = make_all<FeatureDetector>(detectors, registry);
-  parts.patterns = make_all<PatternTemplate>(patterns, registry);
+  parts.detectors = make_all<FeatureDetector>(detectors, PluginKind::feature_detector, registry);
+  parts.patterns = make_all<PatternTemplate>(patterns, PluginKind::pattern_template, registry);
   for (Named<PatternTemplate>& pattern : parts.patterns)
-    pattern.part = consuming(std::move(pattern.part), registry.type(pattern.name).info.consumes);
+    pattern.part = consuming(std::move(pattern.part), info_of(pattern.name, types).consumes);
   for (const ScorerConfig& scorer : deployment.scorers)
     parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
-                             registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options), scorer.decides,
-                             scorer.weight});
+                             make_part<HypothesisScorer>(scorer.part, PluginKind::hypothesis_scorer, registry),
+                             scorer.decides, scorer.weight});
   parts.stages = deployment.stages;
   return parts;
 }

@@ -16,5 +16,6 @@ PYBIND11_MODULE(_opal, module) {
   bind_run(module);
   bind_localizer(module);
   bind_bench(module);
+  bind_plugin_types(module);
   bind_events(module);
 }
