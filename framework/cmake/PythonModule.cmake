@@ -1,29 +1,29 @@
-# The package `opal` of Python: build/NAME/python/opal, and dist-packages of an installed Opal. Optional.
-#
-# opal_find_python(RESULT): sets RESULT if the system's Python, its headers, numpy and pybind11 are there; else says what is
-# missing. The system's Python, not one that a version switcher puts before it: Debian's packages are for that one.
-function(opal_find_python result)
-  set(${result} FALSE PARENT_SCOPE)
-  if(OPAL_SANITIZE)
-    message(STATUS "the Python module is left out: a sanitizer would have to be in the interpreter, too")
-    return()
-  endif()
+# The package `opal` of Python: python/opal of the build, and dist-packages of an installed Opal. Optional: OPAL_HAS_PYTHON
+# says whether the system's Python, its headers, numpy and pybind11 are there. Not one that a version switcher puts before
+# it: Debian's packages are for that one.
+set(OPAL_PYTHON_FOLDER lib/python3/dist-packages)  # what Debian's Python searches below /usr and /usr/local
+set(OPAL_HAS_PYTHON FALSE)
+if(OPAL_BUILD_PYTHON AND OPAL_SANITIZE)
+  message(STATUS "the Python module is left out: a sanitizer would have to be in the interpreter, too")
+elseif(OPAL_BUILD_PYTHON)
   set(Python_EXECUTABLE /usr/bin/python3)
-  find_package(Python 3.9 QUIET COMPONENTS Interpreter Development NumPy GLOBAL)
-  find_package(pybind11 2.10 QUIET GLOBAL)
-  if(NOT Python_FOUND OR NOT pybind11_FOUND)
-    message(STATUS "pybind11-dev, python3-dev or python3-numpy not found: the Python module is left out")
-    return()
+  find_package(Python 3.9 QUIET COMPONENTS Interpreter Development NumPy)
+  if(Python_FOUND)
+    find_package(pybind11 2.10 QUIET)
   endif()
-  set(${result} TRUE PARENT_SCOPE)
-endfunction()
+  if(Python_FOUND AND pybind11_FOUND)
+    set(OPAL_HAS_PYTHON TRUE)
+  else()
+    message(STATUS "pybind11-dev, python3-dev or python3-numpy not found: the Python module is left out")
+  endif()
+endif()
 
 # opal_add_python_package(FOLDER [LINKS target...]): the sources in FOLDER as the module opal._opal, with the files of
 # FOLDER/package/opal.
 function(opal_add_python_package folder)
   cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
   set(package ${CMAKE_BINARY_DIR}/python/opal)
-  set(installed lib/python3/dist-packages/opal)  # what Debian's Python searches below /usr and /usr/local
+  set(installed ${OPAL_PYTHON_FOLDER}/opal)
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   add_library(opal_python MODULE ${sources})
   target_link_libraries(opal_python PRIVATE pybind11::module opal::opal opal_tree ${arg_LINKS})

@@ -83,9 +83,9 @@ RegisteredType described_object(const T& object, PluginKind kind, const std::str
   return type;
 }
 
-#define OPAL_FOR_CLASSES_OF(T)                                                                                     \
-  template std::shared_ptr<const T> make_of_class(const PluginRegistry&, PluginKind, const ClassSource&,           \
-                                                  const std::string&, const nlohmann::json&);                      \
+#define OPAL_FOR_CLASSES_OF(T)                                                                           \
+  template std::shared_ptr<const T> make_of_class(const PluginRegistry&, PluginKind, const ClassSource&, \
+                                                  const std::string&, const nlohmann::json&);            \
   template RegisteredType described_object(const T&, PluginKind, const std::string&, const std::string&);
 OPAL_FOR_CLASSES_OF(FeatureDetector)
 OPAL_FOR_CLASSES_OF(PatternTemplate)

@@ -29,8 +29,8 @@ OPAL_EXPORT std::string host_of(PluginKind kind);
 OPAL_EXPORT nlohmann::json host_options(const ClassSource& source, const std::string& file,
                                         const nlohmann::json& options);
 
-/// Makes an object of a class. @throws PluginError naming the class: that it cannot be made and why, or that there is no
-/// plugin that runs it.
+/// Makes an object of a class. @throws PluginError naming the class: that it cannot be made and why, or that there is
+/// no plugin that runs it.
 template <class T>
 std::shared_ptr<const T> make_of_class(const PluginRegistry& registry, PluginKind kind, const ClassSource& source,
                                        const std::string& file, const nlohmann::json& options);

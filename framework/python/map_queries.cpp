@@ -32,8 +32,8 @@ class Companions {
  public:
   Companions(const GivenArray& array, const Points& others, const char* name) : points_(array, name) {
     if (points_.count() != 1 && points_.count() != others.count())
-      throw std::invalid_argument(std::string(name) + ": " + std::to_string(points_.count()) + " points, expected 1 or " +
-                                  std::to_string(others.count()));
+      throw std::invalid_argument(std::string(name) + ": " + std::to_string(points_.count()) +
+                                  " points, expected 1 or " + std::to_string(others.count()));
   }
   Point operator[](py::ssize_t k) const { return points_[points_.count() == 1 ? 0 : k]; }
 
@@ -64,8 +64,7 @@ Array likelihoods(const MapView& map, const GivenArray& points) {
 IntArray nearest_facing(const MapView& map, const GivenArray& points, const GivenArray& viewer) {
   const Points seen(points, "points");
   const Companions from(viewer, seen, "viewer");
-  return answers<int>(
-      seen, [&](const Point& p, py::ssize_t k) { return map.nearest_facing(p, p - from[k]).number(); });
+  return answers<int>(seen, [&](const Point& p, py::ssize_t k) { return map.nearest_facing(p, p - from[k]).number(); });
 }
 
 py::tuple first_crossings(const MapView& map, const GivenArray& origin, const GivenArray& targets,

@@ -47,7 +47,8 @@ Feature make_feature(const std::string& type, const std::string& shape, const st
   const std::size_t expected = shape == "point" || shape == "segment" ? 2 : 3;
   if (sigmas.size() != expected)
     refuse("sigmas: " + std::to_string(sigmas.size()) + " of a " + shape + ", expected " + std::to_string(expected));
-  for (std::size_t k = 0; k < sigmas.size(); ++k) feature.covariance(Eigen::Index(k), Eigen::Index(k)) = sigmas[k] * sigmas[k];
+  for (std::size_t k = 0; k < sigmas.size(); ++k)
+    feature.covariance(Eigen::Index(k), Eigen::Index(k)) = sigmas[k] * sigmas[k];
   feature.true_end = true_ends;
   if (const auto* segment = std::get_if<Segment>(&feature.geometry)) feature.support_m = segment->length_m();
   return feature;
@@ -55,20 +56,20 @@ Feature make_feature(const std::string& type, const std::string& shape, const st
 
 void bind_detected_feature(py::module_& module) {
   py::class_<Feature>(module, "Feature", "A shape that a detector found; the frame is that of whoever holds it.")
-      .def(py::init(&make_feature), py::arg("type"), py::arg("shape"), py::arg("numbers"), py::arg("sigmas"),
-           py::arg("true_ends") = std::array<bool, 2>{false, false},
-           "type: \"acme:Post\". shape and numbers: as of MapFeature.\n"
-           "sigmas: standard deviations of point (x, y), oriented_point (x, y, heading), circle (x, y, radius), segment "
-           "(offset, heading).\ntrue_ends: of a segment, whether begin and end are where the object ends.")
+      .def(
+          py::init(&make_feature), py::arg("type"), py::arg("shape"), py::arg("numbers"), py::arg("sigmas"),
+          py::arg("true_ends") = std::array<bool, 2>{false, false},
+          "type: \"acme:Post\". shape and numbers: as of MapFeature.\n"
+          "sigmas: standard deviations of point (x, y), oriented_point (x, y, heading), circle (x, y, radius), segment "
+          "(offset, heading).\ntrue_ends: of a segment, whether begin and end are where the object ends.")
       .def_readonly("type", &Feature::type)
       .def_property_readonly("shape", [](const Feature& self) { return kind_name(self.geometry); })
-      .def_property_readonly("numbers",
-                             [](const Feature& self) {
-                               return array_of(std::span<const double>(numbers_of(self.geometry)));
-                             },
-                             "As of MapFeature; shape (2,), (3,) or (4,).")
-      .def_property_readonly("covariance", [](const Feature& self) { return array_of(self.covariance); },
-                             "In the order of sigmas; shape (3, 3).")
+      .def_property_readonly(
+          "numbers", [](const Feature& self) { return array_of(std::span<const double>(numbers_of(self.geometry))); },
+          "As of MapFeature; shape (2,), (3,) or (4,).")
+      .def_property_readonly(
+          "covariance", [](const Feature& self) { return array_of(self.covariance); },
+          "In the order of sigmas; shape (3, 3).")
       .def_readonly("support_m", &Feature::support_m, "Of a segment: how much of it is covered by measurements.")
       .def("__repr__",
            [](const Feature& self) { return "<opal.Feature " + self.type + ", " + kind_name(self.geometry) + ">"; });
@@ -102,7 +103,8 @@ PatternInstance make_pattern(const std::vector<py::tuple>& invariants, const Giv
 }
 
 void bind_pattern_instance(py::module_& module) {
-  py::class_<PatternInstance>(module, "Pattern", "Features in a relation, by numbers that a rigid motion leaves unchanged.")
+  py::class_<PatternInstance>(module, "Pattern",
+                              "Features in a relation, by numbers that a rigid motion leaves unchanged.")
       .def(py::init(&make_pattern), py::arg("invariants"), py::arg("frame"), py::arg("members") = py::none(),
            py::arg("symmetric") = false, py::arg("extent_m") = std::array<double, 2>{0, 0}, py::arg("overhang_m") = 0.0,
            "invariants: tuples (value, tolerance) or (value, tolerance, comparison): equal, mapped_at_most, "
@@ -110,34 +112,42 @@ void bind_pattern_instance(py::module_& module) {
            "members: for each slot the position of its feature; None: in the order given.\n"
            "symmetric: half a turn of the frame gives the same pattern.")
       .def_readwrite("members", &PatternInstance::members)
-      .def_property_readonly("frame", [](const PatternInstance& self) { return array_of(self.frame); }, "Shape (3,).")
+      .def_property_readonly(
+          "frame", [](const PatternInstance& self) { return array_of(self.frame); }, "Shape (3,).")
       .def_readonly("symmetric", &PatternInstance::symmetric);
 }
 
 void bind_map_view(py::module_& module) {
   py::class_<MapView, std::unique_ptr<MapView, py::nodelete>>(
       module, "MapView", "The map as one sensor sees it, for scorers; valid as long as the localizer that asks.")
-      .def_property_readonly("features", [](const MapView& self) { return self.map().features(); },
-                             "All features of the map, perceivable or not.")
+      .def_property_readonly(
+          "features", [](const MapView& self) { return self.map().features(); },
+          "All features of the map, perceivable or not.")
       .def_property_readonly("objects", [](const MapView& self) { return self.map().objects(); })
-      .def_property_readonly("bounds",
-                             [](const MapView& self) {
-                               const std::array<Point, 2> corners = self.bounds();
-                               return array_of(std::span<const Point>(corners));
-                             },
-                             "Least and greatest corner [m]; shape (2, 2).")
-      .def_property_readonly_static("clearance_cap_m", [](const py::object&) { return MapView::clearance_cap_m(); },
-                                    "The largest answer of clearance.")
-      .def("clearance", &clearances, py::arg("points"),
-           "Distance from each point of the map to the nearest surface, capped [m]; points: shape (..., 2), the answer: "
-           "shape (...).")
+      .def_property_readonly(
+          "bounds",
+          [](const MapView& self) {
+            const std::array<Point, 2> corners = self.bounds();
+            return array_of(std::span<const Point>(corners));
+          },
+          "Least and greatest corner [m]; shape (2, 2).")
+      .def_property_readonly_static(
+          "clearance_cap_m", [](const py::object&) { return MapView::clearance_cap_m(); },
+          "The largest answer of clearance.")
+      .def(
+          "clearance", &clearances, py::arg("points"),
+          "Distance from each point of the map to the nearest surface, capped [m]; points: shape (..., 2), the answer: "
+          "shape (...).")
       .def("likelihood_field", &likelihoods, py::arg("points"),
            "exp(-d^2 / (2 * 0.2^2)) of that distance; points: shape (..., 2), the answer: shape (...).")
       .def("nearest_facing", &nearest_facing, py::arg("points"), py::arg("viewer"),
-           "The nearest surface that faces a viewer, as a position in features, -1: none; points: shape (..., 2), viewer: "
+           "The nearest surface that faces a viewer, as a position in features, -1: none; points: shape (..., 2), "
+           "viewer: "
            "shape (2,) or as points, the answer: shape (...).")
-      .def("first_crossing", &first_crossings, py::arg("origin"), py::arg("targets"), py::arg("min_penetration_m") = 0.0,
-           "The first surface between an origin and each target: (feature, range [m], from_behind), -1: the way is free. "
+      .def("first_crossing", &first_crossings, py::arg("origin"), py::arg("targets"),
+           py::arg("min_penetration_m") = 0.0,
+           "The first surface between an origin and each target: (feature, range [m], from_behind), -1: the way is "
+           "free. "
            "origin: shape (2,) or as targets; targets: shape (..., 2); each answer: shape (...).");
 }
 

@@ -3,6 +3,8 @@
 #include "python/bindings.hpp"
 #include "session/session.hpp"
 
+#include <opal/plugin/testing/plugin_contract.hpp>
+
 #include <pybind11/stl.h>
 
 #include <mutex>
@@ -61,6 +63,10 @@ void bind_plugins(py::module_& module) {
   module.def(
       "plugins", [] { return registry()->types(); },
       "All types that plugins offer, by name. No code of a plugin runs for this.");
+  module.def(
+      "check_class", &testing::class_violations, py::arg("source"), py::call_guard<py::gil_scoped_release>(),
+      "Puts a class that takes the place of a plugin (\"my.py:Likelihood\") through the contract of its kind, with "
+      "its default options. Returns what it breaks, a sentence each; empty: nothing.");
   module.def(
       "add_plugins", [](const std::string& folder) { shared_registry().add(folder); }, py::arg("folder"),
       "Adds the plugins of a folder for this process, as OPAL_PLUGIN_PATH does. Raises opal.Error if one is "

@@ -30,7 +30,8 @@ void initialize() {
   if (PyStatus_Exception(status) == 0) status = Py_InitializeFromConfig(&config);
   PyConfig_Clear(&config);
   if (PyStatus_Exception(status) != 0)
-    throw opal::PluginError(std::string("Python cannot be started: ") + (status.err_msg ? status.err_msg : "no reason"));
+    throw opal::PluginError(std::string("Python cannot be started: ") +
+                            (status.err_msg ? status.err_msg : "no reason"));
 }
 
 /// The package of this build or installation goes first: another one would be of another libopal.so.

@@ -9,7 +9,8 @@ namespace py = pybind11;
 PythonPattern::PythonPattern(const nlohmann::json& options) : object_(options, "match") {
   in_python([&] {
     const py::tuple shape = host_module().attr("checked_shape")(object_.get());
-    for (const int slot : shape[0].cast<std::vector<int>>()) shape_.slots.push_back(static_cast<opal::GeometryKind>(slot));
+    for (const int slot : shape[0].cast<std::vector<int>>())
+      shape_.slots.push_back(static_cast<opal::GeometryKind>(slot));
     shape_.reach_m = shape[1].cast<double>();
     shape_.neighbour_reach_m = shape[2].cast<double>();
   });

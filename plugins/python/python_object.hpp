@@ -2,8 +2,8 @@
 
 #include <opal/plugin/registrar.hpp>
 
-#include <nlohmann/json.hpp>
 #include <pybind11/pybind11.h>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <string>

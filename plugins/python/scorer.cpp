@@ -45,8 +45,7 @@ py::object hypotheses_for_python(Hypotheses hypotheses, const opal::Pose2& T_loc
     pose = put(pose, hypothesis->T_map_local * T_local_base);
     frame = put(frame, hypothesis->T_map_local);
   }
-  return host_module().attr("Hypotheses")(poses, frames,
-                                          with_associations ? associations_of(hypotheses) : py::list());
+  return host_module().attr("Hypotheses")(poses, frames, with_associations ? associations_of(hypotheses) : py::list());
 }
 
 /// opal.plugin.Observation: scans after scans.
@@ -87,8 +86,7 @@ Answer answer_of(const PythonObject& object, Hypotheses hypotheses, const opal::
         hypotheses_for_python(hypotheses, observation.local_map.T_local_base(), with_associations),
         observation_for_python(observation), py::cast(&map, py::return_value_policy::reference));
     const py::tuple checked = host_module().attr("checked_scores")(object.get(), said, hypotheses.size());
-    return Answer{checked[0].cast<std::vector<double>>(),
-                  checked[1].cast<std::map<std::string, std::vector<double>>>(),
+    return Answer{checked[0].cast<std::vector<double>>(), checked[1].cast<std::map<std::string, std::vector<double>>>(),
                   checked[2].cast<std::vector<std::string>>()};
   });
 }
@@ -96,7 +94,8 @@ Answer answer_of(const PythonObject& object, Hypotheses hypotheses, const opal::
 }  // namespace
 
 PythonScorer::PythonScorer(const nlohmann::json& options) : object_(options, "score") {
-  in_python([&] { judges_associations_ = py::bool_(py::getattr(object_.get(), "judges_associations", py::bool_(false))); });
+  in_python(
+      [&] { judges_associations_ = py::bool_(py::getattr(object_.get(), "judges_associations", py::bool_(false))); });
 }
 
 std::vector<opal::Score> PythonScorer::score_all(Hypotheses hypotheses, const opal::Observation& observation,

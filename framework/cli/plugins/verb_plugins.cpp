@@ -2,6 +2,7 @@
 #include "cli/options/verbs.hpp"
 #include "common/phrases.hpp"
 #include "deployment/localizer_options.hpp"
+#include "plugin/class_source.hpp"
 
 #include <opal/plugin/plugin_folders.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -46,8 +47,11 @@ std::vector<std::string> load(PluginRegistry& registry, const std::string& place
 Inventory look_into(const PluginsRequest& request) {
   Inventory inventory;
   PluginRegistry registry;
-  for (const std::string& place : request.places.empty() ? plugin_folders() : request.places)
-    for (std::string& refusal : load(registry, place)) inventory.refused.push_back(std::move(refusal));
+  for (const std::string& place : request.places.empty() ? plugin_folders() : request.places) {
+    std::vector<std::string> wrong =
+        read_class_source(place) ? testing::class_violations(place) : load(registry, place);
+    for (std::string& sentence : wrong) inventory.refused.push_back(std::move(sentence));
+  }
   inventory.types = registry.types();
   if (!request.check) return inventory;
   std::set<std::string> files;
@@ -153,7 +157,8 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
   CLI::App* verb =
       app.add_subcommand("plugins", "list what plugins offer: types, options, and files that were refused");
   verb->add_option("place", request->places,
-                   "folders of plugins, or single files; default: the program's own and those in OPAL_PLUGIN_PATH");
+                   "folders of plugins, single files, or a class, FILE.py:CLASS, for its contract; default: the "
+                   "program's own and those in OPAL_PLUGIN_PATH");
   verb->add_flag("--json", request->as_json, "print JSON");
   verb->add_flag("--check", request->check, "put each plugin through the contract of its kind as well");
   verb->callback([request, &exit_code] {
