@@ -2,8 +2,8 @@
 
 #include "evaluation/place_verdict.hpp"
 #include "python/bindings.hpp"
-#include "python/json.hpp"
 #include "python/plugins.hpp"
+#include "python/values/json.hpp"
 #include "session/overlays.hpp"
 #include "session/shipped_files.hpp"
 

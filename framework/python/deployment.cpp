@@ -1,7 +1,7 @@
 #include "python/bindings.hpp"
-#include "python/json.hpp"
 #include "python/map.hpp"
 #include "python/plugins.hpp"
+#include "python/values/json.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 

@@ -1,7 +1,7 @@
 #include "benchmark/runs/answer.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/hypothesis.hpp"
+#include "python/values/arrays.hpp"
 
 #include <opal/localization/decision/pose_estimate.hpp>
 

@@ -1,6 +1,6 @@
 #include "python/event_callback.hpp"
 
-#include "python/json.hpp"
+#include "python/values/json.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 #include "python/bindings.hpp"
-#include "python/json.hpp"
+#include "python/values/json.hpp"
 #include "viewer/reading/event_text.hpp"
 #include "viewer/reading/line_reader.hpp"
 #include "viewer/reading/run_reader.hpp"

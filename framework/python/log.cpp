@@ -1,8 +1,8 @@
 #include "benchmark/runs/recorded_log.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/plugins.hpp"
 #include "python/replay.hpp"
+#include "python/values/arrays.hpp"
 #include "sensing/log_check.hpp"
 
 #include <opal/common/error.hpp>

@@ -2,12 +2,12 @@
 
 #include "common/text_file.hpp"
 #include "map/check/map_check.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/json.hpp"
-#include "python/map_arrays.hpp"
-#include "python/map_graph.hpp"
 #include "python/plugins.hpp"
+#include "python/values/arrays.hpp"
+#include "python/values/json.hpp"
+#include "python/values/map_arrays.hpp"
+#include "python/values/map_graph.hpp"
 #include "session/overlays.hpp"
 #include "session/session.hpp"
 

@@ -1,6 +1,6 @@
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/map_queries.hpp"
+#include "python/values/arrays.hpp"
+#include "python/values/map_queries.hpp"
 
 #include <opal/common/feature.hpp>
 #include <opal/map/view/map_view.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "benchmark/runs/run_record.hpp"
-#include "python/arrays.hpp"
+#include "python/values/arrays.hpp"
 
 #include <pybind11/pybind11.h>
 

@@ -1,6 +1,6 @@
 #include "python/scan.hpp"
-#include "python/arrays.hpp"
 #include "python/bindings.hpp"
+#include "python/values/arrays.hpp"
 
 #include "evaluation/site.hpp"
 

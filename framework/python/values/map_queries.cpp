@@ -1,4 +1,4 @@
-#include "python/map_queries.hpp"
+#include "python/values/map_queries.hpp"
 
 #include <stdexcept>
 

@@ -1,6 +1,6 @@
-#include "python/map_graph.hpp"
+#include "python/values/map_graph.hpp"
 
-#include "python/arrays.hpp"
+#include "python/values/arrays.hpp"
 
 #include <map>
 

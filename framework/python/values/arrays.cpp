@@ -1,4 +1,4 @@
-#include "python/arrays.hpp"
+#include "python/values/arrays.hpp"
 
 #include <algorithm>
 #include <stdexcept>

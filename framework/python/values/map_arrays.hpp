@@ -1,6 +1,6 @@
 #pragma once
 
-#include "python/arrays.hpp"
+#include "python/values/arrays.hpp"
 
 #include <opal/map/semantic_map.hpp>
 

@@ -1,4 +1,4 @@
-#include "python/map_arrays.hpp"
+#include "python/values/map_arrays.hpp"
 
 namespace opal::python {
 
