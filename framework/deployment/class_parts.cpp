@@ -2,58 +2,60 @@
 
 #include "deployment/class_files.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace opal {
 namespace {
 
-void find_class(PartConfig& part, const std::string& document) {
-  if (const auto source = read_class_source(part.type)) part.code = beside_document(source->file, document);
-}
+bool is_class(const PartConfig& part) { return read_class_source(part.type).has_value(); }
 
 template <class T>
-void add_classes(const std::optional<std::vector<PartConfig>>& parts, PluginKind kind, const PluginRegistry& registry,
-                 std::vector<RegisteredType>& types) {
+void add_classes(const std::optional<std::vector<PartConfig>>& parts, PluginKind kind, const std::string& document,
+                 const PluginRegistry& registry, std::vector<RegisteredType>& types) {
   if (!parts) return;
   for (const PartConfig& part : *parts)
-    if (!part.code.empty())
-      types.push_back(described_object(*make_part<T>(part, kind, registry), kind, part.type, part.code));
+    if (is_class(part))
+      types.push_back(described_object(*make_part<T>(part, kind, document, registry), kind, part.type,
+                                       read_class_source(part.type)->file));
+}
+
+/// Of detectors, templates and scorers.
+std::vector<PartConfig> classes_in(const Deployment& deployment) {
+  std::vector<PartConfig> classes;
+  const auto add = [&](const PartConfig& part) {
+    if (is_class(part)) classes.push_back(part);
+  };
+  for (const auto* parts : {&deployment.detectors, &deployment.patterns})
+    if (*parts) std::for_each((*parts)->begin(), (*parts)->end(), add);
+  for (const ScorerConfig& scorer : deployment.scorers) add(scorer.part);
+  return classes;
 }
 
 }  // namespace
 
-void expect_class(const PartConfig& part, PluginKind kind, const PluginRegistry& registry) {
+void expect_class(const PartConfig& part, PluginKind kind, const std::string& document,
+                  const PluginRegistry& registry) {
   if (kind == PluginKind::feature_detector)
-    make_part<FeatureDetector>(part, kind, registry);
+    make_part<FeatureDetector>(part, kind, document, registry);
   else if (kind == PluginKind::pattern_template)
-    make_part<PatternTemplate>(part, kind, registry);
+    make_part<PatternTemplate>(part, kind, document, registry);
   else
-    make_part<HypothesisScorer>(part, kind, registry);
+    make_part<HypothesisScorer>(part, kind, document, registry);
 }
 
 std::vector<RegisteredType> types_for(const Deployment& deployment, const PluginRegistry& registry) {
   std::vector<RegisteredType> types = registry.types();
-  add_classes<FeatureDetector>(deployment.detectors, PluginKind::feature_detector, registry, types);
-  add_classes<PatternTemplate>(deployment.patterns, PluginKind::pattern_template, registry, types);
+  const std::string& file = deployment.file;
+  add_classes<FeatureDetector>(deployment.detectors, PluginKind::feature_detector, file, registry, types);
+  add_classes<PatternTemplate>(deployment.patterns, PluginKind::pattern_template, file, registry, types);
   return types;
-}
-
-void find_classes(Deployment& deployment, const std::string& file) {
-  for (auto* parts : {&deployment.detectors, &deployment.patterns})
-    if (*parts)
-      for (PartConfig& part : **parts) find_class(part, file);
-  for (ScorerConfig& scorer : deployment.scorers) find_class(scorer.part, file);
 }
 
 std::vector<std::string> class_files(const Deployment& deployment) {
   std::set<std::string> files;
-  const auto add = [&](const PartConfig& part) {
-    if (!part.code.empty()) files.insert(part.code);
-  };
-  for (const auto* parts : {&deployment.detectors, &deployment.patterns})
-    if (*parts)
-      for (const PartConfig& part : **parts) add(part);
-  for (const ScorerConfig& scorer : deployment.scorers) add(scorer.part);
+  for (const PartConfig& part : classes_in(deployment))
+    files.insert(beside_document(read_class_source(part.type)->file, deployment.file));
   return {files.begin(), files.end()};
 }
 

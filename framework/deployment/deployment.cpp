@@ -1,7 +1,6 @@
 #include <opal/deployment/deployment.hpp>
 
 #include "common/config_object.hpp"
-#include "deployment/class_parts.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
@@ -245,7 +244,6 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   if (document.object("stages"))
     deployment.stages = read_localizer_options(document.any("stages"), document.where("stages"));
   document.expect_no_more();
-  find_classes(deployment, file);
   return deployment;
 }
 

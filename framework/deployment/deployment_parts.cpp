@@ -43,8 +43,9 @@ void expect_options(const PartConfig& part, const PluginRegistry& registry) {
   refuse_options(part, complaint);
 }
 
-void expect_usable(const PartConfig& part, PluginKind kind, const PluginRegistry& registry) {
-  if (!part.code.empty()) return expect_class(part, kind, registry);
+void expect_usable(const PartConfig& part, PluginKind kind, const std::string& document,
+                   const PluginRegistry& registry) {
+  if (read_class_source(part.type)) return expect_class(part, kind, document, registry);
   expect_type(part, kind, registry);
   expect_options(part, registry);
 }
@@ -94,9 +95,10 @@ std::vector<PartConfig> observable(std::vector<PartConfig> patterns, const std::
 }
 
 template <class T>
-std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, PluginKind kind, const PluginRegistry& registry) {
+std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, PluginKind kind, const std::string& document,
+                               const PluginRegistry& registry) {
   std::vector<Named<T>> made;
-  for (const PartConfig& part : parts) made.push_back({part.type, make_part<T>(part, kind, registry)});
+  for (const PartConfig& part : parts) made.push_back({part.type, make_part<T>(part, kind, document, registry)});
   return made;
 }
 
@@ -108,8 +110,8 @@ std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, PluginKind 
 
 /// Of one of the parts that are listed; none if it is not. All of them are checked.
 nlohmann::json options_of(const std::string& type, const std::vector<PartConfig>& listed, PluginKind kind,
-                          const PluginRegistry& registry) {
-  for (const PartConfig& part : listed) expect_usable(part, kind, registry);
+                          const std::string& document, const PluginRegistry& registry) {
+  for (const PartConfig& part : listed) expect_usable(part, kind, document, registry);
   for (const PartConfig& part : listed)
     if (part.type == type) return part.options;
   return nlohmann::json::object();
@@ -119,26 +121,26 @@ nlohmann::json options_of(const std::string& type, const std::vector<PartConfig>
 
 nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
                                 const std::string& importer) {
-  return options_of(importer, deployment.importers, PluginKind::map_importer, registry);
+  return options_of(importer, deployment.importers, PluginKind::map_importer, deployment.file, registry);
 }
 
 nlohmann::json log_source_options(const Deployment& deployment, const PluginRegistry& registry,
                                   const std::string& log_source) {
-  return options_of(log_source, deployment.log_sources, PluginKind::log_source, registry);
+  return options_of(log_source, deployment.log_sources, PluginKind::log_source, deployment.file, registry);
 }
 
 void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
   const auto expect_all = [&](const MaybeParts& parts, PluginKind kind) {
     if (!parts) return;
-    for (const PartConfig& part : *parts) expect_usable(part, kind, registry);
+    for (const PartConfig& part : *parts) expect_usable(part, kind, deployment.file, registry);
   };
   expect_all(deployment.detectors, PluginKind::feature_detector);
   expect_all(deployment.patterns, PluginKind::pattern_template);
   expect_all(deployment.importers, PluginKind::map_importer);
   expect_all(deployment.log_sources, PluginKind::log_source);
-  if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, registry);
+  if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, deployment.file, registry);
   for (const ScorerConfig& scorer : deployment.scorers)
-    expect_usable(scorer.part, PluginKind::hypothesis_scorer, registry);
+    expect_usable(scorer.part, PluginKind::hypothesis_scorer, deployment.file, registry);
 }
 
 LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
@@ -160,14 +162,15 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   parts.local_map = deployment.local_map;
   if (deployment.matcher)
     parts.matcher = registry.make<ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
-  parts.detectors = make_all<FeatureDetector>(detectors, PluginKind::feature_detector, registry);
-  parts.patterns = make_all<PatternTemplate>(patterns, PluginKind::pattern_template, registry);
+  parts.detectors = make_all<FeatureDetector>(detectors, PluginKind::feature_detector, deployment.file, registry);
+  parts.patterns = make_all<PatternTemplate>(patterns, PluginKind::pattern_template, deployment.file, registry);
   for (Named<PatternTemplate>& pattern : parts.patterns)
     pattern.part = consuming(std::move(pattern.part), info_of(pattern.name, types).consumes);
   for (const ScorerConfig& scorer : deployment.scorers)
-    parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
-                             make_part<HypothesisScorer>(scorer.part, PluginKind::hypothesis_scorer, registry),
-                             scorer.decides, scorer.weight});
+    parts.scorers.push_back(
+        {scorer.name.empty() ? scorer.part.type : scorer.name,
+         make_part<HypothesisScorer>(scorer.part, PluginKind::hypothesis_scorer, deployment.file, registry),
+         scorer.decides, scorer.weight});
   parts.stages = deployment.stages;
   return parts;
 }

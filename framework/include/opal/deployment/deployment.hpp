@@ -16,10 +16,9 @@ namespace opal {
 
 /// One replaceable part that a deployment asks for.
 struct PartConfig {
-  std::string type;                                   ///< "opal:LineDetector"; or a class, "acme.py:Detector"
+  std::string type;                                   ///< "opal:LineDetector"
   nlohmann::json options = nlohmann::json::object();  ///< as written; the plugin's description checks them
   std::string where;                                  ///< file and JSON pointer, for messages
-  std::string code = {};                              ///< path of the file of a class; empty: a plugin's type
 };
 
 /// One scorer that a deployment asks for, and what its opinion is worth.
