@@ -3,6 +3,7 @@
 #include "deployment/class_files.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 namespace opal {
@@ -65,7 +66,8 @@ nlohmann::json with_classes_beside(nlohmann::json configuration, const std::stri
     for (nlohmann::json& part : configuration[key]) {
       if (!part.is_object() || !part.contains("@type") || !part["@type"].is_string()) continue;
       if (const auto source = read_class_source(part["@type"]))
-        part["@type"] = beside_document(source->file, document) + ":" + source->name;
+        part["@type"] =
+            std::filesystem::absolute(beside_document(source->file, document)).string() + ":" + source->name;
     }
   }
   return configuration;

@@ -1,6 +1,7 @@
 """The localizer step by step: the answers of `opal localize`, to the byte."""
 
 import json
+import math
 import threading
 import unittest
 
@@ -19,11 +20,11 @@ def row(query, stamp, pose, estimate):
 def placed(pose, mount):
     """The laser's pose, of the robot's: as opal::Pose2 computes it."""
     x, y, heading = map(float, pose)
-    cos, sin = np.cos(heading), np.sin(heading)
+    cos, sin = math.cos(heading), math.sin(heading)
     turned = heading + mount[2]
-    wrapped = np.fmod(turned + np.pi, 2 * np.pi)
+    wrapped = math.fmod(turned + math.pi, 2 * math.pi)
     return (x + (cos * mount[0] - sin * mount[1]), y + (sin * mount[0] + cos * mount[1]),
-            wrapped + np.pi if wrapped < 0 else wrapped - np.pi)
+            wrapped + math.pi if wrapped < 0 else wrapped - math.pi)
 
 
 class Localizing(InFolder):

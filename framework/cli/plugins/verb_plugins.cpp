@@ -31,6 +31,7 @@ struct Inventory {
   std::vector<RegisteredType> types;
   std::vector<std::string> refused;
   std::vector<std::string> violations;
+  std::vector<std::string> kept;  ///< classes that keep their contract
 };
 
 /// @return the refusals
@@ -48,9 +49,11 @@ Inventory look_into(const PluginsRequest& request) {
   Inventory inventory;
   PluginRegistry registry;
   for (const std::string& place : request.places.empty() ? plugin_folders() : request.places) {
-    std::vector<std::string> wrong =
-        read_class_source(place) ? testing::class_violations(place) : load(registry, place);
-    for (std::string& sentence : wrong) inventory.refused.push_back(std::move(sentence));
+    const bool is_class = read_class_source(place).has_value();
+    const std::vector<std::string> wrong = is_class ? testing::class_violations(place) : load(registry, place);
+    std::vector<std::string>& told = is_class ? inventory.violations : inventory.refused;
+    told.insert(told.end(), wrong.begin(), wrong.end());
+    if (is_class && wrong.empty()) inventory.kept.push_back(place + ": keeps the contract of its kind");
   }
   inventory.types = registry.types();
   if (!request.check) return inventory;
@@ -145,7 +148,8 @@ void print_text(std::ostream& out, const Inventory& inventory) {
        {PluginKind::log_source, PluginKind::map_importer, PluginKind::scan_matcher, PluginKind::feature_detector,
         PluginKind::pattern_template, PluginKind::hypothesis_scorer, PluginKind::map_store})
     print_kind(out, inventory.types, kind);
-  print_stages(out);
+  if (!inventory.types.empty()) print_stages(out);
+  for (const std::string& sentence : inventory.kept) out << sentence << "\n";
   print_sentences(out, "Refused", inventory.refused);
   print_sentences(out, "Broken contracts", inventory.violations);
 }

@@ -21,7 +21,7 @@ def axes() -> Any:
     return made
 
 
-def moved(pose: Any, points: Any) -> np.ndarray:
+def moved(pose: Any, points: Any) -> Any:
     """Points of shape (N, 2) from the frame that stands at `pose` (x, y, heading) to the frame of the pose."""
     x, y, heading = np.asarray(pose, dtype=float)
     cos, sin = np.cos(heading), np.sin(heading)

@@ -18,9 +18,12 @@ from types import ModuleType
 from typing import Any, Dict, List, Tuple
 
 import numpy as np
+import numpy.typing as npt
 
 from ._opal import Feature, Pattern
 
+Doubles = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int32]
 SHAPES = ("point", "oriented_point", "segment", "circle")
 
 
@@ -28,9 +31,9 @@ SHAPES = ("point", "oriented_point", "segment", "circle")
 class Hypotheses:
     """Places where the robot may be; all of them are judged by one observation."""
 
-    poses: np.ndarray  #: of the robot in the map, now; shape (H, 3): x, y [m], heading [rad]
-    T_map_local: np.ndarray  #: where the local map lies in the map; shape (H, 3)
-    associations: List[np.ndarray]  #: (local feature, feature of the map or -1) of each; empty unless judges_associations
+    poses: Doubles  #: of the robot in the map, now; shape (H, 3): x, y [m], heading [rad]
+    T_map_local: Doubles  #: where the local map lies in the map; shape (H, 3)
+    associations: List[Ints]  #: (local feature, feature of the map or -1) of each; empty unless judges_associations
 
     def __len__(self) -> int:
         return len(self.poses)
@@ -40,14 +43,14 @@ class Hypotheses:
 class Observation:
     """What the robot sees now, with all its lasers, in its own frame base_link."""
 
-    points: np.ndarray  #: returns, thinned evenly in space [m]; shape (N, 2)
-    scan_of_point: np.ndarray  #: which scan each return is of; shape (N,)
-    lasers: np.ndarray  #: where the beams of each scan start [m]; shape (S, 2)
-    free_bearings_rad: List[np.ndarray]  #: of each scan: beams that returned nothing up to range_max_m
+    points: Doubles  #: returns, thinned evenly in space [m]; shape (N, 2)
+    scan_of_point: Ints  #: which scan each return is of; shape (N,)
+    lasers: Doubles  #: where the beams of each scan start [m]; shape (S, 2)
+    free_bearings_rad: List[Doubles]  #: of each scan: beams that returned nothing up to range_max_m
     range_max_m: List[float]  #: of each scan
     features: List[Feature]  #: of the newest scans
 
-    def points_at(self, poses: np.ndarray) -> np.ndarray:
+    def points_at(self, poses: Doubles) -> Doubles:
         """The returns in the map, for each pose of the robot: shape (H, 3) in, (H, N, 2) out."""
         cos, sin = np.cos(poses[:, 2:]), np.sin(poses[:, 2:])
         x, y = self.points[:, 0], self.points[:, 1]
