@@ -30,7 +30,7 @@ function(opal_add_python_package folder)
   file(RELATIVE_PATH to_libraries /${installed} /${CMAKE_INSTALL_LIBDIR})
   set_target_properties(opal_python PROPERTIES PREFIX "" OUTPUT_NAME _opal SUFFIX .${Python_SOABI}.so
                         LIBRARY_OUTPUT_DIRECTORY ${package} INSTALL_RPATH "$ORIGIN/${to_libraries}")
-  target_precompile_headers(opal_python REUSE_FROM opal_headers)
+  target_compile_options(opal_python PRIVATE -O1)  # nothing here computes, and pybind11 is all templates
   opal_one_unit_per_folder(opal_python)
   install(TARGETS opal_python LIBRARY DESTINATION ${installed})
 
