@@ -8,7 +8,7 @@ namespace {
 
 void register_types(opal::Registrar& registrar) {
   using Options = nlohmann::json;
-  registrar.add({"opal:PythonDetector", /*consumes*/ {}, /*produces*/ {}},
+  registrar.add({"opal:PythonDetector", /*consumes*/ {}, /*produces*/ {"opal:FoundByPython"}},
                 [](const Options& options) -> std::unique_ptr<opal::FeatureDetector> {
                   return std::make_unique<PythonDetector>(options);
                 });
