@@ -27,7 +27,7 @@ struct GiveUp {
 
 std::string words_of(const py::error_already_set& error) {
   try {
-    return host_module().attr("told")(error.value()).cast<std::string>();
+    return host_module().attr("told")(error.value(), error.trace() ? error.trace() : py::none()).cast<std::string>();
   } catch (const py::error_already_set& second) {
     return second.what();
   }

@@ -13,7 +13,7 @@ class Errors(InFolder):
         with self.assertRaises(error) as raised:
             call()
         self.assertIsInstance(raised.exception, opal.Error)
-        self.assertIn(str(raised.exception), self.program(*words, exit_code=1))
+        self.assertIn(str(raised.exception), self.program(*words, exit_code=3))
 
     def test_a_bad_map_is_told_in_the_words_of_the_program(self):
         bad = self.folder / "bad.jsonld"
@@ -24,10 +24,10 @@ class Errors(InFolder):
         self.assert_says_what_the_program_says(opal.Error, lambda: opal.read_map("none.jsonld"), "map", "check",
                                                "none.jsonld")
 
-    def test_a_text_that_is_no_json_is_a_json_error(self):
+    def test_a_text_that_is_no_json_is_told_with_line_and_column(self):
         bad = self.folder / "bad.jsonld"
         bad.write_text("{")
-        self.assert_says_what_the_program_says(opal.JsonError, lambda: opal.read_map(str(bad)), "map", "check", bad)
+        self.assert_says_what_the_program_says(opal.MapError, lambda: opal.read_map(str(bad)), "map", "check", bad)
 
     def test_a_missing_log_is_told_in_the_words_of_the_program(self):
         self.assert_says_what_the_program_says(opal.LogError, lambda: opal.read_log("none.log"), "localize", "malaga",
@@ -97,7 +97,7 @@ class Errors(InFolder):
 
     def test_results_that_cannot_be_written_are_a_write_error(self):
         run = opal.Localizer("malaga", opal.read_map(MAP)).run(
-            opal.read_log(LOG).samples([opal.read_laser(f"{DEMO}.info.json")], to_s=0))
+            opal.read_log(LOG).samples([opal.read_laser(f"{DEMO}.info.json")], to_s=-1))
         self.assertEqual((len(run), run.localized_after), (0, None))
         with self.assertRaisesRegex(opal.WriteError, "none/results.csv"):
             run.write_results(str(self.folder / "none" / "results.csv"))

@@ -14,8 +14,8 @@ import sys
 import traceback
 from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
-from typing import Any, Dict, List, Tuple
+from types import ModuleType, TracebackType
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -98,9 +98,9 @@ def make(source: str, options: str, method: str) -> Any:
     return made(**json.loads(options))
 
 
-def told(error: BaseException) -> str:
+def told(error: BaseException, trace: Optional[TracebackType] = None) -> str:
     """'acme.py:17: ValueError: operands could not be broadcast': the last place of the error outside of Opal."""
-    frames = [frame for frame in traceback.extract_tb(error.__traceback__)
+    frames = [frame for frame in traceback.extract_tb(trace or error.__traceback__)
               if frame.filename != __file__ and not frame.filename.startswith("<frozen")]
     words = " ".join("".join(traceback.format_exception_only(type(error), error)).split("\n")).strip()
     if isinstance(error, SyntaxError):
