@@ -40,7 +40,10 @@ class Types(InFolder):
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
     def test_the_stubs_are_those_of_the_module(self):
-        done = self.mypy("mypy.stubtest", "opal._opal", "--ignore-missing-stub", "--ignore-positional-only")
+        allowed = self.folder / "allowed.txt"  # classes of pybind11 have a metaclass, and an __init__ that takes anything
+        allowed.write_text("opal\\._opal\\.[A-Z]\\w+\nopal\\._opal\\.[A-Z]\\w+\\.__init__\n")
+        done = self.mypy("mypy.stubtest", "opal._opal", "--ignore-missing-stub", "--ignore-positional-only",
+                         "--allowlist", str(allowed), "--ignore-unused-allowlist")
         self.assertEqual(done.returncode, 0, done.stdout)
 
     def test_the_package_itself_is_typed(self):
