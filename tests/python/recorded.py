@@ -27,9 +27,8 @@ class InFolder(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def program(self, *words, exit_code=0):
-        """What the program prints, errors included. exit_code: None: any."""
+        """What the program prints, errors included."""
         done = subprocess.run([os.environ["OPAL_PROGRAM"], *map(str, words)], cwd=self.folder, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        if exit_code is not None:
-            self.assertEqual(done.returncode, exit_code, done.stdout)
+        self.assertEqual(done.returncode, exit_code, done.stdout)
         return done.stdout
