@@ -1,5 +1,6 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
+#include "deployment/class_parts.hpp"
 #include "deployment/pipeline_plan.hpp"
 #include "patterns/consuming_template.hpp"
 
@@ -42,7 +43,9 @@ void expect_options(const PartConfig& part, const PluginRegistry& registry) {
   refuse_options(part, complaint);
 }
 
-void expect_usable(const PartConfig& part, PluginKind kind, const PluginRegistry& registry) {
+void expect_usable(const PartConfig& part, PluginKind kind, const std::string& document,
+                   const PluginRegistry& registry) {
+  if (read_class_source(part.type)) return expect_class(part, kind, document, registry);
   expect_type(part, kind, registry);
   expect_options(part, registry);
 }
@@ -72,24 +75,30 @@ std::vector<std::string> allowed_patterns(const PipelinePlan& plan, const MaybeP
   return allowed;
 }
 
+/// One of `types`.
+const TypeInfo& info_of(const std::string& name, const std::vector<RegisteredType>& types) {
+  return std::find_if(types.begin(), types.end(), [&](const auto& type) { return type.info.name == name; })->info;
+}
+
 /// A pattern cannot be seen if the deployment has left out a detector that its features need.
 std::vector<PartConfig> observable(std::vector<PartConfig> patterns, const std::vector<PartConfig>& detectors,
-                                   const PluginRegistry& registry) {
+                                   const std::vector<RegisteredType>& types) {
   std::vector<std::string> produced;
   for (const PartConfig& detector : detectors)
-    for (const std::string& type : registry.type(detector.type).info.produces) produced.push_back(type);
+    for (const std::string& type : info_of(detector.type, types).produces) produced.push_back(type);
   const auto unseen = [&](const std::string& type) { return !holds(produced, type); };
   std::erase_if(patterns, [&](const PartConfig& pattern) {
-    const auto& consumes = registry.type(pattern.type).info.consumes;
+    const auto& consumes = info_of(pattern.type, types).consumes;
     return std::any_of(consumes.begin(), consumes.end(), unseen);
   });
   return patterns;
 }
 
 template <class T>
-std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, const PluginRegistry& registry) {
+std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, PluginKind kind, const std::string& document,
+                               const PluginRegistry& registry) {
   std::vector<Named<T>> made;
-  for (const PartConfig& part : parts) made.push_back({part.type, registry.make<T>(part.type, part.options)});
+  for (const PartConfig& part : parts) made.push_back({part.type, make_part<T>(part, kind, document, registry)});
   return made;
 }
 
@@ -101,8 +110,8 @@ std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, const Plugi
 
 /// Of one of the parts that are listed; none if it is not. All of them are checked.
 nlohmann::json options_of(const std::string& type, const std::vector<PartConfig>& listed, PluginKind kind,
-                          const PluginRegistry& registry) {
-  for (const PartConfig& part : listed) expect_usable(part, kind, registry);
+                          const std::string& document, const PluginRegistry& registry) {
+  for (const PartConfig& part : listed) expect_usable(part, kind, document, registry);
   for (const PartConfig& part : listed)
     if (part.type == type) return part.options;
   return nlohmann::json::object();
@@ -112,35 +121,36 @@ nlohmann::json options_of(const std::string& type, const std::vector<PartConfig>
 
 nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
                                 const std::string& importer) {
-  return options_of(importer, deployment.importers, PluginKind::map_importer, registry);
+  return options_of(importer, deployment.importers, PluginKind::map_importer, deployment.file, registry);
 }
 
 nlohmann::json log_source_options(const Deployment& deployment, const PluginRegistry& registry,
                                   const std::string& log_source) {
-  return options_of(log_source, deployment.log_sources, PluginKind::log_source, registry);
+  return options_of(log_source, deployment.log_sources, PluginKind::log_source, deployment.file, registry);
 }
 
 void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
   const auto expect_all = [&](const MaybeParts& parts, PluginKind kind) {
     if (!parts) return;
-    for (const PartConfig& part : *parts) expect_usable(part, kind, registry);
+    for (const PartConfig& part : *parts) expect_usable(part, kind, deployment.file, registry);
   };
   expect_all(deployment.detectors, PluginKind::feature_detector);
   expect_all(deployment.patterns, PluginKind::pattern_template);
   expect_all(deployment.importers, PluginKind::map_importer);
   expect_all(deployment.log_sources, PluginKind::log_source);
-  if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, registry);
+  if (deployment.matcher) expect_usable(*deployment.matcher, PluginKind::scan_matcher, deployment.file, registry);
   for (const ScorerConfig& scorer : deployment.scorers)
-    expect_usable(scorer.part, PluginKind::hypothesis_scorer, registry);
+    expect_usable(scorer.part, PluginKind::hypothesis_scorer, deployment.file, registry);
 }
 
 LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
                            std::shared_ptr<const SemanticMap> map) {
   check_parts(deployment, registry);
-  const PipelinePlan plan = plan_pipeline(*map, deployment.lasers.front().id, registry.types());
+  const std::vector<RegisteredType> types = types_for(deployment, registry);
+  const PipelinePlan plan = plan_pipeline(*map, deployment.lasers.front().id, types);
   const auto detectors = narrowed(plan.detectors, deployment.detectors);
   const auto patterns =
-      observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, registry);
+      observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, types);
   if (detectors.empty()) refuse_empty(deployment, "detectors", plan);
   if (patterns.empty()) refuse_empty(deployment, "patterns", plan);
 
@@ -152,14 +162,15 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   parts.local_map = deployment.local_map;
   if (deployment.matcher)
     parts.matcher = registry.make<ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
-  parts.detectors = make_all<FeatureDetector>(detectors, registry);
-  parts.patterns = make_all<PatternTemplate>(patterns, registry);
+  parts.detectors = make_all<FeatureDetector>(detectors, PluginKind::feature_detector, deployment.file, registry);
+  parts.patterns = make_all<PatternTemplate>(patterns, PluginKind::pattern_template, deployment.file, registry);
   for (Named<PatternTemplate>& pattern : parts.patterns)
-    pattern.part = consuming(std::move(pattern.part), registry.type(pattern.name).info.consumes);
+    pattern.part = consuming(std::move(pattern.part), info_of(pattern.name, types).consumes);
   for (const ScorerConfig& scorer : deployment.scorers)
-    parts.scorers.push_back({scorer.name.empty() ? scorer.part.type : scorer.name,
-                             registry.make<HypothesisScorer>(scorer.part.type, scorer.part.options), scorer.decides,
-                             scorer.weight});
+    parts.scorers.push_back(
+        {scorer.name.empty() ? scorer.part.type : scorer.name,
+         make_part<HypothesisScorer>(scorer.part, PluginKind::hypothesis_scorer, deployment.file, registry),
+         scorer.decides, scorer.weight});
   parts.stages = deployment.stages;
   return parts;
 }

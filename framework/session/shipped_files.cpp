@@ -1,6 +1,7 @@
 #include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/plugin/plugin_folders.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -24,8 +25,10 @@ std::string shipped_configs() {
 
 std::string shipped_file(const std::string& name) {
   const fs::path program = fs::canonical("/proc/self/exe").parent_path();
-  for (const char* folder : {"../../..", "../share/opal"})
-    if (const fs::path file = program / folder / name; fs::exists(file)) return fs::canonical(file).string();
+  const fs::path plugins = opal::own_plugin_folder();  // where another program, as Python, has loaded the library
+  for (const fs::path& folder : {program / "../../..", program / "../share/opal", plugins / "../../..",
+                                 plugins / "../../../share/opal", plugins / "../../../../share/opal"})
+    if (const fs::path file = folder / name; fs::exists(file)) return fs::canonical(file).string();
   throw opal::ConfigError(name + ": is neither beside the sources nor installed");
 }
 

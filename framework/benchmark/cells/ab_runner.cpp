@@ -10,6 +10,7 @@
 #include <opal/common/error.hpp>
 #include <opal/common/sentence.hpp>
 #include "common/whole_file.hpp"
+#include "deployment/class_files.hpp"
 #include "evaluation/query_verdict.hpp"
 #include "localization/events/run_events.hpp"
 
@@ -91,6 +92,8 @@ std::vector<ArmPlugins> load_arm_plugins(const ab::Experiment& experiment) {
     }
     opal::check_parts(arm.deployment, *plugins.registry);
     all.push_back(plugins);
+    for (const std::string& file : class_files(arm.deployment))
+      all.back().files.push_back({{"name", file}, {"version", ""}, {"sha256", ab::sha256_of_file(file)}});
   }
   return all;
 }

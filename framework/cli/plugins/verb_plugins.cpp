@@ -2,6 +2,7 @@
 #include "cli/options/verbs.hpp"
 #include "common/phrases.hpp"
 #include "deployment/localizer_options.hpp"
+#include "plugin/class_source.hpp"
 
 #include <opal/plugin/plugin_folders.hpp>
 #include <opal/plugin/plugin_registry.hpp>
@@ -30,6 +31,7 @@ struct Inventory {
   std::vector<RegisteredType> types;
   std::vector<std::string> refused;
   std::vector<std::string> violations;
+  std::vector<std::string> kept;  ///< classes that keep their contract
 };
 
 /// @return the refusals
@@ -46,8 +48,13 @@ std::vector<std::string> load(PluginRegistry& registry, const std::string& place
 Inventory look_into(const PluginsRequest& request) {
   Inventory inventory;
   PluginRegistry registry;
-  for (const std::string& place : request.places.empty() ? plugin_folders() : request.places)
-    for (std::string& refusal : load(registry, place)) inventory.refused.push_back(std::move(refusal));
+  for (const std::string& place : request.places.empty() ? plugin_folders() : request.places) {
+    const bool is_class = read_class_source(place).has_value();
+    const std::vector<std::string> wrong = is_class ? testing::class_violations(place) : load(registry, place);
+    std::vector<std::string>& told = is_class ? inventory.violations : inventory.refused;
+    told.insert(told.end(), wrong.begin(), wrong.end());
+    if (is_class && wrong.empty()) inventory.kept.push_back(place + ": keeps the contract of its kind");
+  }
   inventory.types = registry.types();
   if (!request.check) return inventory;
   std::set<std::string> files;
@@ -141,7 +148,8 @@ void print_text(std::ostream& out, const Inventory& inventory) {
        {PluginKind::log_source, PluginKind::map_importer, PluginKind::scan_matcher, PluginKind::feature_detector,
         PluginKind::pattern_template, PluginKind::hypothesis_scorer, PluginKind::map_store})
     print_kind(out, inventory.types, kind);
-  print_stages(out);
+  if (!inventory.types.empty()) print_stages(out);
+  for (const std::string& sentence : inventory.kept) out << sentence << "\n";
   print_sentences(out, "Refused", inventory.refused);
   print_sentences(out, "Broken contracts", inventory.violations);
 }
@@ -153,7 +161,8 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
   CLI::App* verb =
       app.add_subcommand("plugins", "list what plugins offer: types, options, and files that were refused");
   verb->add_option("place", request->places,
-                   "folders of plugins, or single files; default: the program's own and those in OPAL_PLUGIN_PATH");
+                   "folders of plugins, single files, or a class, FILE.py:CLASS, for its contract; default: the "
+                   "program's own and those in OPAL_PLUGIN_PATH");
   verb->add_flag("--json", request->as_json, "print JSON");
   verb->add_flag("--check", request->check, "put each plugin through the contract of its kind as well");
   verb->callback([request, &exit_code] {

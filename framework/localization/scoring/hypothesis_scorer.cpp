@@ -1,7 +1,9 @@
+#include <opal/localization/scoring/batch_scorer.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
 
 namespace opal {
 
+BatchScorer::~BatchScorer() = default;
 HypothesisScorer::~HypothesisScorer() = default;
 
 std::unique_ptr<ScorerMemory> HypothesisScorer::new_memory(const MapView&) const { return nullptr; }

@@ -12,6 +12,7 @@ ScorerEnsemble::ScorerEnsemble(std::vector<ActiveScorer> scorers, std::shared_pt
   for (std::size_t k = 0; k < scorers_.size(); ++k)
     usable_.push_back(failures_.guard(scorers_[k].name, [&] { memories[k] = scorers_[k].part->new_memory(*map_); }));
   new_memories_ = ScorerMemories(std::move(memories));
+  for (const ActiveScorer& scorer : scorers_) batches_.push_back(dynamic_cast<const BatchScorer*>(scorer.part.get()));
 }
 
 Score ScorerEnsemble::ask(std::size_t number, const Hypothesis& hypothesis, const Observation& observation) const {
@@ -24,6 +25,30 @@ Score ScorerEnsemble::ask(std::size_t number, const Hypothesis& hypothesis, cons
   if (std::isfinite(score.log_likelihood)) return score;
   failures_.count(scorer.name, "score is not finite");
   return {};
+}
+
+std::vector<Score> ScorerEnsemble::ask_all(std::size_t number, Hypotheses hypotheses,
+                                           const Observation& observation) const {
+  std::vector<Score> scores;
+  if (batches_[number] == nullptr) {
+    for (const Hypothesis* hypothesis : hypotheses) scores.push_back(ask(number, *hypothesis, observation));
+    return scores;
+  }
+  const std::string& name = scorers_[number].name;
+  const auto call = [&] { scores = batches_[number]->score_all(hypotheses, observation, *map_); };
+  if (!usable_[number] || hypotheses.empty() || !failures_.guard(name, call))
+    return std::vector<Score>(hypotheses.size());
+  if (scores.size() != hypotheses.size()) {
+    failures_.count(name, "gave " + std::to_string(scores.size()) + " scores, expected " +
+                              std::to_string(hypotheses.size()) + ", one per hypothesis");
+    return std::vector<Score>(hypotheses.size());
+  }
+  for (Score& score : scores) {
+    if (std::isfinite(score.log_likelihood)) continue;
+    failures_.count(name, "score is not finite");
+    score = {};
+  }
+  return scores;
 }
 
 std::vector<ScorerEnsemble::NamedFinding> ScorerEnsemble::explain(const Hypothesis& hypothesis,
@@ -49,18 +74,45 @@ double ScorerEnsemble::decide(const Hypothesis& hypothesis, const Observation& o
   return nat;
 }
 
+std::vector<double> ScorerEnsemble::decide_all(Hypotheses hypotheses, const Observation& observation) const {
+  std::vector<double> nats(hypotheses.size(), 0.0);
+  for (std::size_t k = 0; k < scorers_.size(); ++k) {
+    const double weight = scorers_[k].weight;
+    if (!scorers_[k].decides) continue;
+    if (batches_[k] != nullptr) {
+      const std::vector<Score> scores = ask_all(k, hypotheses, observation);
+      for (std::size_t i = 0; i < nats.size(); ++i) nats[i] += weight * scores[i].log_likelihood;
+    } else {  // what a scorer adds to its memory is dropped at once: there may be many
+      for (std::size_t i = 0; i < nats.size(); ++i)
+        nats[i] += weight * ask(k, *hypotheses[i], observation).log_likelihood;
+    }
+  }
+  return nats;
+}
+
+void ScorerEnsemble::add(Verdict& verdict, std::size_t number, Score score) const {
+  const ActiveScorer& scorer = scorers_[number];
+  if (scorer.decides) {
+    verdict.nat += scorer.weight * score.log_likelihood;
+    if (verdict.veto.empty() && !score.veto.empty()) verdict.veto = scorer.name + ": " + score.veto;
+  }
+  verdict.scores.push_back(std::move(score));
+}
+
 ScorerEnsemble::Verdict ScorerEnsemble::judge(const Hypothesis& hypothesis, const Observation& observation) const {
   Verdict verdict;
-  for (std::size_t k = 0; k < scorers_.size(); ++k) {
-    const ActiveScorer& scorer = scorers_[k];
-    Score score = ask(k, hypothesis, observation);
-    if (scorer.decides) {
-      verdict.nat += scorer.weight * score.log_likelihood;
-      if (verdict.veto.empty() && !score.veto.empty()) verdict.veto = scorer.name + ": " + score.veto;
-    }
-    verdict.scores.push_back(std::move(score));
-  }
+  for (std::size_t k = 0; k < scorers_.size(); ++k) add(verdict, k, ask(k, hypothesis, observation));
   return verdict;
+}
+
+std::vector<ScorerEnsemble::Verdict> ScorerEnsemble::judge_all(Hypotheses hypotheses,
+                                                               const Observation& observation) const {
+  std::vector<Verdict> verdicts(hypotheses.size());
+  for (std::size_t k = 0; k < scorers_.size(); ++k) {
+    std::vector<Score> scores = ask_all(k, hypotheses, observation);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) add(verdicts[i], k, std::move(scores[i]));
+  }
+  return verdicts;
 }
 
 void ScorerEnsemble::remember(Hypothesis& hypothesis, const std::vector<Score>& scores, double weight) const {

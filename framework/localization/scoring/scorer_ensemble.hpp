@@ -3,9 +3,11 @@
 #include "common/plugin_failures.hpp"
 
 #include <opal/localization/scoring/active_scorer.hpp>
+#include <opal/localization/scoring/batch_scorer.hpp>
 #include <opal/map/view/map_view.hpp>
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,12 @@ class OPAL_EXPORT ScorerEnsemble {
   /// A hypothesis without memories is one that has met nothing yet.
   Verdict judge(const Hypothesis& hypothesis, const Observation& observation) const;
 
+  using Hypotheses = std::span<const Hypothesis* const>;
+  /// `decide` of each, in one call of a scorer that can.
+  std::vector<double> decide_all(Hypotheses hypotheses, const Observation& observation) const;
+  /// `judge` of each, likewise.
+  std::vector<Verdict> judge_all(Hypotheses hypotheses, const Observation& observation) const;
+
   /// Adds what the scorers have seen to what they remember of the hypothesis.
   /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1].
   void remember(Hypothesis& hypothesis, const std::vector<Score>& scores, double weight) const;
@@ -47,12 +55,15 @@ class OPAL_EXPORT ScorerEnsemble {
 
  private:
   Score ask(std::size_t scorer, const Hypothesis& hypothesis, const Observation& observation) const;
+  std::vector<Score> ask_all(std::size_t scorer, Hypotheses hypotheses, const Observation& observation) const;
+  void add(Verdict& verdict, std::size_t scorer, Score score) const;
 
   std::vector<ActiveScorer> scorers_;
   std::shared_ptr<const MapView> map_;
   PluginFailures& failures_;
-  std::vector<bool> usable_;     ///< by scorer: it made the memory that it wants, or wants none
-  ScorerMemories new_memories_;  ///< of a hypothesis that has met nothing yet
+  std::vector<const BatchScorer*> batches_;  ///< by scorer; null: it is asked about one after the other
+  std::vector<bool> usable_;                 ///< by scorer: it made the memory that it wants, or wants none
+  ScorerMemories new_memories_;              ///< of a hypothesis that has met nothing yet
 };
 
 }  // namespace opal

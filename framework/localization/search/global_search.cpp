@@ -13,6 +13,12 @@ namespace {
 constexpr std::size_t kCoarsePoints = 40;
 constexpr double kCoarseSpacing_m = 0.2, kFewSpacing_m = 0.1;
 
+std::vector<const Hypothesis*> pointers_to(const std::vector<Hypothesis>& hypotheses) {
+  std::vector<const Hypothesis*> pointers;
+  for (const Hypothesis& hypothesis : hypotheses) pointers.push_back(&hypothesis);
+  return pointers;
+}
+
 bool better(const VerifiedCandidate& a, const VerifiedCandidate& b) { return a.nat > b.nat; }
 
 }  // namespace
@@ -104,15 +110,18 @@ std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> can
   constexpr double kCoarseSigma_m = 0.15, kFineSigma_m = 0.12;
   const Observation& full = context.observation;
   const Observation few = with_few_points(context);
+  std::vector<Hypothesis> trials;
+  for (Candidate& candidate : candidates) trials.push_back(aligned(candidate, few, kCoarseSigma_m));
+  const std::vector<double> nats = ensemble_.decide_all(pointers_to(trials), few);
   std::vector<VerifiedCandidate> verified;
-  for (Candidate& candidate : candidates) {
-    const double nat = ensemble_.decide(aligned(candidate, few, kCoarseSigma_m), few);
-    verified.push_back({std::move(candidate), nat});
-  }
+  for (std::size_t k = 0; k < nats.size(); ++k) verified.push_back({std::move(candidates[k]), nats[k]});
   keep_best(verified, context, result);
-  for (VerifiedCandidate& each : verified) {
-    each.verdict = ensemble_.judge(aligned(each.candidate, full, kFineSigma_m), full);
-    each.nat = each.verdict.nat;
+  trials.clear();
+  for (VerifiedCandidate& each : verified) trials.push_back(aligned(each.candidate, full, kFineSigma_m));
+  std::vector<ScorerEnsemble::Verdict> verdicts = ensemble_.judge_all(pointers_to(trials), full);
+  for (std::size_t k = 0; k < verified.size(); ++k) {
+    verified[k].verdict = std::move(verdicts[k]);
+    verified[k].nat = verified[k].verdict.nat;
   }
   keep_best(verified, context, result);
   return verified;

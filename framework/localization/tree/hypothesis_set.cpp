@@ -91,33 +91,46 @@ Alignment HypothesisSet::align(const Pose2& predicted, const Observation& observ
   return align_with_map(*map_, observation.scans, predicted, refinement);
 }
 
-void HypothesisSet::track(const Observation& observation, double tempering_weight, std::span<const Point> coarse,
-                          const Eigen::Vector2d& window) {
+auto HypothesisSet::align_all(const Observation& observation, std::span<const Point> coarse,
+                              const Eigen::Vector2d& window) -> std::vector<Moved> {
   const Pose2& T_local_base = observation.local_map.T_local_base();
+  std::vector<Moved> moved;
   int rank = 0;
   for (Live& live : alive_) {
-    Hypothesis& hypothesis = live.hypothesis;
-    Pose2 predicted = hypothesis.T_map_local * T_local_base;
+    Pose2 predicted = live.hypothesis.T_map_local * T_local_base;
     if (observation.points() > 0 && window.x() > 0 && rank++ < kSearchedHypotheses) {
       predicted = search_alignment(predicted, coarse, window);
       live.pose.reset();  // dead reckoning has failed, and what was known goes with it
     }
-    const Alignment scan = align(predicted, observation);
     // The scan is judged where it fits best: a wall that is not where the map says is the map's error, not its own.
-    hypothesis.T_map_local = scan.T_map_base * T_local_base.inverse();
-    ScorerEnsemble::Verdict verdict = ensemble_.judge(hypothesis, observation);
-    hypothesis.T_map_local =
-        live.pose.update(predicted, scan, tempering_weight, T_local_base, {tracking_.pose_memory, kPoseJump_m}) *
-        T_local_base.inverse();
-    live.scan_nat = verdict.nat;
+    moved.push_back({predicted, align(predicted, observation)});
+    live.hypothesis.T_map_local = moved.back().scan.T_map_base * T_local_base.inverse();
+  }
+  return moved;
+}
+
+void HypothesisSet::track(const Observation& observation, double tempering_weight, std::span<const Point> coarse,
+                          const Eigen::Vector2d& window) {
+  const Pose2& T_local_base = observation.local_map.T_local_base();
+  const std::vector<Moved> moved = align_all(observation, coarse, window);
+  std::vector<const Hypothesis*> judged;
+  for (const Live& live : alive_) judged.push_back(&live.hypothesis);
+  std::vector<ScorerEnsemble::Verdict> verdicts = ensemble_.judge_all(judged, observation);
+  for (std::size_t k = 0; k < alive_.size(); ++k) {
+    Live& live = alive_[k];
+    Hypothesis& hypothesis = live.hypothesis;
+    hypothesis.T_map_local = live.pose.update(moved[k].predicted, moved[k].scan, tempering_weight, T_local_base,
+                                              {tracking_.pose_memory, kPoseJump_m}) *
+                             T_local_base.inverse();
+    live.scan_nat = verdicts[k].nat;
     ++live.updates;
     const double kept = 1 - tempering_weight * (1 - tracking_.evidence_memory);
-    hypothesis.log_likelihood = kept * hypothesis.log_likelihood + tempering_weight * verdict.nat;
+    hypothesis.log_likelihood = kept * hypothesis.log_likelihood + tempering_weight * verdicts[k].nat;
     ensemble_.fade(hypothesis, tempering_weight);
-    ensemble_.remember(hypothesis, verdict.scores, tempering_weight);
-    live.scores = std::move(verdict.scores);
+    ensemble_.remember(hypothesis, verdicts[k].scores, tempering_weight);
+    live.scores = std::move(verdicts[k].scores);
     live.inherited_nat *= kept;
-    if (!verdict.veto.empty()) end(live, "veto by " + verdict.veto);
+    if (!verdicts[k].veto.empty()) end(live, "veto by " + verdicts[k].veto);
   }
   std::erase_if(alive_, ended);
   merge(T_local_base);

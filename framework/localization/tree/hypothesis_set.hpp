@@ -115,6 +115,14 @@ class OPAL_EXPORT HypothesisSet {
   /// comes late.
   double surplus_in_retrospect(const Observation& observation, double tempering_weight,
                                const RetrospectiveVerification& retrospective) const;
+  /// A hypothesis at the newest scan.
+  struct Moved {
+    Pose2 predicted;  ///< T_map_base by dead reckoning
+    Alignment scan;   ///< with the map, from there
+  };
+  /// Carries all to the newest scan; each then stands where the scan fits best.
+  std::vector<Moved> align_all(const Observation& observation, std::span<const Point> coarse,
+                               const Eigen::Vector2d& window);
   Alignment align(const Pose2& predicted, const Observation& observation) const;
   Pose2 search_alignment(const Pose2& predicted, std::span<const Point> coarse, const Eigen::Vector2d& window) const;
   /// @return an id that no hypothesis has had.

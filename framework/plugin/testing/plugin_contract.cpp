@@ -22,7 +22,8 @@ using nlohmann::json;
 /// Inline parts of libraries that mark their classes as visible cannot be hidden by who uses them.
 bool belongs_to_a_library(const std::string& symbol) {
   const std::string head = symbol.substr(0, symbol.find_first_of("<("));
-  const std::array<const char*, 6> libraries{"std::", "__gnu_cxx::", "boost::", "pcl::", "ceres::", "pqxx::"};
+  const std::array<const char*, 7> libraries{
+      "std::", "__gnu_cxx::", "boost::", "pcl::", "ceres::", "pqxx::", "pybind11::"};
   return std::any_of(libraries.begin(), libraries.end(), [&](const char* name) {
     const std::size_t at = head.find(name);
     return at == 0 || (at != std::string::npos && head[at - 1] == ' ');

@@ -5,6 +5,7 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include "common/config_object.hpp"
+#include "deployment/class_files.hpp"
 
 #include <filesystem>
 
@@ -33,7 +34,7 @@ Arm read_arm(ConfigObject object, const std::string& document, const Shipped& sh
   const std::string file = named.ends_with(".jsonld") ? beside(document, named) : shipped(named);
   arm.configuration = read_json(file);
   const bool overridden = object.object("overrides").has_value();
-  if (overridden) arm.configuration.merge_patch(object.any("overrides"));
+  if (overridden) arm.configuration.merge_patch(with_classes_beside(object.any("overrides"), document));
   arm.deployment = parse_deployment(arm.configuration.dump(), name_of_configuration(file, arm.name, overridden));
   arm.plugin_folders = resolved(object.texts("plugins"), document);
   for (const std::string& folder : arm.plugin_folders)

@@ -15,4 +15,9 @@ namespace opal::testing {
 /// @return violations, one sentence each, for any test framework to print; empty for a good citizen.
 OPAL_EXPORT std::vector<std::string> plugin_violations(const std::string& file);
 
+/// Puts a class that takes the place of a plugin's type through the contract of its kind: a detector, a pattern
+/// template or a scorer. It is made with its default options, by the plugins of the usual folders.
+/// @param source  "acme_scorers.py:Likelihood". @return violations, likewise; also if it cannot be made.
+OPAL_EXPORT std::vector<std::string> class_violations(const std::string& source);
+
 }  // namespace opal::testing

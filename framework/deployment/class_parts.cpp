@@ -1,0 +1,76 @@
+#include "deployment/class_parts.hpp"
+
+#include "deployment/class_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace opal {
+namespace {
+
+bool is_class(const PartConfig& part) { return read_class_source(part.type).has_value(); }
+
+template <class T>
+void add_classes(const std::optional<std::vector<PartConfig>>& parts, PluginKind kind, const std::string& document,
+                 const PluginRegistry& registry, std::vector<RegisteredType>& types) {
+  if (!parts) return;
+  for (const PartConfig& part : *parts)
+    if (is_class(part))
+      types.push_back(described_object(*make_part<T>(part, kind, document, registry), kind, part.type,
+                                       read_class_source(part.type)->file));
+}
+
+/// Of detectors, templates and scorers.
+std::vector<PartConfig> classes_in(const Deployment& deployment) {
+  std::vector<PartConfig> classes;
+  const auto add = [&](const PartConfig& part) {
+    if (is_class(part)) classes.push_back(part);
+  };
+  for (const auto* parts : {&deployment.detectors, &deployment.patterns})
+    if (*parts) std::for_each((*parts)->begin(), (*parts)->end(), add);
+  for (const ScorerConfig& scorer : deployment.scorers) add(scorer.part);
+  return classes;
+}
+
+}  // namespace
+
+void expect_class(const PartConfig& part, PluginKind kind, const std::string& document,
+                  const PluginRegistry& registry) {
+  if (kind == PluginKind::feature_detector)
+    make_part<FeatureDetector>(part, kind, document, registry);
+  else if (kind == PluginKind::pattern_template)
+    make_part<PatternTemplate>(part, kind, document, registry);
+  else
+    make_part<HypothesisScorer>(part, kind, document, registry);
+}
+
+std::vector<RegisteredType> types_for(const Deployment& deployment, const PluginRegistry& registry) {
+  std::vector<RegisteredType> types = registry.types();
+  const std::string& file = deployment.file;
+  add_classes<FeatureDetector>(deployment.detectors, PluginKind::feature_detector, file, registry, types);
+  add_classes<PatternTemplate>(deployment.patterns, PluginKind::pattern_template, file, registry, types);
+  return types;
+}
+
+std::vector<std::string> class_files(const Deployment& deployment) {
+  std::set<std::string> files;
+  for (const PartConfig& part : classes_in(deployment))
+    files.insert(beside_document(read_class_source(part.type)->file, deployment.file));
+  return {files.begin(), files.end()};
+}
+
+nlohmann::json with_classes_beside(nlohmann::json configuration, const std::string& document) {
+  for (const char* key : {"detectors", "patterns", "scorers"}) {
+    if (!configuration.contains(key) || !configuration[key].is_array()) continue;
+    for (nlohmann::json& part : configuration[key]) {
+      if (!part.is_object() || !part.contains("@type") || !part["@type"].is_string()) continue;
+      if (const auto source = read_class_source(part["@type"]))
+        part["@type"] =
+            std::filesystem::absolute(beside_document(source->file, document)).string() + ":" + source->name;
+    }
+  }
+  return configuration;
+}
+
+}  // namespace opal

@@ -1,0 +1,103 @@
+#include "localization/scoring/scorer_ensemble.hpp"
+
+#include "tests/localization/synthetic_scene.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+using namespace opal;
+using namespace opal::synthetic;
+
+namespace {
+
+/// Says the id of each hypothesis, in one call; and how often it was called. It gives `surplus` scores too many.
+class BatchOfIds final : public HypothesisScorer, public BatchScorer {
+ public:
+  explicit BatchOfIds(std::size_t surplus = 0, double first = 0) : surplus_(surplus), first_(first) {}
+
+  Score score(const Hypothesis& hypothesis, const Observation&, const MapView&, const ScorerMemory*) const override {
+    return {double(hypothesis.id.number()), {}, {}};
+  }
+  std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses, const Observation& seen,
+                               const MapView& map) const override {
+    ++calls;
+    std::vector<Score> scores;
+    for (const Hypothesis* hypothesis : hypotheses) scores.push_back(score(*hypothesis, seen, map, nullptr));
+    if (first_ != 0) scores.front().log_likelihood = first_;
+    scores.resize(scores.size() + surplus_);
+    return scores;
+  }
+
+  mutable int calls = 0;
+
+ private:
+  std::size_t surplus_;
+  double first_;
+};
+
+/// Three hypotheses with the ids 0, 1 and 2, and an observation.
+struct Three {
+  Three() : all(3, robot.truth()) {
+    for (int k = 0; k < 3; ++k) {
+      all[std::size_t(k)].id = HypothesisId(k);
+      pointers.push_back(&all[std::size_t(k)]);
+    }
+  }
+  std::shared_ptr<const MapView> map = view_of(room());
+  Robot robot{map, Pose2(6.5, 4, 0.4)};
+  Observation seen = robot.observation();
+  std::vector<Hypothesis> all;
+  std::vector<const Hypothesis*> pointers;
+};
+
+ActiveScorer always(const std::string& name, double nat, double weight = 1, const std::string& veto = {}) {
+  return {name, constant_scorer(nat, veto), true, weight};
+}
+
+}  // namespace
+
+TEST_CASE("many hypotheses are judged as one after the other, and a scorer that can is asked once") {
+  const Three three;
+  const auto batch = std::make_shared<BatchOfIds>();
+  const Judges judges(three.map, {always("a", 2, 0.5),
+                                  {"ids", batch, true, 2},
+                                  {"b", constant_scorer(100), false, 1},
+                                  always("strict", 1, 1, "through a wall")});
+  const auto verdicts = judges.ensemble.judge_all(three.pointers, three.seen);
+  const auto nats = judges.ensemble.decide_all(three.pointers, three.seen);
+  CHECK(batch->calls == 2);
+  REQUIRE(verdicts.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto alone = judges.ensemble.judge(three.all[k], three.seen);
+    CHECK(verdicts[k].nat == alone.nat);
+    CHECK(verdicts[k].veto == alone.veto);
+    CHECK(verdicts[k].scores.size() == alone.scores.size());
+    CHECK(nats[k] == judges.ensemble.decide(three.all[k], three.seen));
+  }
+  CHECK(nats[2] - nats[0] == Approx(4));
+}
+
+TEST_CASE("no hypotheses are no question") {
+  const Three three;
+  const auto batch = std::make_shared<BatchOfIds>();
+  const Judges judges(three.map, {{"ids", batch, true, 1}});
+  CHECK(judges.ensemble.judge_all({}, three.seen).empty());
+  CHECK(judges.ensemble.decide_all({}, three.seen).empty());
+  CHECK(batch->calls == 0);
+}
+
+TEST_CASE("a batch of another size is no opinion, and is counted") {
+  const Three three;
+  const Judges judges(three.map, {always("a", 2), {"ids", std::make_shared<BatchOfIds>(1), true, 1}});
+  CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{2, 2, 2});
+  CHECK(judges.failures.counts().at("ids") == 1);
+}
+
+TEST_CASE("of a batch only the score that is not finite is left out") {
+  const Three three;
+  const Judges judges(three.map,
+                      {{"ids", std::make_shared<BatchOfIds>(0, std::numeric_limits<double>::infinity()), true, 1}});
+  CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{0, 1, 2});
+  CHECK(judges.failures.counts().at("ids") == 1);
+}

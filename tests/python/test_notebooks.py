@@ -1,0 +1,47 @@
+"""The notebooks run from top to bottom, and keep outputs that say so."""
+
+import importlib.util
+import unittest
+
+from recorded import ROOT, InFolder
+
+NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
+
+
+@unittest.skipUnless(importlib.util.find_spec("nbclient") and importlib.util.find_spec("ipykernel"),
+                     "nbclient or ipykernel is not installed")
+class Notebooks(InFolder):
+    def test_every_cell_runs(self):
+        import nbformat
+        from nbclient import NotebookClient
+
+        self.assertEqual([path.stem for path in NOTEBOOKS], ["first_steps", "new_scorer"])
+        for path in NOTEBOOKS:
+            kept = nbformat.read(path, as_version=4)
+            fresh = nbformat.read(path, as_version=4)
+            NotebookClient(fresh, timeout=300, resources={"metadata": {"path": str(self.folder)}}).execute()
+            for was, now in zip(kept.cells, fresh.cells):
+                if was.cell_type == "code":
+                    self.assertEqual([self.text_of(output) for output in was.outputs],
+                                     [self.text_of(output) for output in now.outputs], was.source)
+
+    def test_outputs_are_kept_and_name_no_folder_of_their_maker(self):
+        import nbformat
+
+        for path in NOTEBOOKS:
+            notebook = nbformat.read(path, as_version=4)
+            cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+            self.assertGreater(sum(bool(cell.outputs) for cell in cells), len(cells) / 2)
+            self.assertNotIn("/work/", path.read_text())
+
+    @staticmethod
+    def text_of(output):
+        """What can be compared: no pictures, no addresses of objects."""
+        if output.output_type == "stream":
+            return output.text
+        text = output.get("data", {}).get("text/plain", "")
+        return "" if " at 0x" in text or "Figure" in text else text
+
+
+if __name__ == "__main__":
+    unittest.main()
