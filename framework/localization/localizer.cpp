@@ -5,6 +5,7 @@
 #include "localization/alignment/pose_step.hpp"
 #include "localization/alignment/registration.hpp"
 #include "localization/decision/kidnap_detector.hpp"
+#include "localization/decision/ride_watch.hpp"
 #include "localization/decision/status.hpp"
 #include "localization/decision/unmapped_walls.hpp"
 #include "localization/events/run_journal.hpp"
@@ -32,6 +33,7 @@ struct Localizer::State {
         retrospective(parts.map, ensemble, parts.stages.verification, parts.stages.tracking.evidence_memory),
         hypotheses(parts.map, ensemble, parts.stages, journal),
         kidnapping(parts.stages.kidnapping, parts.stages.tracking.evidence_memory),
+        rides(parts.map, parts.stages.rides),
         schedule(parts.stages.schedule),
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
@@ -41,6 +43,9 @@ struct Localizer::State {
   double tempering_weight() const;  ///< of the newest scan
   PoseEstimate estimate(const Observation& observation);
   void track(const Observation& observation, const Sample& sample);
+  void carry();
+  std::optional<Pose2> best_pose_at(const Pose2& T_odom_base) const;
+  PoseEstimate with_place(PoseEstimate estimate) const;
   void watch();
   void settle();
   bool time_to_search();
@@ -62,6 +67,7 @@ struct Localizer::State {
   RetrospectiveVerification retrospective;
   HypothesisSet hypotheses;
   KidnapDetector kidnapping;
+  RideWatch rides;
   SearchSchedule schedule;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
@@ -83,7 +89,8 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   Sample sample = recorded;
   sample.T_odom_base = s.odometry.next(recorded.T_odom_base);
   s.check_sensors(sample);
-  if (!s.hint && !s.moved_enough(sample.T_odom_base) && !s.fits_no_more(sample)) return std::nullopt;
+  const bool rode = s.rides.may_have_ridden(sample, s.best_pose_at(sample.T_odom_base));
+  if (!rode && !s.hint && !s.moved_enough(sample.T_odom_base) && !s.fits_no_more(sample)) return std::nullopt;
   s.times = {.sensor_s = std::exchange(s.sensor_s, 0)};
   s.stamp_s = sample.stamp_s;
   SeenFeatures seen;  // base_link frame
@@ -106,12 +113,13 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   const Observation observation = observe(s.local_map, sample, std::move(seen));  // base_link frame
   s.journal.keyframe(sample, s.keyframe, observation);
   s.track(observation, sample);  // map frame from here on
+  if (rode) s.carry();
   s.watch();
   if (s.time_to_search()) s.search_map(observation, sample);
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), best_nat);
-  const PoseEstimate estimate = s.estimate(observation);
+  const PoseEstimate estimate = s.with_place(s.estimate(observation));
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
@@ -171,6 +179,24 @@ void Localizer::State::track(const Observation& observation, const Sample& sampl
   constexpr std::size_t kCoarsePoints = 40;  // of the alignment search after odometry has failed
   const std::vector<Point> coarse = thinned_points(sample, 0.2, kCoarsePoints);
   hypotheses.track(observation, tempering_weight(), coarse, window);
+}
+
+/// What was seen before a ride was seen on another storey, perhaps.
+void Localizer::State::carry() {
+  hypotheses.carry([this](const Pose2& pose) { return rides.elsewhere(pose); }, rides.probability(),
+                   local_map.T_local_base());
+  local_map.keep_only({});
+  retrospective.forget_until(keyframe);
+}
+
+std::optional<Pose2> Localizer::State::best_pose_at(const Pose2& now) const {
+  if (hypotheses.alive().empty()) return std::nullopt;
+  return hypotheses.alive().front().hypothesis.T_map_local * local_map.T_local_base_at(now);
+}
+
+PoseEstimate Localizer::State::with_place(PoseEstimate estimate) const {
+  if (estimate.has_pose) estimate.place = place_in_building(parts.map->map(), estimate.T_map_base);
+  return estimate;
 }
 
 /// Asks whether the robot is still where the best hypothesis has it.
@@ -247,7 +273,8 @@ Localizer::Localizer(LocalizerParts parts, EventSink* events)
 Localizer::~Localizer() = default;
 
 PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) const {
-  return state_->status.at(stamp_s, state_->local_map.T_local_base_at(state_->odometry.at(T_odom_base)));
+  const Pose2 T_local_base = state_->local_map.T_local_base_at(state_->odometry.at(T_odom_base));
+  return state_->with_place(state_->status.at(stamp_s, T_local_base));
 }
 
 void Localizer::hint(const PoseHint& hint) {
@@ -264,6 +291,7 @@ void Localizer::reset() {
   s.retrospective.clear();
   s.hypotheses.clear();
   s.kidnapping.reset();
+  s.rides.reset();
   s.search_now = false;
   s.status.reset();
   s.started = false;

@@ -15,8 +15,6 @@
 namespace opal {
 namespace {
 
-constexpr double kNarrowest_m = 0.5;  // half a cabin
-
 /// A lift or a stairwell as one storey shows it.
 struct Shaft {
   std::string type, storey, name;
@@ -25,30 +23,14 @@ struct Shaft {
   bool is_used = false;
 };
 
-std::string connection_type(const std::string& object_type) {
-  if (object_type == "opal:Lift") return object_type;
-  return object_type == "opal:Stair" || object_type == "opal:StairFlight" ? "opal:Stair" : "";
-}
-
-/// About the object; none if nothing represents it.
-std::optional<Shaft> shaft_of(const SemanticMap& map, const MapObject& object, const MapStorey& storey) {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const MapFeatureNumber number : object.features)
-    for (const Point& p : points_of(map.feature(number).geometry)) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  if (!(low.x() <= high.x())) return std::nullopt;
-  const double radius_m = std::max(kNarrowest_m, (high - low).minCoeff() / 2);
-  return Shaft{connection_type(object.type), storey.id, object.notes.name, (low + high) / 2 - storey.origin, radius_m};
-}
-
-std::vector<Shaft> shafts_of(const SemanticMap& map) {
+/// Lifts and stairs that an importer has found on one storey, for it knows no other.
+std::vector<Shaft> shafts_of(std::span<const StoreyPart> parts) {
+  static const std::vector<MapConnection> kNone;  // a part that is a building has its connections
   std::vector<Shaft> shafts;
-  for (const MapStorey& storey : map.origin().storeys)
-    for (const MapObject& object : map.objects())
-      if (object.id.starts_with(storey.id + "/") && !connection_type(object.type).empty())
-        if (const auto shaft = shaft_of(map, object, storey)) shafts.push_back(*shaft);
+  for (const StoreyPart& part : parts)
+    for (const MapConnection& one : part.map->origin().storeys.empty() ? part.map->origin().connections : kNone)
+      for (const Landing& landing : one.landings)
+        shafts.push_back({one.type, part.id, one.name, landing.T_storey_landing.position(), one.radius_m});
   return shafts;
 }
 
@@ -70,7 +52,8 @@ std::vector<Shaft*> above_each_other(std::vector<Shaft>& shafts, Shaft& first, d
 /// Lifts and stairs as one map after another shows them.
 class ConnectionFinder {
  public:
-  ConnectionFinder(const SemanticMap& map, const StackOptions& options) : shafts_(shafts_of(map)), options_(options) {}
+  ConnectionFinder(std::span<const StoreyPart> parts, const StackOptions& options)
+      : shafts_(shafts_of(parts)), options_(options) {}
 
   std::vector<MapConnection> run(std::vector<std::string>& report) {
     for (Shaft& shaft : shafts_)
@@ -134,11 +117,6 @@ void add_storey(const StoreyPart& part, const Point& move, const std::string& bu
   const MapOrigin& own = part.map->origin();
   std::string name = part.name.empty() ? own.storey : part.name;
   origin.storeys.push_back({part.id, std::move(name), building, part.level_m, move});
-  for (MapConnection connection : own.connections) {
-    connection.id = with_prefix(part.id, connection.id);
-    for (Landing& landing : connection.landings) landing.storey = part.id;
-    origin.connections.push_back(std::move(connection));
-  }
 }
 
 /// Name and what else the parts agree on.
@@ -177,10 +155,7 @@ StackedMap stacked_map(const std::string& name, std::span<const StoreyPart> part
   StackedMap stacked;
   MapOrigin origin = origin_of(parts, *joined, options);
   stacked.map = with_origin(*joined, name, origin);
-  const bool is_site = std::any_of(parts.begin(), parts.end(),
-                                   [](const StoreyPart& part) { return !part.map->origin().storeys.empty(); });
-  if (is_site) return stacked;  // each building has its connections
-  for (MapConnection& connection : ConnectionFinder(*stacked.map, options).run(stacked.report))
+  for (MapConnection& connection : ConnectionFinder(parts, options).run(stacked.report))
     origin.connections.push_back(std::move(connection));
   stacked.map = with_origin(*stacked.map, name, std::move(origin));
   return stacked;
@@ -228,7 +203,7 @@ std::shared_ptr<const SemanticMap> with_connections(const SemanticMap& map, cons
   if (!more.is_object() || !more.contains("@graph") || !more["@graph"].is_array())
     throw MapError(file + ": has no @graph, expected an array of StoreyConnection nodes");
   nlohmann::ordered_json document = map.to_json_ld();
-  for (const nlohmann::json& node : more["@graph"]) document["@graph"].push_back(node);
+  for (const nlohmann::json& node : more["@graph"]) document["@graph"].push_back(nlohmann::ordered_json(node));
   return SemanticMap::parse(document.dump(), file);
 }
 

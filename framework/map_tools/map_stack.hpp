@@ -30,9 +30,9 @@ struct StackedMap {
   std::vector<std::string> report;  ///< sentences: connections that were found, lifts that only one storey shows
 };
 
-/// Lays storeys side by side in one map, a sheet each, in the order given. Lifts (objects of type opal:Lift) and stairs
-/// (opal:Stair, opal:StairFlight) that lie above each other become connections; storeys are compared in their own
-/// frames, so this takes storeys that were drawn in common coordinates.
+/// Lays storeys side by side in one map, a sheet each, in the order given. Lifts and stairs that the parts show above
+/// each other become one connection; storeys are compared in their own frames, so this takes storeys that were drawn in
+/// common coordinates.
 /// @throws ConfigError if there is nothing to stack, an id is used twice or is empty, or the gap is too small.
 /// @throws MapError if a part has placements of its own, or nothing that has a position.
 OPAL_EXPORT StackedMap stacked_map(const std::string& name, std::span<const StoreyPart> parts,
