@@ -38,6 +38,7 @@ struct Localizer::State {
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
   void check_sensors(const Sample& sample);
+  bool is_keyframe(const Sample& sample);
   bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Sample& sample) const;
   double tempering_weight() const;  ///< of the newest scan
@@ -78,6 +79,7 @@ struct Localizer::State {
   Pose2 T_odom_base;                ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   std::optional<PoseHint> hint;     ///< for the next search
+  bool rode = false;                ///< a lift may have carried the robot since it came to rest
   bool search_now = false;          ///< the robot may have been kidnapped, since this scan
   double sensor_s = 0;              ///< CPU time of the sensor check since the newest keyframe
   StageTimes times;
@@ -89,8 +91,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   Sample sample = recorded;
   sample.T_odom_base = s.odometry.next(recorded.T_odom_base);
   s.check_sensors(sample);
-  const bool rode = s.rides.may_have_ridden(sample, s.best_pose_at(sample.T_odom_base));
-  if (!rode && !s.hint && !s.moved_enough(sample.T_odom_base) && !s.fits_no_more(sample)) return std::nullopt;
+  if (!s.is_keyframe(sample)) return std::nullopt;
   s.times = {.sensor_s = std::exchange(s.sensor_s, 0)};
   s.stamp_s = sample.stamp_s;
   SeenFeatures seen;  // base_link frame
@@ -113,7 +114,6 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   const Observation observation = observe(s.local_map, sample, std::move(seen));  // base_link frame
   s.journal.keyframe(sample, s.keyframe, observation);
   s.track(observation, sample);  // map frame from here on
-  if (rode) s.carry();
   s.watch();
   if (s.time_to_search()) s.search_map(observation, sample);
   s.grow();
@@ -135,6 +135,11 @@ void Localizer::State::check_sensors(const Sample& sample) {
   if (!changed) return;
   status.contradict(sensors.contradiction());
   journal.sensor(sensors.findings());
+}
+
+bool Localizer::State::is_keyframe(const Sample& sample) {
+  rode = rides.may_have_ridden(sample, best_pose_at(sample.T_odom_base));
+  return rode || hint || moved_enough(sample.T_odom_base) || fits_no_more(sample);
 }
 
 bool Localizer::State::moved_enough(const Pose2& now) const {
@@ -202,6 +207,7 @@ PoseEstimate Localizer::State::with_place(PoseEstimate estimate) const {
 /// Asks whether the robot is still where the best hypothesis has it.
 void Localizer::State::watch() {
   search_now = false;
+  if (rode) carry();
   if (hypotheses.alive().empty()) return kidnapping.reset();
   const Live& best = hypotheses.alive().front();
   const bool suspected = kidnapping.suspected().has_value();

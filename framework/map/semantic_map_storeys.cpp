@@ -183,9 +183,9 @@ void check_apart(const MapDraft& draft) {
   for (std::size_t a = 0; a < storeys.size(); ++a)
     for (std::size_t b = a + 1; b < storeys.size(); ++b)
       if (const double gap = gap_m(storeys[a].bounds, storeys[b].bounds); gap < kLeastSheetGap_m)
-        draft.fail("storey '" + storeys[b].id + "'", "its sheet is " + text_of(gap) + " m from that of '" +
-                                                         storeys[a].id + "', expected at least " +
-                                                         text_of(kLeastSheetGap_m) + " m; opal map stack places them");
+        draft.fail("storey '" + storeys[b].id + "'",
+                   "its sheet is " + opal::text_of(gap) + " m from that of '" + storeys[a].id +
+                       "', expected at least " + opal::text_of(kLeastSheetGap_m) + " m; opal map stack places them");
 }
 
 /// Additions of an overlay need no prefix: they lie where some storey is.
@@ -203,7 +203,8 @@ void check_all_on_storeys(const MapDraft& draft) {
 void check_connection(const MapDraft& draft, const MapConnection& connection) {
   const std::string place = "connection '" + connection.id + "'";
   if (!(connection.radius_m > 0 && connection.radius_m <= 100))
-    draft.fail(place, "radius_m " + text_of(connection.radius_m) + ", expected a positive number of metres up to 100");
+    draft.fail(place,
+               "radius_m " + opal::text_of(connection.radius_m) + ", expected a positive number of metres up to 100");
   std::set<std::string> met;
   for (const Landing& landing : connection.landings) {
     const bool is_known =

@@ -59,7 +59,8 @@ std::vector<MapConnection> connections_of(const FeatureCollection& collection, c
     const std::optional<Extent> extent = extent_of(feature, type);
     if (!extent) continue;
     const std::string id = feature.id + (type == "opal:Lift" ? "/lift" : "/stairs");
-    connections.push_back({id, type, text_or_number(feature, "ref"), extent->radius_m, {{"", Pose2(extent->middle, 0)}}});
+    connections.push_back(
+        {id, type, text_or_number(feature, "ref"), extent->radius_m, {{"", Pose2(extent->middle, 0)}}});
   }
   return connections;
 }

@@ -124,7 +124,8 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   MapOrigin origin;
   origin.storey = collection.label_of_level.contains(level) ? collection.label_of_level.at(level) : level;
   origin.connections = connections_of(collection, level);
-  const auto map = SemanticMap::make(assembly.map->name(), assembly.map->objects(), assembly.map->features(), {}, origin);
+  const auto map =
+      SemanticMap::make(assembly.map->name(), assembly.map->objects(), assembly.map->features(), {}, origin);
   MapImport imported{map, std::move(sentences), std::move(plan.things), {}};
   report_outcomes(plan.elements, assembly, imported.elements);
   sort_by_id(imported.elements);

@@ -48,7 +48,6 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, double probability, const 
     listener_.spawned(live, arrival.from, {});
     alive_.push_back(std::move(live));
   }
-  sort_best_first(alive_);
   prune();
 }
 
