@@ -81,7 +81,7 @@ TEST_CASE("storeys and connections are written and read again") {
   const auto map = parsed(two_storeys());
   const auto again = SemanticMap::parse(map->to_json_ld().dump(), "again");
   CHECK(again->to_json_ld() == map->to_json_ld());
-  CHECK(compare_maps(*map, *again).empty());
+  CHECK(map_diff(*map, *again).empty());
   CHECK(map->unused().empty());
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("a storey that has moved, and a lift that is gone, are differences of 
   std::vector<json> nodes = two_storeys();
   nodes[2]["x"] = 199;
   nodes.erase(nodes.begin() + 3);
-  CHECK(compare_maps(*map, *parsed(nodes)).size() == 2);
+  CHECK(map_diff(*map, *parsed(nodes)).changes.size() == 2);
 }
 
 TEST_CASE("storeys of other documents, which have no place in the map, are kept and not used") {

@@ -135,6 +135,8 @@ void add_experiment_storeys(CLI::App& experiment, int& exit_code) {
   flag("--before", o->ride.before_m, 0.0, 1e5, "driven before a ride, at least [m]");
   flag("--after", o->ride.after_m, 1.0, 1e5, "driven after a ride [m]");
   flag("--closed", o->ride.closed_s, 0.0, 1000.0, "how long the door of the lift is closed [s]");
+  verb->add_flag("--shafts-mapped", o->ride.is_shaft_mapped,
+                 "the map has the walls of the lifts; else a cabin is put there that it does not have");
   flag("--jobs", o->jobs, 1, 1000, "at the same time; results do not depend on it");
   verb->add_option("--seed", o->first_seed, "of the first drive")->capture_default_str();
   o->add_to(*verb);

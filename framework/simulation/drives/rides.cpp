@@ -14,10 +14,12 @@ namespace {
 
 constexpr double kNear_m = 2.5;  // of the lift: the cabin is there
 
-/// Walls about the landing, open towards +x of its frame.
+/// Walls about the landing, open towards +x of its frame. Where the map has the shaft, they are there only while the
+/// door is closed.
 class Cabin {
  public:
-  Cabin(const Pose2& T_map_cabin, const RideDriveOptions& options) : middle_(T_map_cabin.position()) {
+  Cabin(const Pose2& T_map_cabin, const RideDriveOptions& options)
+      : middle_(T_map_cabin.position()), is_shaft_mapped_(options.is_shaft_mapped) {
     const double h = options.cabin_m / 2, d = options.door_width_m / 2;
     const auto wall = [&](const Point& from, const Point& to) {
       walls_.push_back({T_map_cabin * from, T_map_cabin * to});
@@ -34,6 +36,7 @@ class Cabin {
 
   /// Beams end at the cabin where it is before what they met.
   void stand_before(RawScan& scan, const Pose2& T_map_laser, const LaserModel& laser, bool is_closed) const {
+    if (is_shaft_mapped_ && !is_closed) return;
     for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
       const double bearing_rad = laser.angle_min_rad + static_cast<double>(beam) * laser.angle_increment_rad;
       const Point along = T_map_laser.rotate(unit_vector(bearing_rad));
@@ -56,6 +59,7 @@ class Cabin {
   }
 
   Point middle_;
+  bool is_shaft_mapped_;
   std::vector<Segment> walls_;
   Segment door_;
 };

@@ -10,13 +10,14 @@ namespace opal::simulation {
 
 /// How rides in a lift look.
 struct RideDriveOptions {
-  DriveOptions drive;         ///< scans and speeds
-  double before_m = 40;       ///< driven on the storey where the robot starts, at least, before it goes to the lift
-  double after_m = 15;        ///< driven on the storey to which it is carried
-  double door_s = 3;          ///< the robot stands, and the door is open
-  double closed_s = 12;       ///< the door is closed, and the lift goes
-  double cabin_m = 1.8;       ///< side of the cabin
-  double door_width_m = 1.0;  ///< of its door
+  DriveOptions drive;            ///< scans and speeds
+  double before_m = 40;          ///< driven on the storey where the robot starts, at least, before it goes to the lift
+  double after_m = 15;           ///< driven on the storey to which it is carried
+  double door_s = 3;             ///< the robot stands, and the door is open
+  double closed_s = 12;          ///< the door is closed, and the lift goes
+  double cabin_m = 1.8;          ///< side of the cabin
+  double door_width_m = 1.0;     ///< of its door
+  bool is_shaft_mapped = false;  ///< the map has the walls of the lift: no others stand there while the door is open
 };
 
 /// When what happened, by the clock of the recording, and where.
