@@ -161,8 +161,8 @@ const Fields<KidnappingOptions>& fields_of(const KidnappingOptions&) {
 const Fields<RideOptions>& fields_of(const RideOptions&) {
   using O = RideOptions;
   static const Fields<O> all = {
-      {"stand_s", &O::stand_s, "s", 0.1, 1000, "a robot that stands in a lift for so long may have been carried"},
-      {"probability", &O::probability, "", 0.001, 0.999, "that it is on another storey then"},
+      {"stand_s", &O::stand_s, "s", 0.1, 1000,
+       "a robot that stands in a lift for so long may be on any storey that the lift serves"},
   };
   return all;
 }

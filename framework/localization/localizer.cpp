@@ -188,8 +188,7 @@ void Localizer::State::track(const Observation& observation, const Sample& sampl
 
 /// What was seen before a ride was seen on another storey, perhaps.
 void Localizer::State::carry() {
-  hypotheses.carry([this](const Pose2& pose) { return rides.elsewhere(pose); }, rides.probability(),
-                   local_map.T_local_base());
+  hypotheses.carry([this](const Pose2& pose) { return rides.elsewhere(pose); }, local_map.T_local_base());
   local_map.keep_only({});
   retrospective.forget_until(keyframe);
 }

@@ -1,4 +1,5 @@
 #include "simulation/drives/rides.hpp"
+#include "simulation/drives/storey_drives.hpp"
 
 #include "map_tools/map_stack.hpp"
 
@@ -76,4 +77,23 @@ TEST_CASE("a ride to a storey that the lift does not serve is refused") {
   MapConnection lift = lift_in(*map);
   lift.landings.pop_back();
   CHECK_THROWS_AS(record_ride(*map, clean(), lift, "low", "top", {}, 1), ConfigError);
+}
+
+TEST_CASE("drives on storeys take place on one after the other, and time and odometry go on") {
+  const auto map = house();
+  DriveOptions drives;
+  drives.drives = 4;
+  drives.distance_m = 4;
+  const Recording recording = record_on_storeys(*map, clean(), drives, 5);
+  REQUIRE(recording.queries.size() == 4);
+  for (std::size_t k = 0; k < recording.queries.size(); ++k)
+    for (const RecordedScan& scan : recording.scans)
+      if (scan.scan.stamp_s >= recording.queries[k].start_s && scan.scan.stamp_s <= recording.queries[k].end_s)
+        CHECK(storey_at(*map, scan.T_map_base.position())->id == (k % 2 == 0 ? "low" : "top"));
+  for (std::size_t k = 1; k < recording.scans.size(); ++k) {
+    CHECK(recording.scans[k].scan.stamp_s > recording.scans[k - 1].scan.stamp_s);
+    CHECK(distance_m(*recording.scans[k].scan.T_odom_base, *recording.scans[k - 1].scan.T_odom_base) < 0.3);
+  }
+  CHECK_THROWS_AS(record_on_storeys(*SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld"), clean(), drives, 5),
+                  ConfigError);
 }

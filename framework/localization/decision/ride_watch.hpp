@@ -28,9 +28,6 @@ class OPAL_EXPORT RideWatch {
   /// Where a robot at a pose may have been carried: the same place in the cabin on every other storey that the lift
   /// serves. Empty if the pose lies in no lift. Frame: `map`.
   std::vector<Pose2> elsewhere(const Pose2& T_map_base) const;
-  /// That a robot which has stood in a lift for so long is on another storey.
-  double probability() const { return options_.probability; }
-
   void reset() { anchor_.reset(); }
 
  private:

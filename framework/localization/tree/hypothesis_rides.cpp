@@ -16,7 +16,7 @@ double sum_of_nat(double a, double b) {
 
 // One step of a Markov chain over the storeys that a lift serves. What was met before the ride was met elsewhere, so
 // every hypothesis that takes part begins with an empty memory, also the one that stays: none shall gain by forgetting.
-void HypothesisSet::carry(const Elsewhere& elsewhere, double probability, const Pose2& T_local_base) {
+void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base) {
   struct Arrival {
     HypothesisId from;
     Pose2 T_map_base;
@@ -26,10 +26,8 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, double probability, const 
   for (Live& live : alive_) {
     const std::vector<Pose2> poses = elsewhere(live.hypothesis.T_map_local * T_local_base);
     if (poses.empty()) continue;
-    const double each_nat = std::log(probability / static_cast<double>(poses.size()));
-    for (const Pose2& pose : poses)
-      arrivals.push_back({live.hypothesis.id, pose, live.hypothesis.log_likelihood + each_nat});
-    live.hypothesis.log_likelihood += std::log(1 - probability);
+    live.hypothesis.log_likelihood -= std::log(1 + static_cast<double>(poses.size()));
+    for (const Pose2& pose : poses) arrivals.push_back({live.hypothesis.id, pose, live.hypothesis.log_likelihood});
     live.hypothesis.memories = {};
   }
   for (const Arrival& arrival : arrivals) {

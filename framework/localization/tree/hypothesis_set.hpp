@@ -82,9 +82,8 @@ class OPAL_EXPORT HypothesisSet {
   /// Where a robot at a pose may be instead; frame `map`.
   using Elsewhere = std::function<std::vector<Pose2>(const Pose2& T_map_base)>;
   /// The robot may have been carried to a few known places, and odometry did not show it. Each hypothesis that has such
-  /// places hands this share of its weight to those there, or to new ones. What they have gathered goes along.
-  /// @param probability  that it was carried, in (0, 1).
-  void carry(const Elsewhere& elsewhere, double probability, const Pose2& T_local_base);
+  /// places shares its weight alike with those there, or with new ones. What they have gathered goes along.
+  void carry(const Elsewhere& elsewhere, const Pose2& T_local_base);
 
   /// The best hypothesis is right and the robot was kidnapped: ends those by which it was not. What is left has
   /// gathered nothing before that.

@@ -40,7 +40,7 @@ struct Lift {
       if (std::abs(T_map_base.x() - x_m) > 50) poses.emplace_back(x_m, T_map_base.y(), T_map_base.heading_rad());
     return poses;
   }
-  void ride(double probability) { set.carry(elsewhere, probability, local_map.T_local_base()); }
+  void ride() { set.carry(elsewhere, local_map.T_local_base()); }
   double share_at(double x_m) const {
     double sum = 0, here = 0;
     for (const Live& live : set.alive()) {
@@ -61,14 +61,12 @@ struct Lift {
 
 }  // namespace
 
-TEST_CASE("a ride hands the weight of a hypothesis to all storeys, and loses nothing of it") {
+TEST_CASE("a ride shares the weight of a hypothesis alike among all storeys, and loses nothing of it") {
   Lift lift;
   const double before_nat = lift.set.alive().front().hypothesis.log_likelihood;
-  lift.ride(0.5);
+  lift.ride();
   REQUIRE(lift.set.alive().size() == 3);
-  CHECK(lift.share_at(0) == Approx(0.5));
-  CHECK(lift.share_at(100) == Approx(0.25));
-  CHECK(lift.share_at(200) == Approx(0.25));
+  for (const double x_m : {0.0, 100.0, 200.0}) CHECK(lift.share_at(x_m) == Approx(1.0 / 3));
   double sum = 0;
   for (const Live& live : lift.set.alive()) sum += std::exp(live.hypothesis.log_likelihood);
   CHECK(std::log(sum) == Approx(before_nat));
@@ -78,17 +76,16 @@ TEST_CASE("a ride hands the weight of a hypothesis to all storeys, and loses not
 
 TEST_CASE("a second ride makes no further hypotheses: it mixes those that there are") {
   Lift lift;
-  lift.ride(0.5);
-  lift.ride(0.5);
+  lift.ride();
+  lift.ride();
   REQUIRE(lift.set.alive().size() == 3);
-  CHECK(lift.share_at(0) == Approx(0.375));
-  CHECK(lift.share_at(100) == Approx(0.3125));
+  for (const double x_m : {0.0, 100.0, 200.0}) CHECK(lift.share_at(x_m) == Approx(1.0 / 3));
 }
 
 TEST_CASE("hypotheses outside of lifts stay as they are") {
   Lift lift;
   const double before_nat = lift.set.alive().front().hypothesis.log_likelihood;
-  lift.set.carry([](const Pose2&) { return std::vector<Pose2>(); }, 0.5, lift.local_map.T_local_base());
+  lift.set.carry([](const Pose2&) { return std::vector<Pose2>(); }, lift.local_map.T_local_base());
   CHECK(lift.set.alive().size() == 1);
   CHECK(lift.set.alive().front().hypothesis.log_likelihood == before_nat);
 }
