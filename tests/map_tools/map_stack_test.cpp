@@ -28,7 +28,7 @@ StackedMap house() {
       {"mid", "First floor", 3.5, floor_with({found("l", "opal:Lift", {2.3, 2.2})})},
       {"top", "Second floor", 7.0,
        floor_with({found("l", "opal:Lift", {2, 1.9}), found("t", "opal:Stair", {4, 2.5})})}};
-  return stacked_map("house", parts, {.building = "The house"});
+  return stacked_map("house", parts, StackOptions{.building = "The house"});
 }
 
 }  // namespace
@@ -89,7 +89,8 @@ TEST_CASE("a stack that makes no sense is refused") {
       twice{{"a", "", {}, testing::example_map()}, {"a", "", {}, testing::example_map()}};
   CHECK_THROWS_AS(stacked_map("x", none), ConfigError);
   CHECK_THROWS_AS(stacked_map("x", twice), ConfigError);
-  CHECK_THROWS_WITH(stacked_map("x", std::span(twice).first(1), {.gap_m = 20}), Contains("expected at least 100 m"));
+  CHECK_THROWS_WITH(stacked_map("x", std::span(twice).first(1), StackOptions{.building = "", .gap_m = 20}),
+                    Contains("expected at least 100 m"));
   CHECK_THROWS_WITH(storey_of_map(*house().map, "cellar"),
                     Contains("no storey 'cellar', expected one of 'low', 'mid'"));
 }

@@ -12,13 +12,13 @@ using namespace opal::simulation;
 
 namespace {
 
-std::shared_ptr<const SemanticMap> house() {
+std::shared_ptr<const SemanticMap> two_rooms() {
   const auto room = SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld");
   const std::vector<StoreyPart> parts{{"low", "", {}, room}, {"top", "", {}, room}};
   return stacked_map("house", parts).map;
 }
 
-SimulationOptions clean() {
+SimulationOptions quiet_world() {
   SimulationOptions options;
   options.clutter.level = 0;
   options.people = 0;
@@ -35,12 +35,12 @@ MapConnection lift_in(const SemanticMap& map) {
 }  // namespace
 
 TEST_CASE("a ride takes the robot to another storey, and odometry shows nothing of it") {
-  const auto map = house();
+  const auto map = two_rooms();
   const MapConnection lift = lift_in(*map);
   RideDriveOptions options;
   options.before_m = 5;
   options.after_m = 3;
-  const auto made = record_ride(*map, clean(), lift, "low", "top", options, 3);
+  const auto made = record_ride(*map, quiet_world(), lift, "low", "top", options, 3);
   REQUIRE(made);
   const Ride& ride = made->ride;
   CHECK(ride.stands_s < ride.closes_s);
@@ -58,10 +58,10 @@ TEST_CASE("a ride takes the robot to another storey, and odometry shows nothing 
 }
 
 TEST_CASE("behind a closed door, no beam leaves the cabin") {
-  const auto map = house();
+  const auto map = two_rooms();
   RideDriveOptions options;
   options.before_m = 5;
-  const auto made = record_ride(*map, clean(), lift_in(*map), "low", "top", options, 4);
+  const auto made = record_ride(*map, quiet_world(), lift_in(*map), "low", "top", options, 4);
   REQUIRE(made);
   int closed = 0;
   for (const RecordedScan& scan : made->recording.scans) {
@@ -73,18 +73,18 @@ TEST_CASE("behind a closed door, no beam leaves the cabin") {
 }
 
 TEST_CASE("a ride to a storey that the lift does not serve is refused") {
-  const auto map = house();
+  const auto map = two_rooms();
   MapConnection lift = lift_in(*map);
   lift.landings.pop_back();
-  CHECK_THROWS_AS(record_ride(*map, clean(), lift, "low", "top", {}, 1), ConfigError);
+  CHECK_THROWS_AS(record_ride(*map, quiet_world(), lift, "low", "top", {}, 1), ConfigError);
 }
 
 TEST_CASE("drives on storeys take place on one after the other, and time and odometry go on") {
-  const auto map = house();
+  const auto map = two_rooms();
   DriveOptions drives;
   drives.drives = 4;
   drives.distance_m = 4;
-  const Recording recording = record_on_storeys(*map, clean(), drives, 5);
+  const Recording recording = record_on_storeys(*map, quiet_world(), drives, 5);
   REQUIRE(recording.queries.size() == 4);
   for (std::size_t k = 0; k < recording.queries.size(); ++k)
     for (const RecordedScan& scan : recording.scans)
@@ -94,6 +94,7 @@ TEST_CASE("drives on storeys take place on one after the other, and time and odo
     CHECK(recording.scans[k].scan.stamp_s > recording.scans[k - 1].scan.stamp_s);
     CHECK(distance_m(*recording.scans[k].scan.T_odom_base, *recording.scans[k - 1].scan.T_odom_base) < 0.3);
   }
-  CHECK_THROWS_AS(record_on_storeys(*SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld"), clean(), drives, 5),
-                  ConfigError);
+  CHECK_THROWS_AS(
+      record_on_storeys(*SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld"), quiet_world(), drives, 5),
+      ConfigError);
 }

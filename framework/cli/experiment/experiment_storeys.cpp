@@ -76,8 +76,8 @@ class StoreyRuns {
     const auto drives = static_cast<std::size_t>(options_.drives);
     const std::uint64_t seed = options_.first_seed + k;
     if (k < drives) {
-      runs_[k] =
-          run_storey_drive(parts_, options_.world, storeys()[k % storeys().size()].id, options_.ride.drive, seed);
+      runs_[k] = experiments::run_storey_drive(parts_, options_.world, storeys()[k % storeys().size()].id,
+                                               options_.ride.drive, seed);
     } else {
       const Trip& trip = trips_[(k - drives) % trips_.size()];
       runs_[k] = experiments::run_ride(parts_, options_.world, *trip.lift, trip.from, trip.to, options_.ride, seed);

@@ -82,8 +82,7 @@ void expect_other_place(const SimulateOptions& options) {
 int simulate_storeys(const SimulateOptions& options, const opal::SemanticMap& map, const opal::SemanticMap& building) {
   if (!options.along.empty())
     throw opal::ConfigError("--along: takes a map of one storey, found " + options.map + " with several");
-  const sim::Recording recording =
-      sim::record_on_storeys(building, options.world, options.drives, options.damage.seed);
+  const sim::Recording recording = sim::record_on_storeys(building, options.world, options.drives, options.damage.seed);
   const StopSignals all_or_none;
   sim::write_recorded_place(recording, map, options.out);
   std::printf("%zu drives on %zu storeys, %zu scans\n", recording.queries.size(), map.origin().storeys.size(),

@@ -71,7 +71,7 @@ const Landing& landing_on(const MapConnection& lift, const std::string& storey) 
 }
 
 /// Appends what one robot records later: time goes on, and so does odometry.
-void append(Recording& all, Recording more, double later_s, const Pose2& T_odom_odom) {
+void append_leg(Recording& all, Recording more, double later_s, const Pose2& T_odom_odom) {
   for (RecordedScan& recorded : more.scans) {
     recorded.scan.stamp_s += later_s;
     if (recorded.scan.T_odom_base) recorded.scan.T_odom_base = T_odom_odom * *recorded.scan.T_odom_base;
@@ -142,22 +142,22 @@ class RideDrive {
   }
 
   void ride() {
-    append(recording(), stand(below_, options_.door_s, options_.drive.scan_every_s), 0, Pose2());
+    append_leg(recording(), stand(below_, options_.door_s, options_.drive.scan_every_s), 0, Pose2());
     made_.ride.closes_s = below_.now_s();
     const Pose2 T_odom_before = below_.T_odom_base();
     above_.place(T_map_to_ * T_map_from_.inverse() * below_.T_map_base());
     T_odom_odom_ = T_odom_before * above_.T_odom_base().inverse();
     later_s_ = below_.now_s() - above_.now_s();
-    append(recording(), stand(above_, options_.closed_s, options_.drive.scan_every_s), later_s_, T_odom_odom_);
+    append_leg(recording(), stand(above_, options_.closed_s, options_.drive.scan_every_s), later_s_, T_odom_odom_);
     made_.ride.opens_s = above_.now_s() + later_s_;
-    append(recording(), stand(above_, options_.door_s, options_.drive.scan_every_s), later_s_, T_odom_odom_);
+    append_leg(recording(), stand(above_, options_.door_s, options_.drive.scan_every_s), later_s_, T_odom_odom_);
     made_.ride.leaves_s = above_.now_s() + later_s_;
   }
 
   void drive_on() {
     const std::vector<Point> places = tour(above_, above_.T_map_base().position(), options_.after_m, random_);
     const double most_s = options_.after_m / options_.drive.follower.speed_mps + 20;
-    append(recording(), record_way(above_, places, most_s, options_.drive), later_s_, T_odom_odom_);
+    append_leg(recording(), record_way(above_, places, most_s, options_.drive), later_s_, T_odom_odom_);
     recording().queries.back().end_s = recording().scans.back().scan.stamp_s;
   }
 

@@ -30,8 +30,8 @@ void append(Recording& all, Recording more, double later_s, const Pose2& T_odom_
     all.odometry.push_back(odometry);
   }
   for (const Query& query : more.queries)
-    all.queries.push_back({query_name(static_cast<int>(all.queries.size()) + 1), query.start_s + later_s,
-                           query.end_s + later_s});
+    all.queries.push_back(
+        {query_name(static_cast<int>(all.queries.size()) + 1), query.start_s + later_s, query.end_s + later_s});
   all.distances_m.insert(all.distances_m.end(), more.distances_m.begin(), more.distances_m.end());
   all.stops += more.stops;
 }
