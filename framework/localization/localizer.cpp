@@ -138,8 +138,9 @@ void Localizer::State::check_sensors(const Sample& sample) {
 }
 
 bool Localizer::State::is_keyframe(const Sample& sample) {
-  rode = rides.may_have_ridden(sample, best_pose_at(sample.T_odom_base));
-  return rode || hint || moved_enough(sample.T_odom_base) || fits_no_more(sample);
+  const bool moved = moved_enough(sample.T_odom_base), sees_other = !moved && !hint && fits_no_more(sample);
+  rode = rides.may_have_ridden(sample, best_pose_at(sample.T_odom_base), sees_other);
+  return rode || hint || moved || sees_other;
 }
 
 bool Localizer::State::moved_enough(const Pose2& now) const {

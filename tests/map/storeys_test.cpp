@@ -106,7 +106,7 @@ TEST_CASE("a map whose storeys make no sense is refused, and the message says wh
   std::vector<json> near = two_storeys();
   near[2]["x"] = 60;
   near[5] = wall("b/wall", 60, 0);
-  CHECK_THROWS_WITH(parsed(near), Contains("house.jsonld: storey 'b': its sheet is 50 m from that of 'a'"));
+  CHECK_THROWS_WITH(parsed(near), Contains("house.jsonld: storey 'b': its sheet is 50.0 m from that of 'a'"));
 
   CHECK_THROWS_WITH(with_another({{"@id", "c"}, {"@type", "Storey"}}), Contains("Storey 'c' has no x"));
   CHECK_THROWS_WITH(with_another(storey("c", 500, 0)), Contains("storey 'c': nothing lies on it"));
@@ -123,7 +123,7 @@ TEST_CASE("a map whose storeys make no sense is refused, and the message says wh
   CHECK_THROWS_WITH(parsed(unknown), Contains("has no landings"));
   unknown[3] = lift({landing("a", 0, 0), landing("b", 0, 0)});
   unknown[3]["radius_m"] = -1;
-  CHECK_THROWS_WITH(parsed(unknown), Contains("radius_m -1, expected a positive number"));
+  CHECK_THROWS_WITH(parsed(unknown), Contains("radius_m -1.0, expected a positive number"));
   CHECK_THROWS_WITH(parsed({lift({landing("a", 0, 0)}), wall("wall", 0, 0)}),
                     Contains("expected no storey, for the map holds none"));
 }

@@ -5,6 +5,8 @@ namespace {
 
 // Less is noise of standing wheels.
 constexpr double kStill_m = 0.03, kStill_rad = 0.03;
+// A robot that stands for less has hardly come to rest.
+constexpr double kAtRest_s = 0.5;
 // A robot at the door's threshold is not in the cabin; poses are off by a few centimetres.
 constexpr double kSlack_m = 0.1;
 
@@ -24,14 +26,15 @@ RideWatch::RideWatch(std::shared_ptr<const MapView> map, const RideOptions& opti
   }
 }
 
-bool RideWatch::may_have_ridden(const Sample& sample, const std::optional<Pose2>& best) {
+bool RideWatch::may_have_ridden(const Sample& sample, const std::optional<Pose2>& best, bool sees_other) {
   if (cabins_.empty()) return false;
   const Pose2& now = sample.T_odom_base;
   const bool moved = !anchor_ || distance_m(anchor_->T_odom_base, now) > kStill_m ||
                      angle_between_rad(anchor_->T_odom_base, now) > kStill_rad;
   if (moved) anchor_ = Anchor{now, sample.stamp_s};
-  if (anchor_->is_told || sample.stamp_s - anchor_->since_s < options_.stand_s || !best || !is_in_lift(*best))
-    return false;
+  const double stood_s = sample.stamp_s - anchor_->since_s;
+  const bool is_due = stood_s >= options_.stand_s || (sees_other && stood_s >= kAtRest_s);
+  if (anchor_->is_told || !is_due || !best || !is_in_lift(*best)) return false;
   anchor_->is_told = true;
   return true;
 }

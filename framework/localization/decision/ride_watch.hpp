@@ -21,9 +21,10 @@ class OPAL_EXPORT RideWatch {
 
   /// Takes what odometry says with every sample, in order of time.
   /// @param best  the best hypothesis' pose at this sample, frame `map`; none without a hypothesis.
-  /// @return true if the robot has stood in a lift for so long that it may have been carried. It is said once for every
-  ///         time that the robot stands.
-  bool may_have_ridden(const Sample& sample, const std::optional<Pose2>& best);
+  /// @param sees_other  what the robot sees fits there no more: a door has closed, or has opened elsewhere.
+  /// @return true if the robot stands in a lift, and has done so for so long, or sees such a change, that it may have
+  ///         been carried. It is said once for every time that the robot stands.
+  bool may_have_ridden(const Sample& sample, const std::optional<Pose2>& best, bool sees_other);
 
   /// Where a robot at a pose may have been carried: the same place in the cabin on every other storey that the lift
   /// serves. Empty if the pose lies in no lift. Frame: `map`.

@@ -74,6 +74,7 @@ const Landing& landing_on(const MapConnection& lift, const std::string& storey) 
 void append_leg(Recording& all, Recording more, double later_s, const Pose2& T_odom_odom) {
   for (RecordedScan& recorded : more.scans) {
     recorded.scan.stamp_s += later_s;
+    if (!all.scans.empty() && recorded.scan.stamp_s <= all.scans.back().scan.stamp_s) continue;  // where legs meet
     if (recorded.scan.T_odom_base) recorded.scan.T_odom_base = T_odom_odom * *recorded.scan.T_odom_base;
     all.scans.push_back(std::move(recorded));
   }
@@ -156,7 +157,7 @@ class RideDrive {
 
   void drive_on() {
     const std::vector<Point> places = tour(above_, above_.T_map_base().position(), options_.after_m, random_);
-    const double most_s = options_.after_m / options_.drive.follower.speed_mps + 20;
+    const double most_s = 60 + 4 * options_.after_m / options_.drive.follower.speed_mps;
     append_leg(recording(), record_way(above_, places, most_s, options_.drive), later_s_, T_odom_odom_);
     recording().queries.back().end_s = recording().scans.back().scan.stamp_s;
   }

@@ -46,16 +46,17 @@ Recording record_on_storeys(const SemanticMap& building, const SimulationOptions
   all.laser = world.laser;
   all.more_lasers = world.more_lasers;
   double later_s = 0;
-  Pose2 T_odom_odom;
+  Pose2 T_odom_end;
   for (int k = 0; k < drives.drives; ++k) {
     const MapStorey& storey = storeys[static_cast<std::size_t>(k) % storeys.size()];
     const std::uint64_t own_seed = seed * 1000003 + static_cast<std::uint64_t>(k);
     Simulation simulation(storey_of_map(building, storey.id), world, own_seed);
     DriveOptions one = drives;
     one.drives = 1;
+    const Pose2 T_odom_odom = T_odom_end * simulation.T_odom_base().inverse();
     append(all, record(simulation, one, Random(own_seed).branch()), later_s, T_odom_odom);
     later_s += simulation.now_s();
-    T_odom_odom = T_odom_odom * simulation.T_odom_base();
+    T_odom_end = T_odom_odom * simulation.T_odom_base();
   }
   return all;
 }

@@ -27,11 +27,11 @@ Pose2 on(const MapView& map, const std::string& storey, const Pose2& T_storey_ba
 }
 
 struct Robot {
-  bool stands(double seconds) {
+  bool stands(double seconds, bool sees_other = false) {
     bool told = false;
     for (const double end_s = now_s + seconds; now_s < end_s;) {
       now_s += 0.1;
-      told |= watch.may_have_ridden(sample(), best);
+      told |= watch.may_have_ridden(sample(), best, sees_other);
     }
     return told;
   }
@@ -58,6 +58,16 @@ TEST_CASE("a robot that stands in a lift for long enough may have been carried, 
   robot.T_odom_base = Pose2(0.2, 0, 0);
   CHECK_FALSE(robot.stands(4));
   CHECK(robot.stands(2));
+}
+
+TEST_CASE("a robot in a lift that sees something else all at once may be carried from then on") {
+  Robot robot;
+  CHECK_FALSE(robot.stands(2));
+  CHECK(robot.stands(0.2, true));
+  CHECK_FALSE(robot.stands(20, true));
+  Robot outside;
+  outside.best = on(*outside.map, "a", {4, 2, 0});
+  CHECK_FALSE(outside.stands(20, true));
 }
 
 TEST_CASE("a robot that stands elsewhere, that knows no place, or that moves, is not carried") {
