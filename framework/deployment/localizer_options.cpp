@@ -158,6 +158,15 @@ const Fields<KidnappingOptions>& fields_of(const KidnappingOptions&) {
   return all;
 }
 
+const Fields<RideOptions>& fields_of(const RideOptions&) {
+  using O = RideOptions;
+  static const Fields<O> all = {
+      {"stand_s", &O::stand_s, "s", 0.1, 1000,
+       "a robot that stands in a lift for so long may be on any storey that the lift serves"},
+  };
+  return all;
+}
+
 /// Calls `use(name, description, stage)` for every stage, in pipeline order.
 template <class Options, class Use>
 void for_each_stage(Options& options, Use&& use) {
@@ -170,6 +179,7 @@ void for_each_stage(Options& options, Use&& use) {
   use("hypotheses", "the set of hypotheses", options.hypotheses);
   use("status", "when a pose is called localized, when lost", options.status);
   use("kidnapping", "kidnap detection", options.kidnapping);
+  use("rides", "rides in lifts from storey to storey", options.rides);
 }
 
 template <class Stage>

@@ -2,6 +2,7 @@
 
 #include "common/csv_table.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <ostream>
 
@@ -41,7 +42,8 @@ Pose2 pose_in(const CsvTable& table) {
 }  // namespace
 
 void write_results(std::ostream& out, std::span<const ResultRow> rows) {
-  out << "query_id,timestamp,x,y,theta,localized_flag,probability,none,status\n";
+  const bool has_storeys = std::any_of(rows.begin(), rows.end(), [](const ResultRow& r) { return !r.storey.empty(); });
+  out << "query_id,timestamp,x,y,theta,localized_flag,probability,none,status" << (has_storeys ? ",storey\n" : "\n");
   for (const ResultRow& row : rows) {
     const Pose2& pose = row.T_map_laser;
     if (!is_finite(row.stamp_s, pose, row.probability + row.none)) continue;
@@ -49,7 +51,9 @@ void write_results(std::ostream& out, std::span<const ResultRow> rows) {
     append(line, {row.stamp_s, pose.x(), pose.y(), pose.heading_rad()});
     line += row.localized() ? ",1" : ",0";
     append(line, {row.probability, row.none});
-    out << line << ',' << name_of(row.status) << '\n';
+    out << line << ',' << name_of(row.status);
+    if (has_storeys) out << ',' << csv_field(row.storey);
+    out << '\n';
   }
 }
 

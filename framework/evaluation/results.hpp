@@ -16,8 +16,9 @@ struct ResultRow {
   double stamp_s = 0;
   Pose2 T_map_laser;  ///< the laser's pose, not the robot's
   Status status = Status::searching;
-  double probability = 0;  ///< that the pose is right
-  double none = 1;         ///< that neither this place nor any alternative is right
+  double probability = 0;   ///< that the pose is right
+  double none = 1;          ///< that neither this place nor any alternative is right
+  std::string storey = {};  ///< id; empty if the map holds no storeys
 
   bool localized() const { return status == Status::localized; }  ///< the program calls the pose localized
 };
@@ -31,7 +32,7 @@ struct AlternativeRow {
 };
 
 /// Writes a CSV table `query_id,timestamp,x,y,theta,localized_flag,probability,none,status` [s, m, rad] with its
-/// header. What is not finite is left out.
+/// header, and a column `storey` behind if any row names one. What is not finite is left out.
 OPAL_EXPORT void write_results(std::ostream& out, std::span<const ResultRow> rows);
 /// Writes a CSV table `query_id,timestamp,x,y,theta,probability` [s, m, rad] with its header.
 OPAL_EXPORT void write_alternatives(std::ostream& out, std::span<const AlternativeRow> rows);

@@ -5,6 +5,7 @@
 #include "localization/alignment/pose_step.hpp"
 #include "localization/alignment/registration.hpp"
 #include "localization/decision/kidnap_detector.hpp"
+#include "localization/decision/ride_watch.hpp"
 #include "localization/decision/status.hpp"
 #include "localization/decision/unmapped_walls.hpp"
 #include "localization/events/run_journal.hpp"
@@ -32,15 +33,20 @@ struct Localizer::State {
         retrospective(parts.map, ensemble, parts.stages.verification, parts.stages.tracking.evidence_memory),
         hypotheses(parts.map, ensemble, parts.stages, journal),
         kidnapping(parts.stages.kidnapping, parts.stages.tracking.evidence_memory),
+        rides(parts.map, parts.stages.rides),
         schedule(parts.stages.schedule),
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
   void check_sensors(const Sample& sample);
+  bool is_keyframe(const Sample& sample);
   bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Sample& sample) const;
   double tempering_weight() const;  ///< of the newest scan
   PoseEstimate estimate(const Observation& observation);
   void track(const Observation& observation, const Sample& sample);
+  void carry();
+  std::optional<Pose2> best_pose_at(const Pose2& T_odom_base) const;
+  PoseEstimate with_place(PoseEstimate estimate) const;
   void watch();
   void settle();
   bool time_to_search();
@@ -62,6 +68,7 @@ struct Localizer::State {
   RetrospectiveVerification retrospective;
   HypothesisSet hypotheses;
   KidnapDetector kidnapping;
+  RideWatch rides;
   SearchSchedule schedule;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
@@ -72,6 +79,7 @@ struct Localizer::State {
   Pose2 T_odom_base;                ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
   std::optional<PoseHint> hint;     ///< for the next search
+  bool rode = false;                ///< a lift may have carried the robot since it came to rest
   bool search_now = false;          ///< the robot may have been kidnapped, since this scan
   double sensor_s = 0;              ///< CPU time of the sensor check since the newest keyframe
   StageTimes times;
@@ -83,7 +91,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   Sample sample = recorded;
   sample.T_odom_base = s.odometry.next(recorded.T_odom_base);
   s.check_sensors(sample);
-  if (!s.hint && !s.moved_enough(sample.T_odom_base) && !s.fits_no_more(sample)) return std::nullopt;
+  if (!s.is_keyframe(sample)) return std::nullopt;
   s.times = {.sensor_s = std::exchange(s.sensor_s, 0)};
   s.stamp_s = sample.stamp_s;
   SeenFeatures seen;  // base_link frame
@@ -111,7 +119,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), best_nat);
-  const PoseEstimate estimate = s.estimate(observation);
+  const PoseEstimate estimate = s.with_place(s.estimate(observation));
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());
   s.journal.cost(s.times, s.times.total_s());
@@ -127,6 +135,12 @@ void Localizer::State::check_sensors(const Sample& sample) {
   if (!changed) return;
   status.contradict(sensors.contradiction());
   journal.sensor(sensors.findings());
+}
+
+bool Localizer::State::is_keyframe(const Sample& sample) {
+  const bool moved = moved_enough(sample.T_odom_base), sees_other = !moved && !hint && fits_no_more(sample);
+  rode = rides.may_have_ridden(sample, best_pose_at(sample.T_odom_base), sees_other);
+  return rode || hint || moved || sees_other;
 }
 
 bool Localizer::State::moved_enough(const Pose2& now) const {
@@ -173,9 +187,27 @@ void Localizer::State::track(const Observation& observation, const Sample& sampl
   hypotheses.track(observation, tempering_weight(), coarse, window);
 }
 
+/// What was seen before a ride was seen on another storey, perhaps.
+void Localizer::State::carry() {
+  hypotheses.carry([this](const Pose2& pose) { return rides.elsewhere(pose); }, local_map.T_local_base());
+  local_map.keep_only({});
+  retrospective.forget_until(keyframe);
+}
+
+std::optional<Pose2> Localizer::State::best_pose_at(const Pose2& now) const {
+  if (hypotheses.alive().empty()) return std::nullopt;
+  return hypotheses.alive().front().hypothesis.T_map_local * local_map.T_local_base_at(now);
+}
+
+PoseEstimate Localizer::State::with_place(PoseEstimate estimate) const {
+  if (estimate.has_pose) estimate.place = place_in_building(parts.map->map(), estimate.T_map_base);
+  return estimate;
+}
+
 /// Asks whether the robot is still where the best hypothesis has it.
 void Localizer::State::watch() {
   search_now = false;
+  if (rode) carry();
   if (hypotheses.alive().empty()) return kidnapping.reset();
   const Live& best = hypotheses.alive().front();
   const bool suspected = kidnapping.suspected().has_value();
@@ -247,7 +279,8 @@ Localizer::Localizer(LocalizerParts parts, EventSink* events)
 Localizer::~Localizer() = default;
 
 PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) const {
-  return state_->status.at(stamp_s, state_->local_map.T_local_base_at(state_->odometry.at(T_odom_base)));
+  const Pose2 T_local_base = state_->local_map.T_local_base_at(state_->odometry.at(T_odom_base));
+  return state_->with_place(state_->status.at(stamp_s, T_local_base));
 }
 
 void Localizer::hint(const PoseHint& hint) {
@@ -264,6 +297,7 @@ void Localizer::reset() {
   s.retrospective.clear();
   s.hypotheses.clear();
   s.kidnapping.reset();
+  s.rides.reset();
   s.search_now = false;
   s.status.reset();
   s.started = false;

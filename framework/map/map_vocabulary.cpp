@@ -89,7 +89,7 @@ bool is_own_term(const std::string& iri) { return is_own(iri) && terms().term_of
 
 bool is_reserved_type(std::string_view iri) {
   return iri == iri::kSemanticMap || iri == iri::kRepresentation || iri == iri::kPattern || iri == iri::kPlacement ||
-         iri == iri::kOverlay || iri == iri::kChange;
+         iri == iri::kOverlay || iri == iri::kChange || iri == iri::kConnection || iri == iri::kLanding;
 }
 
 bool is_geometry_type(std::string_view iri) {

@@ -1,6 +1,7 @@
 #include "map/semantic_map_draft.hpp"
 
 #include "map/map_vocabulary.hpp"
+#include "map/semantic_map_storeys.hpp"
 #include "map/semantic_map_unused.hpp"
 
 #include <opal/common/error.hpp>
@@ -79,6 +80,7 @@ void name_ids(MapDraft& draft) {
     for (std::string& part : pattern.subpatterns) compact(part);
   }
   for (MapPlacement& placement : draft.origin.placements) compact(placement.id);
+  name_storeys(draft);
 }
 
 /// Sorts elements and their places alike. @return for each old number the new one.
@@ -162,6 +164,7 @@ void sort_by_id(MapDraft& draft) {
       });
   sort_elements(draft.patterns, draft.pattern_places, by_id);
   std::stable_sort(draft.origin.placements.begin(), draft.origin.placements.end(), by_id);
+  sort_storeys(draft.origin);
   for (MapFeature& feature : draft.features) feature.object = objects[feature.object.number()];
   for (MapPattern& pattern : draft.patterns)
     for (MapFeatureNumber& feature : pattern.features) feature = features[feature.number()];
@@ -184,6 +187,7 @@ std::shared_ptr<const SemanticMap> SemanticMap::finish(MapDraft draft) {
   check_ids(draft);
   unify_shared_points(draft);
   check_values(draft);
+  check_storeys(draft);
   for (std::size_t i = 0; i < draft.patterns.size(); ++i)
     draft.patterns[i].place = draft.source + ": " + draft.pattern_places[i];
   return std::shared_ptr<const SemanticMap>(new SemanticMap(std::move(draft)));

@@ -271,11 +271,14 @@ void check_ids(const MapDraft& draft) {
     names.claim_alone(draft.patterns[i].id, "pattern", draft.pattern_places[i]);
     check_text(draft, draft.pattern_places[i], draft.patterns[i].id + draft.patterns[i].pattern_template);
   }
-  for (const MapPlacement& placement : draft.origin.placements) {
-    const std::string place = "placement '" + placement.id + "'";
-    names.claim_alone(placement.id, "placement", place);
-    check_text(draft, place, placement.id);
-  }
+  const auto claim_all = [&](const auto& things, const char* what) {
+    for (const auto& thing : things) names.claim_alone(thing.id, what, what + (" '" + thing.id + "'"));
+    for (const auto& thing : things) check_text(draft, what, thing.id);
+  };
+  claim_all(draft.origin.placements, "placement");
+  claim_all(draft.origin.buildings, "building");
+  claim_all(draft.origin.storeys, "storey");
+  claim_all(draft.origin.connections, "connection");
   check_representations(draft);
 }
 

@@ -3,6 +3,7 @@
 #include "jsonld/context/iri.hpp"
 #include "map/map_notes.hpp"
 #include "map/map_vocabulary.hpp"
+#include "map/semantic_map_storeys.hpp"
 #include "map/semantic_map_unused.hpp"
 
 #include <opal/common/error.hpp>
@@ -28,6 +29,7 @@ class Reader {
     for (const GraphNode& node : graph_.nodes()) read_map_name(node);
     for (const GraphNode& node : graph_.nodes())
       if (node.has_type(iri::kPlacement)) read_placement(node);
+    read_storeys(graph_, uses_, draft_.origin);
     for (const GraphNode& node : graph_.nodes())
       if (is_object(node)) read_object(node);
     for (const GraphNode& node : graph_.nodes())

@@ -20,8 +20,8 @@ struct RoleWords {
 using namespace vocabulary;
 
 /// In the order of NodeRole.
-const std::array<RoleWords, 12>& words_by_role() {
-  static const std::array<RoleWords, 12> words{{
+const std::array<RoleWords, 16>& words_by_role() {
+  static const std::array<RoleWords, 16> words{{
       {{iri::kName, iri::kSmear, iri::kCutHeight, iri::kStorey, iri::kWidestDoor, iri::kNorth, iri::kCrs,
         iri::kEastings, iri::kNorthings, iri::kCrsHeight, iri::kCrsHeading},
        {iri::kSemanticMap}},
@@ -40,6 +40,10 @@ const std::array<RoleWords, 12>& words_by_role() {
       {{iri::kPositionSigma, iri::kExistence}, {}},
       {{iri::kTemplate, iri::kFeatures, iri::kSubpatterns, iri::kDimensions, iri::kPerceivableBy}, {iri::kPattern}},
       {{iri::kX, iri::kY, iri::kHeading, iri::kScaleX, iri::kScaleY}, {iri::kPlacement}},
+      {{iri::kName, iri::kHasStorey}, {iri::kBuilding}},
+      {{iri::kName, iri::kX, iri::kY, iri::kLevel}, {iri::kStoreyType}},
+      {{iri::kName, iri::kConnectionType, iri::kLandings, iri::kRadius}, {iri::kConnection}},
+      {{iri::kOnStorey, iri::kX, iri::kY, iri::kHeading}, {iri::kLanding}},
   }};
   return words;
 }

@@ -22,7 +22,11 @@ enum class NodeRole {
   point,
   feature,
   pattern,
-  placement
+  placement,
+  building,
+  storey,
+  connection,
+  landing
 };
 
 /// Which properties and types of a node the typed map holds, by the roles that the node plays.

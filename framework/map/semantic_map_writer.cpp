@@ -3,6 +3,7 @@
 #include "map/map_notes.hpp"
 #include "map/map_vocabulary.hpp"
 #include "map/semantic_map_draft.hpp"
+#include "map/semantic_map_storeys.hpp"
 
 #include <set>
 #include <unordered_set>
@@ -22,6 +23,7 @@ class Writer {
     Json graph = Json::array();
     if (const Json node = map_node(); node.size() > 1) graph.push_back(node);
     for (const MapPlacement& placement : map_.origin().placements) graph.push_back(written(placement));
+    write_storeys(map_.origin(), graph);
     for (const std::string& sensor : sensors()) graph.push_back({{"@id", sensor}, {"@type", "Sensor"}});
     for (const MapObject& object : map_.objects()) graph.push_back(written(object));
     for (const MapPattern& pattern : map_.patterns()) graph.push_back(written(pattern));

@@ -1,5 +1,6 @@
 #include "geojson_importer.hpp"
 
+#include "connections.hpp"
 #include "imdf_archive.hpp"
 #include "level.hpp"
 
@@ -120,7 +121,12 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
 
   const PlanAssembly assembly =
       assemble_plan(path, collection.name.empty() ? name_of(path) : collection.name, plan.elements, plan_.plan);
-  MapImport imported{assembly.map, std::move(sentences), std::move(plan.things), {}};
+  MapOrigin origin;
+  origin.storey = collection.label_of_level.contains(level) ? collection.label_of_level.at(level) : level;
+  origin.connections = connections_of(collection, level);
+  const auto map =
+      SemanticMap::make(assembly.map->name(), assembly.map->objects(), assembly.map->features(), {}, origin);
+  MapImport imported{map, std::move(sentences), std::move(plan.things), {}};
   report_outcomes(plan.elements, assembly, imported.elements);
   sort_by_id(imported.elements);
   imported.report.push_back(extent_sentence(*assembly.map));

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 namespace opal::ifc_importer {
@@ -52,13 +53,38 @@ std::vector<std::size_t> solids_in_order(const std::vector<ElementCut>& cuts) {
   return order;
 }
 
-MapOrigin origin_of(const Building& building, const LevelChoice& level, const std::vector<ElementCut>& cuts) {
+/// What the plane shows of a lift or of stairs: the middle of its outline, and half of its narrower side.
+MapConnection connection_at(const ElementCut& cut, const char* type) {
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Segment& s : segments_of(cut.outline)) {
+    low = low.cwiseMin(s.begin);
+    high = high.cwiseMax(s.begin);
+  }
+  constexpr double kLeast_m = 0.5, kMost_m = 10;
+  const double radius_m = std::clamp((high - low).minCoeff() / 2, kLeast_m, kMost_m);
+  return {cut.element->id + "/connection", type, cut.element->name, radius_m, {{"", Pose2((low + high) / 2, 0)}}};
+}
+
+std::vector<MapConnection> connections_of(const std::vector<ElementCut>& cuts) {
+  std::vector<MapConnection> connections;
+  for (const ElementCut& cut : cuts) {
+    if (!cut.is_cut()) continue;
+    if (cut.element->is_a("IfcTransportElement")) connections.push_back(connection_at(cut, "opal:Lift"));
+    if (cut.element->is_a("IfcStair") || cut.element->is_a("IfcStairFlight"))
+      connections.push_back(connection_at(cut, "opal:Stair"));
+  }
+  return connections;
+}
+
+MapOrigin origin_of(const Building& building, const LevelChoice& level, const std::vector<ElementCut>& chosen,
+                    const std::vector<ElementCut>& cuts) {
   MapOrigin origin;
   origin.cut_height_m = level.height_m;
   origin.storey = level.storey;
-  origin.widest_door_m = widest_door_m(cuts);
+  origin.widest_door_m = widest_door_m(chosen);
   origin.north_rad = building.north_rad;
   origin.georeference = building.georeference;
+  origin.connections = connections_of(cuts);
   return origin;
 }
 
@@ -90,7 +116,7 @@ MapImport IfcImporter::import(const std::string& path) const {
         {chosen[k].solid, objects.try_emplace(chosen[k].object->id, static_cast<int>(objects.size())).first->second});
   const Plan plan = unite(solids);
   const AssembledMap assembled = assemble(name_of(path, level.storey), chosen, plan, order, duplicates,
-                                          origin_of(building, level, chosen), options_.sensor);
+                                          origin_of(building, level, chosen, cuts), options_.sensor);
   MapImport imported;
   imported.map = assembled.map;
   imported.elements = imported_elements(cuts, duplicates, assembled);

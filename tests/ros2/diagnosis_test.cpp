@@ -62,3 +62,19 @@ TEST_CASE("complaints, what was odd and findings about sensors are all told") {
   CHECK(told[3].name == "opal: laser front");
   CHECK(told[3].level == DiagnosisLevel::error);
 }
+
+TEST_CASE("on a map of several storeys, building and storey are told, and the place there") {
+  LiveAnswer answer = answer_at(1, Status::localized);
+  answer.estimate.has_pose = true;
+  answer.estimate.T_map_base = Pose2(204, 51, 0);
+  const auto named = [&](const std::string& key) {
+    for (const auto& [name, value] : diagnoses_of(answer, {}, 1)[0].values)
+      if (name == key) return value;
+    return std::string();
+  };
+  CHECK(named("storey").empty());
+  answer.estimate.place = {"house", "b", Pose2(4, 1, 0)};
+  CHECK(named("building") == "house");
+  CHECK(named("storey") == "b");
+  CHECK(named("storey_x_m") == "4.000");
+}

@@ -48,13 +48,21 @@ std::string pose_words(const opal::Pose2& pose) {
                      pose.heading_rad() * 180 / std::numbers::pi);
 }
 
+std::string place_words(const opal::Localizer& localizer, const opal::Pose2& T_map_base) {
+  const opal::SemanticMap& map = localizer.map().map();
+  const opal::PlaceInBuilding place = place_in_building(map, T_map_base);
+  if (place.storey.empty()) return pose_words(T_map_base);
+  return fmt::format("{}: {} (map: {})", words_for(map, place), pose_words(place.T_storey_base),
+                     pose_words(T_map_base));
+}
+
 void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer, const std::string& why) {
   const double probability = answer.has_pose ? answer.probability : 0;
   std::printf("at the end: %s", opal::status_text(name_of(answer.status), probability).c_str());
   if (answer.has_pose) {
     std::printf(", probability %.3f, %d %s\n", answer.probability, answer.hypotheses,
                 answer.hypotheses == 1 ? "hypothesis" : "hypotheses");
-    std::printf("pose: %s\n", pose_words(answer.T_map_base).c_str());
+    std::printf("pose: %s\n", place_words(localizer, answer.T_map_base).c_str());
   } else {
     std::printf("\nno pose\n");
   }
@@ -62,7 +70,7 @@ void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& an
       !reason.empty())
     std::printf("%s\n", reason.c_str());
   for (const auto& alternative : answer.alternatives)
-    std::printf("alternative:  %s, probability %.3f\n", pose_words(alternative.T_map_base).c_str(),
+    std::printf("alternative:  %s, probability %.3f\n", place_words(localizer, alternative.T_map_base).c_str(),
                 alternative.probability);
   const auto associations = associations_of(localizer);
   if (!associations.empty()) std::printf("it rests on:\n");

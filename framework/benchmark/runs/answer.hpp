@@ -17,6 +17,8 @@ struct NamedAssociation {
 std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer);
 
 std::string pose_words(const opal::Pose2& pose);
+/// The same with storey and building, in the storey's own frame first, where the map holds storeys.
+std::string place_words(const opal::Localizer& localizer, const opal::Pose2& T_map_base);
 
 /// Status, pose, alternatives and associations, on stdout.
 /// @param why  the status is what it is.

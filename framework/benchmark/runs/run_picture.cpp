@@ -55,7 +55,12 @@ void add_best(opal::DrawingScene& scene, const opal::Localizer& localizer, const
     if (local.stable) scene.local_features.push_back({transformed(T_map_local, local.feature.geometry)});
   for (const NamedAssociation& named : associations_of(localizer))
     scene.associations.push_back({named.local, named.mapped});
-  scene.notes.push_back(pose_words(record.last.T_map_base));
+  scene.notes.push_back(place_words(localizer, record.last.T_map_base));
+  if (const opal::MapStorey* storey = storey_at(localizer.map().map(), record.last.T_map_base.position())) {
+    constexpr double kMargin_m = 2;  // a picture shows one sheet
+    const opal::Point margin = opal::Point::Constant(kMargin_m);
+    scene.view = {opal::Point(storey->bounds[0] - margin), opal::Point(storey->bounds[1] + margin)};
+  }
 }
 
 }  // namespace

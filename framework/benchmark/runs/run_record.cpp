@@ -16,8 +16,8 @@ void add(opal::StageTimes& sum, const opal::StageTimes& one) {
 
 void add_rows(RunRecord& record, const std::string& query, const opal::LaserModel& laser) {
   const opal::PoseEstimate& said = record.last;
-  record.rows.push_back(
-      {query, said.stamp_s, said.T_map_base * laser.T_base_laser, said.status, said.probability, said.none});
+  record.rows.push_back({query, said.stamp_s, said.T_map_base * laser.T_base_laser, said.status, said.probability,
+                         said.none, said.place.storey});
   for (const auto& alternative : said.alternatives)
     record.alternatives.push_back(
         {query, said.stamp_s, alternative.T_map_base * laser.T_base_laser, alternative.probability});

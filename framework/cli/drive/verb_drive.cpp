@@ -10,6 +10,7 @@
 
 #include "closed_loop/no_way.hpp"
 #include "ipc/remote/remote_localization.hpp"
+#include "map_tools/map_stack.hpp"
 #include "navigation/node_registry.hpp"
 #include "report/quantity_text.hpp"
 #include "simulation/drives/recording.hpp"
@@ -27,7 +28,7 @@ namespace sim = opal::simulation;
 namespace behaviours = opal::behaviours;
 
 struct DriveVerbOptions : WorldOptions {
-  std::string config, map, out = "out", behaviour, trees, localizer, record;
+  std::string config, map, out = "out", behaviour, trees, localizer, record, storey;
   std::vector<double> goal, start;
   std::uint64_t seed = 1;
   int runs = 1;
@@ -167,6 +168,15 @@ DriveSetup set_up(DriveVerbOptions& options) {
   return setup;
 }
 
+/// What a drive takes place in: the building, or one of the storeys that its map holds.
+std::shared_ptr<const opal::SemanticMap> driven_map(const DriveVerbOptions& options, const DriveSetup& setup,
+                                                    std::uint64_t seed) {
+  const auto& storeys = setup.map->origin().storeys;
+  if (!options.storey.empty()) return opal::storey_of_map(*setup.map, options.storey);
+  if (storeys.empty()) return setup.map;
+  return opal::storey_of_map(*setup.map, storeys[seed % storeys.size()].id);
+}
+
 /// Drives one after the other until a stop is asked for; a drive that it cuts is left out.
 void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report, DriveRecording& recording) {
   const opal::FloorGrid floor =
@@ -174,7 +184,7 @@ void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& 
   const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
-    sim::Simulation simulation(setup.map, options.world, seed);
+    sim::Simulation simulation(driven_map(options, setup, seed), options.world, seed);
     const DriveTask task = task_of(options, simulation, floor, seed);
     const auto tree = behaviours::read_tree(nodes, setup.trees, options.behaviour);
     const opal::DriveRecord record =
@@ -220,6 +230,8 @@ void opal::add_drive_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--start", options->start, "X,Y,THETA [m, rad], which the robot is not told; drawn if not given")
       ->delimiter(',')
       ->expected(3);
+  verb->add_option("--storey", options->storey, "of a map that holds several: where the robot drives, not told to it")
+      ->default_str("one by the seed");
   verb->add_option("--behaviour", options->behaviour,
                    "a tree of the document: disambiguate, rotate_and_go, inspect, search")
       ->default_str("the first one");

@@ -1,5 +1,6 @@
 #include "cli/experiment/experiment_buildings.hpp"
 #include "cli/experiment/experiment_faults.hpp"
+#include "cli/experiment/experiment_storeys.hpp"
 #include "cli/experiment/experiments.hpp"
 #include "cli/options/verbs.hpp"
 #include "session/session.hpp"
@@ -63,4 +64,5 @@ void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
   add_thesis(*experiments, "thesis4", "the 12 closed-loop runs of table 4.1", exit_code);
   add_experiment_buildings(*experiments, exit_code);
   add_experiment_faults(*experiments, exit_code);
+  add_experiment_storeys(*experiments, exit_code);
 }

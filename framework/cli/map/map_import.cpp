@@ -1,5 +1,6 @@
 #include "cli/map/map_import.hpp"
 #include "cli/map/map_derive.hpp"
+#include "cli/map/map_stack.hpp"
 #include "cli/options/exit_code.hpp"
 
 #include "session/session.hpp"
@@ -20,6 +21,8 @@ struct ImportOptions {
   std::optional<double> z_m;
   std::vector<std::string> words, detectors;
   double thicken_m = 0;
+  bool all = false;
+  StackVerbOptions stack;
 };
 
 /// All that was said about options: by the deployment first, then on the command line.
@@ -60,11 +63,38 @@ void expect_other_file(const std::string& source, const std::string& out) {
     throw opal::ConfigError(out + ": is the source that is imported, expected another file to write (.jsonld)");
 }
 
+void write_report(const ImportedStoreys& imported, const std::string& path) {
+  nlohmann::ordered_json by_storey = nlohmann::ordered_json::object();
+  std::string text;
+  for (std::size_t k = 0; k < imported.parts.size(); ++k) {
+    by_storey[imported.parts[k].id] = opal::import_report(imported.imports[k]);
+    text += imported.parts[k].id + ":\n" + text_of(imported.imports[k].report);
+  }
+  opal::write_text(path, std::filesystem::path(path).extension() == ".json" ? by_storey.dump(1) + '\n' : text);
+}
+
+/// Every storey, a sheet each.
+int import_all(const ImportOptions& options, const opal::PluginRegistry& registry, const nlohmann::json& chosen) {
+  ImportedStoreys imported = import_storeys(registry, options.source, chosen, options.stack);
+  std::cout << text_of(imported.left_out);
+  opal::MapImport all;
+  all.map = finished(imported.stacked, options.stack);
+  for (const std::string& detector : options.detectors) all.map = derived_by(registry, *all.map, detector, {}, {}).map;
+  opal::write_map(*all.map, options.out);
+  std::cout << "written: " << options.out << ", " << all.map->origin().storeys.size() << " storeys, "
+            << all.map->origin().connections.size() << " connections\n";
+  if (!options.report.empty()) write_report(imported, options.report);
+  draw(all, options);
+  return kDone;
+}
+
 int import(const ImportOptions& options) {
   expect_other_file(options.source, options.out);
   const opal::PluginRegistry registry = load_plugins();
   const opal::RegisteredType& importer = importer_of(registry, options.source);
-  opal::MapImport imported = import_map(registry, options.source, options_for(importer, registry, options));
+  const nlohmann::json chosen = options_for(importer, registry, options);
+  if (options.all) return import_all(options, registry, chosen);
+  opal::MapImport imported = import_map(registry, options.source, chosen);
   for (const std::string& detector : options.detectors)
     imported.map = derived_by(registry, *imported.map, detector, {}, {}).map;
   opal::write_map(*imported.map, options.out);
@@ -115,6 +145,10 @@ void add_map_import(CLI::App& map, int& exit_code) {
       verb->add_option("--storey", options->storey, "name of the storey to import (`opal map storeys`)");
   verb->add_option("--z", options->z_m, "height of the cut in the building's coordinates [m], instead of a storey")
       ->excludes(storey);
+  verb->add_flag("--all", options->all, "every storey of the source, a sheet each in one map")
+      ->excludes(storey)
+      ->excludes(verb->get_option("--z"));
+  options->stack.add_to(*verb);
   add_choices(*verb, *options);
   verb->add_option("--derive", options->detectors,
                    "add the features that this detector would find (`opal map derive`); may be repeated")

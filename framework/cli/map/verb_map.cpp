@@ -6,6 +6,7 @@
 #include "cli/map/map_overlay.hpp"
 #include "cli/map/map_patterns.hpp"
 #include "cli/map/map_redraw.hpp"
+#include "cli/map/map_stack.hpp"
 #include "cli/options/damage_options.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/join_options.hpp"
@@ -144,13 +145,14 @@ void add_raster(CLI::App& map, int& exit_code) {
 }  // namespace
 
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
-  CLI::App* map =
-      app.add_subcommand("map",
-                         "semantic maps: import, storeys, check, patterns, derive, frame, overlay, damage, join, "
-                         "raster, redraw, push, pull, list, diff, generate");
+  CLI::App* map = app.add_subcommand(
+      "map",
+      "semantic maps: import, storeys, stack, check, patterns, derive, frame, overlay, damage, join, "
+      "raster, redraw, push, pull, list, diff, generate");
   map->require_subcommand(1);
   add_map_import(*map, exit_code);
   add_map_storeys(*map, exit_code);
+  add_map_stack(*map, exit_code);
   add_check(*map, exit_code);
   add_map_patterns(*map, exit_code);
   add_map_derive(*map, exit_code);

@@ -9,6 +9,7 @@
 
 #include "simulation/beam_statistics.hpp"
 #include "simulation/drives/recording.hpp"
+#include "simulation/drives/storey_drives.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/sensing/replay.hpp>
@@ -78,6 +79,20 @@ void expect_other_place(const SimulateOptions& options) {
                               ": is the map that is driven in, expected another PREFIX to write");
 }
 
+/// Drives on every storey of a map that holds several.
+int simulate_storeys(const SimulateOptions& options, const opal::SemanticMap& map, const opal::SemanticMap& building) {
+  if (!options.along.empty())
+    throw opal::ConfigError("--along: takes a map of one storey, found " + options.map + " with several");
+  const sim::Recording recording = sim::record_on_storeys(building, options.world, options.drives, options.damage.seed);
+  const StopSignals all_or_none;
+  sim::write_recorded_place(recording, map, options.out);
+  std::printf("%zu drives on %zu storeys, %zu scans\n", recording.queries.size(), map.origin().storeys.size(),
+              recording.scans.size());
+  std::cout << "written: " << options.out
+            << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
+  return kDone;
+}
+
 int simulate(SimulateOptions options) {
   expect_other_place(options);
   set_laser(options);
@@ -85,6 +100,7 @@ int simulate(SimulateOptions options) {
   const auto map = load_map(registry, options.map);
   options.furnish(registry, *map);
   const auto building = options.damage.any() ? opal::damaged_map(*map, options.damage.damage()) : map;
+  if (!map->origin().storeys.empty()) return simulate_storeys(options, *map, *building);
   const double start_s = opal::process_cpu_s();
   sim::Simulation simulation(building, options.world, options.damage.seed);
   const double ready_s = opal::process_cpu_s();

@@ -57,6 +57,12 @@ ordered_json map_event(const MapView& view) {
   for (MapFeatureNumber number : view.features()) perceivable[number.number()] = true;
   for (std::size_t k = 0; k < map.features().size(); ++k)
     e["features"].push_back(feature_json(map.features()[k], perceivable[k]));
+  for (const MapStorey& storey : map.origin().storeys)
+    e["storeys"].push_back(
+        {{"id", storey.id},
+         {"name", words_for(map, {storey.building, storey.id, {}})},
+         {"origin", {storey.origin.x(), storey.origin.y()}},
+         {"bounds", {storey.bounds[0].x(), storey.bounds[0].y(), storey.bounds[1].x(), storey.bounds[1].y()}}});
   for (const MapPattern& pattern : map.patterns()) e["patterns"].push_back(pattern_json(map, pattern));
   return e;
 }

@@ -253,6 +253,9 @@ void RunJournal::estimate(const PoseEstimate& estimate, const std::vector<Live>&
   if (estimate.has_pose) {
     e["hypothesis"] = estimate.best;
     e["T_map_base"] = pose_json(estimate.T_map_base);
+    if (const PlaceInBuilding& place = estimate.place; !place.storey.empty())
+      e["place"] = {
+          {"building", place.building}, {"storey", place.storey}, {"T_storey_base", pose_json(place.T_storey_base)}};
   }
   auto rows = Json::array();
   for (std::size_t k = 0; k < alive.size(); ++k) rows.push_back(hypothesis_json(alive[k], belief.hypotheses[k]));

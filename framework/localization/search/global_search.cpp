@@ -21,6 +21,16 @@ std::vector<const Hypothesis*> pointers_to(const std::vector<Hypothesis>& hypoth
 
 bool better(const VerifiedCandidate& a, const VerifiedCandidate& b) { return a.nat > b.nat; }
 
+/// The same place on the other storeys of the same building, going by their own frames.
+std::vector<Pose2> above_and_below(const SemanticMap& map, const Pose2& T_map_base) {
+  std::vector<Pose2> places;
+  const MapStorey* here = storey_at(map, T_map_base.position());
+  for (const MapStorey& storey : map.origin().storeys)
+    if (&storey != here && storey.building == here->building)
+      places.push_back(storey.to_map(here->to_storey(T_map_base)));
+  return places;
+}
+
 }  // namespace
 
 std::vector<SearchFeature> GlobalSearch::features_for(const Context& context) const {
@@ -91,6 +101,15 @@ std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::
   return candidates;
 }
 
+/// The same places on other storeys, which often look alike: a candidate never comes without its rivals.
+std::vector<Candidate> GlobalSearch::above_and_below_best(const std::vector<VerifiedCandidate>& found) const {
+  constexpr std::size_t kBest = 6;
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < std::min(kBest, found.size()); ++k)
+    for (const Pose2& pose : above_and_below(map_->map(), found[k].candidate.T_map_base)) candidates.push_back({pose});
+  return candidates;
+}
+
 /// Returns only, and few of them.
 Observation GlobalSearch::with_few_points(const Context& context) {
   const Observation& full = context.observation;
@@ -156,6 +175,11 @@ GlobalSearch::Result GlobalSearch::search(const Context& context, StageTimes& ti
       result.candidates.push_back(std::move(each));
   }
   keep_best(result.candidates, context, result);  // those that fix the pose and those that do not may be at one place
+  if (!map_->map().origin().storeys.empty()) {
+    StageClock clock(times.verify_s);
+    for (VerifiedCandidate& each : verified(above_and_below_best(result.candidates), context, result))
+      result.candidates.push_back(std::move(each));
+  }
   return result;
 }
 

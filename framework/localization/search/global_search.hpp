@@ -62,6 +62,7 @@ class OPAL_EXPORT GlobalSearch {
  private:
   std::vector<SearchFeature> features_for(const Context& context) const;
   std::vector<Candidate> candidates_near(const PoseHint& hint, std::span<const Point> coarse) const;
+  std::vector<Candidate> above_and_below_best(const std::vector<VerifiedCandidate>& found) const;
   std::vector<VerifiedCandidate> verified(std::vector<Candidate> candidates, const Context& context,
                                           Result& result) const;
   static Observation with_few_points(const Context& context);

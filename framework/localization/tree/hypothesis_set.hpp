@@ -10,6 +10,7 @@
 
 #include <opal/localization/options/localizer_options.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace opal {
@@ -77,6 +78,12 @@ class OPAL_EXPORT HypothesisSet {
   /// Forgets associations whose local feature the local map has forgotten, and those that no longer fit: `grow`
   /// decides on these features anew.
   void forget(const LocalMap& local_map);
+
+  /// Where a robot at a pose may be instead; frame `map`.
+  using Elsewhere = std::function<std::vector<Pose2>(const Pose2& T_map_base)>;
+  /// The robot may have been carried to a few known places, and odometry did not show it. Each hypothesis that has such
+  /// places shares its weight alike with those there, or with new ones. What they have gathered goes along.
+  void carry(const Elsewhere& elsewhere, const Pose2& T_local_base);
 
   /// The best hypothesis is right and the robot was kidnapped: ends those by which it was not. What is left has
   /// gathered nothing before that.

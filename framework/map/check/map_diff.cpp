@@ -2,6 +2,7 @@
 
 #include "common/phrases.hpp"
 #include "map/map_notes.hpp"
+#include "map/semantic_map_storeys.hpp"
 
 #include <fmt/format.h>
 
@@ -35,6 +36,12 @@ template <class Noted>
 nlohmann::ordered_json notes_of(const Noted& noted) {
   nlohmann::ordered_json notes = nlohmann::ordered_json::object();
   write_notes(noted, notes);
+  if constexpr (std::is_same_v<Noted, MapOrigin>) {
+    auto storeys = nlohmann::ordered_json::array();
+    write_storeys(noted, storeys);
+    for (const nlohmann::ordered_json& node : storeys)
+      notes[std::string(node.at("@type")) + " " + std::string(node.at("@id"))] = node;
+  }
   return notes;
 }
 

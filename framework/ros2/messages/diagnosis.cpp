@@ -35,6 +35,11 @@ Diagnosis localization(const LiveAnswer& answer, const NodeState& state) {
   diagnosis.values.emplace_back("x_m", sentence("%.3f", estimate.T_map_base.x()));
   diagnosis.values.emplace_back("y_m", sentence("%.3f", estimate.T_map_base.y()));
   diagnosis.values.emplace_back("heading_rad", sentence("%.4f", estimate.T_map_base.heading_rad()));
+  if (estimate.place.storey.empty()) return diagnosis;
+  diagnosis.values.emplace_back("building", estimate.place.building);
+  diagnosis.values.emplace_back("storey", estimate.place.storey);
+  diagnosis.values.emplace_back("storey_x_m", sentence("%.3f", estimate.place.T_storey_base.x()));
+  diagnosis.values.emplace_back("storey_y_m", sentence("%.3f", estimate.place.T_storey_base.y()));
   return diagnosis;
 }
 

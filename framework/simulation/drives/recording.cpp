@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace opal::simulation {
 namespace {
@@ -12,7 +13,7 @@ constexpr double kStep_s = 0.05;
 /// One drive under way.
 class RecordedDrive {
  public:
-  using Goal = std::function<Point()>;  ///< where to go next
+  using Goal = std::function<std::optional<Point>()>;  ///< where to go next; none: the drive ends
 
   RecordedDrive(Simulation& simulation, const DriveOptions& options, Goal goal, Recording& recording)
       : simulation_(simulation),
@@ -26,7 +27,7 @@ class RecordedDrive {
     const double start_s = simulation_.now_s();
     read(0);
     std::vector<double> next_scan_s = first_scans_s(start_s);
-    while (driven_m_ < distance_m && simulation_.now_s() < start_s + duration_s) {
+    while (driven_m_ < distance_m && simulation_.now_s() < start_s + duration_s && !is_over_) {
       step();
       for (std::size_t laser = 0; laser < next_scan_s.size(); ++laser) {
         if (simulation_.now_s() + 1e-9 < next_scan_s[laser]) continue;
@@ -57,8 +58,12 @@ class RecordedDrive {
 
   void step() {
     const Pose2 before = simulation_.T_map_base();
-    if (follower_.arrived())
-      if (auto way = simulation_.floor().way(before.position(), goal_())) follower_.follow(std::move(*way));
+    if (follower_.arrived()) {
+      const std::optional<Point> goal = goal_();
+      is_over_ = !goal.has_value();
+      if (is_over_) return;
+      if (auto way = simulation_.floor().way(before.position(), *goal)) follower_.follow(std::move(*way));
+    }
     if (simulation_.drive(follower_.steer(before), kStep_s)) give_way();
     if (recording_.laser.sweep_s || !recording_.more_lasers.empty())
       recording_.odometry.push_back({simulation_.now_s(), simulation_.T_odom_base()});
@@ -82,6 +87,7 @@ class RecordedDrive {
   PathFollower follower_;
   double driven_m_ = 0;
   int waited_ = 0;
+  bool is_over_ = false;
 };
 
 Recording recording_by(const Simulation& simulation) {
@@ -124,6 +130,18 @@ Recording record_route(Simulation& simulation, const std::vector<Point>& places,
   const Point start = goal();
   simulation.place({start, random.uniform(-std::numbers::pi, std::numbers::pi)});
   RecordedDrive(simulation, options, goal, recording).run(query_name(1), kForever, duration_s);
+  return recording;
+}
+
+Recording record_way(Simulation& simulation, const std::vector<Point>& places, double most_s,
+                     const DriveOptions& options) {
+  Recording recording = recording_by(simulation);
+  std::size_t next = 0;
+  const auto goal = [&]() -> std::optional<Point> {
+    if (next == places.size()) return std::nullopt;
+    return places[next++];
+  };
+  RecordedDrive(simulation, options, goal, recording).run(query_name(1), kForever, most_s);
   return recording;
 }
 

@@ -51,6 +51,11 @@ Recording record(Simulation& simulation, const DriveOptions& options, Random ran
 Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s,
                        const DriveOptions& options, Random random);
 
+/// One drive from where the robot stands to one place after the other, where it ends, or after a time.
+/// @param places  on the floor.
+Recording record_way(Simulation& simulation, const std::vector<Point>& places, double most_s,
+                     const DriveOptions& options);
+
 /// The same poses at the same times as another recording: one drive.
 /// @param T_map_laser  poses of the laser by increasing stamp.
 Recording record_along(Simulation& simulation, std::span<const StampedPose> T_map_laser);

@@ -29,6 +29,16 @@ void write_scan(const RunFrame& frame, const PageDetail& detail, RecordText& rec
   record.key("free").points(frame.free_space, detail.scan_unit_m, detail.scan_stride);
 }
 
+void write_storeys(const RunHeader& header, RecordText& record) {
+  record.key("storeys").open('[');
+  for (const RunHeader::Storey& storey : header.storeys) {
+    record.open('{').key("id").text(storey.id).key("name").text(storey.name).key("bounds").open('[');
+    for (const Point& corner : {storey.low, storey.high}) record.number(corner.x(), 2).number(corner.y(), 2);
+    record.close(']').close('}');
+  }
+  record.close(']');
+}
+
 }  // namespace
 
 std::string PageEncoder::run_record(const RunHeader& header) const {
@@ -63,7 +73,9 @@ std::string PageEncoder::map_record(const RunHeader& header) const {
     for (const MapFeatureNumber member : pattern.features) record.text(header.feature(member).id);
     record.close(']').close('}');
   }
-  return record.close(']').close('}').take();
+  record.close(']');
+  if (!header.storeys.empty()) write_storeys(header, record);
+  return record.close('}').take();
 }
 
 std::string PageEncoder::frame_record(const RunFrame& frame, const Words& words) {

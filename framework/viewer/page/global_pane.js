@@ -65,6 +65,27 @@ export class GlobalPane {
     if (this.mapLayer?.map === map) return;
     this.mapLayer = new MapLayer(map);
     this.stillFor = '';
+    this.offerStoreys(map.storeys);
+  }
+
+  /// A map that holds several storeys is looked at sheet by sheet.
+  offerStoreys(storeys) {
+    this.storeyChoice?.remove();
+    this.storeyChoice = null;
+    if (storeys.length === 0) return;
+    const options = [{ id: '', name: 'All storeys' }, ...storeys].map(({ id, name }) => element('option', { value: id, text: name }));
+    this.storeyChoice = element('select', { class: 'tool storeys', title: 'Look at one storey', 'aria-label': 'Storey' });
+    this.storeyChoice.append(...options);
+    this.storeyChoice.addEventListener('change', () => this.showStorey(this.storeyChoice.value));
+    this.pane.tools.prepend(this.storeyChoice);
+  }
+
+  showStorey(id) {
+    const storey = this.mapLayer.map.storeys.find((one) => one.id === id);
+    if (!storey) return this.fit();
+    this.state.set({ follow: false });
+    this.pane.resize();
+    this.look({ ...fitView(storey.bounds, this.transform.width, this.transform.height), auto: false });
   }
 
   fit() {

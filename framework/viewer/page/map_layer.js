@@ -57,6 +57,16 @@ export class MapLayer {
       marks.add(kMark.map_feature, number, n[0], n[1], n[2], n[3]);
     });
     if (layers.has('names')) this.paintNames(context, view, palette);
+    this.paintStoreys(context, view, palette);
+  }
+
+  /// The name of each sheet above it.
+  paintStoreys(context, view, palette) {
+    context.font = `600 12px ${palette.font}`;
+    context.textAlign = 'left';
+    context.textBaseline = 'bottom';
+    for (const { name, bounds } of this.map.storeys)
+      label(context, name, view.x(bounds[0]), view.y(bounds[3]) - 4, palette.text, palette.plot);
   }
 
   paintBatch(context, view, color, batch, layers) {

@@ -17,6 +17,7 @@ export class RunMap {
     this.features = list(record.features, 'features').map((entry, k) => this.featureOf(entry, `features[${k}]`, k));
     const numbers = new Map(this.features.map((feature, k) => [feature.id, k]));
     this.patterns = list(record.patterns ?? [], 'patterns').map((entry, k) => patternOf(entry, `patterns[${k}]`, numbers));
+    this.storeys = list(record.storeys ?? [], 'storeys').map((entry, k) => storeyOf(entry, `storeys[${k}]`));
     this.types = [...new Set(this.features.map((feature) => feature.colorType))].sort();
     this.bounds = boundsOf(this.features);
   }
@@ -51,6 +52,14 @@ function patternOf(entry, place, numbers) {
     .map((id) => (typeof id === 'number' ? id : numbers.get(id)))
     .filter((number) => number !== undefined && number >= 0 && number < numbers.size);
   return { id: text(entry.id ?? '', `${place}.id`), template: text(entry.template ?? '', `${place}.template`), features };
+}
+
+/// A sheet of a map that holds several storeys, and where it lies.
+function storeyOf(entry, place) {
+  object(entry, place);
+  const bounds = list(entry.bounds, `${place}.bounds`);
+  if (bounds.length !== 4 || !bounds.every(Number.isFinite)) throw new Error(`${place}.bounds: expected four numbers`);
+  return { id: text(entry.id, `${place}.id`), name: text(entry.name ?? '', `${place}.name`) || entry.id, bounds };
 }
 
 /// [least x, least y, greatest x, greatest y] of what is drawn; a square of 10 m if that is nothing.

@@ -35,11 +35,20 @@ struct RunHeader {
     std::string id, pattern_template;
     std::vector<MapFeatureNumber> features;
   };
+  /// A sheet of a map that holds several storeys.
+  struct Storey {
+    std::string id, name;                             ///< "Third floor of GDC"
+    Point origin = Point::Zero();                     ///< of the storey's own frame
+    Point low = Point::Zero(), high = Point::Zero();  ///< corners of what lies on it
+  };
   std::string map_name;
+  std::vector<Storey> storeys;
   std::vector<Object> objects;
   std::vector<Feature> features;
   std::vector<Pattern> patterns;
 
+  /// The storey on whose sheet a point lies; null if the map holds no storeys.
+  const Storey* storey_at(const Point& p_map) const;
   const Object& object(MapObjectNumber number) const { return objects[number.number()]; }
   const Feature& feature(MapFeatureNumber number) const { return features[number.number()]; }
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <unordered_set>
@@ -55,7 +56,27 @@ RunHeader::Pattern read_pattern(const EventPlace& place, const FeaturePositions&
   return pattern;
 }
 
+RunHeader::Storey read_storey(const EventPlace& place) {
+  const EventPlace origin = place.member("origin"), bounds = place.member("bounds");
+  if (origin.elements() != 2) origin.fail("[x, y]");
+  if (bounds.elements() != 4) bounds.fail("[least x, least y, most x, most y]");
+  const auto point = [](const EventPlace& array, std::size_t k) {
+    return Point(array.element(k).coordinate(), array.element(k + 1).coordinate());
+  };
+  return {place.member("id").name(), place.member("name").sentence(), point(origin, 0), point(bounds, 0),
+          point(bounds, 2)};
+}
+
 }  // namespace
+
+const RunHeader::Storey* RunHeader::storey_at(const Point& p) const {
+  const auto outside_m = [&](const Storey& s) {
+    return (s.low - p).cwiseMax(p - s.high).cwiseMax(Point::Zero()).norm();
+  };
+  const auto nearest = std::min_element(storeys.begin(), storeys.end(),
+                                        [&](const Storey& a, const Storey& b) { return outside_m(a) < outside_m(b); });
+  return nearest == storeys.end() ? nullptr : &*nearest;
+}
 
 MapFeatureNumber mapped_feature(const EventPlace& id, const FeaturePositions& positions) {
   const auto found = positions.find(id.name());
@@ -87,6 +108,8 @@ FeaturePositions read_map_event(const EventPlace& event, RunHeader& header) {
     const auto [known, is_new] = positions.try_emplace(header.features.back().id, MapFeatureNumber(k));
     if (!is_new && !header.feature(known->second).perceivable) known->second = MapFeatureNumber(k);
   }
+  if (const auto storeys = event.find("storeys"))
+    for (std::size_t k = 0; k < storeys->elements(); ++k) header.storeys.push_back(read_storey(storeys->element(k)));
   if (const auto patterns = event.find("patterns"))
     for (std::size_t k = 0; k < patterns->elements(); ++k)
       header.patterns.push_back(read_pattern(patterns->element(k), positions));

@@ -91,6 +91,14 @@ std::string origin_text(const TracedHypothesis& hypothesis) {
   return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
 }
 
+/// "on Third floor of GDC, there at (1.0, 2.0) m: "; empty if the map holds no storeys.
+std::string storey_text(const RunHeader& header, const Pose2& T_map_base) {
+  const RunHeader::Storey* storey = header.storey_at(T_map_base.position());
+  if (storey == nullptr) return "";
+  return fmt::format("on {}, there at {}; on the map ", storey->name,
+                     place_text(T_map_base.position() - storey->origin));
+}
+
 }  // namespace
 
 void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences) {
@@ -99,7 +107,8 @@ void add_answer(const ExplainedMoment& moment, std::vector<Sentence>& sentences)
   std::string text =
       status_text(frame.status, best ? frame.probability : 0) + " since " + seconds_text(moment.status_since_s) + ": ";
   if (best)
-    text += fmt::format("at {}, with probability {} (hypothesis {}, {} alive)", pose_text(best->T_map_base),
+    text += fmt::format("{}at {}, with probability {} (hypothesis {}, {} alive)",
+                        storey_text(moment.header, best->T_map_base), pose_text(best->T_map_base),
                         probability_text(frame.probability), best->id, frame.hypotheses.size());
   else
     text += "no hypothesis is alive";

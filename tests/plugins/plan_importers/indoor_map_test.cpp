@@ -188,3 +188,24 @@ TEST_CASE("a crs of 2008 says degrees, metres, or the plane of web maps") {
   CHECK(says(import_plan(with(utm, "urn:ogc:def:crs:EPSG::25832"), {{"origin_x_m", 412000}, {"origin_y_m", 5700000}}),
              "coordinates in metres (urn:ogc:def:crs:EPSG::25832)"));
 }
+
+TEST_CASE("lifts and stairs of a level come into the map as connections, walls around them as of any room") {
+  const json document =
+      plan_of({area(0, 0, 20, 10, {{"indoor", "room"}, {"level", "1"}}, "hall"),
+               area(4, 4, 6, 7, {{"indoor", "room"}, {"highway", "elevator"}, {"level", "0-2"}}, "shaft"),
+               area(10, 4, 14, 7, {{"indoor", "area"}, {"stairs", "yes"}, {"level", "1;2"}}, "steps"),
+               indoor("Point", {8, 8}, {{"highway", "elevator"}, {"level", "1"}}, "node"),
+               area(16, 4, 18, 6, {{"type", "elevator"}, {"level", "2"}}, "above")});
+  const MapImport plan = import_plan(document, {{"storey", "1"}, {"geographic", false}});
+  const auto& connections = plan.map->origin().connections;
+  REQUIRE(connections.size() == 3);
+  CHECK(connections[0].id == "node/lift");
+  CHECK(connections[1].id == "shaft/lift");
+  CHECK(connections[1].type == "opal:Lift");
+  CHECK(connections[1].radius_m == Approx(1));
+  CHECK(connections[1].landings.front().T_storey_landing.x() == Approx(5));
+  CHECK(connections[1].landings.front().T_storey_landing.y() == Approx(5.5));
+  CHECK(connections[2].type == "opal:Stair");
+  CHECK(has_wall(plan, {5, 4}));
+  CHECK(plan.map->origin().storey == "1");
+}

@@ -2,6 +2,7 @@
 
 #include <opal/common/geometry.hpp>
 #include <opal/map/map_numbers.hpp>
+#include <opal/map/storeys.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -99,6 +100,9 @@ struct MapOrigin {
   double widest_door_m = 0;                       ///< straight things up to this length may be open doors; 0: not said
   std::optional<double> north_rad = {};           ///< heading of true north
   std::optional<Georeference> georeference = {};  ///< none: the source does not say
+  std::vector<MapBuilding> buildings = {};        ///< of the storeys, in order of id
+  std::vector<MapStorey> storeys = {};            ///< sheets, in order of id; none: the map is one storey
+  std::vector<MapConnection> connections = {};    ///< lifts and stairs, in order of id
 };
 
 /// The static building, as a typed immutable view of a JSON-LD graph. Frame: `map`; units: metres, radians.

@@ -2,6 +2,7 @@
 
 #include <opal/common/geometry.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
+#include <opal/map/storeys.hpp>
 
 #include <Eigen/Core>
 
@@ -31,6 +32,9 @@ struct PoseEstimate {
   double none = 1;         ///< that neither the best nor any other hypothesis is right
   int hypotheses = 0;      ///< number that are alive
   HypothesisId best = {};  ///< the best one
+  /// Building, storey and the pose in the storey's own frame, of the best hypothesis; empty names if the map holds no
+  /// storeys, or without a pose.
+  PlaceInBuilding place;
   /// Another place that explains what was seen.
   struct Alternative {
     HypothesisId hypothesis = {};  ///< the best one there

@@ -108,6 +108,11 @@ struct KidnappingOptions {
   double alarm_nat = 0.5;   ///< a scan that alone gives this suspicion is looked at even if the robot stands
 };
 
+/// Rides in lifts that the map has (StoreyConnection).
+struct RideOptions {
+  double stand_s = 5;  ///< a robot that stands in a lift for so long may be on any storey that the lift serves
+};
+
 /// The options of all stages.
 struct LocalizerOptions {
   TemperingOptions tempering;        ///< how much each scan counts
@@ -119,6 +124,7 @@ struct LocalizerOptions {
   HypothesesOptions hypotheses;      ///< which begin and which end
   StatusOptions status;              ///< when the robot is localized or lost
   KidnappingOptions kidnapping;      ///< when the robot was carried off
+  RideOptions rides;                 ///< when a lift may have carried the robot
 };
 
 }  // namespace opal

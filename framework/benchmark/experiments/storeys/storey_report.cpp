@@ -1,0 +1,74 @@
+#include "benchmark/experiments/storeys/storey_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace opal::experiments {
+namespace {
+
+// A ride is judged by the first metres after it.
+constexpr double kSoon_m = 10;
+
+template <class Test>
+std::string count_of(const std::vector<StoreyRun>& runs, Test test) {
+  return std::to_string(std::count_if(runs.begin(), runs.end(), test));
+}
+
+bool is_soon(const std::optional<double>& from_m) { return from_m && *from_m <= kSoon_m; }
+
+std::string median_of(const std::vector<StoreyRun>& runs) {
+  std::vector<double> all_m;
+  for (const StoreyRun& run : runs)
+    if (run.localized_from_m) all_m.push_back(*run.localized_from_m);
+  if (all_m.empty()) return "";
+  std::sort(all_m.begin(), all_m.end());
+  return fmt::format("{:.1f}", all_m[all_m.size() / 2]);
+}
+
+std::string written(const std::optional<double>& metres) { return metres ? fmt::format("{:.2f}", *metres) : ""; }
+
+}  // namespace
+
+Table storey_table(const std::vector<StoreyRun>& runs) {
+  Table table;
+  table.columns = {{"", "", false},
+                   {"drives"},
+                   {"localized rightly at the end"},
+                   {"with a false positive"},
+                   {"... on another storey"},
+                   {"best one right after 10 m"},
+                   {"localized after 10 m"},
+                   {"localized after, median", "m"}};
+  for (const bool is_ride : {false, true}) {
+    std::vector<StoreyRun> these;
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(these),
+                 [&](const StoreyRun& run) { return run.is_ride == is_ride; });
+    if (these.empty()) continue;
+    table.rows.push_back({is_ride ? "rides" : "drives", std::to_string(these.size()),
+                          count_of(these, [](const StoreyRun& run) { return run.is_right; }),
+                          count_of(these, [](const StoreyRun& run) { return run.wrong > 0; }),
+                          count_of(these, [](const StoreyRun& run) { return run.wrong_storey > 0; }),
+                          count_of(these, [](const StoreyRun& run) { return is_soon(run.right_from_m); }),
+                          count_of(these, [](const StoreyRun& run) { return is_soon(run.localized_from_m); }),
+                          median_of(these)});
+  }
+  return table;
+}
+
+Table storey_rows(const std::vector<StoreyRun>& runs) {
+  Table table;
+  table.columns = {{"kind", "", false},  {"seed"},         {"from", "", false},  {"to", "", false}, {"lift", "", false},
+                   {"localized_before"}, {"right_from_m"}, {"localized_from_m"}, {"right"},         {"right_storey"},
+                   {"answers"},          {"wrong"},        {"wrong_storey"},     {"wrong_at_m"},    {"driven_m"}};
+  for (const StoreyRun& run : runs)
+    table.rows.push_back({run.is_ride ? "ride" : "drive", std::to_string(run.seed), run.from, run.to, run.lift,
+                          run.localized_before ? "1" : "0", written(run.right_from_m), written(run.localized_from_m),
+                          run.is_right ? "1" : "0", run.is_storey ? "1" : "0", std::to_string(run.answers),
+                          std::to_string(run.wrong), std::to_string(run.wrong_storey),
+                          run.wrong > 0 ? fmt::format("{:.2f}", run.wrong_at_m) : "",
+                          fmt::format("{:.1f}", run.driven_m)});
+  return table;
+}
+
+}  // namespace opal::experiments

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "benchmark/experiments/storeys/storey_run.hpp"
+#include "report/table.hpp"
+
+#include <vector>
+
+namespace opal::experiments {
+
+/// One row for drives and one for rides.
+Table storey_table(const std::vector<StoreyRun>& runs);
+/// One row a drive.
+Table storey_rows(const std::vector<StoreyRun>& runs);
+
+}  // namespace opal::experiments

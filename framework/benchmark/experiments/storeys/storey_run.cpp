@@ -1,0 +1,128 @@
+#include "benchmark/experiments/storeys/storey_run.hpp"
+
+#include "evaluation/pose_tolerance.hpp"
+#include "live/live_core.hpp"
+#include "map_tools/map_stack.hpp"
+#include "simulation/drives/faults.hpp"
+
+#include <algorithm>
+
+namespace opal::experiments {
+namespace {
+
+/// Truth and driven way by stamp.
+class Way {
+ public:
+  Way(const simulation::Recording& recording, double from_s) : recording_(recording) {
+    double driven_m = 0;
+    const Pose2* before = nullptr;
+    for (const simulation::RecordedScan& scan : recording.scans) {
+      const bool counts = before != nullptr && scan.scan.stamp_s > from_s;
+      // A ride is a step from sheet to sheet, not a way.
+      constexpr double kMostStep_m = 5;
+      if (counts && distance_m(*before, scan.T_map_base) < kMostStep_m)
+        driven_m += distance_m(*before, scan.T_map_base);
+      driven_m_.push_back(driven_m);
+      before = &scan.T_map_base;
+    }
+  }
+  const Pose2& truth(double stamp_s) const { return recording_.scans[number(stamp_s)].T_map_base; }
+  double driven_m(double stamp_s) const { return driven_m_[number(stamp_s)]; }
+  double all_m() const { return driven_m_.empty() ? 0 : driven_m_.back(); }
+
+ private:
+  /// Answers are given at the stamps of scans.
+  std::size_t number(double stamp_s) const {
+    const auto& scans = recording_.scans;
+    const auto after = std::lower_bound(scans.begin(), scans.end(), stamp_s - 1e-6,
+                                        [](const auto& scan, double stamp) { return scan.scan.stamp_s < stamp; });
+    return static_cast<std::size_t>(std::min(after, scans.end() - 1) - scans.begin());
+  }
+
+  const simulation::Recording& recording_;
+  std::vector<double> driven_m_;
+};
+
+/// Watches the answers of one drive.
+class Watch {
+ public:
+  Watch(const SemanticMap& map, const Way& way, double from_s, StoreyRun& run)
+      : map_(map), way_(way), from_s_(from_s), run_(run) {}
+
+  void see(const LiveAnswer& answer) {
+    const PoseEstimate& said = answer.estimate;
+    const Pose2& truth = way_.truth(answer.stamp_s);
+    const double driven_m = way_.driven_m(answer.stamp_s);
+    const bool is_near = said.has_pose && kRightPose.holds(said.T_map_base, truth);
+    const bool is_localized = said.status == Status::localized;
+    ++run_.answers;
+    run_.is_storey = said.has_pose && said.place.storey == place_in_building(map_, truth).storey;
+    run_.is_right = is_near && is_localized;
+    if (is_localized && !is_near) {
+      if (run_.wrong == 0) run_.wrong_at_m = driven_m;
+      ++run_.wrong;
+      run_.wrong_storey += !run_.is_storey;
+    }
+    if (answer.stamp_s <= from_s_) return;
+    if (!is_near)
+      run_.right_from_m.reset();
+    else if (!run_.right_from_m)
+      run_.right_from_m = driven_m;
+    if (run_.is_right && !run_.localized_from_m) run_.localized_from_m = driven_m;
+  }
+
+ private:
+  const SemanticMap& map_;
+  const Way& way_;
+  double from_s_;
+  StoreyRun& run_;
+};
+
+void play(const LocalizerParts& parts, const simulation::Recording& recording,
+          const std::function<void(const LiveAnswer&)>& see) {
+  LiveCore core(parts, {}, nullptr);
+  const double sweep_s = recording.laser.sweep_s.value_or(0);
+  for (const simulation::Arrival& arrival : simulation::arrivals_of(records_of(recording), sweep_s))
+    core.take(arrival.record, arrival.at_s, arrival.at_s, see);
+}
+
+}  // namespace
+
+StoreyRun run_storey_drive(const LocalizerParts& parts, const simulation::SimulationOptions& world,
+                           const std::string& storey, const simulation::DriveOptions& drive, std::uint64_t seed) {
+  const SemanticMap& map = parts.map->map();
+  simulation::Simulation simulation(storey_of_map(map, storey), world, seed);
+  const simulation::Recording recording = record(simulation, drive, simulation::Random(seed).branch());
+  StoreyRun run;
+  run.seed = seed;
+  run.from = run.to = storey;
+  const Way way(recording, -1);
+  Watch watch(map, way, -1, run);
+  play(parts, recording, [&](const LiveAnswer& answer) { watch.see(answer); });
+  run.driven_m = way.all_m();
+  return run;
+}
+
+std::optional<StoreyRun> run_ride(const LocalizerParts& parts, const simulation::SimulationOptions& world,
+                                  const MapConnection& lift, const std::string& from, const std::string& to,
+                                  const simulation::RideDriveOptions& options, std::uint64_t seed) {
+  const SemanticMap& map = parts.map->map();
+  const auto made = simulation::record_ride(map, world, lift, from, to, options, seed);
+  if (!made) return std::nullopt;
+  StoreyRun run;
+  run.is_ride = true;
+  run.seed = seed;
+  run.from = from;
+  run.to = to;
+  run.lift = lift.id;
+  const Way way(made->recording, made->ride.leaves_s);
+  Watch watch(map, way, made->ride.leaves_s, run);
+  play(parts, made->recording, [&](const LiveAnswer& answer) {
+    watch.see(answer);
+    if (answer.stamp_s <= made->ride.stands_s) run.localized_before = run.is_right;
+  });
+  run.driven_m = way.all_m();
+  return run;
+}
+
+}  // namespace opal::experiments

@@ -1,0 +1,91 @@
+#include "localization/tree/hypothesis_set.hpp"
+
+#include "tests/localization/synthetic_scene.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace opal;
+using namespace opal::synthetic;
+
+namespace {
+
+struct Deaf : HypothesisListener {
+  void spawned(const Live&, HypothesisId parent, TemplateNumber) override { parents.push_back(parent); }
+  void ended(const Live&, const Ending&) override {}
+  void associated(const Live&, std::span<const Association>) override {}
+  void dissociated(const Live&, const std::vector<LocalFeatureId>&, const std::string&) override {}
+  void branch_rejected(const Live&, const Association&, const std::string&) override {}
+  void candidate_rejected(const VerifiedCandidate&, const std::string&) override {}
+  std::vector<HypothesisId> parents;
+};
+
+/// Hypotheses on storeys that lie at x = 0, 100, 200, all of them in a lift.
+struct Lift {
+  Lift() {
+    local_map.add(Sample{}, {});
+    std::vector<VerifiedCandidate> candidates(1);
+    set.spawn(std::move(candidates), observation(), 1, past);
+  }
+  Observation observation() const { return {local_map, {}}; }
+  static VerificationOptions no_scans() {
+    VerificationOptions options;
+    options.scans = 0;
+    return options;
+  }
+  static std::vector<Pose2> elsewhere(const Pose2& T_map_base) {
+    std::vector<Pose2> poses;
+    for (const double x_m : {0.0, 100.0, 200.0})
+      if (std::abs(T_map_base.x() - x_m) > 50) poses.emplace_back(x_m, T_map_base.y(), T_map_base.heading_rad());
+    return poses;
+  }
+  void ride() { set.carry(elsewhere, local_map.T_local_base()); }
+  double share_at(double x_m) const {
+    double sum = 0, here = 0;
+    for (const Live& live : set.alive()) {
+      const double weight = std::exp(live.hypothesis.log_likelihood);
+      sum += weight;
+      if (std::abs(live.hypothesis.T_map_local.x() - x_m) < 1) here += weight;
+    }
+    return here / sum;
+  }
+
+  Deaf listener;
+  std::shared_ptr<const MapView> map = view_of({{"opal:Column", Circle{{0, 50}, 0.2}}});
+  Judges judges{map, {{"told", constant_scorer(1), true, 1}}};
+  RetrospectiveVerification past{map, judges.ensemble, no_scans(), 1};
+  LocalMap local_map{{}, nullptr};
+  HypothesisSet set{map, judges.ensemble, {}, listener};
+};
+
+}  // namespace
+
+TEST_CASE("a ride shares the weight of a hypothesis alike among all storeys, and loses nothing of it") {
+  Lift lift;
+  const double before_nat = lift.set.alive().front().hypothesis.log_likelihood;
+  lift.ride();
+  REQUIRE(lift.set.alive().size() == 3);
+  for (const double x_m : {0.0, 100.0, 200.0}) CHECK(lift.share_at(x_m) == Approx(1.0 / 3));
+  double sum = 0;
+  for (const Live& live : lift.set.alive()) sum += std::exp(live.hypothesis.log_likelihood);
+  CHECK(std::log(sum) == Approx(before_nat));
+  CHECK(lift.listener.parents.size() == 3);
+  CHECK(lift.listener.parents[1] == lift.set.alive().front().hypothesis.id);
+}
+
+TEST_CASE("a second ride makes no further hypotheses: it mixes those that there are") {
+  Lift lift;
+  lift.ride();
+  lift.ride();
+  REQUIRE(lift.set.alive().size() == 3);
+  for (const double x_m : {0.0, 100.0, 200.0}) CHECK(lift.share_at(x_m) == Approx(1.0 / 3));
+}
+
+TEST_CASE("hypotheses outside of lifts stay as they are") {
+  Lift lift;
+  const double before_nat = lift.set.alive().front().hypothesis.log_likelihood;
+  lift.set.carry([](const Pose2&) { return std::vector<Pose2>(); }, lift.local_map.T_local_base());
+  CHECK(lift.set.alive().size() == 1);
+  CHECK(lift.set.alive().front().hypothesis.log_likelihood == before_nat);
+}
