@@ -95,7 +95,7 @@ std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::
   return candidates;
 }
 
-/// The same places on other storeys, which often look alike: a candidate never comes without its rivals.
+/// The same places on other storeys, which often look alike: a candidate never comes without these alternatives.
 std::vector<Candidate> GlobalSearch::above_and_below_best(const std::vector<VerifiedCandidate>& found) const {
   constexpr std::size_t kBest = 6;
   std::vector<Candidate> candidates;
