@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 
 namespace opal::geojson_importer {
 namespace {
@@ -53,11 +54,12 @@ std::optional<Extent> extent_of(const Feature& feature, const std::string& type)
 
 std::vector<MapConnection> connections_of(const FeatureCollection& collection, const std::string& level) {
   std::vector<MapConnection> connections;
+  std::set<std::string> met;
   for (const Feature& feature : collection.features) {
     const std::string type = type_of(feature);
     if (type.empty() || !feature.damage.empty() || !(level.empty() || is_on_level(feature, level))) continue;
     const std::optional<Extent> extent = extent_of(feature, type);
-    if (!extent) continue;
+    if (!extent || !met.insert(feature.id).second) continue;
     const std::string id = feature.id + (type == "opal:Lift" ? "/lift" : "/stairs");
     connections.push_back(
         {id, type, text_or_number(feature, "ref"), extent->radius_m, {{"", Pose2(extent->middle, 0)}}});

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace opal::ifc_importer {
 namespace {
@@ -67,8 +68,9 @@ MapConnection connection_at(const ElementCut& cut, const char* type) {
 
 std::vector<MapConnection> connections_of(const std::vector<ElementCut>& cuts) {
   std::vector<MapConnection> connections;
+  std::set<std::string> met;  // models have ids twice
   for (const ElementCut& cut : cuts) {
-    if (!cut.is_cut()) continue;
+    if (!cut.is_cut() || !met.insert(cut.element->id).second) continue;
     if (cut.element->is_a("IfcTransportElement")) connections.push_back(connection_at(cut, "opal:Lift"));
     if (cut.element->is_a("IfcStair") || cut.element->is_a("IfcStairFlight"))
       connections.push_back(connection_at(cut, "opal:Stair"));

@@ -110,7 +110,7 @@ struct KidnappingOptions {
 
 /// Rides in lifts that the map has (StoreyConnection).
 struct RideOptions {
-  double stand_s = 5;  ///< a robot that stands in a lift for so long may be on any storey that the lift serves
+  double stand_s = 2;  ///< a robot that stands in a lift for so long may be on any storey that the lift serves
 };
 
 /// The options of all stages.
