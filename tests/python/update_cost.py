@@ -8,7 +8,10 @@ import sys
 import time
 
 import opal
-from recorded import DEMO, MAP
+from recorded import ROOT
+
+
+PLACE = str(ROOT / "maps" / "malaga" / "malaga")
 
 
 def in_cpp(localizer, log, lasers):
@@ -41,9 +44,9 @@ def of_arrays(localizer, log, lasers):
 
 def main():
     repeats = int(sys.argv[1]) if len(sys.argv) > 1 else 7
-    lasers = [opal.read_laser(f"{DEMO}.info.json")]
-    log = opal.read_log(f"{DEMO}.log.gz")
-    localizer = opal.Localizer(opal.read_deployment("default").with_lasers(lasers), opal.read_map(MAP))
+    lasers = [opal.read_laser(f"{PLACE}.info.json")]
+    log = opal.read_log(f"{PLACE}.log.gz")
+    localizer = opal.Localizer(opal.read_deployment("default").with_lasers(lasers), opal.read_map(f"{PLACE}.map.yaml"))
     ways = {"in C++": in_cpp, "in Python": in_python, "in Python, of arrays": of_arrays}
     costs = {name: [] for name in ways}
     for _ in range(repeats):  # in turns, so that a busy machine disturbs all of them
