@@ -19,7 +19,7 @@ class Logs(unittest.TestCase):
             stamps.append(sample.stamp_s)
             self.assertEqual(sample.odometry.shape, (3,))
             self.assertEqual(len(sample.views), 1)
-        self.assertGreater(len(stamps), 100)
+        self.assertEqual(len(stamps), len(self.log.raw_scans()))
         self.assertTrue(np.all(np.diff(stamps) > 0))
 
     def test_a_window_has_the_samples_of_its_time(self):
@@ -44,7 +44,7 @@ class Logs(unittest.TestCase):
 
     def test_a_log_outlives_its_name_in_python_while_it_is_replayed(self):
         samples = opal.read_log(LOG).samples(self.lasers)
-        self.assertGreater(sum(1 for _ in samples), 100)
+        self.assertEqual(sum(1 for _ in samples), len(self.log.raw_scans()))
         self.assertEqual(samples.progress, 1)
         with self.assertRaises(StopIteration):
             next(samples)
