@@ -12,7 +12,7 @@ using namespace opal::simulation;
 
 namespace {
 
-std::shared_ptr<const SemanticMap> two_rooms() {
+std::shared_ptr<const SemanticMap> two_storeys_of_a_room() {
   const auto room = SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld");
   const std::vector<StoreyPart> parts{{"low", "", {}, room}, {"top", "", {}, room}};
   return stacked_map("house", parts).map;
@@ -35,7 +35,7 @@ MapConnection lift_in(const SemanticMap& map) {
 }  // namespace
 
 TEST_CASE("a ride takes the robot to another storey, and odometry shows nothing of it") {
-  const auto map = two_rooms();
+  const auto map = two_storeys_of_a_room();
   const MapConnection lift = lift_in(*map);
   RideDriveOptions options;
   options.before_m = 5;
@@ -58,7 +58,7 @@ TEST_CASE("a ride takes the robot to another storey, and odometry shows nothing 
 }
 
 TEST_CASE("behind a closed door, no beam leaves the cabin") {
-  const auto map = two_rooms();
+  const auto map = two_storeys_of_a_room();
   RideDriveOptions options;
   options.before_m = 5;
   const auto made = record_ride(*map, quiet_world(), lift_in(*map), "low", "top", options, 4);
@@ -73,14 +73,14 @@ TEST_CASE("behind a closed door, no beam leaves the cabin") {
 }
 
 TEST_CASE("a ride to a storey that the lift does not serve is refused") {
-  const auto map = two_rooms();
+  const auto map = two_storeys_of_a_room();
   MapConnection lift = lift_in(*map);
   lift.landings.pop_back();
   CHECK_THROWS_AS(record_ride(*map, quiet_world(), lift, "low", "top", {}, 1), ConfigError);
 }
 
 TEST_CASE("drives on storeys take place on one after the other, and time and odometry go on") {
-  const auto map = two_rooms();
+  const auto map = two_storeys_of_a_room();
   DriveOptions drives;
   drives.drives = 4;
   drives.distance_m = 4;

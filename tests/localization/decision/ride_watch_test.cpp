@@ -26,7 +26,7 @@ Pose2 on(const MapView& map, const std::string& storey, const Pose2& T_storey_ba
   return find_storey(map.map(), storey)->to_map(T_storey_base);
 }
 
-struct Robot {
+struct Rider {
   bool stands(double seconds, bool sees_other = false) {
     bool told = false;
     for (const double end_s = now_s + seconds; now_s < end_s;) {
@@ -51,7 +51,7 @@ struct Robot {
 }  // namespace
 
 TEST_CASE("a robot that stands in a lift for long enough may have been carried, and that is said once") {
-  Robot robot;
+  Rider robot;
   CHECK_FALSE(robot.stands(4));
   CHECK(robot.stands(2));
   CHECK_FALSE(robot.stands(60));
@@ -61,22 +61,22 @@ TEST_CASE("a robot that stands in a lift for long enough may have been carried, 
 }
 
 TEST_CASE("a robot in a lift that sees something else all at once may be carried from then on") {
-  Robot robot;
+  Rider robot;
   CHECK_FALSE(robot.stands(2));
   CHECK(robot.stands(0.2, true));
   CHECK_FALSE(robot.stands(20, true));
-  Robot outside;
+  Rider outside;
   outside.best = on(*outside.map, "a", {4, 2, 0});
   CHECK_FALSE(outside.stands(20, true));
 }
 
 TEST_CASE("a robot that stands elsewhere, that knows no place, or that moves, is not carried") {
-  Robot robot;
+  Rider robot;
   robot.best = on(*robot.map, "a", {4, 2, 0});
   CHECK_FALSE(robot.stands(20));
   robot.best.reset();
   CHECK_FALSE(robot.stands(20));
-  Robot moving;
+  Rider moving;
   for (int k = 0; k < 20; ++k) {
     moving.T_odom_base = Pose2(0.1 * k, 0, 0);
     CHECK_FALSE(moving.stands(1));
@@ -84,7 +84,7 @@ TEST_CASE("a robot that stands elsewhere, that knows no place, or that moves, is
 }
 
 TEST_CASE("a robot in a lift may be at the same place of the cabin on every other storey, turned as they are drawn") {
-  const Robot robot;
+  const Rider robot;
   const std::vector<Pose2> elsewhere = robot.watch.elsewhere(on(*robot.map, "a", {2.5, 2, 0.1}));
   REQUIRE(elsewhere.size() == 2);
   CHECK(distance_m(elsewhere[0], on(*robot.map, "b", {2.5, 2, 0.1})) < 1e-9);
