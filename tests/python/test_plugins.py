@@ -1,5 +1,6 @@
 """Detectors, templates and scorers that are classes of Python: in the program and in the module."""
 
+import concurrent.futures
 import json
 import pathlib
 import subprocess
@@ -8,6 +9,7 @@ import unittest
 
 import numpy as np
 import opal
+import opal.plugin
 from recorded import DEMO, LOG, MAP, ROOT, InFolder, scorers
 
 EXAMPLE = ROOT / "docs" / "examples" / "python_scorer" / "likelihood.py"
@@ -87,7 +89,7 @@ class InProgramAndModule(InFolder):
         return str(self.folder / "d.jsonld")
 
     def bench(self, *types, **options):
-        return self.program("bench", DEMO, "--config", self.deployment(*types, **options), "-o", "out")
+        return self.opal("bench", DEMO, "--config", self.deployment(*types, **options), "-o", "out")
 
     def localizer(self, *types, **options):
         lasers = [opal.read_laser(f"{DEMO}.info.json")]
@@ -98,7 +100,7 @@ class InProgramAndModule(InFolder):
 class Scorers(InProgramAndModule):
     def test_the_example_keeps_the_contract_of_scorers(self):
         self.assertEqual(opal.check_class(str(EXAMPLE) + ":Likelihood"), [])
-        self.program("plugins", "--check", str(EXAMPLE) + ":Likelihood")
+        self.opal("plugins", "--check", str(EXAMPLE) + ":Likelihood")
 
     def test_the_example_localizes_and_answers_the_same_in_the_program_and_in_the_module(self):
         said = self.bench("likelihood.py:Likelihood")
@@ -112,7 +114,7 @@ class Scorers(InProgramAndModule):
         with self.assertRaisesRegex(opal.ConfigError,
                                     r"d\.jsonld: /scorers/0: likelihood\.py:Likelihood: .*TypeError.*sgima_m") as raised:
             opal.Localizer(opal.read_deployment(deployment), opal.read_map(MAP))
-        said = self.program("bench", DEMO, "--config", deployment, "-o", "out", exit_code=3)
+        said = self.opal("bench", DEMO, "--config", deployment, "-o", "out", exit_code=3)
         self.assertIn(str(raised.exception), said)
 
     def test_many_hypotheses_are_judged_in_one_call(self):
@@ -174,14 +176,14 @@ class Scorers(InProgramAndModule):
         document = json.loads((EXAMPLE.parent / "python_scorer.jsonld").read_text())
         document["sites"] = [{"prefix": DEMO}]
         (self.folder / "ab.jsonld").write_text(json.dumps(document))
-        said = self.program("ab", "ab.jsonld", "-o", "ab", "--jobs", "2")
+        said = self.opal("ab", "ab.jsonld", "-o", "ab", "--jobs", "2")
         self.assertIn("10 of 10 cells are finished", said)
         results = [json.loads(line) for line in (self.folder / "ab" / "results.jsonl").read_text().splitlines()]
         self.assertEqual(len(results), 10)
         self.assertNotIn("failed in a plugin", json.dumps(results))
         with open(self.folder / "likelihood.py", "a") as file:
             file.write("\n# another class\n")
-        self.assertIn("sha256", self.program("ab", "ab.jsonld", "-o", "ab", exit_code=3))
+        self.assertIn("sha256", self.opal("ab", "ab.jsonld", "-o", "ab", exit_code=3))
 
 
 class DetectorsAndTemplates(InProgramAndModule):
@@ -234,6 +236,13 @@ class DetectorsAndTemplates(InProgramAndModule):
 
 
 class Threads(InProgramAndModule):
+    def test_a_file_that_takes_its_time_is_loaded_once_and_whole_for_all_threads(self):
+        slow = pathlib.Path(self.folder, "slow.py")
+        slow.write_text("import time\ntime.sleep(0.3)\nclass Late: pass\n")
+        with concurrent.futures.ThreadPoolExecutor(4) as threads:
+            found = list(threads.map(opal.plugin.find, [f"{slow}:Late"] * 4))
+        self.assertEqual(len(set(found)), 1)
+
     def test_a_scorer_in_python_does_not_block_other_threads_for_ever(self):
         words = ("import opal, threading; from recorded import *; lasers = [opal.read_laser(f'{DEMO}.info.json')]\n"
                  f"d = opal.read_deployment('{self.deployment('likelihood.py:Likelihood')}').with_lasers(lasers)\n"

@@ -11,6 +11,7 @@ import importlib
 import importlib.util
 import json
 import sys
+import threading
 import traceback
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,6 +26,7 @@ from ._opal import Feature, Pattern
 Doubles = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int32]
 SHAPES = ("point", "oriented_point", "segment", "circle")
+_loading = threading.RLock()  # a file may load another one; a thread that comes second waits until the whole file has run
 
 
 @dataclass(frozen=True)
@@ -61,8 +63,12 @@ def load(file: str) -> ModuleType:
     """The module of a file; the same one whenever it is asked for in this process. Its folder joins sys.path."""
     path = Path(file).resolve()
     name = f"opal_file_{path.stem}_{abs(hash(str(path))):x}"
-    if name in sys.modules:
-        return sys.modules[name]
+    with _loading:
+        return sys.modules[name] if name in sys.modules else _run(path, name)
+
+
+def _run(path: Path, name: str) -> ModuleType:
+    """The file runs as the module of that name; where it fails there is no such module."""
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:
         raise ImportError(f"{path}: no file of Python")
