@@ -259,21 +259,20 @@ void check_references(const MapDraft& draft) {
 void check_ids(const MapDraft& draft) {
   Names names(draft);
   check_text(draft, "name", draft.name);
-  for (std::size_t i = 0; i < draft.objects.size(); ++i) {
-    names.claim_alone(draft.objects[i].id, "object", draft.object_places[i]);
-    check_text(draft, draft.object_places[i], draft.objects[i].id + draft.objects[i].type);
-  }
+  const auto claim = [&](const std::string& id, const char* what, const std::string& place, const std::string& more) {
+    names.claim_alone(id, what, place);
+    check_text(draft, place, id + more);
+  };
+  for (std::size_t i = 0; i < draft.objects.size(); ++i)
+    claim(draft.objects[i].id, "object", draft.object_places[i], draft.objects[i].type);
   for (std::size_t i = 0; i < draft.features.size(); ++i) {
     claim_feature(draft, i, names);
     if (i > 0 && draft.features[i].id == draft.features[i - 1].id) check_same_id(draft, i);
   }
-  for (std::size_t i = 0; i < draft.patterns.size(); ++i) {
-    names.claim_alone(draft.patterns[i].id, "pattern", draft.pattern_places[i]);
-    check_text(draft, draft.pattern_places[i], draft.patterns[i].id + draft.patterns[i].pattern_template);
-  }
+  for (std::size_t i = 0; i < draft.patterns.size(); ++i)
+    claim(draft.patterns[i].id, "pattern", draft.pattern_places[i], draft.patterns[i].pattern_template);
   const auto claim_all = [&](const auto& things, const char* what) {
-    for (const auto& thing : things) names.claim_alone(thing.id, what, what + (" '" + thing.id + "'"));
-    for (const auto& thing : things) check_text(draft, what, thing.id);
+    for (const auto& thing : things) claim(thing.id, what, what + (" '" + thing.id + "'"), "");
   };
   claim_all(draft.origin.placements, "placement");
   claim_all(draft.origin.buildings, "building");

@@ -1,5 +1,6 @@
 #include "map/semantic_map_storeys.hpp"
 
+#include "common/phrases.hpp"
 #include "map/map_vocabulary.hpp"
 
 #include <algorithm>
@@ -93,11 +94,7 @@ class StoreyReader {
                                             node.number(iri::kHeading).value_or(0))};
   }
 
-  MapStorey* find(const std::string& id) {
-    const auto found =
-        std::find_if(origin_.storeys.begin(), origin_.storeys.end(), [&](const MapStorey& s) { return s.id == id; });
-    return found == origin_.storeys.end() ? nullptr : &*found;
-  }
+  MapStorey* find(const std::string& id) { return const_cast<MapStorey*>(with_id(origin_.storeys, id)); }
 
   const Graph& graph_;
   NodeUses& uses_;
@@ -141,23 +138,12 @@ Json written(const MapConnection& connection) {
 
 // ---------------------------------------------------------------- checks
 
-/// From a point to the rectangle; 0 inside.
-double outside_m(const std::array<Point, 2>& bounds, const Point& p) {
-  return (bounds[0] - p).cwiseMax(p - bounds[1]).cwiseMax(Point::Zero()).norm();
-}
-
 double gap_m(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
   return (a[0] - b[1]).cwiseMax(b[0] - a[1]).cwiseMax(Point::Zero()).norm();
 }
 
-std::string listed(const std::vector<MapStorey>& storeys) {
-  std::string list;
-  for (const MapStorey& storey : storeys) list += (list.empty() ? "'" : ", '") + storey.id + "'";
-  return list.empty() ? "no storey, for the map holds none" : "one of " + list;
-}
-
-bool has_storey(const MapOrigin& origin, const std::string& id) {
-  return std::any_of(origin.storeys.begin(), origin.storeys.end(), [&](const MapStorey& s) { return s.id == id; });
+std::string expected_storey(const std::vector<MapStorey>& storeys) {
+  return storeys.empty() ? "no storey, for the map holds none" : "one of " + ids_of(storeys);
 }
 
 void measure(MapDraft& draft, MapStorey& storey) {
@@ -193,7 +179,9 @@ void check_all_on_storeys(const MapDraft& draft) {
   const std::vector<MapStorey>& storeys = draft.origin.storeys;
   for (std::size_t i = 0; i < draft.features.size() && !storeys.empty(); ++i)
     for (const Point& p : points_of(draft.features[i].geometry)) {
-      const auto near_enough = [&](const MapStorey& s) { return outside_m(s.bounds, p) < kLeastSheetGap_m / 4; };
+      const auto near_enough = [&](const MapStorey& s) {
+        return distance_to_box_m(s.bounds, p) < kLeastSheetGap_m / 4;
+      };
       if (std::none_of(storeys.begin(), storeys.end(), near_enough))
         draft.fail(draft.feature_places[i], "feature '" + draft.features[i].id +
                                                 "' lies on no storey, expected it within 25 m of what a storey holds");
@@ -207,10 +195,10 @@ void check_connection(const MapDraft& draft, const MapConnection& connection) {
                "radius_m " + opal::text_of(connection.radius_m) + ", expected a positive number of metres up to 100");
   std::set<std::string> met;
   for (const Landing& landing : connection.landings) {
-    const bool is_known =
-        draft.origin.storeys.empty() ? landing.storey.empty() : has_storey(draft.origin, landing.storey);
+    const std::vector<MapStorey>& storeys = draft.origin.storeys;
+    const bool is_known = storeys.empty() ? landing.storey.empty() : with_id(storeys, landing.storey) != nullptr;
     if (!is_known)
-      draft.fail(place, "a landing on storey '" + landing.storey + "', expected " + listed(draft.origin.storeys));
+      draft.fail(place, "a landing on storey '" + landing.storey + "', expected " + expected_storey(storeys));
     if (!met.insert(landing.storey).second)
       draft.fail(place, "two landings on storey '" + landing.storey + "', expected one on each");
     const Pose2& T = landing.T_storey_landing;
@@ -220,13 +208,17 @@ void check_connection(const MapDraft& draft, const MapConnection& connection) {
 }
 
 void check_building(const MapDraft& draft, const MapStorey& storey) {
-  const auto& buildings = draft.origin.buildings;
-  if (!storey.building.empty() &&
-      std::none_of(buildings.begin(), buildings.end(), [&](const MapBuilding& b) { return b.id == storey.building; }))
+  if (!storey.building.empty() && with_id(draft.origin.buildings, storey.building) == nullptr)
     draft.fail("storey '" + storey.id + "'", "building '" + storey.building + "', expected one that the map names");
 }
 
 }  // namespace
+
+std::string ids_of(const std::vector<MapStorey>& storeys) {
+  std::vector<std::string> ids;
+  for (const MapStorey& storey : storeys) ids.push_back(in_quotes(storey.id));
+  return listed(ids);
+}
 
 void read_storeys(const Graph& graph, NodeUses& uses, MapOrigin& origin) { StoreyReader(graph, uses, origin).run(); }
 

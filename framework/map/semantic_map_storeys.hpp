@@ -3,7 +3,43 @@
 #include "map/semantic_map_draft.hpp"
 #include "map/semantic_map_unused.hpp"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace opal {
+
+/// From a point to an axis-parallel rectangle [m]; 0 inside. @param box  least and greatest corner.
+inline double distance_to_box_m(const std::array<Point, 2>& box, const Point& p) {
+  return (box[0] - p).cwiseMax(p - box[1]).cwiseMax(Point::Zero()).norm();
+}
+
+/// The sheet on which a point lies: of all with `bounds` the nearest, of equally near ones the first; null if there is
+/// none, or the point is not finite.
+template <class Sheet>
+const Sheet* nearest_sheet(const std::vector<Sheet>& all, const Point& p) {
+  const Sheet* nearest = nullptr;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const Sheet& one : all)
+    if (const double distance_m = distance_to_box_m(one.bounds, p); distance_m < least_m) {
+      least_m = distance_m;
+      nearest = &one;
+    }
+  return nearest;
+}
+
+/// Of buildings or storeys; null if none has the id.
+template <class Named>
+const Named* with_id(const std::vector<Named>& all, std::string_view id) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.id == id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// "'low', 'top'"; empty without storeys.
+OPAL_EXPORT std::string ids_of(const std::vector<MapStorey>& storeys);
 
 /// Buildings, storeys and connections of a document. A storey with a place in the map is a sheet; one without is kept
 /// as unused, unless others have a place.

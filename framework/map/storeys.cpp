@@ -1,34 +1,17 @@
 #include <opal/map/storeys.hpp>
 
+#include "map/semantic_map_storeys.hpp"
+
 #include <opal/map/semantic_map.hpp>
 
-#include <algorithm>
-#include <limits>
-
 namespace opal {
-namespace {
-
-double outside_m(const MapStorey& storey, const Point& p) {
-  return (storey.bounds[0] - p).cwiseMax(p - storey.bounds[1]).cwiseMax(Point::Zero()).norm();
-}
-
-}  // namespace
 
 const MapStorey* storey_at(const SemanticMap& map, const Point& p_map) {
-  const MapStorey* nearest = nullptr;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (const MapStorey& storey : map.origin().storeys)
-    if (const double d = outside_m(storey, p_map); d < least_m) {
-      least_m = d;
-      nearest = &storey;
-    }
-  return nearest;
+  return nearest_sheet(map.origin().storeys, p_map);
 }
 
 const MapStorey* find_storey(const SemanticMap& map, const std::string& id) {
-  const std::vector<MapStorey>& storeys = map.origin().storeys;
-  const auto found = std::find_if(storeys.begin(), storeys.end(), [&](const MapStorey& s) { return s.id == id; });
-  return found == storeys.end() ? nullptr : &*found;
+  return with_id(map.origin().storeys, id);
 }
 
 PlaceInBuilding place_in_building(const SemanticMap& map, const Pose2& T_map_base) {
@@ -40,10 +23,9 @@ PlaceInBuilding place_in_building(const SemanticMap& map, const Pose2& T_map_bas
 std::string words_for(const SemanticMap& map, const PlaceInBuilding& place) {
   const MapStorey* storey = find_storey(map, place.storey);
   if (storey == nullptr) return "";
-  for (const MapBuilding& building : map.origin().buildings)
-    if (building.id == place.building)
-      return storey->label() + " of " + (building.name.empty() ? building.id : building.name);
-  return storey->label();
+  const MapBuilding* building = with_id(map.origin().buildings, place.building);
+  if (building == nullptr) return storey->label();
+  return storey->label() + " of " + (building->name.empty() ? building->id : building->name);
 }
 
 Pose2 landing_on_map(const SemanticMap& map, const Landing& landing) {

@@ -1,6 +1,6 @@
 #include "map_tools/map_stack.hpp"
 
-#include "map/semantic_map_draft.hpp"
+#include "map/semantic_map_storeys.hpp"
 #include "map_tools/map_join.hpp"
 
 #include <opal/common/error.hpp>
@@ -140,10 +140,6 @@ MapOrigin origin_of(std::span<const StoreyPart> parts, const SemanticMap& joined
   return origin;
 }
 
-std::shared_ptr<const SemanticMap> with_origin(const SemanticMap& map, const std::string& name, MapOrigin origin) {
-  return SemanticMap::make(name, map.objects(), map.features(), map.patterns(), std::move(origin));
-}
-
 }  // namespace
 
 StackedMap stacked_map(const std::string& name, std::span<const StoreyPart> parts, const StackOptions& options) {
@@ -154,18 +150,16 @@ StackedMap stacked_map(const std::string& name, std::span<const StoreyPart> part
   const auto joined = joined_map(sources, {.gap_m = options.gap_m});
   StackedMap stacked;
   MapOrigin origin = origin_of(parts, *joined, options);
-  stacked.map = with_origin(*joined, name, origin);
   for (MapConnection& connection : ConnectionFinder(parts, options).run(stacked.report))
     origin.connections.push_back(std::move(connection));
-  stacked.map = with_origin(*stacked.map, name, std::move(origin));
+  stacked.map = SemanticMap::make(name, joined->objects(), joined->features(), joined->patterns(), std::move(origin));
   return stacked;
 }
 
 std::shared_ptr<const SemanticMap> storey_of_map(const SemanticMap& map, const std::string& storey) {
   const MapStorey* wanted = find_storey(map, storey);
   if (wanted == nullptr) {
-    std::string known;
-    for (const MapStorey& one : map.origin().storeys) known += (known.empty() ? "'" : ", '") + one.id + "'";
+    const std::string known = ids_of(map.origin().storeys);
     throw ConfigError(map.name() + ": no storey '" + storey + "', expected " +
                       (known.empty() ? "none: the map holds no storeys" : "one of " + known));
   }

@@ -33,7 +33,7 @@ void write_storeys(const RunHeader& header, RecordText& record) {
   record.key("storeys").open('[');
   for (const RunHeader::Storey& storey : header.storeys) {
     record.open('{').key("id").text(storey.id).key("name").text(storey.name).key("bounds").open('[');
-    for (const Point& corner : {storey.low, storey.high}) record.number(corner.x(), 2).number(corner.y(), 2);
+    for (const Point& corner : storey.bounds) record.number(corner.x(), 2).number(corner.y(), 2);
     record.close(']').close('}');
   }
   record.close(']');

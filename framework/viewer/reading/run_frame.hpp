@@ -5,6 +5,7 @@
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/map/map_numbers.hpp>
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,9 +38,9 @@ struct RunHeader {
   };
   /// A sheet of a map that holds several storeys.
   struct Storey {
-    std::string id, name;                             ///< "Third floor of GDC"
-    Point origin = Point::Zero();                     ///< of the storey's own frame
-    Point low = Point::Zero(), high = Point::Zero();  ///< corners of what lies on it
+    std::string id, name;                                       ///< "Third floor of GDC"
+    Point origin = Point::Zero();                               ///< of the storey's own frame
+    std::array<Point, 2> bounds{Point::Zero(), Point::Zero()};  ///< least and greatest corner of what lies on it
   };
   std::string map_name;
   std::vector<Storey> storeys;

@@ -1,8 +1,9 @@
 #include "viewer/reading/run_header_events.hpp"
 
+#include "map/semantic_map_storeys.hpp"
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <map>
 #include <unordered_set>
@@ -63,20 +64,15 @@ RunHeader::Storey read_storey(const EventPlace& place) {
   const auto point = [](const EventPlace& array, std::size_t k) {
     return Point(array.element(k).coordinate(), array.element(k + 1).coordinate());
   };
-  return {place.member("id").name(), place.member("name").sentence(), point(origin, 0), point(bounds, 0),
-          point(bounds, 2)};
+  return {place.member("id").name(),
+          place.member("name").sentence(),
+          point(origin, 0),
+          {point(bounds, 0), point(bounds, 2)}};
 }
 
 }  // namespace
 
-const RunHeader::Storey* RunHeader::storey_at(const Point& p) const {
-  const auto outside_m = [&](const Storey& s) {
-    return (s.low - p).cwiseMax(p - s.high).cwiseMax(Point::Zero()).norm();
-  };
-  const auto nearest = std::min_element(storeys.begin(), storeys.end(),
-                                        [&](const Storey& a, const Storey& b) { return outside_m(a) < outside_m(b); });
-  return nearest == storeys.end() ? nullptr : &*nearest;
-}
+const RunHeader::Storey* RunHeader::storey_at(const Point& p) const { return nearest_sheet(storeys, p); }
 
 MapFeatureNumber mapped_feature(const EventPlace& id, const FeaturePositions& positions) {
   const auto found = positions.find(id.name());
