@@ -81,9 +81,10 @@ class PlanObjects {
     return gone;
   }
 
-  std::shared_ptr<const SemanticMap> made(const std::string& source, const std::string& name) const {
+  std::shared_ptr<const SemanticMap> made(const std::string& source, const std::string& name,
+                                          const MapOrigin& origin) const {
     try {
-      return SemanticMap::make(name, objects_, features_);
+      return SemanticMap::make(name, objects_, features_, {}, origin);
     } catch (const MapError& error) {
       throw MapError(source + ": " + error.what());
     }
@@ -156,7 +157,7 @@ class Assembly {
     faces_ = join_faces(strokes_, sides_, elements, options.join_m);
   }
 
-  PlanAssembly run(const std::string& name) {
+  PlanAssembly run(const std::string& name, const MapOrigin& origin) {
     PlanObjects objects(strokes_, elements_);
     for (std::size_t k = 0; k < elements_.size(); ++k)
       result_.outcomes.push_back({elements_[k].id, PlanOutcome::Status::empty, ""});
@@ -170,12 +171,12 @@ class Assembly {
         objects.add_circle(static_cast<int>(k), static_cast<int>(circle));
       if (objects.has(static_cast<int>(k))) result_.outcomes[k] = {elements_[k].id, PlanOutcome::Status::mapped, ""};
     }
-    result_.map = objects.made(source_, name);
+    result_.map = objects.made(source_, name, origin);
     if (const auto repeated = unseen_repeated(*result_.map); !repeated.empty()) {
       for (const auto& [element, other] : objects.take_away(repeated))
         outcome(element) = {elements_[static_cast<std::size_t>(element)].id, PlanOutcome::Status::merged,
                             elements_[static_cast<std::size_t>(other)].id};
-      result_.map = objects.made(source_, name);
+      result_.map = objects.made(source_, name, origin);
     }
     return std::move(result_);
   }
@@ -292,8 +293,8 @@ class Assembly {
 }  // namespace
 
 PlanAssembly assemble_plan(const std::string& source, const std::string& name, const std::vector<PlanElement>& elements,
-                           const PlanOptions& options) {
-  return Assembly(source, elements, options).run(name);
+                           const PlanOptions& options, const MapOrigin& origin) {
+  return Assembly(source, elements, options).run(name, origin);
 }
 
 }  // namespace opal

@@ -2,6 +2,8 @@
 
 #include "level.hpp"
 
+#include <opal/import_kit/shaft_extent.hpp>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -13,7 +15,7 @@ namespace {
 constexpr std::array kKeys{"type", "highway", "room", "category", "indoor", "class", "kind", "element", "feature_type"};
 constexpr std::array kLifts{"elevator", "lift"};
 constexpr std::array kStairs{"stairs", "staircase", "stairwell"};
-constexpr double kUsualRadius_m = 1.0, kLeastRadius_m = 0.5, kMostRadius_m = 10;
+constexpr double kUsualRadius_m = 1.0;
 
 template <std::size_t N>
 bool says_any(const Feature& feature, const std::array<const char*, N>& words) {
@@ -28,26 +30,13 @@ std::string type_of(const Feature& feature) {
   return says_any(feature, kStairs) || text_or_number(feature, "stairs") == "yes" ? "opal:Stair" : "";
 }
 
-struct Extent {
-  Point middle;
-  double radius_m;
-};
-
-std::optional<Extent> extent_of(const Feature& feature, const std::string& type) {
+std::optional<ShaftExtent> extent_of(const Feature& feature, const std::string& type) {
   const Shapes& shapes = feature.shapes;
   if (shapes.polygons.empty()) {
     if (type != "opal:Lift" || shapes.points.size() != 1) return std::nullopt;
-    return Extent{shapes.points.front(), kUsualRadius_m};
+    return ShaftExtent{shapes.points.front(), kUsualRadius_m};
   }
-  if (shapes.polygons.front().empty() || shapes.polygons.front().front().empty()) return std::nullopt;
-  const Ring& ring = shapes.polygons.front().front();
-  Point low = ring.front(), high = ring.front();
-  for (const Point& p : ring) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  if (!(low + high).allFinite()) return std::nullopt;
-  return Extent{(low + high) / 2, std::clamp((high - low).minCoeff() / 2, kLeastRadius_m, kMostRadius_m)};
+  return shapes.polygons.front().empty() ? std::nullopt : shaft_extent(shapes.polygons.front().front());
 }
 
 }  // namespace
@@ -58,7 +47,7 @@ std::vector<MapConnection> connections_of(const FeatureCollection& collection, c
   for (const Feature& feature : collection.features) {
     const std::string type = type_of(feature);
     if (type.empty() || !feature.damage.empty() || !(level.empty() || is_on_level(feature, level))) continue;
-    const std::optional<Extent> extent = extent_of(feature, type);
+    const std::optional<ShaftExtent> extent = extent_of(feature, type);
     if (!extent || !met.insert(feature.id).second) continue;
     const std::string id = feature.id + (type == "opal:Lift" ? "/lift" : "/stairs");
     connections.push_back(

@@ -119,14 +119,12 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
         ": no feature gives anything for a map, expected the options classes and class_property to name some of: " +
         plan.tally.overview());
 
-  const PlanAssembly assembly =
-      assemble_plan(path, collection.name.empty() ? name_of(path) : collection.name, plan.elements, plan_.plan);
   MapOrigin origin;
   origin.storey = collection.label_of_level.contains(level) ? collection.label_of_level.at(level) : level;
   origin.connections = connections_of(collection, level);
-  const auto map =
-      SemanticMap::make(assembly.map->name(), assembly.map->objects(), assembly.map->features(), {}, origin);
-  MapImport imported{map, std::move(sentences), std::move(plan.things), {}};
+  const PlanAssembly assembly =
+      assemble_plan(path, collection.name.empty() ? name_of(path) : collection.name, plan.elements, plan_.plan, origin);
+  MapImport imported{assembly.map, std::move(sentences), std::move(plan.things), {}};
   report_outcomes(plan.elements, assembly, imported.elements);
   sort_by_id(imported.elements);
   imported.report.push_back(extent_sentence(*assembly.map));

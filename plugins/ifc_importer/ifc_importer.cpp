@@ -5,10 +5,10 @@
 #include "trial.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/import_kit/shaft_extent.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -54,16 +54,10 @@ std::vector<std::size_t> solids_in_order(const std::vector<ElementCut>& cuts) {
   return order;
 }
 
-/// What the plane shows of a lift or of stairs: the middle of its outline, and half of its narrower side.
-MapConnection connection_at(const ElementCut& cut, const char* type) {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Segment& s : segments_of(cut.outline)) {
-    low = low.cwiseMin(s.begin);
-    high = high.cwiseMax(s.begin);
-  }
-  constexpr double kLeast_m = 0.5, kMost_m = 10;
-  const double radius_m = std::clamp((high - low).minCoeff() / 2, kLeast_m, kMost_m);
-  return {cut.element->id + "/connection", type, cut.element->name, radius_m, {{"", Pose2((low + high) / 2, 0)}}};
+/// "opal:Lift", "opal:Stair"; empty: it is neither.
+std::string connection_type(const Element& element) {
+  if (element.is_a("IfcTransportElement")) return "opal:Lift";
+  return element.is_a("IfcStair") || element.is_a("IfcStairFlight") ? "opal:Stair" : "";
 }
 
 std::vector<MapConnection> connections_of(const std::vector<ElementCut>& cuts) {
@@ -71,9 +65,13 @@ std::vector<MapConnection> connections_of(const std::vector<ElementCut>& cuts) {
   std::set<std::string> met;  // models have ids twice
   for (const ElementCut& cut : cuts) {
     if (!cut.is_cut() || !met.insert(cut.element->id).second) continue;
-    if (cut.element->is_a("IfcTransportElement")) connections.push_back(connection_at(cut, "opal:Lift"));
-    if (cut.element->is_a("IfcStair") || cut.element->is_a("IfcStairFlight"))
-      connections.push_back(connection_at(cut, "opal:Stair"));
+    const std::string type = connection_type(*cut.element);
+    std::vector<Point> outline;
+    for (const Segment& edge : segments_of(cut.outline)) outline.push_back(edge.begin);
+    const auto extent = type.empty() ? std::nullopt : shaft_extent(outline);
+    if (!extent) continue;
+    connections.push_back(
+        {cut.element->id + "/connection", type, cut.element->name, extent->radius_m, {{"", Pose2(extent->middle, 0)}}});
   }
   return connections;
 }

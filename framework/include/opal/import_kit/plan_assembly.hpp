@@ -90,11 +90,12 @@ struct PlanAssembly {
 /// @param name      of the map.
 /// @param elements  all that the plan holds; ids must differ.
 /// @param options   lengths that decide how strokes become faces.
+/// @param origin    of the map.
 /// @throws MapError naming the source and the element, for coordinates that are no numbers or beyond 1e6 m, and for
 /// more than
 ///   400,000 strokes or 4,000,000 crossings.
 PlanAssembly assemble_plan(const std::string& source, const std::string& name, const std::vector<PlanElement>& elements,
-                           const PlanOptions& options = {});
+                           const PlanOptions& options = {}, const MapOrigin& origin = {});
 
 /// The circle that a closed line was drawn for: at least 12 points, all within `tolerance_m` of it and going around it
 /// once without a gap of more than 60 degrees. (An octagon is an octagon.)
