@@ -22,9 +22,14 @@ Score ScorerEnsemble::ask(std::size_t number, const Hypothesis& hypothesis, cons
   Score score;
   const auto call = [&] { score = scorer.part->score(hypothesis, observation, *map_, memories.of(number)); };
   if (!failures_.guard(scorer.name, call)) return {};
-  if (std::isfinite(score.log_likelihood)) return score;
-  failures_.count(scorer.name, "score is not finite");
-  return {};
+  expect_finite(score, scorer.name);
+  return score;
+}
+
+void ScorerEnsemble::expect_finite(Score& score, const std::string& name) const {
+  if (std::isfinite(score.log_likelihood)) return;
+  failures_.count(name, "score is not finite");
+  score = {};
 }
 
 std::vector<Score> ScorerEnsemble::ask_all(std::size_t number, Hypotheses hypotheses,
@@ -43,11 +48,7 @@ std::vector<Score> ScorerEnsemble::ask_all(std::size_t number, Hypotheses hypoth
                               std::to_string(hypotheses.size()) + ", one per hypothesis");
     return std::vector<Score>(hypotheses.size());
   }
-  for (Score& score : scores) {
-    if (std::isfinite(score.log_likelihood)) continue;
-    failures_.count(name, "score is not finite");
-    score = {};
-  }
+  for (Score& score : scores) expect_finite(score, name);
   return scores;
 }
 

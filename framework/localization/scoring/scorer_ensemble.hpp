@@ -56,6 +56,8 @@ class OPAL_EXPORT ScorerEnsemble {
  private:
   Score ask(std::size_t scorer, const Hypothesis& hypothesis, const Observation& observation) const;
   std::vector<Score> ask_all(std::size_t scorer, Hypotheses hypotheses, const Observation& observation) const;
+  /// A score that is no number counts as a failure, and says nothing.
+  void expect_finite(Score& score, const std::string& name) const;
   void add(Verdict& verdict, std::size_t scorer, Score score) const;
 
   std::vector<ActiveScorer> scorers_;

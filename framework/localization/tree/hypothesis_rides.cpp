@@ -38,13 +38,8 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
       continue;
     }
     Live live;
-    live.hypothesis.id = new_id();
     live.hypothesis.T_map_local = arrival.T_map_base * T_local_base.inverse();
-    live.hypothesis.log_likelihood = arrival.nat;
-    live.leaf = tree_.add({}, {});
-    live.updates = 1;
-    listener_.spawned(live, arrival.from, {});
-    alive_.push_back(std::move(live));
+    insert(std::move(live), {{}, arrival.nat}, std::move(candidate), arrival.from);
   }
   prune();
 }

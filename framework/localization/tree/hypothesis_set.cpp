@@ -178,7 +178,7 @@ double HypothesisSet::surplus_in_retrospect(const Observation& observation, doub
   return std::max(0.0, anew.nat - alive_.front().hypothesis.log_likelihood);
 }
 
-void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate) {
+void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate, HypothesisId from) {
   live.hypothesis.id = new_id();
   live.hypothesis.log_likelihood = spawned.nat;
   live.hypothesis.memories = std::move(spawned.past.memories);
@@ -187,7 +187,7 @@ void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate) {
   live.inherited_nat = spawned.past.inherited_nat;
   live.leaf = tree_.add({}, std::move(candidate.pairs));
   live.updates = 1;
-  listener_.spawned(live, {}, candidate.pattern);
+  listener_.spawned(live, from, candidate.pattern);
   alive_.push_back(std::move(live));
 }
 

@@ -115,8 +115,8 @@ class OPAL_EXPORT HypothesisSet {
   /// @param hypothesis  that has met nothing yet. @param verdict  on the newest scan.
   Spawned in_retrospect(Hypothesis hypothesis, const ScorerEnsemble::Verdict& verdict, const Observation& observation,
                         double tempering_weight, const RetrospectiveVerification& retrospective) const;
-  /// Adds it to those that are alive.
-  void insert(Live live, Spawned spawned, Candidate candidate);
+  /// Adds it to those that are alive. @param from  the hypothesis that it comes from, if it comes from one.
+  void insert(Live live, Spawned spawned, Candidate candidate, HypothesisId from = {});
   /// How much more the best hypothesis would have if it were spawned now [nat], >= 0. retrospective verification takes
   /// scans in larger pieces than tracking did, and what is seen for the first time counts most: that is no merit of who
   /// comes late.

@@ -101,6 +101,11 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+void carry_on(RawScan& scan, double later_s, const Pose2& T_odom_odom) {
+  scan.stamp_s += later_s;
+  if (scan.T_odom_base) scan.T_odom_base = T_odom_odom * *scan.T_odom_base;
+}
+
 std::string query_name(int number) {
   char name[16];
   std::snprintf(name, sizeof name, "q%02d", number);

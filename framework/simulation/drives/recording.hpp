@@ -40,6 +40,10 @@ struct Recording {
   int stops = 0;                         ///< how often the robot waited for somebody
 };
 
+/// The scan as it is in the recording of a robot whose clock and odometry began earlier.
+/// @param later_s  the recording's time when the scan's clock was 0. @param T_odom_odom  of the scan's odometry frame.
+void carry_on(RawScan& scan, double later_s, const Pose2& T_odom_odom);
+
 /// Id of a recording's query, from 1 on: "q01".
 std::string query_name(int number);
 

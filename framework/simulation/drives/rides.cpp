@@ -73,9 +73,8 @@ const Landing& landing_on(const MapConnection& lift, const std::string& storey) 
 /// Appends what one robot records later: time goes on, and so does odometry.
 void append_leg(Recording& all, Recording more, double later_s, const Pose2& T_odom_odom) {
   for (RecordedScan& recorded : more.scans) {
-    recorded.scan.stamp_s += later_s;
+    carry_on(recorded.scan, later_s, T_odom_odom);
     if (!all.scans.empty() && recorded.scan.stamp_s <= all.scans.back().scan.stamp_s) continue;  // where legs meet
-    if (recorded.scan.T_odom_base) recorded.scan.T_odom_base = T_odom_odom * *recorded.scan.T_odom_base;
     all.scans.push_back(std::move(recorded));
   }
   for (double driven_m : more.distances_m) all.distances_m.back() += driven_m;

@@ -9,11 +9,6 @@
 namespace opal::simulation {
 namespace {
 
-void carry_on(RawScan& scan, double later_s, const Pose2& T_odom_odom) {
-  scan.stamp_s += later_s;
-  if (scan.T_odom_base) scan.T_odom_base = T_odom_odom * *scan.T_odom_base;
-}
-
 /// One robot records first `all`, then `more`, whose clock and odometry began anew.
 void append(Recording& all, Recording more, double later_s, const Pose2& T_odom_odom) {
   for (RecordedScan& recorded : more.scans) {
