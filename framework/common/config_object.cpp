@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <filesystem>
+
 namespace opal {
 namespace {
 
@@ -163,6 +165,10 @@ void ConfigObject::refuse(const std::string& key, const std::string& expected) c
   const auto found = value_->find(key);
   throw ConfigError(where(key) + ": " + (found == value_->end() ? "absent" : excerpt(*found)) + ", expected " +
                     expected);
+}
+
+std::string beside(const std::string& document, const std::string& path) {
+  return (std::filesystem::path(document).parent_path() / path).lexically_normal().string();
 }
 
 }  // namespace opal

@@ -60,4 +60,7 @@ class OPAL_EXPORT ConfigObject {
   std::set<std::string> asked_;
 };
 
+/// A path that stands in a document, from where the program runs; an absolute one stays.
+OPAL_EXPORT std::string beside(const std::string& document, const std::string& path);
+
 }  // namespace opal

@@ -56,7 +56,7 @@ std::vector<RegisteredType> types_for(const Deployment& deployment, const Plugin
 std::vector<std::string> class_files(const Deployment& deployment) {
   std::set<std::string> files;
   for (const PartConfig& part : classes_in(deployment))
-    files.insert(beside_document(read_class_source(part.type)->file, deployment.file));
+    files.insert(beside(deployment.file, read_class_source(part.type)->file));
   return {files.begin(), files.end()};
 }
 
@@ -66,8 +66,7 @@ nlohmann::json with_classes_beside(nlohmann::json configuration, const std::stri
     for (nlohmann::json& part : configuration[key]) {
       if (!part.is_object() || !part.contains("@type") || !part["@type"].is_string()) continue;
       if (const auto source = read_class_source(part["@type"]))
-        part["@type"] =
-            std::filesystem::absolute(beside_document(source->file, document)).string() + ":" + source->name;
+        part["@type"] = std::filesystem::absolute(beside(document, source->file)).string() + ":" + source->name;
     }
   }
   return configuration;

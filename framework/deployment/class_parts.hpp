@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/config_object.hpp"
 #include "plugin/class_source.hpp"
 
 #include <opal/common/error.hpp>
@@ -20,7 +21,7 @@ std::shared_ptr<const T> make_part(const PartConfig& part, PluginKind kind, cons
   const auto source = read_class_source(part.type);
   if (!source) return registry.make<T>(part.type, part.options);
   try {
-    return make_of_class<T>(registry, kind, *source, beside_document(source->file, document), part.options);
+    return make_of_class<T>(registry, kind, *source, beside(document, source->file), part.options);
   } catch (const PluginError& refusal) {
     throw ConfigError(part.where + ": " + refusal.what());
   }

@@ -8,7 +8,6 @@
 #include "deployment/store_source.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <numbers>
 #include <set>
 
@@ -186,7 +185,7 @@ std::vector<ScorerConfig> read_scorers(ConfigObject& document) {
 
 std::string resolve(const std::string& path, const std::string& document) {
   if (path.empty() || read_store_source(path)) return path;
-  return (std::filesystem::path(document).parent_path() / path).lexically_normal().string();
+  return beside(document, path);
 }
 
 /// Several lasers are told apart by their frames, and what the map offers to perceive is the same for all.

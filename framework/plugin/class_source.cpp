@@ -38,10 +38,6 @@ std::optional<ClassSource> read_class_source(const std::string& type) {
   return ClassSource{type.substr(0, at + kEnding.size() - 1), name};
 }
 
-std::string beside_document(const std::string& path, const std::string& document) {
-  return (std::filesystem::path(document).parent_path() / path).lexically_normal().string();
-}
-
 std::string host_of(PluginKind kind) {
   switch (kind) {
     case PluginKind::feature_detector: return "opal:PythonDetector";

@@ -18,9 +18,6 @@ struct ClassSource {
 /// What a type's name says; nullopt: it is the name of a plugin's type.
 OPAL_EXPORT std::optional<ClassSource> read_class_source(const std::string& type);
 
-/// A path that a document names: beside it, unless it is absolute.
-OPAL_EXPORT std::string beside_document(const std::string& path, const std::string& document);
-
 /// The type of a plugin that runs classes of this kind: "opal:PythonScorer"; empty: no plugin does.
 OPAL_EXPORT std::string host_of(PluginKind kind);
 

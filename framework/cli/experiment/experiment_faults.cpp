@@ -1,7 +1,9 @@
 #include "cli/experiment/experiment_faults.hpp"
 
 #include "benchmark/runs/progress_bar.hpp"
+#include "cli/experiment/experiment_output.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/terminal/run_end.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "session/session.hpp"
@@ -10,19 +12,16 @@
 #include "benchmark/experiments/faults/fault_report.hpp"
 #include "benchmark/experiments/kit/in_parallel.hpp"
 
-#include "common/text_file.hpp"
 #include "common/whole_file.hpp"
 
 #include <opal/common/error.hpp>
 
-#include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <thread>
 
 namespace {
 
-namespace fs = std::filesystem;
 namespace experiments = opal::experiments;
 
 struct FaultsVerbOptions {
@@ -80,9 +79,7 @@ int faults(const FaultsVerbOptions& options) {
   const std::vector<experiments::FaultRun> runs = run_all(options, signals.token());
   const std::string table = markdown_of(fault_table(runs));
   std::cout << table;
-  opal::write_text((fs::path(options.out) / "table.txt").string(), table);
-  opal::write_text((fs::path(options.out) / "drives.csv").string(), csv_of(fault_rows(runs)));
-  std::cout << "written: drives.csv, table.txt in " << options.out << '\n';
+  write_drives(options.out, table, csv_of(fault_rows(runs)));
   return end_run(folder, signals.token().stop_requested() ? signals.signal() : 0, kDone);
 }
 
@@ -101,14 +98,8 @@ void add_experiment_faults(CLI::App& experiment, int& exit_code) {
   verb->add_option("--drives", o->drives, "of each fault; the same number is the same way in the same building")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--duration", o->drive.duration_s, "of each drive [s]")
-      ->check(CLI::Range(10.0, 3600.0))
-      ->capture_default_str();
-  verb->add_option("--fault-at", o->drive.fault_from_s, "when the fault begins [s]")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  verb->add_option("--jobs", o->jobs, "at the same time; results do not depend on it")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  add_number(*verb, "--duration", o->drive.duration_s, 10.0, 3600.0, "of each drive [s]");
+  add_number(*verb, "--fault-at", o->drive.fault_from_s, 0.0, 3600.0, "when the fault begins [s]");
+  add_number(*verb, "--jobs", o->jobs, 1, 1000, "at the same time; results do not depend on it");
   verb->callback([o, &exit_code] { exit_code = faults(*o); });
 }

@@ -51,3 +51,10 @@ void write_experiment(const std::string& out, const Runs& runs, const opal::expe
   opal::write_text((folder / "report.html").string(), page);
   std::cout << text << "written: runs.csv, table.txt, summary.json, report.html in " << out << '\n';
 }
+
+/// Leaves a table and a row a drive in a folder.
+inline void write_drives(const std::string& out, const std::string& table, const std::string& rows) {
+  opal::write_text((std::filesystem::path(out) / "table.txt").string(), table);
+  opal::write_text((std::filesystem::path(out) / "drives.csv").string(), rows);
+  std::cout << "written: drives.csv, table.txt in " << out << '\n';
+}

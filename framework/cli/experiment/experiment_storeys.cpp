@@ -1,7 +1,9 @@
 #include "cli/experiment/experiment_storeys.hpp"
 
 #include "benchmark/runs/progress_bar.hpp"
+#include "cli/experiment/experiment_output.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/number_option.hpp"
 #include "cli/options/world_options.hpp"
 #include "cli/terminal/run_end.hpp"
 #include "cli/terminal/stop_signals.hpp"
@@ -11,19 +13,16 @@
 #include "benchmark/experiments/kit/in_parallel.hpp"
 #include "benchmark/experiments/storeys/storey_report.hpp"
 
-#include "common/text_file.hpp"
 #include "output/output_folder.hpp"
 
 #include <opal/common/error.hpp>
 
-#include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <thread>
 
 namespace {
 
-namespace fs = std::filesystem;
 namespace experiments = opal::experiments;
 
 struct StoreysVerbOptions : WorldOptions {
@@ -110,9 +109,7 @@ int storeys(StoreysVerbOptions options) {
   std::cout << table;
   const auto unreached = static_cast<std::size_t>(options.drives + options.rides) - runs.size();
   if (unreached > 0) std::cout << unreached << " rides did not take place: furniture or a wall was in the way\n";
-  opal::write_text((fs::path(options.out) / "table.txt").string(), table);
-  opal::write_text((fs::path(options.out) / "drives.csv").string(), csv_of(storey_rows(runs)));
-  std::cout << "written: drives.csv, table.txt in " << options.out << '\n';
+  write_drives(options.out, table, csv_of(storey_rows(runs)));
   return end_run(folder, signals.token().stop_requested() ? signals.signal() : 0, kDone);
 }
 
@@ -126,18 +123,15 @@ void add_experiment_storeys(CLI::App& experiment, int& exit_code) {
   verb->add_option("MAP", o->map, "map document with storeys")->required();
   verb->add_option("-o,--out", o->out, "folder for drives.csv and table.txt")->required();
   verb->add_option("--config", o->config, "deployment: a file, or the name of one that ships")->capture_default_str();
-  const auto flag = [&](const char* name, auto& value, auto least, auto most, const char* help) {
-    verb->add_option(name, value, help)->check(CLI::Range(least, most))->capture_default_str();
-  };
-  flag("--drives", o->drives, 0, 100000, "on storey after storey");
-  flag("--rides", o->rides, 0, 100000, "in lift after lift, from each of its storeys to each other");
-  flag("--distance", o->ride.drive.distance_m, 1.0, 1e5, "of each drive [m]");
-  flag("--before", o->ride.before_m, 0.0, 1e5, "driven before a ride, at least [m]");
-  flag("--after", o->ride.after_m, 1.0, 1e5, "driven after a ride [m]");
-  flag("--closed", o->ride.closed_s, 0.0, 1000.0, "how long the door of the lift is closed [s]");
+  add_number(*verb, "--drives", o->drives, 0, 100000, "on storey after storey");
+  add_number(*verb, "--rides", o->rides, 0, 100000, "in lift after lift, from each of its storeys to each other");
+  add_number(*verb, "--distance", o->ride.drive.distance_m, 1.0, 1e5, "of each drive [m]");
+  add_number(*verb, "--before", o->ride.before_m, 0.0, 1e5, "driven before a ride, at least [m]");
+  add_number(*verb, "--after", o->ride.after_m, 1.0, 1e5, "driven after a ride [m]");
+  add_number(*verb, "--closed", o->ride.closed_s, 0.0, 1000.0, "how long the door of the lift is closed [s]");
   verb->add_flag("--shafts-mapped", o->ride.is_shaft_mapped,
                  "the map has the walls of the lifts; else a cabin is put there that it does not have");
-  flag("--jobs", o->jobs, 1, 1000, "at the same time; results do not depend on it");
+  add_number(*verb, "--jobs", o->jobs, 1, 1000, "at the same time; results do not depend on it");
   verb->add_option("--seed", o->first_seed, "of the first drive")->capture_default_str();
   o->add_to(*verb);
   verb->callback([o, &exit_code] { exit_code = storeys(*o); });

@@ -79,6 +79,11 @@ void expect_other_place(const SimulateOptions& options) {
                               ": is the map that is driven in, expected another PREFIX to write");
 }
 
+void tell_written(const std::string& prefix) {
+  std::cout << "written: " << prefix
+            << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
+}
+
 /// Drives on every storey of a map that holds several.
 int simulate_storeys(const SimulateOptions& options, const opal::SemanticMap& map, const opal::SemanticMap& building) {
   if (!options.along.empty())
@@ -88,8 +93,7 @@ int simulate_storeys(const SimulateOptions& options, const opal::SemanticMap& ma
   sim::write_recorded_place(recording, map, options.out);
   std::printf("%zu drives on %zu storeys, %zu scans\n", recording.queries.size(), map.origin().storeys.size(),
               recording.scans.size());
-  std::cout << "written: " << options.out
-            << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
+  tell_written(options.out);
   return kDone;
 }
 
@@ -117,8 +121,7 @@ int simulate(SimulateOptions options) {
   std::printf("%zu drives, %.0f m, %zu scans; %d steps in which somebody or something was in the way\n",
               recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
   std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
-  std::cout << "written: " << options.out
-            << ".log.gz, .gt.csv, .info.json, .queries.json, .map.jsonld, .map.yaml, .map.pgm\n";
+  tell_written(options.out);
   return kDone;
 }
 

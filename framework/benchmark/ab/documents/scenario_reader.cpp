@@ -123,10 +123,6 @@ std::vector<Scenario> read_all_simulated(ConfigObject object, const std::string&
 
 }  // namespace
 
-std::string beside(const std::string& document, const std::string& path) {
-  return (fs::path(document).parent_path() / path).lexically_normal().string();
-}
-
 std::string read_name(ConfigObject& object) {
   const std::string name = object.required_text("name");
   expect_name(name, object, "name");

@@ -12,7 +12,4 @@ std::vector<Scenario> read_scenarios(ConfigObject& document, const std::string& 
 /// `name`: letters, digits, '_', '-' and '.', as it becomes part of file names and links.
 std::string read_name(ConfigObject& object);
 
-/// A path that stands in a document, from where the program runs.
-std::string beside(const std::string& document, const std::string& path);
-
 }  // namespace opal::ab

@@ -1,5 +1,7 @@
 #include "benchmark/experiments/storeys/storey_report.hpp"
 
+#include "evaluation/median.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,13 +19,12 @@ std::string count_of(const std::vector<StoreyRun>& runs, Test test) {
 
 bool is_soon(const std::optional<double>& from_m) { return from_m && *from_m <= kSoon_m; }
 
-std::string median_of(const std::vector<StoreyRun>& runs) {
+std::string median_localized(const std::vector<StoreyRun>& runs) {
   std::vector<double> all_m;
   for (const StoreyRun& run : runs)
     if (run.localized_from_m) all_m.push_back(*run.localized_from_m);
-  if (all_m.empty()) return "";
-  std::sort(all_m.begin(), all_m.end());
-  return fmt::format("{:.1f}", all_m[all_m.size() / 2]);
+  const auto median_m = median_of(std::move(all_m));
+  return median_m ? fmt::format("{:.1f}", *median_m) : "";
 }
 
 std::string written(const std::optional<double>& metres) { return metres ? fmt::format("{:.2f}", *metres) : ""; }
@@ -51,7 +52,7 @@ Table storey_table(const std::vector<StoreyRun>& runs) {
                           count_of(these, [](const StoreyRun& run) { return run.wrong_storey > 0; }),
                           count_of(these, [](const StoreyRun& run) { return is_soon(run.right_from_m); }),
                           count_of(these, [](const StoreyRun& run) { return is_soon(run.localized_from_m); }),
-                          median_of(these)});
+                          median_localized(these)});
   }
   return table;
 }
