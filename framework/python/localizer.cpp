@@ -40,16 +40,14 @@ std::vector<HypothesisHandle> hypotheses(Handle& self) {
   return all;
 }
 
-std::string reasons(Handle& self, const PoseEstimate& estimate) {
-  std::vector<std::string> of_sensor;
-  for (const SensorFinding& finding : self.localizer().sensor_findings()) of_sensor.push_back(finding.words);
-  return reason_text(name_of(estimate.status), self.localizer().why(), of_sensor);
-}
-
 std::vector<std::string> sensor_words(Handle& self) {
   std::vector<std::string> words;
   for (const SensorFinding& finding : self.localizer().sensor_findings()) words.push_back(finding.words);
   return words;
+}
+
+std::string reasons(Handle& self, const PoseEstimate& estimate) {
+  return reason_text(name_of(estimate.status), self.localizer().why(), sensor_words(self));
 }
 
 py::list local_features(Handle& self) {

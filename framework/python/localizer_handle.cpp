@@ -50,9 +50,14 @@ void LocalizerHandle::rethrow_callback() {
   if (callback_) callback_->rethrow();
 }
 
+void LocalizerHandle::begin(const std::string& name) {
+  if (events_ != nullptr) events_->write(start_event(name));
+  begun_ = true;
+}
+
 std::optional<PoseEstimate> LocalizerHandle::update(const Sample& sample) {
   return apart([&](Localizer& localizer) {
-    if (events_ != nullptr && !std::exchange(begun_, true)) events_->write(start_event("run"));
+    if (!begun_) begin("run");
     return localizer.update(sample);
   });
 }
@@ -60,8 +65,7 @@ std::optional<PoseEstimate> LocalizerHandle::update(const Sample& sample) {
 RunRecord LocalizerHandle::run(ReplayHandle& replay, const std::string& query) {
   return apart([&](Localizer& localizer) {
     localizer.reset();
-    if (events_ != nullptr) events_->write(start_event(query));
-    begun_ = true;
+    begin(query);
     return run_log(localizer, deployment_.lasers.front(), replay.replay, query, {Interruptible(), {}, {}});
   });
 }
@@ -69,8 +73,7 @@ RunRecord LocalizerHandle::run(ReplayHandle& replay, const std::string& query) {
 void LocalizerHandle::reset(const std::string& name) {
   apart([&](Localizer& localizer) {
     localizer.reset();
-    if (events_ != nullptr) events_->write(start_event(name));
-    begun_ = true;
+    begin(name);
     return true;
   });
 }

@@ -51,6 +51,8 @@ class LocalizerHandle {
   };
 
   EventSink* listen(const pybind11::object& events);
+  /// A time line in the event stream.
+  void begin(const std::string& name);
   void rethrow_callback();
 
   Deployment deployment_;

@@ -1,7 +1,7 @@
 #include "python/map.hpp"
 
-#include "common/text_file.hpp"
 #include "map/check/map_check.hpp"
+#include "map/map_file.hpp"
 #include "python/bindings.hpp"
 #include "python/plugins.hpp"
 #include "python/values/arrays.hpp"
@@ -30,8 +30,12 @@ MapHandle read_map(const std::string& source, const std::vector<std::string>& ov
   return {with_overlays(map, overlays)};
 }
 
-void write_map(const MapHandle& self, const std::string& path) {
-  write_text(path, self.map->to_json_ld().dump(2) + '\n');
+void write_map(const MapHandle& self, const std::string& path) { opal::write_map(*self.map, path); }
+
+IntArray positions_of(const std::vector<MapFeatureNumber>& features) {
+  std::vector<int> numbers;
+  for (const MapFeatureNumber feature : features) numbers.push_back(feature.number());
+  return array_of(std::span<const int>(numbers));
 }
 
 void bind_object(py::module_& module) {
@@ -41,12 +45,7 @@ void bind_object(py::module_& module) {
       .def_property_readonly(
           "name", [](const MapObject& self) { return self.notes.name; }, "For people; may be empty.")
       .def_property_readonly(
-          "features",
-          [](const MapObject& self) {
-            std::vector<int> numbers;
-            for (const MapFeatureNumber number : self.features) numbers.push_back(number.number());
-            return array_of(std::span<const int>(numbers));
-          },
+          "features", [](const MapObject& self) { return positions_of(self.features); },
           "Positions in Map.features; shape (N,).")
       .def("__repr__", [](const MapObject& self) {
         return "<opal.MapObject " + object_words(self.type, self.id, self.notes.name, false) + ">";
@@ -80,12 +79,7 @@ void bind_pattern(py::module_& module) {
       .def_readonly("id", &MapPattern::id)
       .def_readonly("template", &MapPattern::pattern_template, "Name of the pattern template.")
       .def_property_readonly(
-          "features",
-          [](const MapPattern& self) {
-            std::vector<int> numbers;
-            for (const MapFeatureNumber number : self.features) numbers.push_back(number.number());
-            return array_of(std::span<const int>(numbers));
-          },
+          "features", [](const MapPattern& self) { return positions_of(self.features); },
           "Positions in Map.features, in the order of the template; shape (N,).")
       .def_readonly("subpatterns", &MapPattern::subpatterns)
       .def_property_readonly("dimensions",

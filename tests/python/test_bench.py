@@ -13,7 +13,7 @@ class Benches(InFolder):
         cls.bench = opal.bench(DEMO)
 
     def test_rows_are_those_of_the_program_to_the_byte(self):
-        said = self.program("bench", DEMO, "-o", "out")
+        said = self.opal("bench", DEMO, "-o", "out")
         self.bench.run.write_results(str(self.folder / "results.csv"))
         self.bench.run.write_alternatives(str(self.folder / "alternatives.csv"))
         for name in ("results.csv", "alternatives.csv"):

@@ -13,7 +13,7 @@ class Errors(InFolder):
         with self.assertRaises(error) as raised:
             call()
         self.assertIsInstance(raised.exception, opal.Error)
-        self.assertIn(str(raised.exception), self.program(*words, exit_code=3))
+        self.assertIn(str(raised.exception), self.opal(*words, exit_code=3))
 
     def test_a_bad_map_is_told_in_the_words_of_the_program(self):
         bad = self.folder / "bad.jsonld"

@@ -39,7 +39,7 @@ class Localizing(InFolder):
         return opal.Localizer(self.deployment.with_lasers(self.lasers), self.map, **options)
 
     def program_results(self):
-        self.program("localize", "malaga", LOG, "--map", MAP, "-o", "out")
+        self.opal("localize", "malaga", LOG, "--map", MAP, "-o", "out")
         return (self.folder / "out" / "results.csv").read_text()
 
     def test_a_run_writes_the_results_of_the_program(self):

@@ -54,7 +54,7 @@ class Maps(InFolder):
 
     def test_patterns_have_their_members(self):
         map_with_layer = ROOT / "maps" / "atlas.jsonld"
-        self.program("map", "patterns", map_with_layer, "-o", "layer.jsonld")
+        self.opal("map", "patterns", map_with_layer, "-o", "layer.jsonld")
         layered = opal.read_map(str(self.folder / "layer.jsonld"))
         self.assertGreater(len(layered.patterns), 0)
         nodes, edges = layered.graph()
@@ -62,7 +62,7 @@ class Maps(InFolder):
         self.assertEqual(members, sum(len(pattern.features) for pattern in layered.patterns))
 
     def test_a_grid_is_imported_as_the_program_does_it(self):
-        self.program("map", "import", MAP, "-o", "program.jsonld")
+        self.opal("map", "import", MAP, "-o", "program.jsonld")
         opal.read_map(MAP).write(str(self.folder / "python.jsonld"))
         documents = [json.loads((self.folder / name).read_text()) for name in ("program.jsonld", "python.jsonld")]
         self.assertEqual(documents[0], documents[1])
@@ -71,7 +71,7 @@ class Maps(InFolder):
         room, overlays = ROOT / "maps" / "example_room.jsonld", sorted((ROOT / "maps" / "overlays").glob("*.jsonld"))
         fitting = [path for path in overlays if "example_room" in path.read_text() or "room" in path.name]
         for overlay in fitting or overlays[:1]:
-            self.program("map", "overlay", room, overlay, "-o", "program.jsonld")
+            self.opal("map", "overlay", room, overlay, "-o", "program.jsonld")
             self.assertEqual(opal.read_map(str(room), overlays=[str(overlay)]).json_ld(),
                              json.loads((self.folder / "program.jsonld").read_text()))
 
@@ -80,7 +80,7 @@ class Maps(InFolder):
             opal.read_map(MAP, options={"no_such_option": 1})
 
     def test_what_check_says_is_what_the_program_says(self):
-        said = self.program("map", "check", ROOT / "maps" / "example_room.jsonld")
+        said = self.opal("map", "check", ROOT / "maps" / "example_room.jsonld")
         for sentence in self.map.check():
             self.assertIn(sentence, said)
 

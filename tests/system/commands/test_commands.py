@@ -1,31 +1,12 @@
 """What the commands print first, and that options, names and documents reach them. OPAL_PROGRAM is the program."""
 
 import json
-import os
 import pathlib
-import subprocess
-import tempfile
-import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-DEMO = ROOT / "maps" / "malaga" / "malaga-demo"
-MAP = f"{DEMO}.map.yaml"
-LOG = f"{DEMO}.log.gz"
+from program_in_folder import DEMO, LOG, MAP, ROOT, InFolder
 
 
-class Commands(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def opal(self, *words, exit_code=0):
-        """@return what was printed, errors included. Runs in a folder of its own."""
-        done = subprocess.run([os.environ["OPAL_PROGRAM"], *map(str, words)], cwd=self.folder, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        self.assertEqual(done.returncode, exit_code, done.stdout)
-        return done.stdout
-
+class Commands(InFolder):
     def deployment(self, **members):
         document = {"@context": "urn:opal:v1", "@type": "opal:Deployment", "scorers": [{"@type": "opal:Beams"}], **members}
         file = self.folder / "deployment.jsonld"
