@@ -1,5 +1,7 @@
 #include "simulation/clutter.hpp"
 
+#include "simulation/pieces.hpp"
+
 #include <algorithm>
 #include <set>
 #include <span>
@@ -7,24 +9,6 @@
 
 namespace opal::simulation {
 namespace {
-
-using Piece = std::vector<Solid>;
-
-Solid straight(const Point& a, const Point& b) { return {Segment{a, b}, false}; }
-Solid round_post(const Point& center, double radius_m) { return {Circle{center, radius_m}, false}; }
-
-Piece box(const Pose2& center, double length_m, double width_m) {
-  const double a = length_m / 2, b = width_m / 2;
-  const Point p[4] = {center * Point(-a, -b), center * Point(a, -b), center * Point(a, b), center * Point(-a, b)};
-  return {straight(p[0], p[1]), straight(p[1], p[2]), straight(p[2], p[3]), straight(p[3], p[0])};
-}
-
-Piece legs(const Pose2& center, double length_m, double width_m, double radius_m) {
-  Piece piece;
-  for (const double x : {-0.5, 0.5})
-    for (const double y : {-0.5, 0.5}) piece.push_back(round_post(center * Point(x * length_m, y * width_m), radius_m));
-  return piece;
-}
 
 void add(Piece& piece, const Piece& more) { piece.insert(piece.end(), more.begin(), more.end()); }
 
@@ -49,15 +33,6 @@ Piece table(const Pose2& center, Random& random) {
         add(piece, chair(center * Pose2(along * length, side * (width / 2 + gap_m), turn_rad)));
       }
   return piece;
-}
-
-/// Faces that one sees, long enough to put something along.
-std::vector<Segment> long_faces(const SemanticMap& map, double least_m) {
-  std::vector<Segment> faces;
-  for (const MapFeature& feature : map.features())
-    if (const auto* face = std::get_if<Segment>(&feature.geometry))
-      if (!feature.sensor.empty() && face->length_m() > least_m) faces.push_back(*face);
-  return faces;
 }
 
 /// Somewhere along a face, its back to the wall.

@@ -51,22 +51,32 @@ void set_laser(SimulateOptions& options) {
   laser.range_sigma_m = std::max(0.005, options.world.laser_errors.range_sigma_m);
 }
 
+/// What the map holds, with all doors shut.
+sim::RayCaster mapped_solids(const opal::SemanticMap& map) {
+  sim::Random closed(1);
+  return sim::RayCaster(sim::building_solids(map, 0, closed));
+}
+
+sim::BeamStatistics beams_of(const sim::Recording& made, const sim::RayCaster& mapped) {
+  sim::BeamStatistics simulated;
+  for (const sim::RecordedScan& scan : made.scans)
+    sim::count_beams(scan.scan, scan.T_map_base * made.laser.T_base_laser, made.laser, mapped, simulated);
+  return simulated;
+}
+
 /// Drives as somebody did who recorded it, and says how alike the beams are.
 sim::Recording record_along(const opal::PluginRegistry& registry, const SimulateOptions& options,
                             const opal::SemanticMap& map, sim::Simulation& simulation) {
   const opal::GroundTruth truth = opal::GroundTruth::read(options.along + ".gt.csv");
   const sim::Recording made = sim::record_along(simulation, truth.poses());
   const opal::LaserModel laser = opal::read_site_laser(options.along + ".info.json");
-  sim::Random closed(1);
-  const sim::RayCaster mapped(sim::building_solids(map, 0, closed));
-  sim::BeamStatistics recorded, simulated;
+  const sim::RayCaster mapped = mapped_solids(map);
+  sim::BeamStatistics recorded;
   for (const opal::LogRecord& record : opal::read_all(*open_log(registry, options.along + ".log.gz")))
     if (const auto* scan = std::get_if<opal::RawScan>(&record))
       if (const auto pose = truth.T_map_laser_at(scan->stamp_s))
         sim::count_beams(*scan, *pose, laser, mapped, recorded);
-  for (const sim::RecordedScan& scan : made.scans)
-    sim::count_beams(scan.scan, scan.T_map_base * made.laser.T_base_laser, made.laser, mapped, simulated);
-  std::cout << sim::side_by_side("recorded", recorded, "simulated", simulated);
+  std::cout << sim::side_by_side("recorded", recorded, "simulated", beams_of(made, mapped));
   return made;
 }
 
@@ -120,6 +130,8 @@ int simulate(SimulateOptions options) {
               simulation.solids().solids().size(), options.world.people);
   std::printf("%zu drives, %.0f m, %zu scans; %d steps in which somebody or something was in the way\n",
               recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
+  const sim::BeamStatistics beams = beams_of(recording, mapped_solids(*map));
+  std::printf("%.0f %% of the beams end before the first mapped surface\n", 100.0 * beams.early / beams.beams());
   std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
   tell_written(options.out);
   return kDone;
