@@ -2,7 +2,6 @@
 
 import json
 import os
-import pathlib
 import unittest
 
 import opal
@@ -14,9 +13,9 @@ TWIN_PLUGINS = os.environ["OPAL_TWIN_PLUGINS"]  # docs/examples/outside_scorer, 
 class Twins(InFolder):
     def computed(self):
         """Evidence beside both, on a recorded hall and in generated buildings."""
-        python = f"{pathlib.Path(opal.__file__).parent / 'examples.py'}:Likelihood"
+        (self.folder / "twin.py").write_text("from opal.examples import Likelihood\n\n\nclass Twin(Likelihood):\n    pass\n")
         arms = [{"name": name, "overrides": scorers(kind)} for name, kind in
-                (("evidence", "opal:Evidence"), ("in_python", python), ("in_cpp", "acme:LikelihoodField"))]
+                (("evidence", "opal:Evidence"), ("in_python", "twin.py:Twin"), ("in_cpp", "acme:LikelihoodField"))]
         for arm in arms:
             arm["overrides"] = {"scorers": arm["overrides"]["scorers"]}
         arms[2]["plugins"] = TWIN_PLUGINS
