@@ -5,7 +5,7 @@ import json
 import unittest
 
 import opal
-from recorded import DEMO, InFolder, scorers
+from recorded import DEMO, ROOT, InFolder, scorers
 
 
 class Experiments(InFolder):
@@ -46,6 +46,20 @@ class Experiments(InFolder):
                         for line in (paper / f"{name}.md").read_text().replace("\\", "").splitlines()]
             self.assertEqual(rows, [markdown[0], *markdown[2:]], name)
             self.assertEqual((paper / f"{name}.tex").read_text().count("\\\\\n"), len(rows), name)
+
+    def test_a_bundle_has_the_files_of_classes_and_stays_as_it_was(self):
+        example = ROOT / "docs" / "examples" / "python_scorer"
+        document = json.loads((example / "python_scorer.jsonld").read_text())
+        document.update(sites=[{"prefix": DEMO}], metrics=["success", "distance_to_success_m"])
+        (self.folder / "likelihood.py").write_text((example / "likelihood.py").read_text())
+        (self.folder / "classes.jsonld").write_text(json.dumps(document))
+        self.opal("ab", "classes.jsonld", "-o", "out")
+        self.opal("ab", "bundle", "classes.jsonld", "-o", "out", "--to", "bundle")
+        (self.folder / "likelihood.py").unlink()
+        for out in ("first", "second"):
+            said = self.opal("ab", "repeat", "bundle", "-o", out)
+            self.assertIn("every cell came out as in the bundle", said)
+            self.assertIn("the verdict is that of the bundle", said)
 
     def test_what_is_no_finished_experiment_is_told(self):
         with self.assertRaisesRegex(opal.Error, "manifest.json: cannot be read .*expected the folder of a finished opal ab"):

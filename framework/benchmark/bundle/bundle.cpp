@@ -77,11 +77,14 @@ std::optional<std::string> found_in_any(const std::vector<std::string>& places, 
   return std::nullopt;
 }
 
-void link_to(const std::string& target, const fs::path& link) {
-  make_folder(link.parent_path().string());
-  std::error_code ignored;
-  fs::remove(link, ignored);
-  fs::create_symlink(fs::canonical(target), link);
+void place_file(const std::string& source, const fs::path& target, bool copies) {
+  make_folder(target.parent_path().string());
+  std::error_code absent;
+  fs::remove(target, absent);
+  if (copies)
+    fs::copy_file(source, target);
+  else
+    fs::create_symlink(fs::canonical(source), target);
 }
 
 }  // namespace
@@ -106,12 +109,12 @@ Bundle read_bundle(const std::string& folder) {
   return bundle;
 }
 
-void link_files(const Bundle& bundle, const std::vector<std::string>& places, const std::string& folder) {
+void place_files(const Bundle& bundle, const std::vector<std::string>& places, const std::string& folder) {
   std::string missing;
   for (const BundledFile& file : bundle.files) {
     const auto found = file.included ? bundle.path_of(file.name) : found_in_any(places, file);
     if (found)
-      link_to(*found, fs::path(folder) / file.name);
+      place_file(*found, fs::path(folder) / file.name, file.included);
     else
       missing += fmt::format("\n  {} ({} bytes, SHA-256 {})", fs::path(file.name).filename().string(), file.bytes,
                              file.sha256);

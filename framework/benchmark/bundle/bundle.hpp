@@ -34,9 +34,10 @@ struct Bundle {
 /// listed.
 Bundle read_bundle(const std::string& folder);
 
-/// Puts a bundle's files into a folder as links, with those that are not included where they are found.
+/// Copies a bundle's files into a folder, where nothing that a plugin writes changes the bundle. Files that are not
+/// included are linked from where they are found.
 /// @param places  folders to search for the files that are not included, by name, size and SHA-256.
 /// @throws ConfigError naming the files that are not found, with their SHA-256.
-void link_files(const Bundle& bundle, const std::vector<std::string>& places, const std::string& folder);
+void place_files(const Bundle& bundle, const std::vector<std::string>& places, const std::string& folder);
 
 }  // namespace opal::ab

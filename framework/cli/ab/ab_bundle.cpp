@@ -67,7 +67,7 @@ int repeat_bundle(const AbOptions& options) {
   const ab::Bundle bundle = ab::read_bundle(options.bundle);
   std::cout << "bundle.json has SHA-256 " << digest_of_bundle(bundle) << ", every file is as it was\n";
   const fs::path out = out_of_bundle(options), inputs = out / "inputs";
-  link_files(bundle, options.places, inputs.string());
+  place_files(bundle, options.places, inputs.string());
   AbOptions inside = options;
   inside.experiment = (inputs / ab::kBundledExperiment).string();
   inside.out = out.string();
