@@ -6,6 +6,8 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
+#include <algorithm>
+#include <map>
 #include <string>
 
 namespace opal {
@@ -24,13 +26,29 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 }
 
 /// Draws on a surface that writes into a text.
-void draw_into(const std::string& path, const CairoSurface& surface, const std::string& picture,
-               const DrawPicture& draw) {
+void draw_whole(const std::string& path, const CairoSurface& surface, const DrawPicture& draw) {
   expect_success(cairo_surface_status(surface.get()), path);
   draw(surface.get());
   cairo_surface_finish(surface.get());
   expect_success(cairo_surface_status(surface.get()), path);
-  write_text(path, picture);
+}
+
+/// Cairo numbers the surfaces of a process: numbered within one picture, it does not depend on those before. Text is
+/// drawn as shapes, so nothing else in the picture is called so.
+std::string numbered_anew(const std::string& svg) {
+  static const std::string kId = "surface";
+  std::map<std::string, std::size_t> numbers;
+  std::string text;
+  std::size_t from = 0;
+  for (std::size_t at = svg.find(kId); at != std::string::npos; at = svg.find(kId, from)) {
+    const std::size_t begin = at + kId.size();
+    const std::size_t end = std::min(svg.find_first_not_of("0123456789", begin), svg.size());
+    text += svg.substr(from, begin - from);
+    if (end > begin)
+      text += std::to_string(numbers.emplace(svg.substr(begin, end - begin), numbers.size() + 1).first->second);
+    from = end;
+  }
+  return text + svg.substr(from);
 }
 
 }  // namespace
@@ -40,7 +58,8 @@ void write_svg_picture(const std::string& path, const Point& size_px, const Draw
   const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &picture, size_px.x(), size_px.y()));
   expect_success(cairo_surface_status(surface.get()), path);
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-  draw_into(path, surface, picture, draw);
+  draw_whole(path, surface, draw);
+  write_text(path, numbered_anew(picture));
 }
 
 void write_pdf_picture(const std::string& path, const Point& size_px, const DrawPicture& draw) {
@@ -49,7 +68,8 @@ void write_pdf_picture(const std::string& path, const Point& size_px, const Draw
   expect_success(cairo_surface_status(surface.get()), path);
   // Else cairo writes the time of day, and no two files are the same.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-  draw_into(path, surface, picture, draw);
+  draw_whole(path, surface, draw);
+  write_text(path, picture);
 }
 
 void write_png_picture(const std::string& path, const Point& size_px, const DrawPicture& draw) {

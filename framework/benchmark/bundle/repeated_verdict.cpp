@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 
 namespace opal::ab {
 namespace {
@@ -67,8 +68,16 @@ std::vector<std::string> other_parts(const json& then, const json& now) {
   return sentences;
 }
 
+/// A failure names the file of a class, which lies elsewhere in a bundle.
+std::string failure_without_folders(const json& cell) {
+  static const std::regex kFolders("[^ ,]*/");
+  return std::regex_replace(cell.at("failure").get<std::string>(), kFolders, "");
+}
+
 std::string difference_of_cell(const json& then, const json& now) {
-  for (const char* key : {"cell", "input", "failure"})
+  if (failure_without_folders(then) != failure_without_folders(now))
+    return then_and_now("failure", then.at("failure"), now.at("failure"));
+  for (const char* key : {"cell", "input"})
     if (then.at(key) != now.at(key)) return then_and_now(key, then.at(key), now.at(key));
   for (const auto& [name, value] : then.at("values").items())
     if (now.at("values").value(name, json()) != value)
