@@ -11,24 +11,15 @@ constexpr double kLeastDepth_m = 0.15;
 
 /// Walls and shut doors, and where the doors are.
 struct Rooms {
-  explicit Rooms(const SemanticMap& map) : walls(standing(map)) {
+  explicit Rooms(const SemanticMap& map) : walls(shut_solids(map)) {
     for (const MapFeature& feature : map.features())
       if (map.object(feature.object).type == "opal:Door") doors.push_back(feature.geometry);
-  }
-
-  static std::vector<Solid> standing(const SemanticMap& map) {
-    std::vector<Solid> solids;
-    for (const MapFeature& feature : map.features())
-      if (!feature.sensor.empty() || map.object(feature.object).type == "opal:Door")
-        solids.push_back({feature.geometry, false});
-    return solids;
   }
 
   /// How deep something before a face may be, so that the same opposite leaves a way.
   double depth_m(const Point& on_face, const Point& away) const {
     constexpr double kReach_m = 4, kClear_m = 0.05;  // of the face itself
-    const RayHit hit = walls.cast(on_face + kClear_m * away, away, kReach_m);
-    return ((hit.solid < 0 ? kReach_m : kClear_m + hit.range_m) - kWay_m) / 2;
+    return (kClear_m + room_m(walls, on_face + kClear_m * away, away, kReach_m - kClear_m) - kWay_m) / 2;
   }
 
   bool is_before_door(const Point& place) const {

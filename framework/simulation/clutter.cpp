@@ -71,7 +71,7 @@ class Leaf {
     const Segment longest = *std::max_element(
         outline.begin(), outline.end(), [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
     const bool at_begin = random.chance(0.5), either = random.chance(0.5);
-    const double left_m = room_m(walls, longest, 1), right_m = room_m(walls, longest, -1);
+    const double left_m = room_beside_m(walls, longest, 1), right_m = room_beside_m(walls, longest, -1);
     const bool to_left = left_m == right_m ? either : left_m > right_m;
     const double angle = (to_left == at_begin ? 1 : -1) * random.uniform(std::numbers::pi / 2, 1.9);
     const Point hinge = at_begin ? longest.begin : longest.end;
@@ -80,11 +80,10 @@ class Leaf {
   Segment moved(const Segment& piece) const { return transformed(moved_, piece); }
 
  private:
-  static double room_m(const RayCaster& walls, const Segment& leaf, double side) {
+  static double room_beside_m(const RayCaster& walls, const Segment& leaf, double side) {
     constexpr double kReach_m = 10, kClear_m = 0.3;  // of the door itself
     const Point away = side * left_of(leaf.direction());
-    const RayHit hit = walls.cast(0.5 * (leaf.begin + leaf.end) + kClear_m * away, away, kReach_m);
-    return hit.solid < 0 ? kReach_m : hit.range_m;
+    return room_m(walls, 0.5 * (leaf.begin + leaf.end) + kClear_m * away, away, kReach_m);
   }
 
   Pose2 moved_;
@@ -98,15 +97,6 @@ std::vector<Segment> unperceived(const SemanticMap& map, const MapObject& object
         piece && map.feature(number).sensor.empty())
       pieces.push_back(*piece);
   return pieces;
-}
-
-/// The building with all doors shut.
-std::vector<Solid> shut_solids(const SemanticMap& map) {
-  std::vector<Solid> solids;
-  for (const MapFeature& feature : map.features())
-    if (!feature.sensor.empty() || map.object(feature.object).type == "opal:Door")
-      solids.push_back({feature.geometry, false});
-  return solids;
 }
 
 /// As many as there should be on average.

@@ -29,6 +29,21 @@ inline Piece legs(const Pose2& center, double length_m, double width_m, double r
   return piece;
 }
 
+/// The building with all doors shut.
+inline std::vector<Solid> shut_solids(const SemanticMap& map) {
+  std::vector<Solid> solids;
+  for (const MapFeature& feature : map.features())
+    if (!feature.sensor.empty() || map.object(feature.object).type == "opal:Door")
+      solids.push_back({feature.geometry, false});
+  return solids;
+}
+
+/// How far it is to the first solid along a direction, at most `reach_m`. @param direction  unit length.
+inline double room_m(const RayCaster& solids, const Point& from, const Point& direction, double reach_m) {
+  const RayHit hit = solids.cast(from, direction, reach_m);
+  return hit.solid < 0 ? reach_m : hit.range_m;
+}
+
 /// Faces that one sees, long enough to put something along.
 inline std::vector<Segment> long_faces(const SemanticMap& map, double least_m) {
   std::vector<Segment> faces;

@@ -19,6 +19,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -64,20 +65,16 @@ sim::BeamStatistics beams_of(const sim::Recording& made, const sim::RayCaster& m
   return simulated;
 }
 
-/// Drives as somebody did who recorded it, and says how alike the beams are.
-sim::Recording record_along(const opal::PluginRegistry& registry, const SimulateOptions& options,
-                            const opal::SemanticMap& map, sim::Simulation& simulation) {
-  const opal::GroundTruth truth = opal::GroundTruth::read(options.along + ".gt.csv");
-  const sim::Recording made = sim::record_along(simulation, truth.poses());
+/// Of the recording along whose way the robot drives.
+sim::BeamStatistics recorded_beams(const opal::PluginRegistry& registry, const SimulateOptions& options,
+                                   const opal::GroundTruth& truth, const sim::RayCaster& mapped) {
   const opal::LaserModel laser = opal::read_site_laser(options.along + ".info.json");
-  const sim::RayCaster mapped = mapped_solids(map);
   sim::BeamStatistics recorded;
   for (const opal::LogRecord& record : opal::read_all(*open_log(registry, options.along + ".log.gz")))
     if (const auto* scan = std::get_if<opal::RawScan>(&record))
       if (const auto pose = truth.T_map_laser_at(scan->stamp_s))
         sim::count_beams(*scan, *pose, laser, mapped, recorded);
-  std::cout << sim::side_by_side("recorded", recorded, "simulated", beams_of(made, mapped));
-  return made;
+  return recorded;
 }
 
 /// The files of a recording are written beside each other: its map must not be the one that is driven in.
@@ -118,10 +115,16 @@ int simulate(SimulateOptions options) {
   const double start_s = opal::process_cpu_s();
   sim::Simulation simulation(building, options.world, options.damage.seed);
   const double ready_s = opal::process_cpu_s();
+  std::optional<opal::GroundTruth> truth;
+  if (!options.along.empty()) truth = opal::GroundTruth::read(options.along + ".gt.csv");
   const sim::Recording recording =
-      options.along.empty() ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
-                            : record_along(registry, options, *map, simulation);
+      truth ? sim::record_along(simulation, truth->poses())
+            : sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch());
   const double recorded_s = opal::process_cpu_s();
+  const sim::RayCaster mapped = mapped_solids(*map);
+  const sim::BeamStatistics beams = beams_of(recording, mapped);
+  if (truth)
+    std::cout << sim::side_by_side("recorded", recorded_beams(registry, options, *truth, mapped), "simulated", beams);
   const StopSignals all_or_none;  // Ctrl-C among these files would leave new ones beside old ones
   sim::write_recorded_place(recording, *map, options.out);
   double driven_m = 0;
@@ -130,7 +133,6 @@ int simulate(SimulateOptions options) {
               simulation.solids().solids().size(), options.world.people);
   std::printf("%zu drives, %.0f m, %zu scans; %d steps in which somebody or something was in the way\n",
               recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
-  const sim::BeamStatistics beams = beams_of(recording, mapped_solids(*map));
   std::printf("%.0f %% of the beams end before the first mapped surface\n", 100.0 * beams.early / beams.beams());
   std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
   tell_written(options.out);
