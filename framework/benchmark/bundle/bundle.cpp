@@ -91,10 +91,10 @@ void place_file(const std::string& source, const fs::path& target, bool copies) 
 
 Bundle read_bundle(const std::string& folder) {
   constexpr int kFormat = 1;
-  Bundle bundle{folder, {}, {}};
+  Bundle bundle{folder, {}};
   const std::string list = bundle.path_of(kBundleFile);
-  bundle.document = read_json(list);
-  ConfigObject object(bundle.document, list);
+  const nlohmann::json document = read_json(list);
+  ConfigObject object(document, list);
   if (object.integer("format", 0) != kFormat) object.refuse("format", fmt::format("{}", kFormat));
   const auto files = object.list("files");
   if (!files) object.refuse("files", "the list of the bundle's files");

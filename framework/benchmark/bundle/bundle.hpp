@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,7 +21,6 @@ struct BundledFile {
 /// A folder with all that an experiment was computed from, and what came out.
 struct Bundle {
   std::string folder;
-  nlohmann::json document;  ///< bundle.json
   std::vector<BundledFile> files;
 
   std::string path_of(const std::string& name) const { return folder + "/" + name; }

@@ -4,10 +4,10 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
+#include "common/config_object.hpp"
 #include "common/text_file.hpp"
 #include "common/whole_file.hpp"
 #include "deployment/class_files.hpp"
-#include "plugin/class_source.hpp"
 
 #include <fmt/format.h>
 
@@ -68,10 +68,8 @@ class ExperimentCopy {
  private:
   /// The deployment with its overrides is one document; classes and plugins lie beside it.
   void place_arm(const Arm& arm, json& object) {
-    json configuration = with_classes_beside(arm.configuration, arm.deployment.file);
-    for (const char* key : {"detectors", "patterns", "scorers"})
-      if (configuration.contains(key) && configuration[key].is_array())
-        for (json& part : configuration[key]) place_class(arm.name, part);
+    const json configuration =
+        with_classes_named(arm.configuration, [&](const ClassSource& source) { return placed_class(arm, source); });
     files_.write("arms/" + arm.name + ".jsonld", configuration.dump(1) + "\n");
     object["deployment"] = "arms/" + arm.name + ".jsonld";
     object.erase("overrides");
@@ -86,16 +84,13 @@ class ExperimentCopy {
     }
   }
 
-  void place_class(const std::string& arm, json& part) {
-    const auto source = part.is_object() && part.contains("@type") && part["@type"].is_string()
-                            ? read_class_source(part["@type"])
-                            : std::nullopt;
-    if (!source) return;
+  /// Copies the file of a class. @return its name as a type, from `arms/`.
+  std::string placed_class(const Arm& arm, const ClassSource& source) {
+    const std::string file = fs::absolute(beside(arm.deployment.file, source.file)).string();
     const auto [known, is_new] = classes_.emplace(
-        source->file,
-        fmt::format("classes/{}/{}/{}", arm, classes_.size() + 1, fs::path(source->file).filename().string()));
-    if (is_new) files_.copy(source->file, known->second);
-    part["@type"] = "../" + known->second + ":" + source->name;
+        file, fmt::format("classes/{}/{}/{}", arm.name, classes_.size() + 1, fs::path(file).filename().string()));
+    if (is_new) files_.copy(file, known->second);
+    return "../" + known->second + ":" + source.name;
   }
 
   void place_site(const Scenario& scenario, json& object) {
@@ -169,7 +164,7 @@ Bundle write_bundle(const Experiment& experiment, const ordered_json& manifest, 
                               {"seeds", seeds_of(experiment)},
                               {"files", json_of(files.all())}};
   write_text((fs::path(options.folder) / kBundleFile).string(), document.dump(1) + "\n");
-  return {options.folder, json::parse(document.dump()), files.all()};
+  return {options.folder, files.all()};
 }
 
 }  // namespace opal::ab
