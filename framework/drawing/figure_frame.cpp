@@ -26,8 +26,7 @@ Color tone_color(const std::string& tone) {
 void figure_text(DrawingCanvas& canvas, const Point& at_px, const std::string& text, Align align, double size_px,
                  const Color& color) {
   const double width_px = align == Align::begin ? 0 : canvas.text_width_px(text, size_px);
-  const double shift_px = align == Align::middle ? width_px / 2 : width_px;
-  canvas.text(at_px - Point(align == Align::begin ? 0 : shift_px, 0), text, size_px, color);
+  canvas.text(at_px - Point(align == Align::middle ? width_px / 2 : width_px, 0), text, size_px, color);
 }
 
 void draw_axis_below(DrawingCanvas& canvas, const PlotScale& scale, const PlotBox& box, int count) {

@@ -27,7 +27,6 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 
 /// Draws on a surface that writes into a text.
 void draw_whole(const std::string& path, const CairoSurface& surface, const DrawPicture& draw) {
-  expect_success(cairo_surface_status(surface.get()), path);
   draw(surface.get());
   cairo_surface_finish(surface.get());
   expect_success(cairo_surface_status(surface.get()), path);
