@@ -1,3 +1,4 @@
+#include "tests/kit/file_content.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include "drawing/figure.hpp"
@@ -6,8 +7,6 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 using namespace opal;
@@ -15,11 +14,6 @@ using namespace opal;
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 ScatterPlot distances() {
   return {{"evidence, first fix", "m"}, {"mine, first fix", "m"}, {{1, 2, "a"}, {3, kInfinite, "b"}, {NAN, 1, "c"}}};
@@ -45,14 +39,14 @@ void check_figure(const Plot& plot) {
   write_figure(folder.path_of("first"), plot);
   write_figure(folder.path_of("second"), plot);
   for (const char* ending : {".svg", ".pdf"}) {
-    const std::string first = bytes_of(folder.path_of("first") + ending);
+    const std::string first = content_of(folder.path_of("first") + ending);
     INFO(ending);
     CHECK(first.size() > 1500);
-    CHECK(first == bytes_of(folder.path_of("second") + ending));
+    CHECK(first == content_of(folder.path_of("second") + ending));
   }
-  CHECK(bytes_of(folder.path_of("first.svg")).find("<svg") != std::string::npos);
-  CHECK(bytes_of(folder.path_of("first.pdf")).starts_with("%PDF-"));
-  CHECK(bytes_of(folder.path_of("first.pdf")).find("%%EOF") != std::string::npos);
+  CHECK(content_of(folder.path_of("first.svg")).find("<svg") != std::string::npos);
+  CHECK(content_of(folder.path_of("first.pdf")).starts_with("%PDF-"));
+  CHECK(content_of(folder.path_of("first.pdf")).find("%%EOF") != std::string::npos);
 }
 
 }  // namespace

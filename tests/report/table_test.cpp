@@ -1,5 +1,6 @@
 #include "tests/report/page_parts.hpp"
 
+#include "tests/kit/file_content.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include "report/table.hpp"
@@ -7,7 +8,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <iterator>
 #include <sstream>
 
 using namespace opal;
@@ -150,10 +150,7 @@ TEST_CASE("a table in LaTeX is one tabular, whatever stands in its cells") {
 TEST_CASE("a table is three files with the same cells") {
   const TemporaryFolder folder;
   write_table(folder.path_of("table"), some_table());
-  const auto content = [&](const char* ending) {
-    std::ifstream file(folder.path_of("table") + ending, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
+  const auto content = [&](const char* ending) { return content_of(folder.path_of("table") + ending); };
   CHECK(content(".csv") == csv_of(some_table()));
   CHECK(content(".md") == markdown_of(some_table()));
   CHECK(content(".tex") == latex_of(some_table()));
