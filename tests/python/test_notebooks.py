@@ -31,7 +31,9 @@ class Notebooks(InFolder):
             notebook = nbformat.read(path, as_version=4)
             cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
             self.assertGreater(sum(bool(cell.outputs) for cell in cells), len(cells) / 2)
-            self.assertNotIn("/work/", path.read_text())
+            text = path.read_text()
+            self.assertNotIn(str(ROOT), text)
+            self.assertNotRegex(text, r"(?<![\w.:/+<=-])/[a-z]+/")
 
     @staticmethod
     def texts_of(cell):
