@@ -9,8 +9,7 @@ MappedPatterns patterns_of_layer(const MapView& map, const std::vector<Named<Pat
   MappedPatterns mapped;
   for (const MapFeatureNumber number : map.features())
     mapped.features.push_back({{map.feature(number).type, map.feature(number).geometry}, {number}});
-  for (const auto& each : templates)
-    mapped.by_template.emplace_back(layer_instances(map, each.name, *each.part));
+  for (const auto& each : templates) mapped.by_template.emplace_back(layer_instances(map, each.name, *each.part));
   return mapped;
 }
 

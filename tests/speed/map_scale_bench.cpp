@@ -3,7 +3,7 @@
 #include <opal/plugin/plugin_registry.hpp>
 #include "patterns/pattern_index.hpp"
 
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 
 #include <catch2/catch.hpp>
 
