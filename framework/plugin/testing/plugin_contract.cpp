@@ -19,9 +19,20 @@ namespace {
 
 using nlohmann::json;
 
+/// A template function is told with what it returns in front, which may be "decltype (...)".
+std::string without_decltype(const std::string& symbol) {
+  if (!symbol.starts_with("decltype (")) return symbol;
+  int depth = 0;
+  for (std::size_t k = symbol.find('('); k < symbol.size(); ++k) {
+    depth += symbol[k] == '(' ? 1 : symbol[k] == ')' ? -1 : 0;
+    if (depth == 0) return symbol.substr(k + 1);
+  }
+  return symbol;
+}
+
 /// Inline parts of libraries that mark their classes as visible cannot be hidden by who uses them.
 bool belongs_to_a_library(const std::string& symbol) {
-  const std::string head = symbol.substr(0, symbol.find_first_of("<("));
+  const std::string name = without_decltype(symbol), head = name.substr(0, name.find_first_of("<("));
   const std::array<const char*, 7> libraries{
       "std::", "__gnu_cxx::", "boost::", "pcl::", "ceres::", "pqxx::", "pybind11::"};
   return std::any_of(libraries.begin(), libraries.end(), [&](const char* name) {
