@@ -32,7 +32,7 @@ std::string without_decltype(const std::string& symbol) {
 
 /// Inline parts of libraries that mark their classes as visible cannot be hidden by who uses them.
 bool belongs_to_a_library(const std::string& symbol) {
-  const std::string name = without_decltype(symbol), head = name.substr(0, name.find_first_of("<("));
+  const std::string told = without_decltype(symbol), head = told.substr(0, told.find_first_of("<("));
   const std::array<const char*, 7> libraries{
       "std::", "__gnu_cxx::", "boost::", "pcl::", "ceres::", "pqxx::", "pybind11::"};
   return std::any_of(libraries.begin(), libraries.end(), [&](const char* name) {
