@@ -47,8 +47,13 @@ bool is_type_of_a_function(const std::string& symbol) {
          symbol.find('(') != std::string::npos && symbol.ends_with(')');
 }
 
+/// Linkers put these into any library that is linked with one that asks for them.
+bool marks_a_section(const std::string& symbol) {
+  return symbol == "_edata" || symbol == "_end" || symbol == "__bss_start";
+}
+
 bool is_allowed(const ExportedSymbol& symbol) {
-  if (symbol.name == "opal_plugin_v1") return true;
+  if (symbol.name == "opal_plugin_v1" || marks_a_section(symbol.name)) return true;
   return symbol.is_weak && (belongs_to_a_library(symbol.name) || is_type_of_a_function(symbol.name));
 }
 
