@@ -61,10 +61,9 @@ class Build:
 
     def parts_of(self, target):
         """What is in the file `target`, but for what is in libopal.so: static archives, headers, rooms with scripts of pages."""
-        inputs = [path for path in self.inputs(target) if target == LIBRARY or path not in self.of_library]
+        inputs = [path for path in self.inputs(target) if target == LIBRARY or path not in self.of_library or path.endswith(".gch")]
         archives = {os.path.normpath(path) for path in inputs if path.startswith("/usr/") and path.endswith(".a")}
         headers = set().union(*(self.headers[path] for path in inputs if OBJECT.match(path)))
-        headers |= set().union(*(used for name, used in self.headers.items() if name.endswith(".gch")))
         rooms = {found[1] for path in inputs if (found := re.search(r"(\w+)_page_assets\.cpp\.o$", path))}
         return archives, headers, rooms
 
