@@ -60,16 +60,22 @@ std::vector<std::string> class_files(const Deployment& deployment) {
   return {files.begin(), files.end()};
 }
 
-nlohmann::json with_classes_beside(nlohmann::json configuration, const std::string& document) {
+nlohmann::json with_classes_named(nlohmann::json configuration,
+                                  const std::function<std::string(const ClassSource&)>& type_of) {
   for (const char* key : {"detectors", "patterns", "scorers"}) {
     if (!configuration.contains(key) || !configuration[key].is_array()) continue;
     for (nlohmann::json& part : configuration[key]) {
       if (!part.is_object() || !part.contains("@type") || !part["@type"].is_string()) continue;
-      if (const auto source = read_class_source(part["@type"]))
-        part["@type"] = std::filesystem::absolute(beside(document, source->file)).string() + ":" + source->name;
+      if (const auto source = read_class_source(part["@type"])) part["@type"] = type_of(*source);
     }
   }
   return configuration;
+}
+
+nlohmann::json with_classes_beside(nlohmann::json configuration, const std::string& document) {
+  return with_classes_named(std::move(configuration), [&](const ClassSource& source) {
+    return std::filesystem::absolute(beside(document, source.file)).string() + ":" + source.name;
+  });
 }
 
 }  // namespace opal

@@ -1,6 +1,7 @@
 #include "deployment/pipeline_plan.hpp"
 
 #include "common/phrases.hpp"
+#include "plugin/class_source.hpp"
 
 #include <algorithm>
 #include <set>
@@ -33,6 +34,11 @@ std::vector<RegisteredType> of_kind(PluginKind kind, const std::vector<Registere
   std::sort(chosen.begin(), chosen.end(),
             [](const RegisteredType& a, const RegisteredType& b) { return a.info.name < b.info.name; });
   return chosen;
+}
+
+/// What runs classes has nothing of its own to run: a map cannot call for it, and there is no reason to tell.
+bool runs_classes(const std::string& type) {
+  return type == host_of(PluginKind::feature_detector) || type == host_of(PluginKind::pattern_template);
 }
 
 class Planner {
@@ -118,6 +124,7 @@ class Planner {
     plan_.reasons.push_back(type.name + ": runs, " + reason);
   }
   void reject(const TypeInfo& type, const std::string& reason) {
+    if (runs_classes(type.name)) return;
     plan_.reasons.push_back(type.name + ": does not run, " + reason);
   }
 

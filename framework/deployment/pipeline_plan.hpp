@@ -13,7 +13,8 @@ struct PipelinePlan {
   std::vector<std::string> detectors;   ///< type names, sorted
   std::vector<std::string> patterns;    ///< type names, sorted
   std::vector<std::string> on_request;  ///< pattern templates that run if a deployment names them, sorted
-  std::vector<std::string> reasons;     ///< one line per registered detector and template: runs or not, and why
+  std::vector<std::string> reasons;  ///< one line per registered detector and template: runs or not, and why; none for
+                                     ///< what only runs classes that a deployment names
 };
 
 /// The map decides. A detector runs if it produces a feature type that the map holds for this sensor. A pattern

@@ -128,6 +128,13 @@ void DrawingCanvas::page_line(const Point& from_px, const Point& to_px, const Co
   stroke(color, width_px, dash_px);
 }
 
+void DrawingCanvas::page_polygon(std::span<const Point> corners_px, const Color& fill) {
+  for (const Point& corner : corners_px) cairo_line_to(cairo_.get(), corner.x(), corner.y());
+  cairo_close_path(cairo_.get());
+  set(fill);
+  cairo_fill(cairo_.get());
+}
+
 void DrawingCanvas::page_disc(const Point& center_px, double radius_px, const Color& fill, const Color& outline) {
   cairo_new_sub_path(cairo_.get());
   cairo_arc(cairo_.get(), center_px.x(), center_px.y(), radius_px, 0, kFullTurn);

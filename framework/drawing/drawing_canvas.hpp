@@ -54,6 +54,7 @@ class DrawingCanvas {
   // In page coordinates.
   void page_rectangle(const Point& corner_px, const Point& size_px, const Color& fill);
   void page_line(const Point& from_px, const Point& to_px, const Color& color, double width_px, double dash_px = 0);
+  void page_polygon(std::span<const Point> corners_px, const Color& fill);
   void page_disc(const Point& center_px, double radius_px, const Color& fill, const Color& outline);
   void page_arrow_head(const Point& center_px, double heading_rad, double size_px, const Color& fill,
                        const Color& outline);

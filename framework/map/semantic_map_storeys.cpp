@@ -94,7 +94,7 @@ class StoreyReader {
                                             node.number(iri::kHeading).value_or(0))};
   }
 
-  MapStorey* find(const std::string& id) { return const_cast<MapStorey*>(with_id(origin_.storeys, id)); }
+  MapStorey* find(const std::string& id) { return with_id(origin_.storeys, id); }
 
   const Graph& graph_;
   NodeUses& uses_;

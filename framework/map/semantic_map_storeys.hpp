@@ -32,9 +32,9 @@ const Sheet* nearest_sheet(const std::vector<Sheet>& all, const Point& p) {
 }
 
 /// Of buildings or storeys; null if none has the id.
-template <class Named>
-const Named* with_id(const std::vector<Named>& all, std::string_view id) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.id == id; });
+template <class All>
+auto with_id(All& all, std::string_view id) -> decltype(all.data()) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.id == id; });
   return found == all.end() ? nullptr : &*found;
 }
 

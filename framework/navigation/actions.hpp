@@ -36,7 +36,8 @@ class BackOff : public Node {
 };
 
 /// Drives to where there is room, straight on where it can, and rather to where it has not been yet, nor hypotheses
-/// have the building end. From the open, where much of the laser meets nothing, it goes back the way it came.
+/// have the building end. From the open, where much of the laser meets nothing, it goes back the way it came. Fails
+/// where it cannot move for some seconds.
 class DriveFreely : public Node {
  public:
   /// @param distance_m  after which it succeeds; 0: never.
@@ -50,7 +51,7 @@ class DriveFreely : public Node {
   double distance_m_;
   std::optional<Point> target_odom_;
   std::optional<Pose2> before_;
-  double driven_m_ = 0, chosen_at_s_ = 0;
+  double driven_m_ = 0, chosen_at_s_ = 0, could_move_at_s_ = 0;
   bool was_open_ = false;
 };
 

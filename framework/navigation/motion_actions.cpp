@@ -102,16 +102,19 @@ Point DriveFreely::choose(const Blackboard& blackboard) const {
 }
 
 NodeStatus DriveFreely::tick(Blackboard& blackboard) {
-  constexpr double kArrived_m = 0.4, kLongest_s = 15;
+  constexpr double kArrived_m = 0.4, kLongest_s = 15, kPatience_s = 10;
   const Pose2 now = blackboard.T_odom_base();
-  if (!before_)
+  if (!before_) {
     driven_m_ = 0;
-  else
+    could_move_at_s_ = blackboard.now_s();
+  } else {
     driven_m_ += opal::distance_m(*before_, now);
+  }
   before_ = now;
-  if (distance_m_ > 0 && driven_m_ >= distance_m_) {
+  const bool enclosed = blackboard.now_s() - could_move_at_s_ > kPatience_s;
+  if (enclosed || (distance_m_ > 0 && driven_m_ >= distance_m_)) {
     halt();
-    return NodeStatus::success;
+    return enclosed ? NodeStatus::failure : NodeStatus::success;
   }
   const bool stale = blackboard.now_s() - chosen_at_s_ > kLongest_s;
   const bool open = blackboard.met_share() < kOpen;
@@ -121,7 +124,10 @@ NodeStatus DriveFreely::tick(Blackboard& blackboard) {
     target_odom_ = choose(blackboard);
     chosen_at_s_ = blackboard.now_s();
   }
-  if (!blackboard.drive_towards(*target_odom_)) target_odom_.reset();
+  if (blackboard.drive_towards(*target_odom_))
+    could_move_at_s_ = blackboard.now_s();
+  else
+    target_odom_.reset();
   return NodeStatus::running;
 }
 

@@ -14,9 +14,9 @@ int direction_of(double bearing_rad) {
 
 }  // namespace
 
-long SeenObstacles::key_of(const Point& p_odom) const {
-  const auto x = static_cast<long>(std::floor(p_odom.x() / memory_.cell_m));
-  const auto y = static_cast<long>(std::floor(p_odom.y() / memory_.cell_m));
+long SeenObstacles::key_of(const Point& p_odom, double cell_m) {
+  const auto x = static_cast<long>(std::floor(p_odom.x() / cell_m));
+  const auto y = static_cast<long>(std::floor(p_odom.y() / cell_m));
   return x * 4000037 + y;
 }
 
@@ -45,13 +45,14 @@ void SeenObstacles::add(const Scan& scan, const Pose2& T_odom_base, const Pose2&
   T_odom_laser_ = T_odom_base * T_base_laser;
   sweep(scan);
   forget();
-  const std::vector<Point> movers = moved(scan);
+  std::vector<Point> movers = moved(scan);
+  leave_out_panes(movers);
   constexpr double kBeside_m = 0.5, kNever_s = -1e9;
   for (const ScanPoint& point : scan.points) {
     const Point p = T_odom_laser_ * point.position;
     const bool moves =
         std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
-    SeenPoint& seen = points_.try_emplace(key_of(p), SeenPoint{p, now_s_, kNever_s}).first->second;
+    SeenPoint& seen = points_.try_emplace(key_of(p, memory_.cell_m), SeenPoint{p, now_s_, kNever_s}).first->second;
     seen = {p, now_s_, moves ? now_s_ : seen.moved_s};
   }
 }
@@ -76,6 +77,19 @@ std::vector<Point> SeenObstacles::moved(const Scan& scan) const {
         kLeast)
       together.push_back(p);
   return together;
+}
+
+/// Who walks comes into a cell and goes on; a pane sends back some beams of one scan and none of the next.
+void SeenObstacles::leave_out_panes(std::vector<Point>& movers) {
+  constexpr double kCell_m = 0.2, kAnew_s = 0.3;
+  constexpr int kOften = 3;
+  std::erase_if(arrivals_, [&](const auto& entry) { return now_s_ - entry.second.newest_s > memory_.flicker_s; });
+  std::erase_if(movers, [&](const Point& p) {
+    Arrivals& arrivals = arrivals_[key_of(p, kCell_m)];
+    if (arrivals.count == 0 || now_s_ - arrivals.newest_s > kAnew_s) ++arrivals.count;
+    arrivals.newest_s = now_s_;
+    return arrivals.count > kOften;
+  });
 }
 
 /// Points are forgotten when they are old, or a beam and its neighbours end clearly behind them.

@@ -18,6 +18,7 @@ struct ObstacleMemory {
   double earlier_s = 0.5;   ///< what stands where a beam passed this long ago has moved there
   double moving_s = 1;      ///< what has moved, and what is beside it, may move on for so long
   double berth_m = 0.35;    ///< as far as a leg swings until the next scan
+  double flicker_s = 60;    ///< what came so often within this time, without going on, is glass that some beams pass
 };
 
 /// What the laser has seen lately, in the odom frame, so that what is beside and behind the robot is known, too.
@@ -49,7 +50,7 @@ class SeenObstacles {
     std::vector<double> ranges_m;
     double range_at(double bearing_rad, int slack) const;  ///< least of the neighbours; 0: unknown
   };
-  long key_of(const Point& p_odom) const;
+  static long key_of(const Point& p_odom, double cell_m);
   void sweep(const Scan& scan);
   void forget();
   bool moved_when_seen(const SeenPoint& seen) const { return seen.stamp_s - seen.moved_s < memory_.moving_s; }
@@ -57,9 +58,18 @@ class SeenObstacles {
   template <class Test>
   std::vector<Point> within(double reach_m, Test test) const;
   std::vector<Point> moved(const Scan& scan) const;
+  /// Those of what seems to have moved that come again and again at the same place: panes, which stand still.
+  void leave_out_panes(std::vector<Point>& movers);
+
+  /// How often something has come into a cell where beams passed before.
+  struct Arrivals {
+    int count = 0;
+    double newest_s = 0;
+  };
 
   ObstacleMemory memory_;
   std::unordered_map<long, SeenPoint> points_;
+  std::unordered_map<long, Arrivals> arrivals_;
   Sweep sweep_;                ///< of the newest scan
   std::deque<Sweep> earlier_;  ///< oldest first
   double now_s_ = 0;

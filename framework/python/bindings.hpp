@@ -16,6 +16,7 @@ void bind_run(pybind11::module_& module);
 void bind_localizer(pybind11::module_& module);
 void bind_bench(pybind11::module_& module);
 void bind_plugin_types(pybind11::module_& module);
+void bind_simulation(pybind11::module_& module);
 void bind_events(pybind11::module_& module);
 
 }  // namespace opal::python

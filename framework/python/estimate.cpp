@@ -1,6 +1,6 @@
 #include "benchmark/runs/answer.hpp"
 #include "python/bindings.hpp"
-#include "python/hypothesis.hpp"
+#include "python/localizer_handle.hpp"
 #include "python/values/arrays.hpp"
 
 #include <opal/localization/decision/pose_estimate.hpp>
@@ -18,6 +18,24 @@ py::object pose_or_none(const PoseEstimate& self) {
   return array_of(self.T_map_base);
 }
 
+py::object place_or_none(const PoseEstimate& self) {
+  if (self.place.storey.empty()) return py::none();
+  return py::cast(self.place);
+}
+
+void bind_place(py::module_& module) {
+  py::class_<PlaceInBuilding>(module, "Place", "Where a pose is, in a map of several storeys.")
+      .def_readonly("building", &PlaceInBuilding::building, "Id of the building; empty: not said.")
+      .def_readonly("storey", &PlaceInBuilding::storey, "Id of the storey.")
+      .def_property_readonly(
+          "pose", [](const PlaceInBuilding& self) { return array_of(self.T_storey_base); },
+          "x, y [m], heading [rad] of the robot in the storey's own frame; shape (3,).")
+      .def("__repr__", [](const PlaceInBuilding& self) {
+        return "<opal.Place " + (self.building.empty() ? "" : self.building + ", ") + self.storey + ": " +
+               pose_words(self.T_storey_base) + ">";
+      });
+}
+
 void bind_pose_estimate(py::module_& module) {
   py::class_<PoseEstimate>(module, "Estimate", "Where the robot is, as far as known.")
       .def_readonly("stamp_s", &PoseEstimate::stamp_s)
@@ -29,6 +47,8 @@ void bind_pose_estimate(py::module_& module) {
           "pose", &pose_or_none,
           "x, y [m], heading [rad] of the robot in the map, by the best hypothesis; shape (3,). None: "
           "there is no hypothesis.")
+      .def_property_readonly("place", &place_or_none,
+                             "Building, storey and pose on it; None: the map holds no storeys, or there is no pose.")
       .def_property_readonly(
           "covariance", [](const PoseEstimate& self) { return array_of(self.covariance); },
           "Of x, y, heading [m, m, rad], if the best hypothesis is right; shape (3, 3).")
@@ -106,6 +126,7 @@ void bind_association(py::module_& module) {
 
 void bind_estimate(py::module_& module) {
   bind_alternative(module);
+  bind_place(module);
   bind_pose_estimate(module);
   bind_hypothesis(module);
   bind_association(module);

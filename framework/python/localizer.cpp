@@ -1,6 +1,5 @@
 #include "benchmark/runs/answer.hpp"
 #include "python/bindings.hpp"
-#include "python/hypothesis.hpp"
 #include "python/localizer_handle.hpp"
 #include "python/scan.hpp"
 #include "report/status_text.hpp"

@@ -7,6 +7,7 @@
 #include "python/run.hpp"
 
 #include <opal/deployment/deployment.hpp>
+#include <opal/localization/scoring/hypothesis.hpp>
 
 #include <atomic>
 #include <functional>
@@ -15,6 +16,12 @@
 #include <string>
 
 namespace opal::python {
+
+/// A hypothesis as it was at a keyframe.
+struct HypothesisHandle {
+  Hypothesis hypothesis;
+  Pose2 T_map_base;  ///< at that keyframe
+};
 
 /// A localizer as Python holds it: with its deployment, and with who listens to its events.
 class LocalizerHandle {

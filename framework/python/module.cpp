@@ -17,5 +17,6 @@ PYBIND11_MODULE(_opal, module) {
   bind_localizer(module);
   bind_bench(module);
   bind_plugin_types(module);
+  bind_simulation(module);
   bind_events(module);
 }

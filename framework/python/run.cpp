@@ -9,10 +9,11 @@ namespace py = pybind11;
 
 namespace {
 
-/// The columns of results.csv, by its names.
+/// The columns of results.csv, by its names: a storey only where a row has one.
 py::dict columns_of(const RunRecord& run) {
   std::vector<double> stamps, xs, ys, headings, probabilities, nones;
-  py::list queries, statuses, flags;
+  py::list queries, statuses, flags, storeys;
+  bool has_storeys = false;
   for (const ResultRow& row : run.rows) {
     queries.append(row.query);
     stamps.push_back(row.stamp_s);
@@ -23,12 +24,16 @@ py::dict columns_of(const RunRecord& run) {
     probabilities.push_back(row.probability);
     nones.push_back(row.none);
     statuses.append(name_of(row.status));
+    storeys.append(row.storey);
+    has_storeys |= !row.storey.empty();
   }
   const auto array = [](const std::vector<double>& numbers) { return array_of(std::span<const double>(numbers)); };
   using namespace py::literals;
-  return py::dict("query_id"_a = queries, "timestamp"_a = array(stamps), "x"_a = array(xs), "y"_a = array(ys),
-                  "theta"_a = array(headings), "localized_flag"_a = flags, "probability"_a = array(probabilities),
-                  "none"_a = array(nones), "status"_a = statuses);
+  py::dict columns("query_id"_a = queries, "timestamp"_a = array(stamps), "x"_a = array(xs), "y"_a = array(ys),
+                   "theta"_a = array(headings), "localized_flag"_a = flags, "probability"_a = array(probabilities),
+                   "none"_a = array(nones), "status"_a = statuses);
+  if (has_storeys) columns["storey"] = storeys;
+  return columns;
 }
 
 Array trajectory_of(const RunRecord& run) {
@@ -60,7 +65,7 @@ void bind_run(py::module_& module) {
       .def(
           "columns", &columns_of,
           "The columns of results.csv as arrays and lists: query_id, timestamp, x, y, theta (of the first LASER in the "
-          "map), localized_flag, probability, none, status.")
+          "map), localized_flag, probability, none, status; and storey, if the map holds storeys.")
       .def(
           "frame", [](const RunRecord& self) { return data_frame(columns_of(self)); },
           "The same as a pandas.DataFrame; needs pandas.")

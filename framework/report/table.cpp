@@ -3,6 +3,7 @@
 #include "common/csv_table.hpp"
 #include "report/html_elements.hpp"
 #include "report/html_text.hpp"
+#include "report/latex_text.hpp"
 
 #include <fmt/format.h>
 
@@ -66,6 +67,12 @@ std::string row_html(const Table& table, const Cells& row, const Cells* before, 
   return element("tr", html, table.grouped && before && !again ? "new" : "") + "\n";
 }
 
+std::string latex_row(const Cells& row) {
+  std::string latex;
+  for (std::size_t k = 0; k < row.size(); ++k) latex += (k == 0 ? "" : " & ") + latex_text(row[k].text);
+  return latex + " \\\\\n";
+}
+
 }  // namespace
 
 std::string html_of(const Table& table) {
@@ -112,6 +119,15 @@ std::string csv_of(const Table& table) {
     text += "\n";
   }
   return text;
+}
+
+std::string latex_of(const Table& table) {
+  const std::vector<Cells> rows = all_rows(table);
+  std::string columns, body;
+  for (const Column& column : table.columns) columns += column.number ? 'r' : 'l';
+  for (std::size_t k = 1; k < rows.size(); ++k) body += latex_row(rows[k]);
+  return "% needs \\usepackage{booktabs}\n\\begin{tabular}{" + columns + "}\n\\toprule\n" + latex_row(rows.front()) +
+         "\\midrule\n" + body + "\\bottomrule\n\\end{tabular}\n";
 }
 
 }  // namespace opal

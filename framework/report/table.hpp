@@ -19,7 +19,8 @@ struct Cell {
   Cell(const char* words) : text(words) {}
 };
 
-/// Text in rows and columns, of which HTML, Markdown and CSV are made. A row that is too short ends in empty cells.
+/// Text in rows and columns, of which HTML, Markdown, CSV and LaTeX are made. A row that is too short ends in empty
+/// cells.
 struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
@@ -35,5 +36,8 @@ std::string markdown_of(const Table& table);
 
 /// RFC 4180; without links.
 std::string csv_of(const Table& table);
+
+/// A `tabular` with the rules of the package booktabs; without links.
+std::string latex_of(const Table& table);
 
 }  // namespace opal

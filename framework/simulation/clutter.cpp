@@ -1,5 +1,7 @@
 #include "simulation/clutter.hpp"
 
+#include "simulation/pieces.hpp"
+
 #include <algorithm>
 #include <set>
 #include <span>
@@ -7,24 +9,6 @@
 
 namespace opal::simulation {
 namespace {
-
-using Piece = std::vector<Solid>;
-
-Solid straight(const Point& a, const Point& b) { return {Segment{a, b}, false}; }
-Solid round_post(const Point& center, double radius_m) { return {Circle{center, radius_m}, false}; }
-
-Piece box(const Pose2& center, double length_m, double width_m) {
-  const double a = length_m / 2, b = width_m / 2;
-  const Point p[4] = {center * Point(-a, -b), center * Point(a, -b), center * Point(a, b), center * Point(-a, b)};
-  return {straight(p[0], p[1]), straight(p[1], p[2]), straight(p[2], p[3]), straight(p[3], p[0])};
-}
-
-Piece legs(const Pose2& center, double length_m, double width_m, double radius_m) {
-  Piece piece;
-  for (const double x : {-0.5, 0.5})
-    for (const double y : {-0.5, 0.5}) piece.push_back(round_post(center * Point(x * length_m, y * width_m), radius_m));
-  return piece;
-}
 
 void add(Piece& piece, const Piece& more) { piece.insert(piece.end(), more.begin(), more.end()); }
 
@@ -49,15 +33,6 @@ Piece table(const Pose2& center, Random& random) {
         add(piece, chair(center * Pose2(along * length, side * (width / 2 + gap_m), turn_rad)));
       }
   return piece;
-}
-
-/// Faces that one sees, long enough to put something along.
-std::vector<Segment> long_faces(const SemanticMap& map, double least_m) {
-  std::vector<Segment> faces;
-  for (const MapFeature& feature : map.features())
-    if (const auto* face = std::get_if<Segment>(&feature.geometry))
-      if (!feature.sensor.empty() && face->length_m() > least_m) faces.push_back(*face);
-  return faces;
 }
 
 /// Somewhere along a face, its back to the wall.
@@ -96,7 +71,7 @@ class Leaf {
     const Segment longest = *std::max_element(
         outline.begin(), outline.end(), [](const Segment& a, const Segment& b) { return a.length_m() < b.length_m(); });
     const bool at_begin = random.chance(0.5), either = random.chance(0.5);
-    const double left_m = room_m(walls, longest, 1), right_m = room_m(walls, longest, -1);
+    const double left_m = room_beside_m(walls, longest, 1), right_m = room_beside_m(walls, longest, -1);
     const bool to_left = left_m == right_m ? either : left_m > right_m;
     const double angle = (to_left == at_begin ? 1 : -1) * random.uniform(std::numbers::pi / 2, 1.9);
     const Point hinge = at_begin ? longest.begin : longest.end;
@@ -105,11 +80,10 @@ class Leaf {
   Segment moved(const Segment& piece) const { return transformed(moved_, piece); }
 
  private:
-  static double room_m(const RayCaster& walls, const Segment& leaf, double side) {
+  static double room_beside_m(const RayCaster& walls, const Segment& leaf, double side) {
     constexpr double kReach_m = 10, kClear_m = 0.3;  // of the door itself
     const Point away = side * left_of(leaf.direction());
-    const RayHit hit = walls.cast(0.5 * (leaf.begin + leaf.end) + kClear_m * away, away, kReach_m);
-    return hit.solid < 0 ? kReach_m : hit.range_m;
+    return room_m(walls, 0.5 * (leaf.begin + leaf.end) + kClear_m * away, away, kReach_m);
   }
 
   Pose2 moved_;
@@ -123,15 +97,6 @@ std::vector<Segment> unperceived(const SemanticMap& map, const MapObject& object
         piece && map.feature(number).sensor.empty())
       pieces.push_back(*piece);
   return pieces;
-}
-
-/// The building with all doors shut.
-std::vector<Solid> shut_solids(const SemanticMap& map) {
-  std::vector<Solid> solids;
-  for (const MapFeature& feature : map.features())
-    if (!feature.sensor.empty() || map.object(feature.object).type == "opal:Door")
-      solids.push_back({feature.geometry, false});
-  return solids;
 }
 
 /// As many as there should be on average.

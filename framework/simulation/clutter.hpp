@@ -21,6 +21,7 @@ struct ClutterOptions {
   double cabinets = 0.4;     ///< along walls, long enough to be taken for one
   double lookalikes = 0.15;  ///< round things of the radius of the building's columns, or of 0.2 m
   double hidden_share = 0;   ///< of columns and wall ends behind a board; not multiplied
+  double along_walls = 0;    ///< share of the walls that stand behind things (along_walls.hpp); not multiplied
 };
 
 /// The building itself: every face and column; glass where no sensor perceives a window or a panel; doors as leaves

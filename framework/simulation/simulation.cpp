@@ -1,5 +1,7 @@
 #include "simulation/simulation.hpp"
 
+#include "simulation/along_walls.hpp"
+
 #include <opal/common/error.hpp>
 
 namespace opal::simulation {
@@ -46,12 +48,14 @@ std::unique_ptr<const RayCaster> Simulation::furnished() {
   Random doors = random_.branch(), furniture = random_.branch();
   const auto stays_shut = [&](const MapObject& object) { return ground_->is_shut_outer_door(*building_, object); };
   const std::vector<Solid> building = building_solids(*building_, options_.doors_open_share, doors, stays_shut);
-  auto solids = std::make_unique<const RayCaster>(building);
+  const std::vector<Solid> lasting =
+      with(options_.furniture, joined(pieces_along_walls(*building_, options_.clutter.along_walls, furniture)));
+  auto solids = std::make_unique<const RayCaster>(with(building, lasting));
   const Floor empty(*building_, *ground_, *solids, clearance_m());
   auto pieces = clutter_pieces(
       *building_, empty.area_m2(), options_.clutter, [&](Random& r) { return empty.anywhere(r); }, furniture);
   for (;; pieces.resize(pieces.size() / 2)) {
-    clutter_ = with(options_.furniture, joined(pieces));
+    clutter_ = with(lasting, joined(pieces));
     solids = std::make_unique<const RayCaster>(with(building, clutter_));
     try {
       floor_ = std::make_unique<const Floor>(*building_, *ground_, *solids, clearance_m());

@@ -1,3 +1,4 @@
+#include "tests/kit/file_content.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/common/error.hpp>
@@ -6,18 +7,11 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 using namespace opal;
 
 namespace {
-
-std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string picture_path(const std::string& name) {
   static const TemporaryFolder kFolder;
@@ -68,12 +62,12 @@ TEST_CASE("a scene becomes an SVG and a PNG of the same shape") {
   const std::string svg = picture_path("hall.svg"), png = picture_path("hall.png");
   write_svg(hall(), svg);
   write_png(hall(), png);
-  const std::string text = contents(svg);
+  const std::string text = content_of(svg);
   CHECK(text.find("<svg") != std::string::npos);
   CHECK(text.find("</svg>") != std::string::npos);
   double width = 0, height = 0;
   REQUIRE(std::sscanf(text.c_str() + text.find("width=\""), "width=\"%lf%*[a-z]\" height=\"%lf", &width, &height) == 2);
-  const auto [png_width, png_height] = png_size(contents(png));
+  const auto [png_width, png_height] = png_size(content_of(png));
   CHECK(png_width / width == Approx(png_height / height).epsilon(0.01));
 }
 
@@ -81,7 +75,7 @@ TEST_CASE("the same scene is the same picture, byte for byte") {
   const std::string once = picture_path("once.png"), again = picture_path("again.png");
   write_png(hall(), once);
   write_png(hall(), again);
-  CHECK(contents(once) == contents(again));
+  CHECK(content_of(once) == content_of(again));
 }
 
 TEST_CASE("an empty scene and one full of nonsense can be drawn") {

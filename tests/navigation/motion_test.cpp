@@ -127,3 +127,37 @@ TEST_CASE("what was seen ahead is still known when it is beside or behind, and w
   standing = open.standing(5);
   CHECK(std::none_of(standing.begin(), standing.end(), in_front));
 }
+
+namespace {
+
+/// A wall at 0.5 m on the right, 2 m long, that is a pane where `sends_back` says no: there the beams end 2 m behind
+/// it.
+Scan beside_pane(double stamp_s, const std::function<bool(int)>& sends_back) {
+  Scan scan;
+  scan.stamp_s = stamp_s;
+  for (int k = -90; k <= 90; ++k) {
+    const double bearing_rad = -std::numbers::pi / 2 + k * std::numbers::pi / 360;
+    const double range_m = (sends_back(k) ? 0.5 : 2.5) / std::cos(bearing_rad + std::numbers::pi / 2);
+    scan.points.push_back({Point(range_m * unit_vector(bearing_rad)), range_m, bearing_rad});
+  }
+  return scan;
+}
+
+double widest_berth_m(const SeenObstacles& seen) {
+  double widest_m = 0;
+  for (const Obstacle& obstacle : seen.near(1)) widest_m = std::max(widest_m, obstacle.berth_m);
+  return widest_m;
+}
+
+}  // namespace
+
+TEST_CASE("a pane that sends back some beams now and then stands still, who steps before it moves") {
+  SeenObstacles seen;
+  // Every 1.2 s a strip of the pane sends beams back in one scan.
+  for (int k = 0; k < 200; ++k)
+    seen.add(beside_pane(0.1 * k, [&](int beam) { return k % 12 == 0 && beam > -20 && beam < 20; }), Pose2(), Pose2());
+  seen.add(beside_pane(20, [](int beam) { return beam > -20 && beam < 20; }), Pose2(), Pose2());
+  CHECK(widest_berth_m(seen) == 0);
+  seen.add(beside_pane(20.6, [](int beam) { return beam > 40 && beam < 70; }), Pose2(), Pose2());
+  CHECK(widest_berth_m(seen) > 0);
+}

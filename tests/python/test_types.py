@@ -25,11 +25,13 @@ if estimate is not None and estimate.pose is not None:
 for sample in opal.read_log("log.gz").samples(localizer.deployment, from_s=3):
     localizer.update(sample)
 drawing.draw_map(localizer.map)
+opal.simulate(opal.generate_building("office", seed=2), "out/drives", drives=2)
+first: str = opal.read_ab("out/two").sentences[0]
 '''
 
 MISUSES = ['opal.read_map(3)', 'opal.Localizer("malaga").update("scan")', 'opal.bench("place").run.cpu',
            'opal.Laser(361)', 'opal.Localizer("malaga").update([1.0], [0, 0, 0], "now")',
-           'opal.read_log("a").samples(3)']
+           'opal.read_log("a").samples(3)', 'opal.simulate("map", "out")']
 
 
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
@@ -69,7 +71,7 @@ class Docstrings(unittest.TestCase):
 
     def test_arrays_say_their_shape(self):
         silent = []
-        for owner in ("Map", "Scan", "Sample", "Estimate", "Hypothesis", "Run", "Log", "RawScan", "View"):
+        for owner in ("Map", "Scan", "Sample", "Estimate", "Hypothesis", "Run", "Log", "RawScan", "View", "Place"):
             for name, member in vars(getattr(opal, owner)).items():
                 text = inspect.getdoc(member) or ""
                 is_array = any(word in text for word in ("[m]", "[rad]", "array"))

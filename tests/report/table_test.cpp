@@ -1,6 +1,10 @@
 #include "tests/report/page_parts.hpp"
 
+#include "tests/kit/file_content.hpp"
+#include "tests/kit/temporary_folder.hpp"
+
 #include "report/table.hpp"
+#include "report/table_files.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -92,4 +96,62 @@ TEST_CASE("an empty table still has its head") {
 TEST_CASE("a short row ends in empty cells, and one that is too long is refused") {
   CHECK(csv_of({{{"a"}, {"b"}}, {{"1"}}}) == "a,b\n1,\n");
   CHECK_THROWS_WITH(html_of({{{"a"}}, {{"1", "2"}}}), Contains("1 columns") && Contains("2 cells"));
+}
+
+namespace {
+
+/// Whether braces and mathematics that a text opens are closed; what is escaped opens nothing.
+bool is_balanced(const std::string& latex) {
+  int depth = 0, dollars = 0;
+  for (std::size_t k = 0; k < latex.size(); ++k) {
+    if (latex[k] == '\\')
+      ++k;
+    else if (latex[k] == '{')
+      ++depth;
+    else if (latex[k] == '}' && --depth < 0)
+      return false;
+    else if (latex[k] == '$')
+      ++dollars;
+  }
+  return depth == 0 && dollars % 2 == 0;
+}
+
+/// Columns of a row: what & parts that is not escaped.
+std::size_t latex_cells(const std::string& row) {
+  std::size_t cells = 1;
+  for (std::size_t k = 0; k < row.size(); ++k) cells += row[k] == '&' && (k == 0 || row[k - 1] != '\\');
+  return cells;
+}
+
+}  // namespace
+
+TEST_CASE("a table in LaTeX is one tabular, whatever stands in its cells") {
+  Table table = some_table();
+  table.rows.push_back({"{ } $ % # _ ^ ~ \\ & [", "-1.5 (-2 to ∞)", "\\end{tabular}"});
+  const std::string latex = latex_of(table);
+  CAPTURE(latex);
+  CHECK(is_balanced(latex));
+  const std::vector<std::string> lines = lines_of(latex);
+  REQUIRE(lines.size() == table.rows.size() + 7);
+  CHECK(lines[0] == "% needs \\usepackage{booktabs}");
+  CHECK(lines[1] == "\\begin{tabular}{lrl}");
+  CHECK(lines[3] == "site & error {[}m{]} & note \\\\");
+  for (std::size_t k = 5; k < lines.size() - 2; ++k) {
+    CHECK(latex_cells(lines[k]) == table.columns.size());
+    CHECK(lines[k].ends_with(" \\\\"));
+  }
+  CHECK(lines[6] == "café\\textbar{}1 & $-$$\\infty$ &  \\\\");
+  CHECK(lines[8] ==
+        "\\{ \\} \\$ \\% \\# \\_ \\textasciicircum{} \\textasciitilde{} \\textbackslash{} \\& {[} & $-$1.5 ($-$2 to "
+        "$\\infty$) & \\textbackslash{}end\\{tabular\\} \\\\");
+  CHECK(lines.back() == "\\end{tabular}");
+}
+
+TEST_CASE("a table is three files with the same cells") {
+  const TemporaryFolder folder;
+  write_table(folder.path_of("table"), some_table());
+  const auto content = [&](const char* ending) { return content_of(folder.path_of("table") + ending); };
+  CHECK(content(".csv") == csv_of(some_table()));
+  CHECK(content(".md") == markdown_of(some_table()));
+  CHECK(content(".tex") == latex_of(some_table()));
 }

@@ -68,7 +68,8 @@ TEST_CASE("on a map of several storeys, building and storey are told, and the pl
   answer.estimate.has_pose = true;
   answer.estimate.T_map_base = Pose2(204, 51, 0);
   const auto named = [&](const std::string& key) {
-    for (const auto& [name, value] : diagnoses_of(answer, {}, 1)[0].values)
+    const auto told = diagnoses_of(answer, {}, 1);
+    for (const auto& [name, value] : told[0].values)
       if (name == key) return value;
     return std::string();
   };

@@ -86,6 +86,21 @@ TEST_CASE("an outer door stays shut, and nobody is outdoors, unless robots may b
   CHECK(anywhere.floor().way(kSecond, kBefore));
 }
 
+TEST_CASE("what stands along walls hides most of them, leaves doors free, and a way to every room") {
+  const std::uint64_t seed = GENERATE(range(1, 7));
+  CAPTURE(seed);
+  SimulationOptions furnished = empty_world(1);
+  furnished.clutter.along_walls = 0.9;
+  const Simulation simulation(two_rooms().map(), furnished, seed);
+  CHECK(simulation.floor().way({3, 2.5}, {9, 2.5}));
+  double hidden_m = 0;
+  for (double x = 0.3; x < 5.8; x += 0.1) {  // the lower wall of the first room, seen from its middle line
+    const RayHit hit = simulation.solids().cast({x, 2.5}, {0, -1}, 10);
+    hidden_m += hit.range_m < 2.4 ? 0.1 : 0;
+  }
+  CHECK(hidden_m > 2);
+}
+
 TEST_CASE("a robot among columns without walls stays between them") {
   Plan columns;
   for (const double x : {0, 5, 10})

@@ -1,3 +1,4 @@
+#include "tests/kit/file_content.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include "simulation/drives/recording.hpp"
@@ -5,9 +6,6 @@
 #include <opal/common/error.hpp>
 
 #include <catch2/catch.hpp>
-
-#include <fstream>
-#include <sstream>
 
 using namespace opal;
 using namespace opal::simulation;
@@ -23,13 +21,6 @@ SimulationOptions clean() {
   options.laser_errors = {0, 0, 0, 0, 0.2, 0};
   options.odometry_errors = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   return options;
-}
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 Recording recorded(const SimulationOptions& options, std::uint64_t seed) {

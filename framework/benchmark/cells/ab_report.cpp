@@ -1,5 +1,8 @@
 #include "benchmark/cells/ab_report.hpp"
 
+#include "benchmark/verdict/quantity_words.hpp"
+#include "benchmark/verdict_page/paper.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include "common/text_file.hpp"
@@ -77,7 +80,8 @@ ordered_json json_of(const st::MetricResult& result) {
           {"between_clusters", result.between_clusters},
           {"p", result.p},
           {"p_corrected", result.p_corrected},
-          {"more_queries", result.more_queries}};
+          {"more_queries", result.more_queries},
+          {"outcome", st::word_of(result.outcome)}};
 }
 
 ordered_json json_of(const st::Verdict& verdict) {
@@ -164,4 +168,5 @@ void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab
   }
   opal::write_text(folder.file("verdict.json"), verdicts.dump(1) + '\n');
   opal::write_text(folder.file("report.html"), to_html(page));
+  write_paper(page, folder.file("paper"));
 }

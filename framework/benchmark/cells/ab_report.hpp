@@ -17,7 +17,7 @@ opal::statistics::ResultsTable table_of(const opal::ab::MergedResults& results, 
 int look_at(const opal::ab::Experiment& experiment, const opal::ab::ResultFolder& folder,
             const opal::ab::MergedResults& results, const opal::ab::CellPlan& plan);
 
-/// Says who is better, in words on stdout, and writes verdict.json and report.html.
+/// Says who is better, in words on stdout, and writes verdict.json, report.html and the folder paper.
 void report(const opal::ab::Experiment& experiment, const opal::ab::CellPlan& plan,
             const opal::ab::ResultFolder& folder, const opal::ab::MergedResults& results,
             const nlohmann::ordered_json& manifest, int look, const ViewLinks& links);

@@ -30,6 +30,8 @@ class WorldSource {
   std::vector<std::string> queries(const opal::ab::Scenario& scenario) const;
   /// What a scenario's worlds are made of: digests of files and maps, by name.
   nlohmann::ordered_json inputs(const opal::ab::Scenario& scenario);
+  /// The scenario's map, without damage that a seed decides.
+  const std::shared_ptr<const opal::SemanticMap>& map_of(const opal::ab::Scenario& scenario);
   /// @throws opal::Error naming what cannot be used.
   World make(const opal::ab::Scenario& scenario, std::uint64_t seed);
 
@@ -37,7 +39,6 @@ class WorldSource {
   using Map = std::shared_ptr<const opal::SemanticMap>;
   World recorded(const opal::ab::Scenario& scenario, const opal::ab::RecordedPlace& place, std::uint64_t seed);
   World simulated(const opal::ab::Scenario& scenario, const opal::ab::SimulatedDrives& drives, std::uint64_t seed);
-  const Map& map_of(const opal::ab::Scenario& scenario);  ///< without damage that a seed decides
 
   const opal::ab::Experiment& experiment_;
   const opal::PluginRegistry& registry_;

@@ -58,6 +58,11 @@ double two_digits(double value) {
 
 }  // namespace
 
+std::string word_of(Outcome outcome) {
+  constexpr const char* kWords[] = {"better", "worse", "no difference of interest", "open"};
+  return kWords[static_cast<int>(outcome)];
+}
+
 std::string name_in_words(const Metric& metric) {
   std::string name = metric.name;
   if (metric.kind == Kind::cost && !metric.phrase.empty()) return metric.phrase;

@@ -4,6 +4,9 @@
 
 namespace opal::statistics {
 
+/// "better", "worse", "no difference of interest", "open".
+std::string word_of(Outcome outcome);
+
 /// What a metric is called: its name in words, without the unit: "first_fix_m" is "first fix"; a cost's phrase is a
 /// name.
 std::string name_in_words(const Metric& metric);

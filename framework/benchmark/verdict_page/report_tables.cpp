@@ -13,11 +13,6 @@
 namespace opal::statistics {
 namespace {
 
-std::string word_of(Outcome outcome) {
-  constexpr const char* kWords[] = {"better", "worse", "no difference of interest", "open"};
-  return kWords[static_cast<int>(outcome)];
-}
-
 int decimals_of_size(const Metric& metric) {
   return metric.kind == Metric::Kind::proportion ? 1 : metric.kind == Metric::Kind::cost ? 3 : 2;
 }

@@ -44,6 +44,9 @@ std::string point_text(const PairedValue& pair, const Metric& metric, const std:
                      value_text(metric, pair.a), arm, value_text(metric, pair.b));
 }
 
+/// Of so many pairs, one is drawn.
+std::size_t step_of(const PairedSample& sample) { return (sample.pairs.size() + kMostPoints - 1) / kMostPoints; }
+
 }  // namespace
 
 PlotAxis size_axis(const Metric& metric) {
@@ -54,7 +57,7 @@ PlotAxis size_axis(const Metric& metric) {
 
 double shown_size(const Metric& metric, double size) { return metric.kind == Kind::proportion ? 100 * size : size; }
 
-std::string forest_html(const MetricResult& result, const std::string& arm, const std::string& baseline) {
+IntervalPlot forest_plot(const MetricResult& result, const std::string& arm, const std::string& baseline) {
   const Metric& metric = result.metric;
   IntervalPlot plot{size_axis(metric), metric.kind == Kind::cost ? 1.0 : 0.0, {}, {}};
   plot.table.columns = {
@@ -65,21 +68,32 @@ std::string forest_html(const MetricResult& result, const std::string& arm, cons
       {result.between_clusters ? "all, from site to site" : "all, these sites only", result.pairs, result.effect,
        result.outcome},
       true);
-  return plot_html(plot, "differences in " + name_in_words(metric) + " per site");
+  return plot;
 }
 
-std::string scatter_html(const PairedSample& sample, const Metric& metric, const std::string& arm,
-                         const std::string& baseline, const LinkedRuns& links) {
+std::string forest_html(const MetricResult& result, const std::string& arm, const std::string& baseline) {
+  return plot_html(forest_plot(result, arm, baseline), "differences in " + name_in_words(result.metric) + " per site");
+}
+
+ScatterPlot pairs_plot(const PairedSample& sample, const Metric& metric, const std::string& arm,
+                       const std::string& baseline, const LinkedRuns& links) {
   const bool cost = metric.kind == Kind::cost;
   const std::string what = ", " + name_in_words(metric);
   ScatterPlot plot{{baseline + what, metric.unit, cost}, {arm + what, metric.unit, cost}, {}};
-  const std::size_t step = (sample.pairs.size() + kMostPoints - 1) / kMostPoints;
+  const std::size_t step = step_of(sample);
   for (std::size_t i = 0; i < sample.pairs.size(); i += step) {
     const PairedValue& pair = sample.pairs[i];
     const auto link = [&](const std::string& name) { return links.of(name, pair.cluster, pair.query, pair.seed); };
     plot.points.push_back({pair.a, pair.b, point_text(pair, metric, arm, baseline), {}, {link(baseline), link(arm)}});
   }
-  const std::string html = plot_html(plot, arm + " beside " + baseline + what);
+  return plot;
+}
+
+std::string scatter_html(const PairedSample& sample, const Metric& metric, const std::string& arm,
+                         const std::string& baseline, const LinkedRuns& links) {
+  const std::string html = plot_html(pairs_plot(sample, metric, arm, baseline, links),
+                                     arm + " beside " + baseline + ", " + name_in_words(metric));
+  const std::size_t step = step_of(sample);
   if (step < 2) return html;
   return html + text_element("p", fmt::format("One in {} of {} is drawn.", step, count_of(sample.pairs.size(), "pair")),
                              "quiet");

@@ -13,6 +13,8 @@
 
 #include "common/text_file.hpp"
 #include "common/whole_file.hpp"
+#include "drawing/figure.hpp"
+#include "report/table_files.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -89,19 +91,24 @@ std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, 
 }
 
 void write(const experiments::BuildingsExperiment& experiment, const fs::path& out) {
-  const std::string table = markdown_of(buildings_table(experiment));
+  const opal::Table rows = buildings_table(experiment);
+  const std::string table = markdown_of(rows);
   std::cout << table;
+  opal::write_table((out / "table").string(), rows);
+  for (const auto& [name, plot] : share_plots(experiment))
+    opal::write_figure((out / ("figure_" + name)).string(), plot);
   opal::write_text((out / "table.txt").string(), table);
   opal::write_text((out / "buildings.json").string(), to_json(experiment).dump(1) + '\n');
   opal::write_text((out / "report.html").string(), buildings_page(experiment));
-  std::cout << "written: buildings.json, table.txt, report.html in " << out.string() << '\n';
+  std::cout << "written: buildings.json, table.txt, table.*, report.html, figure_* in " << out.string() << '\n';
 }
 
 int buildings(const BuildingsVerbOptions& options) {
   const std::vector<SuiteBuilding> suite = chosen(building_suite(options.suite), options.only);
   chosen(opal::simulation::thesis3_challenges(), options.runs.challenges);  // all of them are there
   const StopSignals signals;                                                // before other threads
-  opal::OutputFolder folder(options.out, "opal experiment buildings", {"buildings.json", "table.txt", "report.html"});
+  opal::OutputFolder folder(options.out, "opal experiment buildings",
+                            {"buildings.json", "table.*", "report.html", "figure_*"});
   experiments::BuildingsExperiment experiment;
   experiment.command = command_of(options, true);
   experiment.run_command = command_of(options, false);

@@ -75,11 +75,11 @@ std::vector<experiments::FaultRun> run_all(const FaultsVerbOptions& options, con
 
 int faults(const FaultsVerbOptions& options) {
   const StopSignals signals;  // before other threads
-  opal::OutputFolder folder(options.out, "opal experiment faults", {"drives.csv", "table.txt"});
+  opal::OutputFolder folder(options.out, "opal experiment faults", drive_products());
   const std::vector<experiments::FaultRun> runs = run_all(options, signals.token());
-  const std::string table = markdown_of(fault_table(runs));
-  std::cout << table;
-  write_drives(options.out, table, csv_of(fault_rows(runs)));
+  const opal::Table table = fault_table(runs);
+  std::cout << markdown_of(table);
+  write_drives(options.out, table, fault_rows(runs));
   return end_run(folder, signals.token().stop_requested() ? signals.signal() : 0, kDone);
 }
 

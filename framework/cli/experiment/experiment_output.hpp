@@ -1,9 +1,12 @@
 #pragma once
 
 #include "benchmark/experiments/kit/thesis_table.hpp"
+#include "benchmark/experiments/kit/time_plot.hpp"
 #include "cli/terminal/stop_signals.hpp"
 
 #include "common/text_file.hpp"
+#include "drawing/figure.hpp"
+#include "report/table_files.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -15,7 +18,7 @@
 
 /// What the experiments of the thesis leave in their folder.
 inline std::vector<std::string> experiment_products() {
-  return {"runs.csv", "table.txt", "summary.json", "report.html"};
+  return {"runs.csv", "table.*", "summary.json", "report.html", "figure_*"};
 }
 
 /// The signal that has left some part undone; 0 if all are done.
@@ -37,10 +40,21 @@ std::vector<Run> done(std::vector<std::vector<Run>> parts) {
   return runs;
 }
 
-/// Leaves runs.csv, table.txt, summary.json and report.html in a folder, and the table on stdout.
-template <class Runs>
-void write_experiment(const std::string& out, const Runs& runs, const opal::experiments::ThesisTable& table,
-                      const nlohmann::ordered_json& summary, const std::string& page) {
+/// The runs of the first seed over time, as in a paper: figure_CONTENDER_NAME.svg and .pdf.
+/// @param name  of what a run does: its challenge, its task.
+template <class Run>
+void write_time_figures(const std::filesystem::path& folder, std::span<const Run> runs, std::string Run::*name) {
+  for (const Run& run : runs)
+    if (run.seed == runs.front().seed && !run.moments.empty())
+      opal::write_figure((folder / ("figure_" + run.contender + '_' + run.*name)).string(),
+                         opal::experiments::lines_over_time(run.moments));
+}
+
+/// Leaves runs.csv, summary.json, report.html, the table and figures in a folder, and the table on stdout.
+template <class Run>
+void write_experiment(const std::string& out, std::span<const Run> runs, std::string Run::*name,
+                      const opal::experiments::ThesisTable& table, const nlohmann::ordered_json& summary,
+                      const std::string& page) {
   const std::filesystem::path folder(out);
   std::ostringstream csv;
   write_runs(csv, runs);
@@ -49,12 +63,19 @@ void write_experiment(const std::string& out, const Runs& runs, const opal::expe
   opal::write_text((folder / "table.txt").string(), text);
   opal::write_text((folder / "summary.json").string(), summary.dump(1) + '\n');
   opal::write_text((folder / "report.html").string(), page);
-  std::cout << text << "written: runs.csv, table.txt, summary.json, report.html in " << out << '\n';
+  opal::write_table((folder / "table").string(), rows_of(table));
+  write_time_figures(folder, runs, name);
+  std::cout << text << "written: runs.csv, table.txt, table.*, summary.json, report.html, figure_* in " << out << '\n';
 }
 
+/// What `write_drives` leaves.
+inline std::vector<std::string> drive_products() { return {"drives.*", "table.*"}; }
+
 /// Leaves a table and a row a drive in a folder.
-inline void write_drives(const std::string& out, const std::string& table, const std::string& rows) {
-  opal::write_text((std::filesystem::path(out) / "table.txt").string(), table);
-  opal::write_text((std::filesystem::path(out) / "drives.csv").string(), rows);
-  std::cout << "written: drives.csv, table.txt in " << out << '\n';
+inline void write_drives(const std::string& out, const opal::Table& table, const opal::Table& rows) {
+  const std::filesystem::path folder(out);
+  opal::write_text((folder / "table.txt").string(), markdown_of(table));
+  opal::write_table((folder / "table").string(), table);
+  opal::write_text((folder / "drives.csv").string(), csv_of(rows));
+  std::cout << "written: drives.csv, table.txt, table.* in " << out << '\n';
 }

@@ -96,7 +96,7 @@ class StoreyRuns {
 
 int storeys(StoreysVerbOptions options) {
   const StopSignals signals;  // before other threads
-  opal::OutputFolder folder(options.out, "opal experiment storeys", {"drives.csv", "table.txt"});
+  opal::OutputFolder folder(options.out, "opal experiment storeys", drive_products());
   const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = opal::read_deployment(config_file(options.config));
   options.take_laser(deployment);
@@ -105,11 +105,11 @@ int storeys(StoreysVerbOptions options) {
   options.ride.drive.drives = 1;
   const opal::LocalizerParts parts = build_parts(deployment, registry, load_map(registry, options.map));
   const std::vector<experiments::StoreyRun> runs = StoreyRuns(options, parts).run(signals.token());
-  const std::string table = markdown_of(storey_table(runs));
-  std::cout << table;
+  const opal::Table table = storey_table(runs);
+  std::cout << markdown_of(table);
   const auto unreached = static_cast<std::size_t>(options.drives + options.rides) - runs.size();
   if (unreached > 0) std::cout << unreached << " rides did not take place: furniture or a wall was in the way\n";
-  write_drives(options.out, table, csv_of(storey_rows(runs)));
+  write_drives(options.out, table, storey_rows(runs));
   return end_run(folder, signals.token().stop_requested() ? signals.signal() : 0, kDone);
 }
 

@@ -82,7 +82,7 @@ int experiment_thesis3(const ExperimentOptions& options, const opal::PluginRegis
   const int signal = cut_by(signals, parts);
   const std::vector<ChallengeRun> runs = done(std::move(parts));
   if (runs.empty()) return end_run(folder, signal, kDone);
-  write_experiment(options.out, std::span<const ChallengeRun>(runs), challenge_table(runs), challenge_summary(runs),
-                   challenge_page(experiment.map(), runs));
+  write_experiment(options.out, std::span<const ChallengeRun>(runs), &ChallengeRun::challenge, challenge_table(runs),
+                   challenge_summary(runs), challenge_page(experiment.map(), runs));
   return end_run(folder, signal, kDone);
 }

@@ -63,7 +63,7 @@ int experiment_thesis4(const ExperimentOptions& options, const opal::PluginRegis
   const int signal = cut_by(signals, parts);
   const std::vector<GoalRun> runs = done(std::move(parts));
   if (runs.empty()) return end_run(folder, signal, kDone);
-  write_experiment(options.out, std::span<const GoalRun>(runs), goal_table(runs), goal_summary(runs),
+  write_experiment(options.out, std::span<const GoalRun>(runs), &GoalRun::task, goal_table(runs), goal_summary(runs),
                    goal_page(*experiment.map, runs));
   return end_run(folder, signal, kDone);
 }

@@ -19,6 +19,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -51,23 +52,29 @@ void set_laser(SimulateOptions& options) {
   laser.range_sigma_m = std::max(0.005, options.world.laser_errors.range_sigma_m);
 }
 
-/// Drives as somebody did who recorded it, and says how alike the beams are.
-sim::Recording record_along(const opal::PluginRegistry& registry, const SimulateOptions& options,
-                            const opal::SemanticMap& map, sim::Simulation& simulation) {
-  const opal::GroundTruth truth = opal::GroundTruth::read(options.along + ".gt.csv");
-  const sim::Recording made = sim::record_along(simulation, truth.poses());
-  const opal::LaserModel laser = opal::read_site_laser(options.along + ".info.json");
+/// What the map holds, with all doors shut.
+sim::RayCaster mapped_solids(const opal::SemanticMap& map) {
   sim::Random closed(1);
-  const sim::RayCaster mapped(sim::building_solids(map, 0, closed));
-  sim::BeamStatistics recorded, simulated;
+  return sim::RayCaster(sim::building_solids(map, 0, closed));
+}
+
+sim::BeamStatistics beams_of(const sim::Recording& made, const sim::RayCaster& mapped) {
+  sim::BeamStatistics simulated;
+  for (const sim::RecordedScan& scan : made.scans)
+    sim::count_beams(scan.scan, scan.T_map_base * made.laser.T_base_laser, made.laser, mapped, simulated);
+  return simulated;
+}
+
+/// Of the recording along whose way the robot drives.
+sim::BeamStatistics recorded_beams(const opal::PluginRegistry& registry, const SimulateOptions& options,
+                                   const opal::GroundTruth& truth, const sim::RayCaster& mapped) {
+  const opal::LaserModel laser = opal::read_site_laser(options.along + ".info.json");
+  sim::BeamStatistics recorded;
   for (const opal::LogRecord& record : opal::read_all(*open_log(registry, options.along + ".log.gz")))
     if (const auto* scan = std::get_if<opal::RawScan>(&record))
       if (const auto pose = truth.T_map_laser_at(scan->stamp_s))
         sim::count_beams(*scan, *pose, laser, mapped, recorded);
-  for (const sim::RecordedScan& scan : made.scans)
-    sim::count_beams(scan.scan, scan.T_map_base * made.laser.T_base_laser, made.laser, mapped, simulated);
-  std::cout << sim::side_by_side("recorded", recorded, "simulated", simulated);
-  return made;
+  return recorded;
 }
 
 /// The files of a recording are written beside each other: its map must not be the one that is driven in.
@@ -108,10 +115,16 @@ int simulate(SimulateOptions options) {
   const double start_s = opal::process_cpu_s();
   sim::Simulation simulation(building, options.world, options.damage.seed);
   const double ready_s = opal::process_cpu_s();
+  std::optional<opal::GroundTruth> truth;
+  if (!options.along.empty()) truth = opal::GroundTruth::read(options.along + ".gt.csv");
   const sim::Recording recording =
-      options.along.empty() ? sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch())
-                            : record_along(registry, options, *map, simulation);
+      truth ? sim::record_along(simulation, truth->poses())
+            : sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch());
   const double recorded_s = opal::process_cpu_s();
+  const sim::RayCaster mapped = mapped_solids(*map);
+  const sim::BeamStatistics beams = beams_of(recording, mapped);
+  if (truth)
+    std::cout << sim::side_by_side("recorded", recorded_beams(registry, options, *truth, mapped), "simulated", beams);
   const StopSignals all_or_none;  // Ctrl-C among these files would leave new ones beside old ones
   sim::write_recorded_place(recording, *map, options.out);
   double driven_m = 0;
@@ -120,6 +133,7 @@ int simulate(SimulateOptions options) {
               simulation.solids().solids().size(), options.world.people);
   std::printf("%zu drives, %.0f m, %zu scans; %d steps in which somebody or something was in the way\n",
               recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
+  std::printf("%.0f %% of the beams end before the first mapped surface\n", 100.0 * beams.early / beams.beams());
   std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
   tell_written(options.out);
   return kDone;

@@ -1,8 +1,5 @@
 #include "small_experiment.hpp"
 
-#include <fstream>
-#include <sstream>
-
 namespace opal::ab_tests {
 
 using nlohmann::json;
@@ -41,13 +38,6 @@ json faulty_arm(const std::string& how, int after) {
 
 std::string written(const TemporaryFolder& folder, const json& experiment, const std::string& name) {
   return folder.write(name, experiment.dump(1));
-}
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 }  // namespace opal::ab_tests

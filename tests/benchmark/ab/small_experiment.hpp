@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/kit/file_content.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,6 +22,6 @@ nlohmann::json faulty_arm(const std::string& how, int after);
 std::string written(const TemporaryFolder& folder, const nlohmann::json& experiment,
                     const std::string& name = "small.jsonld");
 
-std::string content_of(const std::string& path);
+using opal::content_of;
 
 }  // namespace opal::ab_tests

@@ -152,3 +152,13 @@ TEST_CASE("a check of a map as wide as coordinates go is quick") {
   const MapCheck check = check_map(*map_of(features));
   CHECK(check.features_by_geometry[3] == 2000);
 }
+
+TEST_CASE("what only runs classes of Python is not told of, for no map can call for it") {
+  std::vector<RegisteredType> types = kTypes;
+  types.push_back(type(PluginKind::feature_detector, "opal:PythonDetector", {}, {"opal:FoundByPython"}));
+  types.push_back(type(PluginKind::pattern_template, "opal:PythonPattern", {}, {}));
+  types.back().on_request = true;
+  const PipelinePlan plan = plan_pipeline(*map_of({feature("w", kWall)}), "lidar", types);
+  CHECK(plan.reasons == plan_pipeline(*map_of({feature("w", kWall)}), "lidar", kTypes).reasons);
+  CHECK(plan.on_request == Names{"opal:PythonPattern"});
+}

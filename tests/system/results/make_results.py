@@ -3,8 +3,8 @@
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
 A name is a table (full, stages, calibration, damage, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives,
-drives-models, faults, redrawn) or a kind of map
-(full, plan, thick, drop, shift, wall, false, mixed, union, copies): then only the rows of that kind are made.
+drives-models, faults, redrawn, furnished) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
+only the rows of that kind are made.
 """
 
 import argparse
@@ -16,6 +16,7 @@ import subprocess
 import sys
 
 import drives
+import furnished
 import judge
 import redrawn
 import tables
@@ -36,7 +37,7 @@ JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies"
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = {"detect": "detect", "local_map": "local map", "track": "track", "associate": "associate", "verify": "verify"}
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models", "faults", "redrawn")  # tables that make their runs themselves
+DRIVEN = ("drives", "drives-models", "faults", "redrawn", "furnished")  # tables that make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS = range(1, 21)
 CUT_SEEDS = range(1, 5)
@@ -113,6 +114,9 @@ class Bench:
 
     def redrawn_verdicts(self, label, seed, site):
         return redrawn.verdicts(self, label, seed, site)
+
+    def furnished_drives(self, label, which):
+        return furnished.drives(self, label, which)
 
     def joined_verdicts(self, kind):
         folder = self.joined_folder(kind)
@@ -282,7 +286,7 @@ class Selection:
 
     TABLES = {"full": ["full"], "stages": ["full"], "calibration": ["full"], "damage": DAMAGED, "sites": list(KINDS),
               "seeds": list(SEEDED), "ten-maps": list(SEEDED), "kidnapping": ["kidnapping"], "cuts": ["kidnapping"], "large": list(JOINED),
-              "large-cpu": ["copies"], "drives": ["driven"], "drives-models": ["driven"], "faults": ["driven"], "redrawn": ["driven"]}
+              "large-cpu": ["copies"], **{table: ["driven"] for table in DRIVEN}}
 
     def __init__(self, names):
         known = {*self.TABLES, *KINDS, *JOINED, "kidnapping"}
@@ -341,6 +345,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "drives": driven.buildings_table, "drives-models": driven.models_table,
         "faults": driven.faults_table,
         "redrawn": lambda: redrawn.redrawn_table(bench, judged_cells),
+        "furnished": lambda: furnished.furnished_table(bench, judged_cells),
     }
     return {table: makers[table]() for table in kinds}
 

@@ -18,6 +18,7 @@ def run(*words):
     done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise SystemExit(f"{' '.join(map(str, words))}\nfailed and said\n{done.stderr.strip()}")
+    return done.stdout
 
 
 def verdicts(bench, label, seed, site):

@@ -270,7 +270,8 @@ class Page(unittest.TestCase):
         verdict = judge.Verdict("q", True, True, True, 0.0, 0.0, True, 1, 0)
         bench = types.SimpleNamespace(
             sites=make_results.SITES, complete=True, verdicts=lambda *_: [verdict], all_verdicts=lambda *_: [verdict],
-            jobs=1, redrawn_verdicts=lambda *_: [verdict], summary=lambda *_: summary, joined_verdicts=lambda *_: [verdict], joined_summary=lambda *_: summary,
+            jobs=1, redrawn_verdicts=lambda *_: [verdict], furnished_drives=lambda *_: ([verdict], 60),
+            summary=lambda *_: summary, joined_verdicts=lambda *_: [verdict], joined_summary=lambda *_: summary,
             kidnappings=lambda *_: dict.fromkeys(make_results.SITES, sums), all_kidnappings=lambda *_: sums)
         selection = make_results.Selection([])
         selection.kinds.pop("calibration")  # runs a program

@@ -3,6 +3,7 @@
 #include "plugins/postgis_store/server.hpp"
 #include "program.hpp"
 #include "test_server.hpp"
+#include "tests/kit/file_content.hpp"
 
 #include <opal/deployment/deployment.hpp>
 #include "map/check/map_diff.hpp"
@@ -13,9 +14,6 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
-
-#include <fstream>
-#include <sstream>
 
 using namespace opal;
 using namespace opal::store_tests;
@@ -68,16 +66,10 @@ class SilentServer {
   int port_ = 0;
 };
 
-std::string content_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 /// Whether any file below a folder holds a text.
 bool anywhere_in(const fs::path& folder, const std::string& text) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && content_of(entry.path()).find(text) != std::string::npos) return true;
+    if (entry.is_regular_file() && content_of(entry.path().string()).find(text) != std::string::npos) return true;
   return false;
 }
 

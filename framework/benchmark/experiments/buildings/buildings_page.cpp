@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace opal::experiments {
 namespace {
@@ -24,8 +23,8 @@ std::string key_html() {
 }
 
 /// How many runs of each group of a contender ended well, or with a wrong pose.
-std::string shares_html(const BuildingsExperiment& experiment, const std::string& contender, const std::string& title,
-                        const char* tone, BuildingShare BuildingGroup::*share) {
+IntervalPlot shares_plot(const BuildingsExperiment& experiment, const std::string& contender, const std::string& title,
+                         const char* tone, BuildingShare BuildingGroup::*share) {
   IntervalPlot plot{
       {title, "%", false, 0.0, 100.0}, 0, {{{"group", "", false}, {"runs"}, {title + " (95 %)", "%"}}, {}}, {}};
   for (const BuildingGroup& group : experiment.groups) {
@@ -35,21 +34,33 @@ std::string shares_html(const BuildingsExperiment& experiment, const std::string
     plot.rows.push_back({at, low, high, tone, false});
     plot.table.rows.push_back({group.name(), std::to_string(group.runs), within_text(at, low, high, 1)});
   }
-  return plot_html(plot, title + " in percent of the runs");
+  return plot;
+}
+
+IntervalPlot success_plot(const BuildingsExperiment& experiment, const std::string& contender) {
+  return shares_plot(experiment, contender, "success", "localized", &BuildingGroup::success);
+}
+
+IntervalPlot wrong_plot(const BuildingsExperiment& experiment, const std::string& contender) {
+  return shares_plot(experiment, contender, "falsely localized", "wrong", &BuildingGroup::wrong);
+}
+
+std::vector<std::string> contenders_of(const BuildingsExperiment& experiment) {
+  std::vector<std::string> names;
+  for (const BuildingGroup& group : experiment.groups)
+    if (std::find(names.begin(), names.end(), group.contender) == names.end()) names.push_back(group.contender);
+  return names;
 }
 
 std::string groups_html(const BuildingsExperiment& experiment) {
   const Table table = buildings_table(experiment);
   std::string html;
-  std::set<std::string> told;
-  for (const BuildingGroup& group : experiment.groups)
-    if (told.insert(group.contender).second)
-      html +=
-          text_element("h2", group.contender) +
-          element("section",
-                  shares_html(experiment, group.contender, "success", "localized", &BuildingGroup::success) +
-                      shares_html(experiment, group.contender, "falsely localized", "wrong", &BuildingGroup::wrong)) +
-          "\n";
+  for (const std::string& contender : contenders_of(experiment))
+    html += text_element("h2", contender) +
+            element("section",
+                    plot_html(success_plot(experiment, contender), "success in percent of the runs") +
+                        plot_html(wrong_plot(experiment, contender), "falsely localized in percent of the runs")) +
+            "\n";
   return text_element("h2", "All groups") +
          element("section", html_of(table) + download("buildings.csv", csv_of(table))) + "\n" + html;
 }
@@ -123,6 +134,15 @@ std::string buildings_page(const BuildingsExperiment& experiment) {
                        "</defs></svg>\n" +
                        text_element("p", experiment.command + "; intervals are 95 %, over buildings") +
                        groups_html(experiment) + failures_html(experiment) + buildings_html(experiment));
+}
+
+std::vector<std::pair<std::string, IntervalPlot>> share_plots(const BuildingsExperiment& experiment) {
+  std::vector<std::pair<std::string, IntervalPlot>> plots;
+  for (const std::string& contender : contenders_of(experiment)) {
+    plots.emplace_back(contender + "_success", success_plot(experiment, contender));
+    plots.emplace_back(contender + "_wrong", wrong_plot(experiment, contender));
+  }
+  return plots;
 }
 
 }  // namespace opal::experiments

@@ -1,7 +1,6 @@
 #include "benchmark/experiments/kit/time_plot.hpp"
 
 #include "report/html_elements.hpp"
-#include "report/plot.hpp"
 
 #include <algorithm>
 #include <array>
@@ -49,8 +48,7 @@ void add(LinePlot& plot, std::span<const Moment> moments, PlotAxis axis, const c
 
 }  // namespace
 
-std::string time_plot(std::span<const Moment> moments) {
-  if (moments.empty()) return "";
+LinePlot lines_over_time(std::span<const Moment> moments) {
   LinePlot plot{{"time", "s", false, 0.0}, {}, {}, spans_of(moments)};
   for (const Moment& moment : moments) plot.x.push_back(moment.time_s);
   add(plot, moments, {"error of the best hypothesis", "m", true, 0.01, 10.0}, "a",
@@ -60,7 +58,11 @@ std::string time_plot(std::span<const Moment> moments) {
   if (std::any_of(moments.begin(), moments.end(), [](const Moment& m) { return m.cpu_ms > 0; }))
     add(plot, moments, {"CPU per update", "ms", true, 0.1, 10.0}, "c",
         [](const Moment& m) { return m.cpu_ms > 0 ? m.cpu_ms : -1; });
-  return plot_html(plot, "error and hypotheses over time");
+  return plot;
+}
+
+std::string time_plot(std::span<const Moment> moments) {
+  return moments.empty() ? "" : plot_html(lines_over_time(moments), "error and hypotheses over time");
 }
 
 std::string status_key() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "benchmark/experiments/kit/moment.hpp"
+#include "report/plot.hpp"
 
 #include <span>
 #include <string>
@@ -8,7 +9,9 @@
 namespace opal::experiments {
 
 /// A run over time: error of the best hypothesis, number of hypotheses, CPU time per update if any was
-/// measured, and in a bar whether it was localized (Hendrikx 2023, figure 3.10). HTML.
+/// measured, and in a bar whether it was localized (Hendrikx 2023, figure 3.10).
+LinePlot lines_over_time(std::span<const Moment> moments);
+/// The same as HTML; empty without moments.
 std::string time_plot(std::span<const Moment> moments);
 
 /// What the colours of that bar mean. HTML.

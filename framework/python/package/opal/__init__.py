@@ -1,4 +1,5 @@
-"""Opal: where is a wheeled robot in a building? Maps, recorded logs, the localizer step by step, benches.
+"""Opal: where is a wheeled robot in a building? Maps, recorded and simulated logs, the localizer step by step, benches, results
+of experiments.
 
 Units are metres, radians and seconds. A pose is an array of x [m], y [m] and heading [rad]. Frames: `map` is fixed to the
 building, `odom` to the start of odometry, the robot's frame is `base_link`. Every wrong input raises an opal.Error that
@@ -29,6 +30,7 @@ from ._opal import (
     MapPattern as MapPattern,
     MapView as MapView,
     Pattern as Pattern,
+    Place as Place,
     PluginError as PluginError,
     PluginType as PluginType,
     RawScan as RawScan,
@@ -41,6 +43,7 @@ from ._opal import (
     add_plugins as add_plugins,
     bench as bench,
     check_class as check_class,
+    generate_building as generate_building,
     make_deployment as make_deployment,
     plugins as plugins,
     read_deployment as read_deployment,
@@ -49,6 +52,8 @@ from ._opal import (
     read_log as read_log,
     read_map as read_map,
     shipped_file as shipped_file,
+    simulate as simulate,
 )
+from .ab import AbResults as AbResults, read_ab as read_ab
 
 __all__ = sorted(name for name in globals() if not name.startswith("_"))
