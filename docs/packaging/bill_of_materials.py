@@ -79,9 +79,9 @@ def target_of(path, build):
 def add_links(bill, own, files, own_libraries):
     sonames = sorted({name for file in files for name in built_parts.needed(file)})
     places = built_parts.library_paths()
-    owners = package_licences.owners([places[name] for name in sonames if name in places])
+    owners = package_licences.owners_of_libraries({name: places[name] for name in sonames if name in places})
     for soname in sonames:
-        other = own_libraries.get(soname) or owners.get(places.get(soname))
+        other = own_libraries.get(soname) or owners.get(soname)
         if other is None:
             raise SystemExit(f"{own}: links {soname}, which no package has")
         if soname not in own_libraries:

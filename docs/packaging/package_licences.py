@@ -1,6 +1,7 @@
 """What Debian knows of the packages on this machine: which one a file belongs to, its version, and its licences."""
 
 import functools
+import os
 import pathlib
 import re
 import subprocess
@@ -36,6 +37,28 @@ def owners(paths):
             if line.rpartition("/")[2] in names and (path := wanted.get(real_path(line))):
                 found[path] = listing.stem.partition(":")[0]
     return found
+
+
+def named_for_library(soname, owner):
+    """The package that Debian's packages depend on for a library. Several have BLAS, and one of them goes by its name."""
+    name, _, version = soname.partition(".so.")
+    for listing in sorted(INFO.glob(f"{owner}[:.]*shlibs")):
+        for words in map(str.split, listing.read_text().splitlines()):
+            if words[:2] == [name, version] and installed(words[2]):
+                return words[2]
+    return owner
+
+
+def owners_of_libraries(places):
+    """@param places  the file of each library; it may lead to the one that /etc/alternatives names."""
+    behind = {soname: os.path.realpath(path) for soname, path in places.items()}
+    found = owners([*places.values(), *behind.values()])
+    owner = {soname: found.get(path) or found.get(behind[soname]) for soname, path in places.items()}
+    return {soname: named_for_library(soname, package) for soname, package in owner.items() if package}
+
+
+def installed(package):
+    return any(INFO.glob(f"{package}[:.]*list"))
 
 
 @functools.cache

@@ -8,7 +8,7 @@ files() {
 remember_the_bare_system() { files >/srv/bare; }
 
 purge_everything() {
-  apt-get purge -y -q --auto-remove '^opal.*' '^libopal.*' '^python3-opal$' </dev/null
+  apt-get purge -y -q --auto-remove libopal0 opal-doc </dev/null
   expect "dpkg still knows packages of Opal" test -z "$(dpkg -l | awk '$2 ~ /opal/ { print $2 }')"
 }
 
