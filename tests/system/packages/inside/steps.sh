@@ -18,17 +18,19 @@ expect() {  # WHAT COMMAND...
   "$@" || { echo "$what: '$*' failed"; exit 1; }
 }
 
-# A step runs in a shell of its own, which ends at its first failure. Lines that begin with "= " are shown.
+# A step runs in a shell of its own, which ends at its first failure. Lines that begin with "= " are shown, after the seconds that
+# went by and those of the processor.
 run_steps() {  # STEP...
-  local step start
+  local step TIMEFORMAT='%0R %0U %0S' wall user system
   for step in "$@"; do
-    start=$SECONDS
-    if ! bash "$here/steps.sh" "$step" >/srv/step.log 2>&1; then
+    if ! { time bash "$here/steps.sh" "$step" >/srv/step.log 2>&1; } 2>/srv/step.time; then
       tail -n 60 /srv/step.log
       echo "FAILED: ${step//_/ }"
       exit 1
     fi
-    printf '%-52s %4d s  %s\n' "${step//_/ }" $((SECONDS - start)) "$(sed -n 's/^= //p' /srv/step.log | paste -sd ';' | sed 's/;/; /g')"
+    read -r wall user system </srv/step.time
+    printf '%-36s %4d s, CPU %3d s  %s\n' "${step//_/ }" "$wall" $((user + system)) \
+      "$(sed -n 's/^= //p' /srv/step.log | paste -sd ';' | sed 's/;/; /g')"
   done
 }
 
