@@ -43,6 +43,7 @@ def heading(words, version, description):
     day = time.strftime("%Y-%m-%d", time.gmtime(int(os.environ.get("SOURCE_DATE_EPOCH", time.time()))))
     name = "-".join(["opal", *words])
     yield f'.TH "{plain(name.upper())}" "1" "{day}" "opal {version}" "User Commands"'
+    yield ".ad l"  # words of options are long and cannot be parted
     yield ".SH NAME"
     yield rf"{plain(name)} \- {plain(description)}"
 

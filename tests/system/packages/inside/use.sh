@@ -5,12 +5,14 @@ add_the_packages_to_apt() {
   apt-get update -q
 }
 
+packages_and_kilobytes() { echo "$(dpkg -l | grep -c ^ii) $(du -sk /usr | cut -f 1)"; }
+
 install_the_program() {
-  local before after
-  before=$(dpkg -l | grep -c ^ii)
+  local packages kilobytes packages_now kilobytes_now
+  read -r packages kilobytes < <(packages_and_kilobytes)
   install opal
-  after=$(dpkg -l | grep -c ^ii)
-  echo "= $((after - before)) packages, $(du -sk /usr | cut -f 1) kB in /usr"
+  read -r packages_now kilobytes_now < <(packages_and_kilobytes)
+  echo "= $((packages_now - packages)) packages, $(((kilobytes_now - kilobytes) / 1000)) MB"
 }
 
 say_the_version() {
