@@ -26,8 +26,9 @@ std::string shipped_configs() {
 std::string shipped_file(const std::string& name) {
   const fs::path program = fs::canonical("/proc/self/exe").parent_path();
   const fs::path plugins = opal::own_plugin_folder();  // where another program, as Python, has loaded the library
-  for (const fs::path& folder : {program / "../../..", program / "../share/opal", plugins / "../../..",
-                                 plugins / "../../../share/opal", plugins / "../../../../share/opal"})
+  // What is installed goes first: from /usr/bin, the tree of the sources would be the root folder of the machine.
+  for (const fs::path& folder : {program / "../share/opal", plugins / "../../../share/opal",
+                                 plugins / "../../../../share/opal", program / "../../..", plugins / "../../.."})
     if (const fs::path file = folder / name; fs::exists(file)) return fs::canonical(file).string();
   throw opal::ConfigError(name + ": is neither beside the sources nor installed");
 }

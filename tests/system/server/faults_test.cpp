@@ -271,7 +271,7 @@ TEST_CASE("a program without the plugin says what is missing") {
   const fs::path build = fs::path(OPAL_PLUGIN_DIR).parent_path();
   fs::create_directories(folder.path_of("lib"));
   fs::create_directories(folder.path_of("plugins"));
-  fs::copy_file(build / "lib/libopal.so", folder.path_of("lib/libopal.so"));
+  fs::copy_file(build / "lib/libopal.so.0", folder.path_of("lib/libopal.so.0"));
   const Setting library("LD_LIBRARY_PATH", folder.path_of("lib"));
   for (const std::string& source : {std::string("store:hall"), std::string("store:hall@2")}) {
     const Finished checked = opal_run({"map", "check", source});

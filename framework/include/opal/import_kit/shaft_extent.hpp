@@ -9,8 +9,8 @@ namespace opal {
 
 /// What a plan shows of a lift's cabin or a stairwell.
 struct ShaftExtent {
-  Point middle = Point::Zero();
-  double radius_m = 0;  ///< half of the narrower side, 0.5 to 10
+  Point middle = Point::Zero();  ///< of the smallest upright rectangle around the outline [m]
+  double radius_m = 0;           ///< half of the narrower side, 0.5 to 10
 };
 
 /// @param outline  corners, in any order. @return none without corners, or if one is not finite.
