@@ -25,8 +25,8 @@ class Steps:
         if self.file:
             with open(self.file, "a") as file:
                 file.write(f"{len(hypotheses)} {max(memory['scans'] for memory in hypotheses.memories)}\\n")
-        near = map.likelihood_field(observation.points_at(hypotheses.poses)).sum(axis=1)
-        return near, {}, [], [1.0] * (len(hypotheses) if self.seen else 1)
+        near = map.likelihood_field(observation.points_at(hypotheses.poses)).sum(axis=1) / max(1, len(observation.points))
+        return 10 * near, {}, [], [1.0] * (len(hypotheses) if self.seen else 1)
 
     def remember(self, memory, seen, weight):
         memory["scans"] += weight * seen
