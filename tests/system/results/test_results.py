@@ -7,7 +7,9 @@ import pathlib
 import tempfile
 import types
 import unittest
+import unittest.mock
 
+import campus
 import drives
 import faults
 import judge
@@ -282,6 +284,8 @@ class Page(unittest.TestCase):
             buildings_table=lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
             models_table=lambda: {"Duplex, Level 1": cells},
             faults_table=lambda: {"doubled": faults.cells_of(fault_rows)})
+        row = (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict]))
+        self.enterContext(unittest.mock.patch("campus.row_of", return_value=row))
         for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):
             tables.rewritten(page, make_results.make_tables(bench, driven, selection, seeds, page))
         self.assertTrue(tables.table_in(page, "calibration"))
