@@ -12,6 +12,7 @@ from redrawn import run
 COPIES = {"10 thousand": 2, "100 thousand": 28, "a million": 287}  # the row's label in docs/results.md; each adds 3,473 features
 EXPONENT = "growth exponent"  # the label of the last row: 1 is a cost that grows as the map does
 GROWING = {"read CPU s": 1, "read MB": 0, "localizer MB": 0, "mean CPU ms": 2, "p99 CPU ms": 1}  # decimals
+JUDGED = ("success", "localized", "localized rows", "false positives", "queries with a false positive")
 
 
 def read_cost(bench, folder, copies):
@@ -56,7 +57,8 @@ def campus_table(bench, cells_of):
     for label, copies in COPIES.items():
         grown, total = row_of(bench, copies)
         numbers.append(grown)
-        made[label] = {**{name: f"{grown[name]:.{decimals}f}" for name, decimals in GROWING.items()}, **cells_of(total)}
+        judged = cells_of(total)
+        made[label] = {**{name: f"{grown[name]:.{decimals}f}" for name, decimals in GROWING.items()}, **{name: judged[name] for name in JUDGED}}
     first, *_, last = COPIES.values()
     growth = math.log((last + 1) / (first + 1))
     made[EXPONENT] = {name: f"{math.log(numbers[-1][name] / numbers[0][name]) / growth:.2f}" for name in GROWING}
