@@ -1,4 +1,4 @@
-#include <opal/common/strict_json.hpp>
+#include "common/json_elements.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -17,8 +17,9 @@ using Json = nlohmann::json;
 /// calls iteratively, so the depth of a hostile text costs no stack.
 class StrictBuilder : public nlohmann::json_sax<Json> {
  public:
-  StrictBuilder(const std::string& text, const std::string& name, const JsonLimits& limits)
-      : text_(text), name_(name), limits_(limits) {}
+  StrictBuilder(const std::string& text, const std::string& name, const JsonLimits& limits,
+                const JsonElements* elements = nullptr)
+      : text_(text), name_(name), limits_(limits), elements_(elements) {}
 
   Json take() { return std::move(document_); }
 
@@ -66,7 +67,17 @@ class StrictBuilder : public nlohmann::json_sax<Json> {
 
   bool close() {
     levels_.pop_back();
+    if (elements_ != nullptr && is_among_elements()) {
+      Json& array = *levels_[1].value;
+      if (elements_->take(array.back())) array.erase(array.size() - 1);
+    }
     return true;
+  }
+
+  /// What was closed is an element of the array whose elements somebody takes.
+  bool is_among_elements() const {
+    return levels_.size() == 2 && levels_[0].value->is_object() && levels_[0].key == elements_->key &&
+           levels_[1].value->is_array();
   }
 
   Json* place(Json value) {
@@ -116,6 +127,7 @@ class StrictBuilder : public nlohmann::json_sax<Json> {
   const std::string& text_;
   const std::string& name_;
   const JsonLimits limits_;
+  const JsonElements* elements_;  ///< null: nobody takes any
   Json document_;
   std::vector<Level> levels_;
 };
@@ -142,7 +154,19 @@ Json parse_json(const std::string& text, const std::string& name, const JsonLimi
   return builder.take();
 }
 
+Json parse_json_elements(const std::string& text, const std::string& name, const JsonElements& elements,
+                         const JsonLimits& limits) {
+  require_plausible_text(text, name, limits);
+  StrictBuilder builder(text, name, limits, &elements);
+  Json::sax_parse(text, &builder);
+  return builder.take();
+}
+
 Json read_json(const std::string& path, const JsonLimits& limits) {
+  return parse_json(read_json_text(path, limits), path, limits);
+}
+
+std::string read_json_text(const std::string& path, const JsonLimits& limits) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw JsonError(path + ": cannot be opened: " + std::strerror(errno) + ", expected a readable JSON file");
   if (std::filesystem::is_directory(path)) throw JsonError(path + ": is a folder, expected a JSON file");
@@ -153,7 +177,7 @@ Json read_json(const std::string& path, const JsonLimits& limits) {
          (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0))
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   if (file.bad()) throw JsonError(path + ": cannot be read, expected a readable JSON file");
-  return parse_json(text, path, limits);
+  return text;
 }
 
 std::string escape_pointer_step(const std::string& key) {

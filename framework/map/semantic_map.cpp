@@ -2,7 +2,6 @@
 
 #include "map/map_vocabulary.hpp"
 #include "map/semantic_map_storeys.hpp"
-#include "map/semantic_map_unused.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -148,6 +147,26 @@ bool id_before(const std::string& a, const std::string& b) {
   }
   const bool a_ends = i == a.size(), b_ends = k == b.size();
   return a_ends == b_ends ? a < b : a_ends;  // "w01" and "w1" differ by their zeros only
+}
+
+void add_unused(nlohmann::json& unused, const nlohmann::json& more) {
+  for (const nlohmann::json& node : more) {
+    const auto known = std::find_if(unused.begin(), unused.end(),
+                                    [&](const nlohmann::json& one) { return one["@id"] == node["@id"]; });
+    if (known == unused.end()) {
+      unused.push_back(node);
+      continue;
+    }
+    for (const auto& [key, values] : node.items()) {
+      nlohmann::json& said = (*known)[key];
+      if (!said.is_array()) said = values;
+      for (const nlohmann::json& value : values.is_array() ? values : nlohmann::json::array())
+        if (std::find(said.begin(), said.end(), value) == said.end()) said.push_back(value);
+      if (said.is_array()) std::sort(said.begin(), said.end());
+    }
+  }
+  std::sort(unused.begin(), unused.end(),
+            [](const nlohmann::json& a, const nlohmann::json& b) { return a["@id"] < b["@id"]; });
 }
 
 void name_everything(MapDraft& draft) {

@@ -41,6 +41,9 @@ void sort_by_id(MapDraft& draft);
 /// Natural order, in which numbers inside names count as numbers: "wall-2" before "wall-10".
 bool id_before(const std::string& a, const std::string& b);
 
+/// Adds nodes to `unused`; what is said of one node stands in one place, and once.
+void add_unused(nlohmann::json& unused, const nlohmann::json& more);
+
 /// Every reference points at something. @throws MapError.
 void check_references(const MapDraft& draft);
 /// Every id is usable and stands for one thing. @throws MapError.

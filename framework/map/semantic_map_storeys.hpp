@@ -1,7 +1,6 @@
 #pragma once
 
 #include "map/semantic_map_draft.hpp"
-#include "map/semantic_map_unused.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,13 +39,6 @@ auto with_id(All& all, std::string_view id) -> decltype(all.data()) {
 
 /// "'low', 'top'"; empty without storeys.
 OPAL_EXPORT std::string ids_of(const std::vector<MapStorey>& storeys);
-
-/// Buildings, storeys and connections of a document. A storey with a place in the map is a sheet; one without is kept
-/// as unused, unless others have a place.
-/// @throws MapError.
-void read_storeys(const Graph& graph, NodeUses& uses, MapOrigin& origin);
-/// Appends their nodes to a document.
-void write_storeys(const MapOrigin& origin, nlohmann::ordered_json& graph);
 
 /// Full IRIs and bare terms become prefixed names, as `name_everything` does for the rest.
 void name_storeys(MapDraft& draft);

@@ -1,6 +1,5 @@
 #include "patterns/mapped_patterns.hpp"
 
-#include "patterns/pattern_index.hpp"
 #include "patterns/pattern_layer.hpp"
 
 namespace opal {
@@ -10,7 +9,7 @@ MappedPatterns patterns_of_layer(const MapView& map, const std::vector<Named<Pat
   MappedPatterns mapped;
   for (const MapFeatureNumber number : map.features())
     mapped.features.push_back({{map.feature(number).type, map.feature(number).geometry}, {number}});
-  for (const auto& each : templates) mapped.by_template.push_back(layer_instances(map, each.name, *each.part));
+  for (const auto& each : templates) mapped.by_template.emplace_back(layer_instances(map, each.name, *each.part));
   return mapped;
 }
 
@@ -18,7 +17,11 @@ MappedPatterns all_patterns(const MapView& map, const std::vector<Named<PatternT
   MappedPatterns mapped{mapped_features(map.map(), map.features()), {}};
   std::vector<Feature> features;
   for (const MappedFeature& feature : mapped.features) features.push_back(feature.feature);
-  for (const auto& each : templates) mapped.by_template.push_back(find_patterns(*each.part, features));
+  for (const auto& each : templates) {
+    PatternTable table;
+    each_pattern(*each.part, features, [&table](const PatternInstance& pattern) { table.add(pattern); });
+    mapped.by_template.emplace_back(std::move(table));
+  }
   return mapped;
 }
 

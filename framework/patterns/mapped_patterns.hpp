@@ -1,10 +1,10 @@
 #pragma once
 
 #include "map/view/support_lines.hpp"
+#include "patterns/pattern_index.hpp"
 
 #include <opal/common/named.hpp>
 #include <opal/map/view/map_view.hpp>
-#include <opal/patterns/pattern.hpp>
 #include <opal/patterns/pattern_template.hpp>
 
 #include <vector>
@@ -15,8 +15,8 @@ namespace opal {
 /// among its features and support lines.
 struct MappedPatterns {
   std::vector<MappedFeature> features;
-  /// For each template its instances; members are positions in `features`.
-  std::vector<std::vector<PatternInstance>> by_template;
+  /// For each template its patterns; members are positions in `features`.
+  std::vector<PatternIndex> by_template;
 };
 
 /// @throws MapError if the layer contradicts its templates.

@@ -39,15 +39,12 @@ struct PatternIndex::Tree {
   std::vector<float> values;    ///< dimensions per pattern, in tree order
   std::vector<Interval> boxes;  ///< dimensions per node
 
-  explicit Tree(std::span<const PatternInstance> patterns) {
-    if (patterns.empty()) return;
-    dimensions = patterns.front().invariants.size();
+  explicit Tree(PatternTable& patterns) {
+    if (patterns.size() == 0) return;
+    dimensions = patterns.dimensions();
     order.resize(patterns.size());
     std::iota(order.begin(), order.end(), 0);
-    std::vector<float> by_number;  // one array: following two pointers per comparison would take most of the time
-    by_number.reserve(patterns.size() * dimensions);
-    for (const PatternInstance& pattern : patterns)
-      for (const Invariant& invariant : pattern.invariants) by_number.push_back(static_cast<float>(invariant.value));
+    const std::vector<float> by_number = patterns.take_values();
     build(by_number, 0, 0, order.size());
     values.reserve(by_number.size());
     for (int number : order)
@@ -117,12 +114,12 @@ struct PatternIndex::Tree {
   }
 };
 
-PatternIndex::PatternIndex(std::vector<PatternInstance> patterns)
-    : patterns_(std::move(patterns)), tree_(std::make_unique<const Tree>(patterns_)) {}
+PatternIndex::PatternIndex(PatternTable patterns) : patterns_(std::move(patterns)) {
+  tree_ = std::make_unique<const Tree>(patterns_);
+  patterns_.shrink_to_fit();
+}
 PatternIndex::~PatternIndex() = default;
 PatternIndex::PatternIndex(PatternIndex&&) noexcept = default;
-
-std::span<const PatternInstance> PatternIndex::patterns() const { return patterns_; }
 
 namespace {
 

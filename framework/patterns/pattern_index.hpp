@@ -1,7 +1,10 @@
 #pragma once
 
+#include "patterns/pattern_table.hpp"
+
 #include <opal/patterns/pattern_template.hpp>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -13,15 +16,20 @@ namespace opal {
 OPAL_EXPORT std::vector<PatternInstance> find_patterns(const PatternTemplate& pattern_template,
                                                        std::span<const Feature> features);
 
+/// The same, one after the other: a map may have more than there is room for in memory.
+OPAL_EXPORT void each_pattern(const PatternTemplate& pattern_template, std::span<const Feature> features,
+                              const std::function<void(PatternInstance&&)>& visit);
+
 /// The patterns of a map by their invariants: answers "which mapped patterns look like this one" in O(log n + k).
 /// Immutable after construction; frame: that of the features (`map`).
 class OPAL_EXPORT PatternIndex {
  public:
-  explicit PatternIndex(std::vector<PatternInstance> patterns);
+  explicit PatternIndex(PatternTable patterns);
+  explicit PatternIndex(std::span<const PatternInstance> patterns) : PatternIndex(PatternTable(patterns)) {}
   ~PatternIndex();
   PatternIndex(PatternIndex&&) noexcept;
 
-  std::span<const PatternInstance> patterns() const;
+  const PatternTable& patterns() const { return patterns_; }
 
   /// How many mapped patterns the observed one may be, counted up to `limit`.
   std::size_t count(const PatternInstance& observed, std::size_t limit) const;
@@ -30,7 +38,7 @@ class OPAL_EXPORT PatternIndex {
 
  private:
   struct Tree;
-  std::vector<PatternInstance> patterns_;
+  PatternTable patterns_;
   std::unique_ptr<const Tree> tree_;
 };
 

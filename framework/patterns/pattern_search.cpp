@@ -50,17 +50,17 @@ double gap_m(const Geometry& a, const Geometry& b) {
 /// Fills the slots of a template one by one with features near all earlier ones.
 class Enumeration {
  public:
-  Enumeration(const PatternTemplate& pattern_template, std::span<const Feature> features)
-      : template_(pattern_template), shape_(pattern_template.shape()), features_(features) {
+  using Visit = std::function<void(PatternInstance&&)>;
+  Enumeration(const PatternTemplate& pattern_template, std::span<const Feature> features, const Visit& visit)
+      : template_(pattern_template), shape_(pattern_template.shape()), features_(features), visit_(visit) {
     std::vector<Entry> entries;
     for (std::size_t k = 0; k < features.size(); ++k)
       entries.emplace_back(std::visit(Corners{}, features[k].geometry), static_cast<int>(k));
     tree_ = decltype(tree_)(entries);
   }
 
-  std::vector<PatternInstance> run() {
+  void run() {
     for (std::size_t k = 0; k < features_.size() && !shape_.slots.empty(); ++k) fill(static_cast<int>(k));
-    return std::move(found_);
   }
 
  private:
@@ -99,23 +99,30 @@ class Enumeration {
     auto instance = template_.match(offered_);
     if (!instance) return;
     for (int& member : instance->members) member = chosen_[member];
-    found_.push_back(std::move(*instance));
+    visit_(std::move(*instance));
   }
 
   const PatternTemplate& template_;
   const PatternShape shape_;
   const double neighbour_m_ = shape_.neighbour_reach_m > 0 ? shape_.neighbour_reach_m : shape_.reach_m;
   std::span<const Feature> features_;
+  const Visit& visit_;
   bg::index::rtree<Entry, bg::index::quadratic<16>> tree_;
   std::vector<int> chosen_;
   std::vector<const Feature*> offered_;
-  std::vector<PatternInstance> found_;
 };
 
 }  // namespace
 
 std::vector<PatternInstance> find_patterns(const PatternTemplate& pattern_template, std::span<const Feature> features) {
-  return Enumeration(pattern_template, features).run();
+  std::vector<PatternInstance> found;
+  each_pattern(pattern_template, features, [&](PatternInstance&& pattern) { found.push_back(std::move(pattern)); });
+  return found;
+}
+
+void each_pattern(const PatternTemplate& pattern_template, std::span<const Feature> features,
+                  const std::function<void(PatternInstance&&)>& visit) {
+  Enumeration(pattern_template, features, visit).run();
 }
 
 }  // namespace opal

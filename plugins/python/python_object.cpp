@@ -25,6 +25,8 @@ struct GiveUp {
 
 }  // namespace
 
+std::shared_ptr<py::object> held(py::object object) { return {new py::object(std::move(object)), GiveUp()}; }
+
 std::string words_of(const py::error_already_set& error) {
   try {
     return host_module().attr("told")(error.value(), error.trace() ? error.trace() : py::none()).cast<std::string>();
@@ -40,7 +42,7 @@ PythonObject::PythonObject(const nlohmann::json& options, const char* method) {
   in_python([&] {
     const auto source = options.at("class").get<std::string>(), arguments = options.at("options").get<std::string>();
     const py::object made = host_module().attr("make")(source, arguments, method);
-    object_ = {new py::object(made), GiveUp()};
+    object_ = held(made);
     const auto names = [&](const char* attribute) {
       return py::getattr(made, attribute, py::tuple()).cast<std::vector<std::string>>();
     };

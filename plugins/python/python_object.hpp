@@ -8,6 +8,9 @@
 #include <memory>
 #include <string>
 
+/// An object of Python that may be held and given up without the lock.
+std::shared_ptr<pybind11::object> held(pybind11::object object);
+
 /// An object of a class of Python. It may be held and given up without the lock; all else needs it.
 class PythonObject {
  public:

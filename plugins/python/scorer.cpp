@@ -1,6 +1,7 @@
 #include "scorer.hpp"
 
 #include "interpreter.hpp"
+#include "memory.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -11,6 +12,7 @@ namespace {
 
 using Doubles = py::array_t<double>;
 using Hypotheses = std::span<const opal::Hypothesis* const>;
+using Memories = std::span<const opal::ScorerMemory* const>;
 
 Doubles table(std::size_t rows, std::size_t columns) {
   return Doubles({static_cast<py::ssize_t>(rows), static_cast<py::ssize_t>(columns)});
@@ -38,14 +40,18 @@ py::list associations_of(Hypotheses hypotheses) {
 }
 
 /// opal.plugin.Hypotheses of these.
-py::object hypotheses_for_python(Hypotheses hypotheses, const opal::Pose2& T_local_base, bool with_associations) {
+py::object hypotheses_for_python(Hypotheses hypotheses, Memories memories, const opal::Pose2& T_local_base,
+                                 bool with_associations) {
   Doubles poses = table(hypotheses.size(), 3), frames = table(hypotheses.size(), 3);
   double *pose = poses.mutable_data(), *frame = frames.mutable_data();
   for (const opal::Hypothesis* hypothesis : hypotheses) {
     pose = put(pose, hypothesis->T_map_local * T_local_base);
     frame = put(frame, hypothesis->T_map_local);
   }
-  return host_module().attr("Hypotheses")(poses, frames, with_associations ? associations_of(hypotheses) : py::list());
+  py::list states;
+  for (const opal::ScorerMemory* memory : memories) states.append(state_of(*memory));
+  return host_module().attr("Hypotheses")(poses, frames, with_associations ? associations_of(hypotheses) : py::list(),
+                                          states);
 }
 
 /// opal.plugin.Observation: scans after scans.
@@ -77,42 +83,80 @@ struct Answer {
   std::vector<double> nats;
   std::map<std::string, std::vector<double>> breakdown;
   std::vector<std::string> vetoes;
+  std::vector<std::shared_ptr<const opal::ScorerMemory>> seen;
 };
 
-Answer answer_of(const PythonObject& object, Hypotheses hypotheses, const opal::Observation& observation,
-                 const opal::MapView& map, bool with_associations) {
+std::vector<std::shared_ptr<const opal::ScorerMemory>> seen_in(const py::list& states) {
+  std::vector<std::shared_ptr<const opal::ScorerMemory>> seen;
+  for (const py::handle& state : states)
+    seen.push_back(std::make_shared<PythonMemory>(py::reinterpret_borrow<py::object>(state)));
+  return seen;
+}
+
+Answer answer_of(const PythonObject& object, Hypotheses hypotheses, Memories memories,
+                 const opal::Observation& observation, const opal::MapView& map, bool with_associations) {
   return in_python([&] {
     const py::object said = object.attribute("score")(
-        hypotheses_for_python(hypotheses, observation.local_map.T_local_base(), with_associations),
+        hypotheses_for_python(hypotheses, memories, observation.local_map.T_local_base(), with_associations),
         observation_for_python(observation), py::cast(&map, py::return_value_policy::reference));
     const py::tuple checked = host_module().attr("checked_scores")(object.get(), said, hypotheses.size());
     return Answer{checked[0].cast<std::vector<double>>(), checked[1].cast<std::map<std::string, std::vector<double>>>(),
-                  checked[2].cast<std::vector<std::string>>()};
+                  checked[2].cast<std::vector<std::string>>(), seen_in(checked[3])};
   });
+}
+
+std::vector<opal::Score> scores_of(Answer answer, std::size_t count) {
+  std::vector<opal::Score> scores(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    scores[k].log_likelihood = answer.nats[k];
+    if (!answer.vetoes.empty()) scores[k].veto = std::move(answer.vetoes[k]);
+    for (const auto& [name, values] : answer.breakdown) scores[k].breakdown.push_back({name, values[k]});
+    if (!answer.seen.empty()) scores[k].seen = std::move(answer.seen[k]);
+  }
+  return scores;
 }
 
 }  // namespace
 
 PythonScorer::PythonScorer(const nlohmann::json& options) : object_(options, "score") {
-  in_python(
-      [&] { judges_associations_ = py::bool_(py::getattr(object_.get(), "judges_associations", py::bool_(false))); });
+  in_python([&] {
+    judges_associations_ = py::bool_(py::getattr(object_.get(), "judges_associations", py::bool_(false)));
+    remembers_ = py::hasattr(object_.get(), "new_memory");
+    fades_ = py::hasattr(object_.get(), "fade");
+    if (remembers_ && !py::hasattr(object_.get(), "remember"))
+      refuse(object_.type_info().name + " has new_memory, but no method remember, expected both or none");
+  });
+}
+
+std::unique_ptr<opal::ScorerMemory> PythonScorer::new_memory(const opal::MapView& map) const {
+  if (!remembers_) return nullptr;
+  return in_python([&] {
+    return std::make_unique<PythonMemory>(
+        object_.attribute("new_memory")(py::cast(&map, py::return_value_policy::reference)));
+  });
 }
 
 std::vector<opal::Score> PythonScorer::score_all(Hypotheses hypotheses, const opal::Observation& observation,
                                                  const opal::MapView& map) const {
+  return score_all(hypotheses, {}, observation, map);
+}
+
+std::vector<opal::Score> PythonScorer::score_all(Hypotheses hypotheses, Memories memories,
+                                                 const opal::Observation& observation, const opal::MapView& map) const {
   if (hypotheses.empty()) return {};
-  Answer answer = answer_of(object_, hypotheses, observation, map, judges_associations_);
-  std::vector<opal::Score> scores(hypotheses.size());
-  for (std::size_t k = 0; k < scores.size(); ++k) {
-    scores[k].log_likelihood = answer.nats[k];
-    if (!answer.vetoes.empty()) scores[k].veto = std::move(answer.vetoes[k]);
-    for (const auto& [name, values] : answer.breakdown) scores[k].breakdown.push_back({name, values[k]});
-  }
-  return scores;
+  return scores_of(answer_of(object_, hypotheses, memories, observation, map, judges_associations_), hypotheses.size());
 }
 
 opal::Score PythonScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                const opal::MapView& map, const opal::ScorerMemory*) const {
+                                const opal::MapView& map, const opal::ScorerMemory* memory) const {
   const opal::Hypothesis* only = &hypothesis;
-  return score_all({&only, 1}, observation, map).front();
+  return score_all({&only, 1}, {&memory, memory != nullptr ? 1u : 0u}, observation, map).front();
+}
+
+void PythonScorer::remember(opal::ScorerMemory& memory, const opal::ScorerMemory& seen, double weight) const {
+  in_python([&] { change(memory, object_.attribute("remember")(state_of(memory), state_of(seen), weight)); });
+}
+
+void PythonScorer::fade(opal::ScorerMemory& memory, double weight) const {
+  if (fades_) in_python([&] { change(memory, object_.attribute("fade")(state_of(memory), weight)); });
 }

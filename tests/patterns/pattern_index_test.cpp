@@ -96,7 +96,7 @@ TEST_CASE("the pattern index finds exactly what a walk over all patterns finds")
 }
 
 TEST_CASE("an index of no patterns answers that there are none") {
-  const PatternIndex index({});
+  const PatternIndex index{PatternTable()};
   CHECK(index.find(with_invariants({{1.0, 0.1, Comparison::equal}})).empty());
   CHECK(index.count(with_invariants({{1.0, 0.1, Comparison::equal}}), 10) == 0);
 }

@@ -69,7 +69,7 @@ TEST_CASE("a pattern that was moved is found where it was moved to") {
   for (const Example& example : examples()) {
     CAPTURE(example.name);
     const PatternInstance here = only(example.name, example.features);
-    const PatternIndex index({here});
+    const PatternIndex index(std::vector{here});
     for (int k = 0; k < 20; ++k) {
       const Pose2 motion{place(random), place(random), angle(random)};
       const PatternInstance there = only(example.name, moved(motion, example.features));
@@ -106,7 +106,7 @@ TEST_CASE("noise within tolerance changes neither whether a pattern is found nor
   for (const Example& example : examples()) {
     CAPTURE(example.name);
     const PatternInstance mapped = only(example.name, example.features);
-    const PatternIndex index({mapped});
+    const PatternIndex index(std::vector{mapped});
     for (int k = 0; k < 200; ++k) {
       std::vector<Feature> seen = example.features;
       for (Feature& feature : seen) {
@@ -152,7 +152,7 @@ TEST_CASE("an L has its lower right end first, and its mirror image is another p
   CHECK_FALSE(l.symmetric);
   const PatternInstance mirrored = only("opal:LShape", {column(0, 0), column(0, 6.2), column(-7.4, 0)});
   CHECK(mirrored.invariants[0].value == Approx(6.2));
-  CHECK(PatternIndex({l}).find(mirrored).empty());
+  CHECK(PatternIndex(std::vector{l}).find(mirrored).empty());
 }
 
 TEST_CASE("three columns that are neither straight nor at a right angle are no pattern") {

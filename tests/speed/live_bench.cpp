@@ -1,5 +1,5 @@
 // What a live localizer costs: latency and CPU in real time, and memory over a day of driving.
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 #include "live/live_core.hpp"
 #include "tests/live/live_robot.hpp"
 

@@ -3,7 +3,7 @@
 #include <opal/plugin/plugin_registry.hpp>
 #include "patterns/pattern_index.hpp"
 
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -63,11 +63,11 @@ TEST_CASE("patterns of buildings of growing size", "[!benchmark]") {
   for (const int size : {1000, 10000, 100000, 1000000}) {
     const auto features = columns(size);
     const double start_s = thread_cpu_s();
-    auto patterns = find_patterns(*pair, features);
+    const auto patterns = find_patterns(*pair, features);
     const double found_s = thread_cpu_s();
-    const PatternIndex index(std::move(patterns));
+    const PatternIndex index(patterns);
     const double built_s = thread_cpu_s();
-    const auto queries = observed(index.patterns(), 2000);
+    const auto queries = observed(patterns, 2000);
     double matches = 0;
     for (const PatternInstance& query : queries) matches += static_cast<double>(index.find(query).size());
     const double find_us = mean_us(queries, [&](const PatternInstance& q) { return index.find(q).size(); });

@@ -1,6 +1,6 @@
 // What it costs to look at a map of growing size, mostly: which faces of it are one line. Rooms of 4 m with doorways
 // and walls 0.2 m thick, faces moved by up to 3 cm, as a drawing lies (0 rad) and turned by 0.5 rad.
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 #include "tests/patterns/columns.hpp"
 
 #include <catch2/catch.hpp>

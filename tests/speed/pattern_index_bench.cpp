@@ -16,7 +16,7 @@ PatternIndex random_index(int size) {
   std::vector<PatternInstance> patterns(size);
   for (PatternInstance& pattern : patterns)
     pattern.invariants = {{turn(random)}, {extent(random)}, {extent(random)}, {extent(random)}, {extent(random)}};
-  return PatternIndex(std::move(patterns));
+  return PatternIndex(patterns);
 }
 
 /// About five patterns whatever the size: the box shrinks as the map grows.

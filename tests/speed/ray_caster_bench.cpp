@@ -1,6 +1,6 @@
 // Rays per second on one core in synthetic buildings of 2,000 and 5,000 segments, 720 beams, 30 m.
-#include "common/cpu_clock.hpp"
 #include "common/random.hpp"
+#include "common/stage_clock.hpp"
 #include "simulation/ray_caster.hpp"
 
 #include <catch2/catch.hpp>

@@ -3,7 +3,7 @@
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "benchmark/runs/run_record.hpp"
 
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 
 namespace {
 

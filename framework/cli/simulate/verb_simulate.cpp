@@ -13,7 +13,7 @@
 
 #include <opal/common/error.hpp>
 #include <opal/sensing/replay.hpp>
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 #include "drawing/drawing.hpp"
 #include "evaluation/ground_truth.hpp"
 

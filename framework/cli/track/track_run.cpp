@@ -2,7 +2,7 @@
 
 #include "benchmark/runs/quantile.hpp"
 
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 
 #include <algorithm>
 

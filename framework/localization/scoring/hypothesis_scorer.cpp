@@ -4,6 +4,7 @@
 namespace opal {
 
 BatchScorer::~BatchScorer() = default;
+RememberingBatchScorer::~RememberingBatchScorer() = default;
 HypothesisScorer::~HypothesisScorer() = default;
 
 std::unique_ptr<ScorerMemory> HypothesisScorer::new_memory(const MapView&) const { return nullptr; }

@@ -12,15 +12,21 @@ ScorerEnsemble::ScorerEnsemble(std::vector<ActiveScorer> scorers, std::shared_pt
   for (std::size_t k = 0; k < scorers_.size(); ++k)
     usable_.push_back(failures_.guard(scorers_[k].name, [&] { memories[k] = scorers_[k].part->new_memory(*map_); }));
   new_memories_ = ScorerMemories(std::move(memories));
-  for (const ActiveScorer& scorer : scorers_) batches_.push_back(dynamic_cast<const BatchScorer*>(scorer.part.get()));
+  for (std::size_t k = 0; k < scorers_.size(); ++k) {
+    const HypothesisScorer* scorer = scorers_[k].part.get();
+    const bool remembers = new_memories_.of(k) != nullptr;
+    batches_.push_back(remembers ? nullptr : dynamic_cast<const BatchScorer*>(scorer));
+    remembering_.push_back(remembers ? dynamic_cast<const RememberingBatchScorer*>(scorer) : nullptr);
+  }
 }
 
 Score ScorerEnsemble::ask(std::size_t number, const Hypothesis& hypothesis, const Observation& observation) const {
   if (!usable_[number]) return {};
   const ActiveScorer& scorer = scorers_[number];
-  const ScorerMemories& memories = hypothesis.memories.empty() ? new_memories_ : hypothesis.memories;
   Score score;
-  const auto call = [&] { score = scorer.part->score(hypothesis, observation, *map_, memories.of(number)); };
+  const auto call = [&] {
+    score = scorer.part->score(hypothesis, observation, *map_, memories_of(hypothesis).of(number));
+  };
   if (!failures_.guard(scorer.name, call)) return {};
   expect_finite(score, scorer.name);
   return score;
@@ -32,15 +38,23 @@ void ScorerEnsemble::expect_finite(Score& score, const std::string& name) const 
   score = {};
 }
 
+std::vector<Score> ScorerEnsemble::ask_in_one_call(std::size_t number, Hypotheses hypotheses,
+                                                   const Observation& observation) const {
+  if (batches_[number] != nullptr) return batches_[number]->score_all(hypotheses, observation, *map_);
+  std::vector<const ScorerMemory*> memories;
+  for (const Hypothesis* hypothesis : hypotheses) memories.push_back(memories_of(*hypothesis).of(number));
+  return remembering_[number]->score_all(hypotheses, memories, observation, *map_);
+}
+
 std::vector<Score> ScorerEnsemble::ask_all(std::size_t number, Hypotheses hypotheses,
                                            const Observation& observation) const {
   std::vector<Score> scores;
-  if (batches_[number] == nullptr) {
+  if (!takes_many(number)) {
     for (const Hypothesis* hypothesis : hypotheses) scores.push_back(ask(number, *hypothesis, observation));
     return scores;
   }
   const std::string& name = scorers_[number].name;
-  const auto call = [&] { scores = batches_[number]->score_all(hypotheses, observation, *map_); };
+  const auto call = [&] { scores = ask_in_one_call(number, hypotheses, observation); };
   if (!usable_[number] || hypotheses.empty() || !failures_.guard(name, call))
     return std::vector<Score>(hypotheses.size());
   if (scores.size() != hypotheses.size()) {
@@ -80,7 +94,7 @@ std::vector<double> ScorerEnsemble::decide_all(Hypotheses hypotheses, const Obse
   for (std::size_t k = 0; k < scorers_.size(); ++k) {
     const double weight = scorers_[k].weight;
     if (!scorers_[k].decides) continue;
-    if (batches_[k] != nullptr) {
+    if (takes_many(k)) {
       const std::vector<Score> scores = ask_all(k, hypotheses, observation);
       for (std::size_t i = 0; i < nats.size(); ++i) nats[i] += weight * scores[i].log_likelihood;
     } else {  // what a scorer adds to its memory is dropped at once: there may be many

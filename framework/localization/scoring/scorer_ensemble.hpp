@@ -55,6 +55,12 @@ class OPAL_EXPORT ScorerEnsemble {
 
  private:
   Score ask(std::size_t scorer, const Hypothesis& hypothesis, const Observation& observation) const;
+  /// Whether one call of the scorer judges many.
+  bool takes_many(std::size_t scorer) const { return batches_[scorer] || remembering_[scorer]; }
+  std::vector<Score> ask_in_one_call(std::size_t scorer, Hypotheses hypotheses, const Observation& observation) const;
+  const ScorerMemories& memories_of(const Hypothesis& hypothesis) const {
+    return hypothesis.memories.empty() ? new_memories_ : hypothesis.memories;
+  }
   std::vector<Score> ask_all(std::size_t scorer, Hypotheses hypotheses, const Observation& observation) const;
   /// A score that is no number counts as a failure, and says nothing.
   void expect_finite(Score& score, const std::string& name) const;
@@ -63,9 +69,11 @@ class OPAL_EXPORT ScorerEnsemble {
   std::vector<ActiveScorer> scorers_;
   std::shared_ptr<const MapView> map_;
   PluginFailures& failures_;
-  std::vector<const BatchScorer*> batches_;  ///< by scorer; null: it is asked about one after the other
-  std::vector<bool> usable_;                 ///< by scorer: it made the memory that it wants, or wants none
-  ScorerMemories new_memories_;              ///< of a hypothesis that has met nothing yet
+  /// By scorer, with or without a memory; both null: it is asked about one after the other.
+  std::vector<const BatchScorer*> batches_;
+  std::vector<const RememberingBatchScorer*> remembering_;
+  std::vector<bool> usable_;     ///< by scorer: it made the memory that it wants, or wants none
+  ScorerMemories new_memories_;  ///< of a hypothesis that has met nothing yet
 };
 
 }  // namespace opal

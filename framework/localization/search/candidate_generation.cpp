@@ -18,12 +18,6 @@ constexpr double kSweepStep_m = 0.2;
 
 bool is_under_constrained(const PatternInstance& instance) { return instance.extent_max_m > instance.extent_min_m; }
 
-/// Fetches what a search is about to ask of a mapped pattern: in a large map, it is far away.
-void prefetch(const PatternInstance& mapped) {
-  __builtin_prefetch(&mapped.frame);
-  __builtin_prefetch(&mapped.extent_max_m);
-}
-
 /// How much of a building a feature fixes; orders features of one kind.
 double weight_of(const Feature& feature) {
   if (const auto* segment = std::get_if<Segment>(&feature.geometry))
@@ -58,7 +52,7 @@ CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map,
   MappedPatterns mapped = mapped_patterns(*map_, templates);
   mapped_ = std::move(mapped.features);
   for (std::size_t k = 0; k < templates.size(); ++k)
-    tables_.push_back({templates[k].name, templates[k].part, PatternIndex(std::move(mapped.by_template[k]))});
+    tables_.push_back({templates[k].name, templates[k].part, std::move(mapped.by_template[k])});
 }
 
 /// Observed patterns of one template that the map knows: well supported ones; of those, the ones that the index expects
@@ -135,15 +129,16 @@ void CandidateGenerator::keep_nearest(std::vector<Place>& places, std::size_t mo
   places.resize(most);
 }
 
-void CandidateGenerator::sweep(const PatternInstance& observed, const PatternInstance& mapped, const Point& position,
-                               std::vector<Point>& positions) const {
+void CandidateGenerator::sweep(const PatternInstance& observed, const PatternTable& table, int mapped,
+                               const Point& position, std::vector<Point>& positions) const {
   if (!is_under_constrained(observed)) {
     positions.push_back(position);
     return;
   }
-  const double from = mapped.extent_min_m - observed.extent_min_m - observed.overhang_m;
-  const double to = mapped.extent_max_m - observed.extent_max_m + observed.overhang_m;
-  const Point along = unit_vector(mapped.frame.heading_rad());
+  const auto [begins_m, ends_m] = table.extent_m(mapped);
+  const double from = begins_m - observed.extent_min_m - observed.overhang_m;
+  const double to = ends_m - observed.extent_max_m + observed.overhang_m;
+  const Point along = unit_vector(table.frame(mapped).heading_rad());
   for (double u = std::min(from + kSweepStep_m, (from + to) / 2); u <= to + 1e-9; u += 3 * kSweepStep_m)
     positions.push_back(position + u * along);
 }
@@ -169,13 +164,13 @@ void CandidateGenerator::look_up(const Lookup& lookup, int number, const Telling
   const std::vector<int> found = index.find(lookup.observed);
   for (std::size_t f = 0; f < found.size(); ++f) {
     const int k = found[f];
-    const PatternInstance& mapped = index.patterns()[k];
-    if (f + kAhead < found.size()) prefetch(index.patterns()[found[f + kAhead]]);
+    const Pose2& frame = index.patterns().frame(k);
+    if (f + kAhead < found.size()) index.patterns().prefetch(found[f + kAhead]);
     for (const Way& way : ways) {
-      const double heading_rad = wrap_angle(mapped.frame.heading_rad() + way.T_frame_base.heading_rad());
-      const TellingPoints::First on_map = turned(way.points, mapped.frame);
+      const double heading_rad = wrap_angle(frame.heading_rad() + way.T_frame_base.heading_rad());
+      const TellingPoints::First on_map = turned(way.points, frame);
       positions.clear();
-      sweep(lookup.observed, mapped, mapped.frame * way.T_frame_base.position(), positions);
+      sweep(lookup.observed, index.patterns(), k, frame * way.T_frame_base.position(), positions);
       for (const Point& position : positions) {
         if (!is_in_region(position)) continue;
         const float likelihood_field = coarse_likelihood_field(on_map, *map_, position, filter.bar());
@@ -197,8 +192,8 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const
                                                                            const std::vector<Lookup>& lookups) const {
   std::vector<Place> all;
   for (const Place& place : places) {
-    const PatternInstance& mapped = table(lookups[place.lookup]).index.patterns()[place.mapped];
-    const Point step = kSweepStep_m * unit_vector(mapped.frame.heading_rad());
+    const Pose2& frame = table(lookups[place.lookup]).index.patterns().frame(place.mapped);
+    const Point step = kSweepStep_m * unit_vector(frame.heading_rad());
     for (int steps = -1; steps <= 1; ++steps) {
       all.push_back(place);
       all.back().position += steps * step;
@@ -230,11 +225,11 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std:
 
 std::vector<Association> CandidateGenerator::pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
                                                      std::span<const SearchFeature> features) const {
-  const PatternInstance& pattern = table(lookup).index.patterns()[mapped];
+  const std::span<const int> members = table(lookup).index.patterns().members(mapped);
   std::vector<Association> pairs;
   for (std::size_t slot = 0; slot < lookup.observed.members.size(); ++slot) {
     const SearchFeature& observed = features[lookup.observed.members[slot]];
-    const std::vector<MapFeatureNumber>& numbers = mapped_[pattern.members[slot]].numbers;
+    const std::vector<MapFeatureNumber>& numbers = mapped_[members[slot]].numbers;
     const Point place = T_map_base * anchor_of(observed.feature.geometry);
     const auto nearer_one = [&](MapFeatureNumber a, MapFeatureNumber b) {
       return distance_m(map_->feature(a).geometry, place) < distance_m(map_->feature(b).geometry, place);

@@ -85,7 +85,7 @@ class OPAL_EXPORT CandidateGenerator {
   void look_up(const Lookup& lookup, int number, const TellingPoints& points, BestShare& filter,
                std::vector<Place>& places) const;
   bool is_in_region(const Point& position) const;
-  void sweep(const PatternInstance& observed, const PatternInstance& mapped, const Point& position,
+  void sweep(const PatternInstance& observed, const PatternTable& table, int mapped, const Point& position,
              std::vector<Point>& positions) const;
   /// Likelihood-field score by all points. @param points  of each lookup.
   void look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points, double slack_m) const;

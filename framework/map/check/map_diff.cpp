@@ -1,7 +1,8 @@
 #include "map/check/map_diff.hpp"
 
 #include "common/phrases.hpp"
-#include "map/map_notes.hpp"
+#include "map/document/map_notes.hpp"
+#include "map/document/storeys_document.hpp"
 #include "map/semantic_map_storeys.hpp"
 
 #include <fmt/format.h>

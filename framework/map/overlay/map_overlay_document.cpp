@@ -1,9 +1,9 @@
 // From overlay documents to MapOverlay.
 #include "map/overlay/map_overlay.hpp"
 
+#include "map/document/semantic_map_document.hpp"
+#include "map/document/semantic_map_graph.hpp"
 #include "map/map_vocabulary.hpp"
-#include "map/semantic_map_document.hpp"
-#include "map/semantic_map_graph.hpp"
 
 #include <opal/common/error.hpp>
 

@@ -1,7 +1,7 @@
 // What overlays add to a map.
+#include "map/document/semantic_map_reader.hpp"
 #include "map/map_vocabulary.hpp"
 #include "map/overlay/overlay_draft.hpp"
-#include "map/semantic_map_reader.hpp"
 
 #include <opal/common/error.hpp>
 

@@ -36,6 +36,40 @@ class BatchOfIds final : public HypothesisScorer, public BatchScorer {
   double first_;
 };
 
+struct Number final : ScorerMemory {
+  explicit Number(double number) : value(number) {}
+  std::unique_ptr<ScorerMemory> copy() const override { return std::make_unique<Number>(*this); }
+  double value;
+};
+
+/// Says what it remembers of each hypothesis, in one call. Every scan adds the id of the hypothesis.
+class BatchOfMemories final : public HypothesisScorer, public BatchScorer, public RememberingBatchScorer {
+ public:
+  std::unique_ptr<ScorerMemory> new_memory(const MapView&) const override { return std::make_unique<Number>(10); }
+  Score score(const Hypothesis& hypothesis, const Observation&, const MapView&,
+              const ScorerMemory* memory) const override {
+    const double value = static_cast<const Number&>(*memory).value;
+    return {value, {}, {}, std::make_shared<Number>(hypothesis.id.number())};
+  }
+  std::vector<Score> score_all(std::span<const Hypothesis* const>, const Observation&, const MapView&) const override {
+    FAIL("a scorer that remembers was asked without memories");
+    return {};
+  }
+  std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses,
+                               std::span<const ScorerMemory* const> memories, const Observation& seen,
+                               const MapView& map) const override {
+    ++calls;
+    std::vector<Score> scores;
+    for (std::size_t k = 0; k < hypotheses.size(); ++k) scores.push_back(score(*hypotheses[k], seen, map, memories[k]));
+    return scores;
+  }
+  void remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const override {
+    static_cast<Number&>(memory).value += weight * static_cast<const Number&>(seen).value;
+  }
+
+  mutable int calls = 0;
+};
+
 /// Three hypotheses with the ids 0, 1 and 2, and an observation.
 struct Three {
   Three() : all(3, robot.truth()) {
@@ -100,4 +134,16 @@ TEST_CASE("of a batch only the score that is not finite is left out") {
                       {{"ids", std::make_shared<BatchOfIds>(0, std::numeric_limits<double>::infinity()), true, 1}});
   CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{0, 1, 2});
   CHECK(judges.failures.counts().at("ids") == 1);
+}
+
+TEST_CASE("a scorer that remembers is asked once, with the memory of each hypothesis") {
+  Three three;
+  const auto batch = std::make_shared<BatchOfMemories>();
+  const Judges judges(three.map, {always("a", 2), {"remembers", batch, true, 1}});
+  CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{12, 12, 12});
+  const auto verdicts = judges.ensemble.judge_all(three.pointers, three.seen);
+  CHECK(batch->calls == 2);
+  for (std::size_t k = 0; k < 3; ++k) judges.ensemble.remember(three.all[k], verdicts[k].scores, 0.5);
+  CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{12, 12.5, 13});
+  CHECK(judges.ensemble.judge(three.all[2], three.seen).nat == 13);
 }

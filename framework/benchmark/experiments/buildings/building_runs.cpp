@@ -3,7 +3,7 @@
 #include "benchmark/experiments/kit/order_statistics.hpp"
 #include "benchmark/experiments/kit/thesis_robot.hpp"
 
-#include "common/cpu_clock.hpp"
+#include "common/stage_clock.hpp"
 #include "map/map_file.hpp"
 
 #include "simulation/drives/recording.hpp"

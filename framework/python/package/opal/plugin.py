@@ -1,8 +1,9 @@
 """Plugins that are classes of Python: what they are given, and how the plugin `python` finds and checks them.
 
-A scorer has `score(self, hypotheses, observation, map)`, a detector `detect(self, scan)` and `produces`, a pattern template
-`match(self, features)`, `slots`, `reach_m` and `consumes`. Arguments of the class are its options. docs/python.md has
-examples; opal.examples has one class of each kind.
+A scorer has `score(self, hypotheses, observation, map)`. One that remembers also has `new_memory(self, map)`,
+`remember(self, memory, seen, weight)` and perhaps `fade(self, memory, weight)`. A detector has `detect(self, scan)` and
+`produces`, a pattern template `match(self, features)`, `slots`, `reach_m` and `consumes`. Arguments of the class are its
+options. docs/python.md has examples; opal.examples has one class of each kind.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ class Hypotheses:
     poses: Doubles  #: of the robot in the map, now; shape (H, 3): x, y [m], heading [rad]
     T_map_local: Doubles  #: where the local map lies in the map; shape (H, 3)
     associations: List[Ints]  #: (local feature, feature of the map or -1) of each; empty unless judges_associations
+    memories: List[Any]  #: what the scorer remembers of each, to be read only; empty unless it has new_memory
 
     def __len__(self) -> int:
         return len(self.poses)
@@ -121,15 +123,22 @@ def _numbers(given: Any, count: int, what: str) -> List[float]:
     return numbers.tolist()  # type: ignore[no-any-return]
 
 
-def checked_scores(scorer: Any, said: Any, count: int) -> Tuple[List[float], Dict[str, List[float]], List[str]]:
-    """What `score` may return: scores [nat]; or with them a dict of what explains them; or with both a list of vetoes."""
+Scores = Tuple[List[float], Dict[str, List[float]], List[str], List[Any]]
+
+
+def checked_scores(scorer: Any, said: Any, count: int) -> Scores:
+    """What `score` may return: scores [nat]; or a tuple of them, a dict of what explains them, a list of vetoes, and a list
+    of what each hypothesis has seen. The tuple may end earlier."""
     name = f"{type(scorer).__name__}.score"
-    nats, breakdown, vetoes = (*said, {}, [])[:3] if isinstance(said, tuple) else (said, {}, [])
+    parts = said if isinstance(said, tuple) else (said,)
+    nats, breakdown, vetoes, seen = (*parts, *({}, [], [])[len(parts) - 1:])[:4]
     scores = _numbers(nats, count, name)
     terms = {str(key): _numbers(values, count, f"{name}: {key}") for key, values in breakdown.items()}
     if vetoes and len(vetoes) != count:
         raise ValueError(f"{name}: {len(vetoes)} vetoes, expected {count}, empty where there is none")
-    return scores, terms or {"score": scores}, [str(veto or "") for veto in vetoes]
+    if seen is not None and len(seen) not in (0, count):
+        raise ValueError(f"{name}: {len(seen)} things seen, expected {count}: one per hypothesis")
+    return scores, terms or {"score": scores}, [str(veto or "") for veto in vetoes], list(seen or [])
 
 
 def checked_features(detector: Any, found: Any) -> List[Feature]:

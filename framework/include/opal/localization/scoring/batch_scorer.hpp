@@ -22,4 +22,17 @@ class OPAL_EXPORT BatchScorer {
                                        const MapView& map) const = 0;
 };
 
+/// The same for a scorer that remembers. A scorer may implement both; which is asked depends on whether new_memory
+/// gave it a memory.
+class OPAL_EXPORT RememberingBatchScorer {
+ public:
+  virtual ~RememberingBatchScorer();
+
+  /// What HypothesisScorer::score gives for each of them with its memory.
+  /// @param memories  of the hypotheses, in the same order; none of them null, and the same one may come several times.
+  virtual std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses,
+                                       std::span<const ScorerMemory* const> memories, const Observation& observation,
+                                       const MapView& map) const = 0;
+};
+
 }  // namespace opal

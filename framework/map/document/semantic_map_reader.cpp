@@ -1,10 +1,10 @@
-#include "map/semantic_map_reader.hpp"
+#include "map/document/semantic_map_reader.hpp"
 
 #include "jsonld/context/iri.hpp"
-#include "map/map_notes.hpp"
+#include "map/document/map_notes.hpp"
+#include "map/document/semantic_map_unused.hpp"
+#include "map/document/storeys_document.hpp"
 #include "map/map_vocabulary.hpp"
-#include "map/semantic_map_storeys.hpp"
-#include "map/semantic_map_unused.hpp"
 
 #include <opal/common/error.hpp>
 

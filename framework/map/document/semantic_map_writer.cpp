@@ -1,9 +1,9 @@
 #include <opal/map/semantic_map.hpp>
 
-#include "map/map_notes.hpp"
+#include "map/document/map_notes.hpp"
+#include "map/document/storeys_document.hpp"
 #include "map/map_vocabulary.hpp"
 #include "map/semantic_map_draft.hpp"
-#include "map/semantic_map_storeys.hpp"
 
 #include <set>
 #include <unordered_set>

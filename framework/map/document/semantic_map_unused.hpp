@@ -1,6 +1,6 @@
 #pragma once
 
-#include "map/semantic_map_graph.hpp"
+#include "map/document/semantic_map_graph.hpp"
 
 #include <cstdint>
 #include <string>
@@ -51,8 +51,5 @@ nlohmann::json unused_part(const GraphNode& node, const NodeUse& use);
 /// @param names  names given to blank nodes.
 nlohmann::json unused_parts(const Graph& graph, const NodeUses& uses,
                             const std::unordered_map<std::string, std::string>& names);
-
-/// Adds nodes to such parts; what is said of one node stands in one place, and once.
-void add_unused(nlohmann::json& unused, const nlohmann::json& more);
 
 }  // namespace opal

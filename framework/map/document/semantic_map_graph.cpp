@@ -1,4 +1,4 @@
-#include "map/semantic_map_graph.hpp"
+#include "map/document/semantic_map_graph.hpp"
 
 #include "map/map_vocabulary.hpp"
 

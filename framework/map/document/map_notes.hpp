@@ -1,6 +1,6 @@
 #pragma once
 
-#include "map/semantic_map_graph.hpp"
+#include "map/document/semantic_map_graph.hpp"
 
 #include <opal/map/semantic_map.hpp>
 

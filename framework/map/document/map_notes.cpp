@@ -1,4 +1,4 @@
-#include "map/map_notes.hpp"
+#include "map/document/map_notes.hpp"
 
 #include "map/map_vocabulary.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "map/document/semantic_map_graph.hpp"
 #include "map/semantic_map_draft.hpp"
-#include "map/semantic_map_graph.hpp"
 
 namespace opal {
 

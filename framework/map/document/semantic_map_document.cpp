@@ -1,8 +1,10 @@
-#include "map/semantic_map_document.hpp"
+#include "map/document/semantic_map_document.hpp"
 
+#include "common/json_elements.hpp"
 #include "jsonld/context/iri.hpp"
+#include "map/document/plain_document.hpp"
+#include "map/document/semantic_map_reader.hpp"
 #include "map/map_vocabulary.hpp"
-#include "map/semantic_map_reader.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
@@ -112,13 +114,53 @@ std::shared_ptr<const SemanticMap> SemanticMap::from_document(const nlohmann::js
   }
 }
 
+namespace {
+
+/// A plain document takes three bytes of memory for one of text, any other takes twenty.
+constexpr JsonLimits kPlainLimits{.bytes = std::size_t{1} << 30};
+
+std::string read_text(const std::string& path) {
+  try {
+    return read_json_text(path, kPlainLimits);
+  } catch (const JsonError& error) {
+    throw MapError(error.what());
+  }
+}
+
+std::optional<MapDraft> plain_draft(const std::string& text, const MapSource& source) {
+  const auto read_rest = [&](const nlohmann::json& rest) { return draft_of(rest, source, false); };
+  std::optional<MapDraft> draft = read_plain_document(text, source.name, read_rest, kPlainLimits);
+  if (!draft && text.size() > JsonLimits().bytes && text.size() <= kPlainLimits.bytes)
+    throw MapError(source.name + ": " + std::to_string(text.size()) + " bytes, expected at most " +
+                   std::to_string(JsonLimits().bytes) +
+                   " of a document with a fault, a pattern layer, or words that "
+                   "`opal map` does not write");
+  return draft;
+}
+
+/// @param whole  reads the document by the general reader.
+template <class Finish, class Whole>
+std::shared_ptr<const SemanticMap> plain_or_whole(std::optional<MapDraft> plain, Finish finish, Whole whole) {
+  if (plain) try {
+      return finish(std::move(*plain));
+    } catch (const MapError&) {  // which place it is, the general reader knows
+    }
+  return whole();
+}
+
+}  // namespace
+
 std::shared_ptr<const SemanticMap> SemanticMap::read(const std::string& path) {
   const MapSource source{path, std::filesystem::path(path).stem().string()};
-  return from_document(read_document(path), source);
+  const std::string text = read_text(path);
+  return plain_or_whole(plain_draft(text, source), finish,
+                        [&] { return from_document(parse_document(text, path), source); });
 }
 
 std::shared_ptr<const SemanticMap> SemanticMap::parse(const std::string& text, const std::string& name) {
-  return from_document(parse_document(text, name), {name, name});
+  const MapSource source{name, name};
+  return plain_or_whole(plain_draft(text, source), finish,
+                        [&] { return from_document(parse_document(text, name), source); });
 }
 
 }  // namespace opal

@@ -1,4 +1,4 @@
-#include "map/semantic_map_unused.hpp"
+#include "map/document/semantic_map_unused.hpp"
 
 #include "map/map_vocabulary.hpp"
 
@@ -140,25 +140,6 @@ std::vector<std::string> NodeUse::properties() const {
     return false;
   });
   return all;
-}
-
-void add_unused(json& unused, const json& more) {
-  for (const json& node : more) {
-    const auto known =
-        std::find_if(unused.begin(), unused.end(), [&](const json& one) { return one["@id"] == node["@id"]; });
-    if (known == unused.end()) {
-      unused.push_back(node);
-      continue;
-    }
-    for (const auto& [key, values] : node.items()) {
-      json& said = (*known)[key];
-      if (!said.is_array()) said = values;
-      for (const json& value : values.is_array() ? values : json::array())
-        if (std::find(said.begin(), said.end(), value) == said.end()) said.push_back(value);
-      if (said.is_array()) std::sort(said.begin(), said.end());
-    }
-  }
-  std::sort(unused.begin(), unused.end(), [](const json& a, const json& b) { return a["@id"] < b["@id"]; });
 }
 
 json unused_part(const GraphNode& node, const NodeUse& use) {
