@@ -30,7 +30,8 @@ class OPAL_EXPORT RememberingBatchScorer {
 
   /// What HypothesisScorer::score gives for each of them with its memory.
   /// @param hypotheses   none of them null; may be empty.
-  /// @param memories     of the hypotheses, in the same order; none of them null, and the same one may come several times.
+  /// @param memories     of the hypotheses, in the same order; none of them null, and the same one may come several
+  /// times.
   /// @param observation  what the robot sees now.
   /// @param map          the map that the hypotheses refer to.
   /// @return as many scores, in the same order.
