@@ -19,15 +19,19 @@ check_version() {
   return 1
 }
 
+# Files have the date of the changelog, whenever they came onto this machine.
+date_of_sources=$(sed -n '/^ -- /{s/.*>  //p;q}' "$root/docs/packaging/debian/changelog")
+
 # The tree as Debian's tools want it: debian/ at the root of the sources. Files that git does not know stay behind.
 lay_out() {  # FOLDER
   rm -rf "$1"
   mkdir -p "$1"
   if git -C "$root" rev-parse --git-dir >/dev/null 2>&1; then
     git -C "$root" ls-files -z --cached --others --exclude-standard -- "${sources[@]}" |
-      tar -C "$root" --null --verbatim-files-from --files-from=- -c | tar -C "$1" -x
+      tar -C "$root" --null --verbatim-files-from --files-from=- --mtime="$date_of_sources" -c | tar -C "$1" -x
   else
-    tar -C "$root" --exclude=node_modules --exclude=__pycache__ -c "${sources[@]}" | tar -C "$1" -x
+    tar -C "$root" --exclude=node_modules --exclude=__pycache__ --mtime="$date_of_sources" -c "${sources[@]}" |
+      tar -C "$1" -x
   fi
   cp -r "$1/docs/packaging/debian" "$1/debian"
 }

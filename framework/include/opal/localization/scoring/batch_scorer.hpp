@@ -29,7 +29,12 @@ class OPAL_EXPORT RememberingBatchScorer {
   virtual ~RememberingBatchScorer();
 
   /// What HypothesisScorer::score gives for each of them with its memory.
-  /// @param memories  of the hypotheses, in the same order; none of them null, and the same one may come several times.
+  /// @param hypotheses   none of them null; may be empty.
+  /// @param memories     of the hypotheses, in the same order; none of them null, and the same one may come several
+  /// times.
+  /// @param observation  what the robot sees now.
+  /// @param map          the map that the hypotheses refer to.
+  /// @return as many scores, in the same order.
   virtual std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses,
                                        std::span<const ScorerMemory* const> memories, const Observation& observation,
                                        const MapView& map) const = 0;
