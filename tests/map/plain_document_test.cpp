@@ -118,6 +118,13 @@ TEST_CASE("whatever is changed in a plain document, both readers say the same") 
   }
 }
 
+TEST_CASE("what is said of a sensor that perceives something is said of the same sensor to both readers") {
+  json document = small_map();
+  document["@graph"][2] = {{"@id", "lidar"}, {"thickness_m", 0.1}};
+  CHECK_THAT(outcome(document.dump()), Catch::Contains("thickness_m, which means nothing there"));
+  CHECK(outcome(document.dump()) == outcome(for_general_reader(document).dump()));
+}
+
 TEST_CASE("the order of the nodes is the same to both readers") {
   json document = small_map();
   std::reverse(document["@graph"].begin(), document["@graph"].end());

@@ -275,7 +275,7 @@ bool PlainObjects::defines_any(const std::unordered_set<std::string>& ids) const
     return std::any_of(ids.begin(), ids.end(), [&names](const std::string& id) { return names.contains(id); });
   };
   return std::any_of(objects_.begin(), objects_.end(), is_meant) || any_of(geometries_) || any_of(points_) ||
-         any_of(representations_) || any_of(sensors_);
+         any_of(representations_) || any_of(sensors_) || any_of(perceiving_sensors_);
 }
 
 bool PlainObjects::sensors_are_used() const {

