@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 class StrictBuilder : public nlohmann::json_sax<Json> {
  public:
   StrictBuilder(const std::string& text, const std::string& name, const JsonLimits& limits,
-                const JsonElements* elements = nullptr)
+                const JsonElements* elements)
       : text_(text), name_(name), limits_(limits), elements_(elements) {}
 
   Json take() { return std::move(document_); }
@@ -143,23 +143,25 @@ void require_plausible_text(const std::string& text, const std::string& name, co
     throw JsonError(name + ": byte " + std::to_string(nul + 1) + ": a NUL byte, expected JSON text");
 }
 
+/// @param elements  null: nobody takes any.
+Json parsed(const std::string& text, const std::string& name, const JsonLimits& limits, const JsonElements* elements) {
+  require_plausible_text(text, name, limits);
+  StrictBuilder builder(text, name, limits, elements);
+  Json::sax_parse(text, &builder);
+  return builder.take();
+}
+
 }  // namespace
 
 JsonError::~JsonError() = default;
 
 Json parse_json(const std::string& text, const std::string& name, const JsonLimits& limits) {
-  require_plausible_text(text, name, limits);
-  StrictBuilder builder(text, name, limits);
-  Json::sax_parse(text, &builder);
-  return builder.take();
+  return parsed(text, name, limits, nullptr);
 }
 
 Json parse_json_elements(const std::string& text, const std::string& name, const JsonElements& elements,
                          const JsonLimits& limits) {
-  require_plausible_text(text, name, limits);
-  StrictBuilder builder(text, name, limits, &elements);
-  Json::sax_parse(text, &builder);
-  return builder.take();
+  return parsed(text, name, limits, &elements);
 }
 
 Json read_json(const std::string& path, const JsonLimits& limits) {

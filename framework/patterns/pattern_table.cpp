@@ -23,7 +23,6 @@ void PatternTable::shrink_to_fit() {
   frames_.shrink_to_fit();
   members_.shrink_to_fit();
   extents_m_.shrink_to_fit();
-  values_.shrink_to_fit();
 }
 
 }  // namespace opal

@@ -17,10 +17,11 @@ namespace opal {
 
 namespace {
 
-template <class Parse>
-nlohmann::json parsed(Parse parse) {
+/// What a function reads; its complaints are those of a map.
+template <class Read>
+auto of_a_map(Read read) {
   try {
-    return parse();
+    return read();
   } catch (const JsonError& error) {
     throw MapError(error.what());
   }
@@ -29,11 +30,11 @@ nlohmann::json parsed(Parse parse) {
 }  // namespace
 
 nlohmann::json read_document(const std::string& path) {
-  return parsed([&] { return read_json(path); });
+  return of_a_map([&] { return read_json(path); });
 }
 
 nlohmann::json parse_document(const std::string& text, const std::string& name) {
-  return parsed([&] { return parse_json(text, name); });
+  return of_a_map([&] { return parse_json(text, name); });
 }
 
 /// What to call a document in messages, and its map if it has no name of its own.
@@ -119,14 +120,6 @@ namespace {
 /// A plain document takes three bytes of memory for one of text, any other takes twenty.
 constexpr JsonLimits kPlainLimits{.bytes = std::size_t{1} << 30};
 
-std::string read_text(const std::string& path) {
-  try {
-    return read_json_text(path, kPlainLimits);
-  } catch (const JsonError& error) {
-    throw MapError(error.what());
-  }
-}
-
 std::optional<MapDraft> plain_draft(const std::string& text, const MapSource& source) {
   const auto read_rest = [&](const nlohmann::json& rest) { return draft_of(rest, source, false); };
   std::optional<MapDraft> draft = read_plain_document(text, source.name, read_rest, kPlainLimits);
@@ -138,29 +131,27 @@ std::optional<MapDraft> plain_draft(const std::string& text, const MapSource& so
   return draft;
 }
 
-/// @param whole  reads the document by the general reader.
-template <class Finish, class Whole>
-std::shared_ptr<const SemanticMap> plain_or_whole(std::optional<MapDraft> plain, Finish finish, Whole whole) {
-  if (plain) try {
+/// @param finish   makes a map of a draft.
+/// @param general  makes one of a document, by the general reader.
+template <class Finish, class General>
+std::shared_ptr<const SemanticMap> map_of(const std::string& text, const MapSource& source, Finish finish,
+                                          General general) {
+  if (std::optional<MapDraft> plain = plain_draft(text, source)) try {
       return finish(std::move(*plain));
     } catch (const MapError&) {  // which place it is, the general reader knows
     }
-  return whole();
+  return general(parse_document(text, source.name), source);
 }
 
 }  // namespace
 
 std::shared_ptr<const SemanticMap> SemanticMap::read(const std::string& path) {
-  const MapSource source{path, std::filesystem::path(path).stem().string()};
-  const std::string text = read_text(path);
-  return plain_or_whole(plain_draft(text, source), finish,
-                        [&] { return from_document(parse_document(text, path), source); });
+  const std::string text = of_a_map([&] { return read_json_text(path, kPlainLimits); });
+  return map_of(text, {path, std::filesystem::path(path).stem().string()}, finish, from_document);
 }
 
 std::shared_ptr<const SemanticMap> SemanticMap::parse(const std::string& text, const std::string& name) {
-  const MapSource source{name, name};
-  return plain_or_whole(plain_draft(text, source), finish,
-                        [&] { return from_document(parse_document(text, name), source); });
+  return map_of(text, {name, name}, finish, from_document);
 }
 
 }  // namespace opal

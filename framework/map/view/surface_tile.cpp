@@ -33,6 +33,12 @@ struct AxisRange {
   double low, high;
 };
 
+/// Of what is within the cap of a circle.
+AxisRange range_about(double center_m, const Circle& circle) {
+  const double extent_m = circle.radius_m + SurfaceTile::kCap_m;
+  return {center_m - extent_m, center_m + extent_m};
+}
+
 AxisRange x_near(const Segment& segment, const Point& direction, const Part& part) {
   const double a = segment.begin.x() + part.from * direction.x(), b = segment.begin.x() + part.to * direction.x();
   return {std::min(a, b) - SurfaceTile::kCap_m, std::max(a, b) + SurfaceTile::kCap_m};
@@ -42,8 +48,7 @@ AxisRange y_near(const Geometry& shape) {
   if (const auto* s = std::get_if<Segment>(&shape))
     return {std::min(s->begin.y(), s->end.y()) - SurfaceTile::kCap_m,
             std::max(s->begin.y(), s->end.y()) + SurfaceTile::kCap_m};
-  if (const auto* c = std::get_if<Circle>(&shape))
-    return {c->center.y() - c->radius_m - SurfaceTile::kCap_m, c->center.y() + c->radius_m + SurfaceTile::kCap_m};
+  if (const auto* c = std::get_if<Circle>(&shape)) return range_about(c->center.y(), *c);
   return {1, 0};
 }
 
@@ -72,10 +77,7 @@ TileSpan tile_rows_near(const Geometry& shape, const Point& grid_corner) {
 }
 
 TileSpan tile_columns_near(const Geometry& shape, const Point& grid_corner, int row) {
-  if (const auto* c = std::get_if<Circle>(&shape)) {
-    const double extent_m = c->radius_m + SurfaceTile::kCap_m;
-    return tiles_of({c->center.x() - extent_m, c->center.x() + extent_m}, grid_corner.x());
-  }
+  if (const auto* c = std::get_if<Circle>(&shape)) return tiles_of(range_about(c->center.x(), *c), grid_corner.x());
   const auto* s = std::get_if<Segment>(&shape);
   if (s == nullptr) return {};
   const double y_low = grid_corner.y() + row * kTile_m;
@@ -129,10 +131,8 @@ void SurfaceTile::paint(MapFeatureNumber number, const Segment& segment) {
 }
 
 void SurfaceTile::paint(MapFeatureNumber number, const Circle& circle) {
-  const double extent_m = circle.radius_m + kCap_m;
   const CellSpan rows = cells_of(y_near(circle), grid_corner_.y(), j_low_);
-  const CellSpan columns =
-      cells_of({circle.center.x() - extent_m, circle.center.x() + extent_m}, grid_corner_.x(), i_low_);
+  const CellSpan columns = cells_of(range_about(circle.center.x(), circle), grid_corner_.x(), i_low_);
   for (int j = rows.first; j <= rows.last; ++j)
     for (int i = columns.first; i <= columns.last; ++i) {
       const double distance = std::abs((center_of(i, j) - circle.center).norm() - circle.radius_m);
