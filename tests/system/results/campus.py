@@ -42,11 +42,8 @@ def row_of(bench, copies):
     folder = pathlib.Path(bench.out) / "campus" / str(copies)
     folder.mkdir(parents=True, exist_ok=True)
     cpu_s, peak_mb = read_cost(bench, folder, copies)
-    if not (bench.reuse and (folder / "done").exists()):
-        run(bench.opal, "bench", *[bench.folder / site for site in bench.sites], "--join", "--copies", copies, "-o", folder)
-        (folder / "done").touch()
-    verdicts = [verdict for site in bench.sites for verdict in judge.judge_site(bench.folder / site, folder / f"{site}.csv")]
-    return {"read CPU s": cpu_s, "read MB": peak_mb, **costs(bench, folder)}, judge.totals(verdicts)
+    bench.run_bench(folder, [bench.folder / site for site in bench.sites], ["--join", "--copies", copies])
+    return {"read CPU s": cpu_s, "read MB": peak_mb, **costs(bench, folder)}, judge.totals(bench.verdicts_in(folder))
 
 
 def campus_table(bench, cells_of):

@@ -40,8 +40,7 @@ STAGES = {"detect": "detect", "local_map": "local map", "track": "track", "assoc
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
 DRIVEN = ("drives", "drives-models", "faults", "redrawn", "furnished", "campus")  # tables that make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
-MAP_SEEDS = range(1, 21)
-CUT_SEEDS = range(1, 5)
+MAP_SEEDS, CUT_SEEDS = range(1, 21), range(1, 5)
 KIDNAPPING_OPTION, KIDNAPPING_FILE = "--kidnap", "kidnappings.csv"
 
 
@@ -71,12 +70,11 @@ class Bench:
         self.jobs = options.jobs
         wanted = options.sites or SITES
         self.sites = [site for site in wanted if (self.folder / f"{site}.queries.json").exists()]
-        for site in wanted:
-            if site not in self.sites:
-                print(f"{site}: no {self.folder / site}.queries.json, skipped", file=sys.stderr)
+        for site in (site for site in wanted if site not in self.sites):
+            print(f"{site}: no {self.folder / site}.queries.json, skipped", file=sys.stderr)
         self.complete = self.sites == SITES  # sums over fewer sites stand in no table
 
-    def _run(self, folder, prefixes, arguments):
+    def run_bench(self, folder, prefixes, arguments):
         done = folder / "done"
         if self.reuse and done.exists():
             return
@@ -98,10 +96,10 @@ class Bench:
 
     def run_site(self, kind, seed, site):
         arguments = [KIDNAPPING_OPTION, str(seed)] if kind == "kidnapping" else [*KINDS[kind][1], "--seed", str(seed)]
-        self._run(self.site_folder(kind, seed, site), [self.folder / site], arguments)
+        self.run_bench(self.site_folder(kind, seed, site), [self.folder / site], arguments)
 
     def run_joined(self, kind):
-        self._run(self.joined_folder(kind), [self.folder / site for site in self.sites], ["--join", *JOINED[kind][1]])
+        self.run_bench(self.joined_folder(kind), [self.folder / site for site in self.sites], ["--join", *JOINED[kind][1]])
 
     def verdicts(self, kind, seed, site):
         return judge.judge_site(self.folder / site, self.site_folder(kind, seed, site) / "results.csv")
@@ -119,7 +117,9 @@ class Bench:
         return furnished.drives(self, label, which)
 
     def joined_verdicts(self, kind):
-        folder = self.joined_folder(kind)
+        return self.verdicts_in(self.joined_folder(kind))
+
+    def verdicts_in(self, folder):
         return [verdict for site in self.sites for verdict in judge.judge_site(self.folder / site, folder / f"{site}.csv")]
 
     def joined_summary(self, kind, site):
