@@ -5,6 +5,7 @@
 #include "benchmark/runs/quantile.hpp"
 #include "session/session.hpp"
 
+#include "benchmark/ab/records/program_files.hpp"
 #include "benchmark/ab/records/sha256.hpp"
 
 #include <opal/common/error.hpp>
@@ -23,16 +24,6 @@
 namespace {
 
 namespace ab = opal::ab;
-
-/// Every plugin once, by name.
-nlohmann::ordered_json files_of(const opal::PluginRegistry& registry) {
-  std::map<std::string, opal::RegisteredType> plugins;
-  for (const opal::RegisteredType& type : registry.types()) plugins.emplace(type.plugin, type);
-  auto files = nlohmann::ordered_json::array();
-  for (const auto& [name, type] : plugins)
-    files.push_back({{"name", name}, {"version", type.version}, {"sha256", ab::sha256_of_file(type.file)}});
-  return files;
-}
 
 /// An arm that observes runs beside what the baseline decides by.
 std::vector<std::string> folders_of(const ab::Arm& arm, const ab::Experiment& experiment) {
@@ -88,7 +79,7 @@ std::vector<ArmPlugins> load_arm_plugins(const ab::Experiment& experiment) {
     ArmPlugins& plugins = by_folders[folders];
     if (!plugins.registry) {
       plugins.registry = std::make_shared<const opal::PluginRegistry>(load_plugins(folders));
-      plugins.files = files_of(*plugins.registry);
+      plugins.files = ab::plugin_files(*plugins.registry);
     }
     opal::check_parts(arm.deployment, *plugins.registry);
     all.push_back(plugins);

@@ -1,5 +1,6 @@
 #include "cli/experiment/experiment_buildings.hpp"
 #include "cli/experiment/experiment_faults.hpp"
+#include "cli/experiment/experiment_integrity.hpp"
 #include "cli/experiment/experiment_storeys.hpp"
 #include "cli/experiment/experiments.hpp"
 #include "cli/options/verbs.hpp"
@@ -64,5 +65,6 @@ void opal::add_experiment_verb(CLI::App& app, int& exit_code) {
   add_thesis(*experiments, "thesis4", "the 12 closed-loop runs of table 4.1", exit_code);
   add_experiment_buildings(*experiments, exit_code);
   add_experiment_faults(*experiments, exit_code);
+  add_experiment_integrity(*experiments, exit_code);
   add_experiment_storeys(*experiments, exit_code);
 }

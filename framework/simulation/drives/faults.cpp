@@ -128,4 +128,9 @@ std::vector<Arrival> with_fault(std::vector<Arrival> arrivals, Fault fault, cons
   return faulty;
 }
 
+double true_stamp_s(Fault fault, const FaultWindow& window, double said_s, double now_s) {
+  const bool is_back = fault == Fault::clock_back && now_s >= window.from_s && said_s < now_s - kBack_s / 2;
+  return said_s + (is_back ? kBack_s : 0);
+}
+
 }  // namespace opal::simulation

@@ -49,4 +49,7 @@ std::vector<Arrival> arrivals_of(const std::vector<LogRecord>& records, double s
 std::vector<Arrival> with_fault(std::vector<Arrival> arrivals, Fault fault, const FaultWindow& window,
                                 const std::string& laser, Random random);
 
+/// By the clock that never jumps, a stamp that was told at `now_s` in a drive with a fault.
+double true_stamp_s(Fault fault, const FaultWindow& window, double said_s, double now_s);
+
 }  // namespace opal::simulation

@@ -1,5 +1,6 @@
 #include "simulation/drives/recording.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <limits>
@@ -171,6 +172,20 @@ Recording record_along(Simulation& simulation, std::span<const StampedPose> T_ma
       {query_name(1), recording.scans.front().scan.stamp_s, recording.scans.back().scan.stamp_s});
   recording.distances_m.push_back(driven_m);
   return recording;
+}
+
+Pose2 truth_at(const Recording& recording, double stamp_s) {
+  constexpr double kCarried_m = 1;  // no robot drives so far from scan to scan
+  const auto& scans = recording.scans;
+  const auto after = std::lower_bound(scans.begin(), scans.end(), stamp_s,
+                                      [](const auto& scan, double stamp) { return scan.scan.stamp_s < stamp; });
+  if (after == scans.begin()) return scans.front().T_map_base;
+  const auto& before = *std::prev(after);
+  if (after == scans.end()) return before.T_map_base;
+  if (distance_m(before.T_map_base, after->T_map_base) > kCarried_m)
+    return stamp_s < after->scan.stamp_s ? before.T_map_base : after->T_map_base;
+  const double share = (stamp_s - before.scan.stamp_s) / (after->scan.stamp_s - before.scan.stamp_s);
+  return interpolated(before.T_map_base, after->T_map_base, share);
 }
 
 }  // namespace opal::simulation

@@ -64,6 +64,10 @@ Recording record_way(Simulation& simulation, const std::vector<Point>& places, d
 /// @param T_map_laser  poses of the laser by increasing stamp.
 Recording record_along(Simulation& simulation, std::span<const StampedPose> T_map_laser);
 
+/// Where the robot was; linear between two scans, unless it was kidnapped between them. Before the first scan and
+/// after the last one, as at that scan.
+Pose2 truth_at(const Recording& recording, double stamp_s);
+
 /// What a robot would have written down, in this order: a scan after its last beam.
 std::vector<LogRecord> records_of(const Recording& recording);
 

@@ -3,31 +3,14 @@
 #include "benchmark/experiments/kit/order_statistics.hpp"
 #include "benchmark/statistics/cluster_bootstrap.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace opal::experiments {
-namespace {
-
-/// Variance of the share as the spread between buildings tells it, over that of independent trials; at
-/// least 1.
-double design_effect(std::span<const Tally> buildings, double share, double whole) {
-  const double independent = share * (1 - share) / whole;
-  if (buildings.size() < 2 || independent <= 0) return 1;
-  double squares = 0;
-  for (const Tally& building : buildings) squares += std::pow(building.part - share * building.whole, 2);
-  const double m = static_cast<double>(buildings.size());
-  return std::max(1.0, m / (m - 1) * squares / (whole * whole) / independent);
-}
-
-}  // namespace
 
 BuildingShare share_over(std::span<const Tally> buildings) {
   double part = 0, whole = 0;
   for (const Tally& building : buildings) part += building.part, whole += building.whole;
   if (whole <= 0) return {};
   const double share = part / whole;
-  return {share, wilson_interval(share, whole / design_effect(buildings, share, whole))};
+  return {share, wilson_interval(share, whole / statistics::design_effect(buildings))};
 }
 
 BuildingMedian median_over(std::span<const std::vector<double>> buildings) {

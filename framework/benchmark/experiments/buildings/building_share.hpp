@@ -1,5 +1,6 @@
 #pragma once
 
+#include "benchmark/statistics/share_bound.hpp"
 #include "evaluation/calibration.hpp"
 
 #include <span>
@@ -8,9 +9,7 @@
 namespace opal::experiments {
 
 /// How many of how many in one building: runs in the same building are not independent.
-struct Tally {
-  double part = 0, whole = 0;
-};
+using Tally = statistics::ClusterCount;
 
 /// Share of all over several buildings, with its 95 % interval.
 struct BuildingShare {

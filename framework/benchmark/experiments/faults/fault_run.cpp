@@ -15,7 +15,7 @@ using simulation::Arrival;
 using simulation::Fault;
 
 constexpr std::array kKinds{"office", "hall", "corridor", "warehouse"};
-constexpr double kSize_m2 = 800, kScanEvery_s = 0.1, kClockBack_s = 10;
+constexpr double kSize_m2 = 800, kScanEvery_s = 0.1;
 
 std::shared_ptr<const SemanticMap> building_of(std::uint64_t seed, const std::string& kind) {
   return simulation::generate_building({kind, seed, kSize_m2, 0.2}).map;
@@ -38,18 +38,6 @@ simulation::Recording recorded(const Deployment& deployment, std::shared_ptr<con
   return simulation::record_route(simulation, places, options.duration_s, drive, random.branch());
 }
 
-/// Where the robot was; linear between scans.
-Pose2 truth_at(const simulation::Recording& recording, double stamp_s) {
-  const auto& scans = recording.scans;
-  const auto after = std::lower_bound(scans.begin(), scans.end(), stamp_s,
-                                      [](const auto& scan, double stamp) { return scan.scan.stamp_s < stamp; });
-  if (after == scans.begin()) return scans.front().T_map_base;
-  if (after == scans.end()) return scans.back().T_map_base;
-  const auto& before = *std::prev(after);
-  const double share = (stamp_s - before.scan.stamp_s) / (after->scan.stamp_s - before.scan.stamp_s);
-  return interpolated(before.T_map_base, after->T_map_base, share);
-}
-
 Deployment as_described(Deployment deployment, const Trouble& trouble) {
   if (trouble.is_laser_turned)
     for (LaserModel& laser : deployment.lasers) laser.T_base_laser = laser.T_base_laser * Pose2(0, 0, std::numbers::pi);
@@ -65,14 +53,14 @@ class Watch {
   void see(const LiveAnswer& answer, double now_s) {
     ++run_.answers;
     run_.worst_latency_s = std::max(run_.worst_latency_s, answer.latency_s);
-    const bool is_back = trouble_.fault == Fault::clock_back && now_s >= options_.fault_from_s;
-    const double true_s = answer.stamp_s + (is_back && answer.stamp_s < now_s - kClockBack_s / 2 ? kClockBack_s : 0);
+    const double end_s = options_.fault_from_s + trouble_.duration_s;
+    const double true_s =
+        simulation::true_stamp_s(trouble_.fault, {options_.fault_from_s, end_s}, answer.stamp_s, now_s);
     const bool says_localized = answer.estimate.status == Status::localized;
     const bool is_right = says_localized && !trouble_.is_other_map && is_near(answer.estimate, true_s);
     if (says_localized && !is_right) run_.wrong_s += std::clamp(true_s - before_s_, 0.0, 1.0);
     before_s_ = true_s;
     if (now_s < options_.fault_from_s) run_.localized_before = is_right;
-    const double end_s = options_.fault_from_s + trouble_.duration_s;
     if (now_s >= end_s && is_right && !run_.recovered_after_s) run_.recovered_after_s = now_s - end_s;
   }
   void hear(const std::vector<HealthFinding>& health) {
@@ -82,7 +70,7 @@ class Watch {
 
  private:
   bool is_near(const PoseEstimate& estimate, double stamp_s) const {
-    return kRightPose.holds(estimate.T_map_base, truth_at(recording_, stamp_s));
+    return kRightPose.holds(estimate.T_map_base, simulation::truth_at(recording_, stamp_s));
   }
 
   const simulation::Recording& recording_;
