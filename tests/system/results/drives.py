@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import faults
+import integrity
 
 KINDS = ("office", "hall", "warehouse", "corridor")
 SEEDS = (1, 2, 3)  # of the buildings
@@ -51,8 +52,10 @@ class Drives:
 
         self.options = options
 
-    def faults_table(self):
-        return faults.faults_table(self.options)
+    def makers(self):
+        """Of tables, by name."""
+        return {"drives": self.buildings_table, "drives-models": self.models_table,
+                "faults": lambda: faults.faults_table(self.options), "integrity": lambda: integrity.integrity_table(self.options)}
 
     def _opal(self, *words):
         return subprocess.run([str(self.opal), *map(str, words)], capture_output=True, text=True, check=False)

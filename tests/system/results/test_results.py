@@ -12,6 +12,7 @@ import unittest.mock
 import campus
 import drives
 import faults
+import integrity
 import judge
 import make_results
 import tables
@@ -280,10 +281,13 @@ class Page(unittest.TestCase):
         runs = [{"reached": True, "driven_m": 2.0, "localized_after_m": 1.0, "collisions": [], "why": None}]
         cells = drives.drive_cells(runs)
         fault_rows = [{"localized_before": "1", "recovered_after_s": "2.5", "wrong_s": "0", "named": "1"}]
-        driven = types.SimpleNamespace(
-            buildings_table=lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
-            models_table=lambda: {"Duplex, Level 1": cells},
-            faults_table=lambda: {"doubled": faults.cells_of(fault_rows)})
+        stratum = {"aspect": "map", "value": "redrawn", "drives": 3, "false_drives": 1, "false_share_95": [0, 0.7], "localized_drives": 2,
+                   "localized_after_m": {"median": 4.5, "95 %": None}}
+        driven = types.SimpleNamespace(makers=lambda: {
+            "drives": lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
+            "drives-models": lambda: {"Duplex, Level 1": cells},
+            "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
+            "integrity": lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)}})
         row = (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict]))
         self.enterContext(unittest.mock.patch("campus.row_of", return_value=row))
         for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -58,6 +59,11 @@ std::size_t localized_drives(const Stratum& stratum) {
 std::string per_thousand(double share) { return fmt::format("{:.1f}", 1000 * share); }
 
 std::string value_text(const std::optional<double>& value) { return value ? fmt::format("{:.2f}", *value) : ""; }
+
+nlohmann::json quantile_json(const Stratum& stratum, double share) {
+  const double after_m = quantile_of(stratum.drives, &IntegrityRun::localized_after_m, share);
+  return std::isfinite(after_m) ? nlohmann::json(after_m) : nlohmann::json();
+}
 
 /// How bad a drive was, for sorting.
 double badness(const JudgedDrive& drive) {
@@ -168,12 +174,14 @@ nlohmann::ordered_json summary_json(const CampaignRequest& request, const std::v
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const Stratum& stratum : strata) {
     const statistics::Interval share = stratum.false_share();
-    rows.push_back({{"aspect", stratum.aspect},
-                    {"value", stratum.value},
-                    {"drives", stratum.drives.size()},
-                    {"false_drives", stratum.false_drives()},
-                    {"false_share_95", {share.low, share.high}},
-                    {"localized_drives", localized_drives(stratum)}});
+    rows.push_back(
+        {{"aspect", stratum.aspect},
+         {"value", stratum.value},
+         {"drives", stratum.drives.size()},
+         {"false_drives", stratum.false_drives()},
+         {"false_share_95", {share.low, share.high}},
+         {"localized_drives", localized_drives(stratum)},
+         {"localized_after_m", {{"median", quantile_json(stratum, 0.5)}, {"95 %", quantile_json(stratum, 0.95)}}}});
   }
   return {{"campaign", to_json(request)}, {"sentence", bound_sentence(strata.front())}, {"strata", std::move(rows)}};
 }

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Which small changes of the localization library its tests notice.
+
+Draws mutants of the sources of some rooms, builds the library with all of them in a copy of the tree, and runs the tests with one
+after the other. A mutant is noticed if a test fails, crashes or does not end. What nobody can notice is in explained.txt.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
+sys.path.insert(0, str(ROOT / "tests/system/structure"))
+
+import tidy_units  # noqa: E402
+from source_tree import files_below  # noqa: E402
+
+import mutants as finder  # noqa: E402
+
+ROOMS = ("sensing", "patterns", "local_map", "sensor_health", "localization", "live")
+# What is quick comes first: most mutants do not get further.
+PROGRAMS = ("localization", "patterns", "sensing", "scorers", "scan_matching", "local_map", "detectors", "deployment", "sensor_health",
+            "replay", "live_core")
+FOLDERS = ("framework", "plugins", "patterns", "maps", "configs", "tests", "docs")
+EXPLAINED = HERE / "explained.txt"
+
+
+def all_mutants(build, rooms, jobs):
+    options = tidy_units.commands(build)
+    paths = [path for room in rooms for path in files_below(ROOT, f"framework/{room}") if path.suffix == ".cpp" and path in options]
+    with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
+        return sum(pool.map(finder.mutants_of, paths, (options[path] for path in paths)), [])
+
+
+def explained(path=EXPLAINED):
+    """Mutants that change nothing: {(file, what it was, what it becomes): why}."""
+    table = {}
+    for line in path.read_text().splitlines():
+        if line and not line.startswith("#"):
+            file, was, becomes, why = (part.strip() for part in line.split("|"))
+            table[file, was, becomes] = why
+    return table
+
+
+def key_of(mutant):
+    """As explained.txt writes it: on one line, without the bars of `||`."""
+    one_line = lambda text: " ".join(text.split()).replace("|", "/")
+    return str(mutant.file.relative_to(ROOT)), one_line(mutant.was), one_line(mutant.becomes) or "left out"
+
+
+def copy_tree(tree):
+    """The sources, as they are. What has not changed since the last copy keeps its time, so that it is not built again."""
+    for folder in FOLDERS:
+        subprocess.run(["cp", "-a", "--update", str(ROOT / folder), str(tree)], check=True)
+    for name in ("CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md", "LICENSE"):
+        shutil.copy2(ROOT / name, tree / name)
+
+
+def write_mutants(tree, chosen):
+    by_file = collections.defaultdict(dict)
+    for number, mutant in enumerate(chosen, 1):
+        by_file[mutant.file][number] = mutant
+    for file, mutants in by_file.items():
+        (tree / file.relative_to(ROOT)).write_bytes(finder.mutated(file.read_bytes(), mutants))
+
+
+def build(tree, jobs):
+    environment = {**os.environ, "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1", "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
+    targets = [f"{name}_tests" for name in PROGRAMS]
+    for command in (["cmake", "--preset", "release"], ["cmake", "--build", "--preset", "release", "--parallel", str(jobs), "--target", *targets]):
+        done = subprocess.run(command, cwd=tree, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        if done.returncode != 0:
+            raise SystemExit(done.stdout[-8000:])
+    return tree / "build/release/bin"
+
+
+def passes(program, number, limit_s):
+    try:
+        done = subprocess.run([str(program), "--abort"], cwd=program.parent, env={**os.environ, "OPAL_MUTANT": str(number)},
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=limit_s, check=False)
+    except subprocess.TimeoutExpired:
+        return False
+    return done.returncode == 0
+
+
+def limits(programs):
+    """Without a mutant all must pass. @return for each how long it may take [s]."""
+    allowed = {}
+    for program in programs:
+        start = time.monotonic()
+        if not passes(program, 0, 600):
+            raise SystemExit(f"{program.name} fails without any mutant")
+        allowed[program] = 20 + 10 * (time.monotonic() - start)
+    return allowed
+
+
+def noticed_by(number, allowed):
+    """The first program whose tests fail; None: no test does."""
+    for program, limit_s in allowed.items():
+        if not passes(program, number, limit_s):
+            return program.name.removesuffix("_tests")
+    return None
+
+
+def room_of(mutant):
+    return mutant.file.relative_to(ROOT / "framework").parts[0]
+
+
+def summary(chosen, noticed, why):
+    """Counts by room, and what nobody noticed."""
+    rooms, missed = {}, []
+    for mutant, by in zip(chosen, noticed):
+        row = rooms.setdefault(room_of(mutant), {"mutants": 0, "noticed": 0, "explained": 0})
+        row["mutants"] += 1
+        row["noticed"] += by is not None
+        row["explained"] += by is None and key_of(mutant) in why
+        if by is None and key_of(mutant) not in why:
+            file, was, becomes = key_of(mutant)
+            missed.append({"file": file, "line": mutant.line, "was": was, "becomes": becomes})
+    return {"rooms": rooms, "missed": missed}
+
+
+def tell(result):
+    print(f"{'room':16}{'mutants':>9}{'noticed':>9}{'explained':>11}{'noticed %':>11}")
+    total = collections.Counter()
+    for room, row in result["rooms"].items():
+        total.update(row)
+    for room, row in [*result["rooms"].items(), ("all", total)]:
+        share = 100 * row["noticed"] / max(1, row["mutants"] - row["explained"])
+        print(f"{room:16}{row['mutants']:9}{row['noticed']:9}{row['explained']:11}{share:11.1f}")
+    for mutant in result["missed"]:
+        print(f"not noticed: {mutant['file']}:{mutant['line']}: {mutant['was']}  ->  {mutant['becomes']}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path, help="folder of a configured build, for its options")
+    parser.add_argument("-o", "--out", type=pathlib.Path, default=pathlib.Path("out/mutants"), help="folder for summary.json")
+    parser.add_argument("--tree", type=pathlib.Path, default=pathlib.Path("build/mutants"), help="folder for the copy with all mutants")
+    parser.add_argument("--mutants", type=int, default=300, help="how many are drawn")
+    parser.add_argument("--seed", type=int, default=1, help="of the draw")
+    parser.add_argument("--rooms", nargs="+", default=ROOMS, help="folders of framework/")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+    found = all_mutants(options.build, options.rooms, options.jobs)
+    random.Random(options.seed).shuffle(found)
+    chosen = finder.without_overlap(found, options.mutants)
+    print(f"{len(chosen)} of {len(found)} mutants are drawn", flush=True)
+    tree = options.tree.resolve()
+    tree.mkdir(parents=True, exist_ok=True)
+    copy_tree(tree)
+    write_mutants(tree, chosen)
+    folder = build(tree, options.jobs)
+    allowed = limits([folder / f"{name}_tests" for name in PROGRAMS])
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        noticed = list(pool.map(lambda number: noticed_by(number, allowed), range(1, len(chosen) + 1)))
+    result = summary(chosen, noticed, explained())
+    options.out.mkdir(parents=True, exist_ok=True)
+    (options.out / "summary.json").write_text(json.dumps(result, indent=1) + "\n")
+    tell(result)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,37 @@
+"""Drives that a seed draws, and how many of them call a wrong pose localized: `opal experiment integrity`, by stratum."""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+DRIVES = 1000
+
+
+def label_of(stratum):
+    return f"{stratum['aspect']}: {stratum['value']}" if stratum["value"] else "all drives"
+
+
+def length(value_m):
+    """A drive that never was localized counts as the longest way."""
+    return "never" if value_m is None else f"{value_m:.1f}"
+
+
+def cells_of(stratum):
+    after = stratum["localized_after_m"]
+    return {"drives": str(stratum["drives"]), "false": str(stratum["false_drives"]),
+            "of 1,000, at most": f"{1000 * stratum['false_share_95'][1]:.1f}",
+            "localized %": f"{100 * stratum['localized_drives'] / stratum['drives']:.1f}",
+            "median m until localized": length(after["median"]), "95 % within m": length(after["95 %"])}
+
+
+def integrity_table(options):
+    folder = pathlib.Path(options.out) / "integrity"
+    summary = folder / "summary.json"
+    if not (options.reuse and summary.exists()):
+        done = subprocess.run([str(options.opal.resolve()), "experiment", "integrity", "-o", str(folder), "--drives", str(DRIVES),
+                               "--jobs", str(options.jobs)], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise SystemExit(f"opal experiment integrity: {done.stderr.strip()}")
+        print("integrity: done", file=sys.stderr, flush=True)
+    return {label_of(stratum): cells_of(stratum) for stratum in json.loads(summary.read_text())["strata"]}
