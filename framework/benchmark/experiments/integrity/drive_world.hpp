@@ -29,7 +29,7 @@ struct DriveWorld {
 /// @throws MapError if a robot has no floor there, or nothing is left of the map.
 DriveWorld world_of(const DrawnDrive& drive, const CampaignRobots& robots, const std::filesystem::path& scratch);
 
-/// The map of a building that another team draws of one drive through it.
+/// The map of a building that another team draws, which goes into every room.
 std::shared_ptr<const SemanticMap> redrawn_map(const std::shared_ptr<const SemanticMap>& building,
                                                const DrawnDrive& drive, const CampaignRobots& robots,
                                                const std::filesystem::path& scratch);

@@ -9,30 +9,56 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 namespace opal::experiments {
 namespace {
 
-constexpr double kMappingDrive_s = 300, kLearningDrive_s = 150, kEveryScan_s = 0.5;
+constexpr double kLearningDrive_s = 150;
 constexpr int kLearningDrives = 3;
 
-/// A drive before the one that is judged, by day: people, what stands about.
-DrawnDrive earlier_drive(const DrawnDrive& drive, std::uint64_t number, double duration_s) {
+/// A drive before the one that is judged: what stands about was elsewhere then.
+DrawnDrive earlier_drive(const DrawnDrive& drive, std::uint64_t number) {
   DrawnDrive earlier = drive;
   earlier.is_kidnapped = false;
   earlier.fault = simulation::Fault::none;
   earlier.has_two_lasers = false;
-  earlier.duration_s = duration_s;
+  earlier.duration_s = kLearningDrive_s;
   earlier.seed = drive.seed + 1'000'003 * number;
   return earlier;
 }
 
-std::vector<PlacedScan> placed_scans(const simulation::Recording& recording) {
+/// Places all over the floor, each near the one before: who maps a building goes into every room.
+std::vector<Point> tour(const simulation::Floor& floor) {
+  constexpr double kApart_m = 1.5;
+  std::map<std::pair<long, long>, Point> open;  // one place of each square
+  for (const auto& cell : floor.cells()) {
+    const Point at = floor.center_of(cell);
+    open.emplace(std::pair(std::lround(at.x() / kApart_m), std::lround(at.y() / kApart_m)), at);
+  }
+  std::vector<Point> places;
+  while (!open.empty()) {
+    const Point last = places.empty() ? open.begin()->second : places.back();
+    const auto next = std::min_element(open.begin(), open.end(), [&](const auto& a, const auto& b) {
+      return (a.second - last).squaredNorm() < (b.second - last).squaredNorm();
+    });
+    places.push_back(next->second);
+    open.erase(next);
+  }
+  return places;
+}
+
+/// Scans along a tour, each taken towards the next place.
+std::vector<PlacedScan> placed_scans(simulation::Simulation& simulation) {
+  const LaserModel& laser = simulation.options().laser;
+  const std::vector<Point> places = tour(simulation.floor());
   std::vector<PlacedScan> scans;
-  double next_s = 0;
-  for (const simulation::RecordedScan& recorded : recording.scans) {
-    if (recorded.scan.stamp_s < next_s) continue;
-    next_s = recorded.scan.stamp_s + kEveryScan_s;
-    scans.push_back({make_scan(recorded.scan, recording.laser), recorded.T_map_base * recording.laser.T_base_laser});
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Point ahead = places[std::min(k + 1, places.size() - 1)] - places[k];
+    simulation.place({places[k], std::atan2(ahead.y(), ahead.x())});
+    scans.push_back({make_scan(simulation.scan(), laser), simulation.T_map_laser()});
   }
   return scans;
 }
@@ -67,15 +93,16 @@ DriveEvidence evidence_of(const simulation::Recording& recording, const Localize
 std::shared_ptr<const SemanticMap> redrawn_map(const std::shared_ptr<const SemanticMap>& building,
                                                const DrawnDrive& drive, const CampaignRobots& robots,
                                                const std::filesystem::path& scratch) {
-  DrawnDrive by_night = earlier_drive(drive, 1, kMappingDrive_s);
+  simulation::SimulationOptions by_night;
+  by_night.laser = robots.one_laser.lasers.front();
   by_night.people = 0;
-  by_night.clutter = by_night.along_walls = 0;
+  by_night.clutter.level = 0;
   by_night.doors_open_share = 1;
-  const simulation::Recording recording = recorded(by_night, {building, building}, robots.one_laser);
+  simulation::Simulation simulation(building, by_night, drive.seed);
   ConeMapping mapping;
   mapping.seed = drive.seed;
   const GridFile grid(scratch, drive);
-  write_raster(cone_mapped(placed_scans(recording), mapping), grid.yaml());
+  write_raster(cone_mapped(placed_scans(simulation), mapping), grid.yaml());
   return load_map(*robots.registry, grid.yaml());
 }
 
@@ -85,7 +112,7 @@ std::shared_ptr<const SemanticMap> learned_map(const std::shared_ptr<const Seman
   const LocalizerParts parts = build_parts(robots.one_laser, *robots.registry, wrong);
   std::vector<DriveEvidence> evidence;
   for (int k = 1; k <= kLearningDrives; ++k) {
-    const DrawnDrive earlier = earlier_drive(drive, static_cast<std::uint64_t>(k), kLearningDrive_s);
+    const DrawnDrive earlier = earlier_drive(drive, static_cast<std::uint64_t>(k));
     evidence.push_back(evidence_of(recorded(earlier, {building, wrong}, robots.one_laser), parts, k));
   }
   constexpr double kLeastProbability = 0.9;  // as opal learn writes it
