@@ -8,7 +8,7 @@ find_path(D3_FOLDER d3-axis/package.json PATHS /usr/share/nodejs NO_DEFAULT_PATH
 # files of ROOM/page, as the constants NAME that HEADER declares; the script is the FILE page.js. Sets ROOM_assets.
 function(opal_embed_page room library header)
   set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${room}/page)
-  file(GLOB modules CONFIGURE_DEPENDS ${folder}/*.js)
+  file(GLOB modules CONFIGURE_DEPENDS ${folder}/*.js ${library}/*.js)
   set(script ${CMAKE_CURRENT_BINARY_DIR}/${room}_page.js)
   add_custom_command(OUTPUT ${script} COMMAND sh ${folder}/bundle.sh ${script} ${library}
     DEPENDS ${modules} ${folder}/bundle.sh VERBATIM COMMENT "Bundling the modules of ${room}/page")

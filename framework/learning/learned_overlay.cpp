@@ -65,6 +65,13 @@ void place(Proposal& proposal, const std::vector<Visit>& visits) {
   }
 }
 
+VisitSight sight_of(const Visit& visit, bool agrees) {
+  VisitSight sight{*visit.drive, agrees, visit.deviation->observations, visit.deviation->verdict};
+  sight.moved = visit.deviation->moved;
+  sight.sigma_m = visit.deviation->sigma_m;
+  return sight;
+}
+
 Proposal proposal_for(const MapObject& object, const std::vector<Visit>& visits, DeviationVerdict verdict,
                       double probability) {
   Proposal proposal{object.id, object.type};
@@ -77,6 +84,7 @@ Proposal proposal_for(const MapObject& object, const std::vector<Visit>& visits,
     ++(agrees ? proposal.visits_for : proposal.visits_against);
     if (agrees) drives.insert(*visit.drive);
     (visit.deviation->verdict == DeviationVerdict::probably_absent ? was_away : was_there) = true;
+    proposal.sights.push_back(sight_of(visit, agrees));
   }
   proposal.moves_about = was_there && was_away;
   if (proposal.change == Change::moved) place(proposal, visits);
@@ -84,16 +92,22 @@ Proposal proposal_for(const MapObject& object, const std::vector<Visit>& visits,
   return proposal;
 }
 
+struct FaceSight {
+  const std::string* drive;
+  const VisitEvidence* visit;
+  UnmappedFace face;
+};
+
 /// The same unmapped face on several visits: the view that most keyframes have.
 struct FaceGroup {
   UnmappedFace best;
-  std::map<const VisitEvidence*, UnmappedFace> seen = {};  ///< a visit may see it in pieces: the best seen one counts
-  std::set<std::string> drives = {};
+  std::vector<FaceSight> seen = {};  ///< a visit may see it in pieces: the best seen one counts
 
-  void add(const VisitEvidence& visit, const UnmappedFace& face) {
+  /// All of one visit one after the other.
+  void add(const DriveEvidence& drive, const VisitEvidence& visit, const UnmappedFace& face) {
     if (face.views > best.views) best = face;
-    const auto [piece, is_first] = seen.try_emplace(&visit, face);
-    if (!is_first && face.views > piece->second.views) piece->second = face;
+    if (seen.empty() || seen.back().visit != &visit) seen.push_back({&drive.drive, &visit, face});
+    if (face.views > seen.back().face.views) seen.back().face = face;
   }
 };
 
@@ -114,8 +128,7 @@ std::vector<FaceGroup> grouped_faces(const std::vector<const DriveEvidence*>& dr
         auto group = std::find_if(groups.begin(), groups.end(),
                                   [&](const FaceGroup& each) { return is_same_face(each.best.face, face.face); });
         if (group == groups.end()) group = groups.insert(groups.end(), FaceGroup{face});
-        group->add(visit, face);
-        group->drives.insert(drive->drive);
+        group->add(*drive, visit, face);
       }
   return groups;
 }
@@ -124,15 +137,22 @@ Proposal proposal_for(const FaceGroup& group, std::size_t number) {
   Proposal proposal{"learned-" + std::to_string(number), "opal:Wall", Change::added};
   proposal.face = group.best.face;
   double odds = kPriorAdded / (1 - kPriorAdded);
-  for (const auto& [visit, face] : group.seen) {
+  std::set<std::string> drives;
+  for (const auto& [drive, visit, face] : group.seen) {
     const bool stands = face.seen_through_share < kSeenThrough;
     ++(stands ? proposal.visits_for : proposal.visits_against);
+    drives.insert(*drive);
+    proposal.sights.push_back({.drive = *drive,
+                               .agrees = stands,
+                               .keyframes = face.views,
+                               .face = face.face,
+                               .seen_through_share = face.seen_through_share});
     const double right = reliability(face.views);
     odds *= stands ? right / (1 - right) : (1 - right) / right;
   }
   proposal.probability = odds / (1 + odds);
   proposal.moves_about = proposal.visits_against > 0;
-  name_drives(proposal, group.drives);
+  name_drives(proposal, drives);
   return proposal;
 }
 
@@ -188,6 +208,12 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
   return learned;
 }
 
+std::string objection_to(const Proposal& proposal) {
+  std::string words = proposal.is_conflicting ? "visits place it differently" : "";
+  if (proposal.moves_about) words += (words.empty() ? "" : "; ") + std::string("there on one visit and not on another");
+  return words;
+}
+
 std::string sentence_of(const Proposal& proposal) {
   std::string words;
   switch (proposal.change) {
@@ -200,9 +226,21 @@ std::string sentence_of(const Proposal& proposal) {
   }
   words += fmt::format("; on {} of {} visits, probability {:.3f}; ", proposal.visits_for,
                        proposal.visits_for + proposal.visits_against, proposal.probability);
-  if (proposal.is_conflicting) words += "visits place it differently; ";
-  if (proposal.moves_about) words += "there on one visit and not on another; ";
+  if (const std::string objection = objection_to(proposal); !objection.empty()) words += objection + "; ";
   return words + fmt::format("drives: {}", fmt::join(proposal.drives, ", "));
+}
+
+std::string sentence_of(const Proposal& proposal, const VisitSight& sight) {
+  std::string words;
+  if (proposal.change == Change::added)
+    words = sight.agrees ? fmt::format("a face of {:.1f} m", sight.face.length_m())
+                         : fmt::format("beams pass through it: {:.0f} of 100 looks", 100 * sight.seen_through_share);
+  else if (sight.verdict == DeviationVerdict::moved)
+    words =
+        fmt::format("elsewhere by {:.2f} m, {:.2f} m (+- {:.2f} m)", sight.moved.x(), sight.moved.y(), sight.sigma_m);
+  else
+    words = sight.verdict == DeviationVerdict::as_mapped ? "where the map says" : "gone: beams pass through it";
+  return words + fmt::format("; {} keyframes", sight.keyframes);
 }
 
 }  // namespace opal

@@ -4,6 +4,8 @@
 
 #include <opal/map/semantic_map.hpp>
 
+#include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +14,18 @@ namespace opal {
 
 enum class Change { moved, gone, added };
 const char* name_of(Change change);
+
+/// What one visit saw of what a proposal is about.
+struct VisitSight {
+  std::string drive;
+  bool agrees = false;                                     ///< with the proposal
+  int keyframes = 0;                                       ///< that saw it
+  DeviationVerdict verdict = DeviationVerdict::as_mapped;  ///< of an object on the map
+  Point moved = Point::Zero();                             ///< of a moved object: from where the map says [m]
+  double sigma_m = 0;                                      ///< one-sigma of `moved`
+  Segment face = {};                                       ///< of something added
+  double seen_through_share = 0;  ///< of the keyframes that saw something added or through it: through it, in [0, 1]
+};
 
 /// A difference between the building and its map that drives agree on, or do not.
 struct Proposal {
@@ -26,6 +40,7 @@ struct Proposal {
   Segment face = {};            ///< of something added
   int visits_for = 0, visits_against = 0;
   std::vector<std::string> drives = {};  ///< that say so, in order
+  std::vector<VisitSight> sights = {};   ///< of each visit, in order of the drives
 };
 
 /// What many drives say together.
@@ -45,7 +60,19 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
 nlohmann::ordered_json overlay_of(const SemanticMap& map, const Learned& learned, const std::string& sensor,
                                   double least_probability);
 
+/// The overlay of those among all proposals that a person or a rule chooses. What is in conflict is never part of it.
+nlohmann::ordered_json overlay_of(const SemanticMap& map, const Learned& learned, const std::string& sensor,
+                                  const std::function<bool(const Proposal&)>& is_chosen);
+
+/// Where the overlay of these proposals puts points of the map, by id [m], frame `map`; those that stay are left out.
+std::map<std::string, Point> moved_points(const SemanticMap& map, std::span<const Proposal> proposals);
+
+/// Why a proposal cannot be part of an overlay; empty: it can.
+std::string objection_to(const Proposal& proposal);
+
 /// What was seen, how often, and by which drives, in a sentence.
 std::string sentence_of(const Proposal& proposal);
+/// What one visit saw of it.
+std::string sentence_of(const Proposal& proposal, const VisitSight& sight);
 
 }  // namespace opal

@@ -47,14 +47,21 @@ void shift(Shifts& shifts, const MapFeature& feature, const Point& moved, const 
   }
 }
 
-bool is_written(const Proposal& proposal, double least_probability) {
-  return proposal.probability >= least_probability && !proposal.is_conflicting && !proposal.moves_about;
-}
-
 const MapObject* object_of(const SemanticMap& map, const std::string& id) {
   for (const MapObject& object : map.objects())
     if (object.id == id) return &object;
   return nullptr;
+}
+
+Shifts shifts_of(const SemanticMap& map, std::span<const Proposal> proposals) {
+  Shifts shifts;
+  for (const Proposal& proposal : proposals) {
+    const MapObject* object = proposal.change == Change::moved ? object_of(map, proposal.id) : nullptr;
+    if (!object) continue;
+    for (const MapFeatureNumber feature : object->features)
+      shift(shifts, map.feature(feature), proposal.moved, object->id + " " + sentence_of(proposal));
+  }
+  return shifts;
 }
 
 json node_of(const Proposal& proposal, const std::string& sensor) {
@@ -78,20 +85,18 @@ json node_of(const Proposal& proposal, const std::string& sensor) {
 
 }  // namespace
 
-json overlay_of(const SemanticMap& map, const Learned& learned, const std::string& sensor, double least_probability) {
+json overlay_of(const SemanticMap& map, const Learned& learned, const std::string& sensor,
+                const std::function<bool(const Proposal&)>& is_chosen) {
   json changes = json::array(), graph = json::array(), added = json::array();
-  Shifts shifts;
-  for (const Proposal& proposal : learned.proposals) {
-    if (!is_written(proposal, least_probability)) continue;
-    const MapObject* object = object_of(map, proposal.id);
+  std::vector<Proposal> chosen;
+  for (const Proposal& proposal : learned.proposals)
+    if (objection_to(proposal).empty() && is_chosen(proposal)) chosen.push_back(proposal);
+  for (const Proposal& proposal : chosen) {
     if (proposal.change == Change::added) added.push_back(node_of(proposal, sensor));
     if (proposal.change == Change::gone)
       changes.push_back({{"target", proposal.id}, {"not_perceivable_by", sensor}, {"because", sentence_of(proposal)}});
-    if (proposal.change == Change::moved && object)
-      for (const MapFeatureNumber feature : object->features)
-        shift(shifts, map.feature(feature), proposal.moved, object->id + " " + sentence_of(proposal));
   }
-  for (const auto& [id, point] : shifts) {
+  for (const auto& [id, point] : shifts_of(map, chosen)) {
     const Point place = point.place();
     changes.push_back({{"target", id},
                        {"x", rounded(place.x())},
@@ -102,6 +107,17 @@ json overlay_of(const SemanticMap& map, const Learned& learned, const std::strin
   graph.push_back({{"@type", "MapOverlay"}, {"name", "Learned while driving"}, {"changes", std::move(changes)}});
   for (json& node : added) graph.push_back(std::move(node));
   return {{"@context", "urn:opal:v1"}, {"@graph", std::move(graph)}};
+}
+
+json overlay_of(const SemanticMap& map, const Learned& learned, const std::string& sensor, double least_probability) {
+  return overlay_of(map, learned, sensor,
+                    [&](const Proposal& proposal) { return proposal.probability >= least_probability; });
+}
+
+std::map<std::string, Point> moved_points(const SemanticMap& map, std::span<const Proposal> proposals) {
+  std::map<std::string, Point> points;
+  for (const auto& [id, shift] : shifts_of(map, proposals)) points.emplace(id, shift.place());
+  return points;
 }
 
 }  // namespace opal

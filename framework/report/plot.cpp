@@ -1,6 +1,7 @@
 #include "report/plot.hpp"
 
 #include "report/html_text.hpp"
+#include "report/page_template.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,25 +42,10 @@ ordered_json json_of(const ScatterPlot::Point& point) {
   return json;
 }
 
-/// Nothing in it can begin or end an element or an attribute; bytes that are no UTF-8 are replaced.
-std::string data_text(const ordered_json& plot) {
-  const std::string json = plot.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  std::string text;
-  for (std::size_t k = 0; k < json.size(); ++k) {
-    const bool escape = json[k] == '\\';
-    const char c = escape ? json[++k] : json[k];
-    if (c == '<' || (escape && c == '"'))
-      text += c == '<' ? "\\u003c" : "\\u0022";
-    else
-      text += escape ? std::string{'\\', c} : std::string(1, c);
-  }
-  return text;
-}
-
 std::string plot_element(const ordered_json& plot, const std::string& label, const std::string& instead) {
   return fmt::format(
       "<div class=\"plot\" role=\"{}\" aria-label=\"{}\"><script type=\"application/json\">{}</script>{}</div>\n",
-      instead.empty() ? "img" : "group", html_text(label), data_text(plot), instead);
+      instead.empty() ? "img" : "group", html_text(label), json_in_html(plot), instead);
 }
 
 }  // namespace

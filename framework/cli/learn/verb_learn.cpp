@@ -1,80 +1,24 @@
-#include "benchmark/runs/recorded_log.hpp"
+#include "cli/options/drive_inputs.hpp"
 #include "cli/options/exit_code.hpp"
-#include "cli/options/log_run_options.hpp"
 #include "cli/options/verbs.hpp"
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
 #include "learning/learned_overlay.hpp"
 #include "session/session.hpp"
 
-#include <opal/common/error.hpp>
-#include <opal/common/strict_json.hpp>
 #include <opal/deployment/deployment.hpp>
-#include <opal/sensing/replay.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct LearnOptions {
-  LogRunOptions run;
-  std::vector<std::string> inputs;
+  DriveInputs inputs;
   std::string out, evidence, csv, png, svg;
   double least_probability = 0.9;
 };
-
-/// One drive per window of a log.
-std::vector<opal::DriveEvidence> watched(const LearnOptions& options, const opal::PluginRegistry& registry,
-                                         const std::string& log_file,
-                                         const std::shared_ptr<const opal::SemanticMap>& map) {
-  LogRunOptions run = options.run;
-  run.log = log_file;
-  opal::Deployment deployment = run.deployment();
-  const RecordedLog log = read_recorded_log(registry, log_file, deployment, run.log_words);
-  deployment.lasers = run.lasers_of(log.records, deployment.lasers);
-  const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
-  std::vector<opal::DriveEvidence> drives;
-  for (const opal::Query& window : run.windows()) {
-    opal::ReplayOptions cut;
-    cut.from_s = window.start_s;
-    cut.to_s = window.end_s;
-    opal::Replay replay(log.records, deployment.lasers, cut);
-    opal::DriveObserver observer(parts);
-    while (const auto sample = replay.next()) observer.update(*sample);
-    const std::string name = fs::path(log_file).filename().string();
-    drives.push_back(observer.finish(run.queries.empty() ? name : name + " " + window.id));
-    const opal::DriveEvidence& drive = drives.back();
-    std::printf("%s: learned along %.0f m in %zu visits; %.0f m left out\n", drive.drive.c_str(), drive.learned_m,
-                drive.visits.size(), drive.left_out_m);
-  }
-  return drives;
-}
-
-bool is_evidence(const std::string& file) { return fs::path(file).extension() == ".json"; }
-
-std::vector<opal::DriveEvidence> evidence_of(const LearnOptions& options, const opal::PluginRegistry& registry,
-                                             const std::shared_ptr<const opal::SemanticMap>& map) {
-  std::vector<opal::DriveEvidence> drives;
-  for (const std::string& file : options.inputs) {
-    if (is_evidence(file)) {
-      const nlohmann::json document = opal::read_json(file);
-      for (const nlohmann::json& drive : document.is_array() ? document : nlohmann::json::array({document}))
-        drives.push_back(opal::drive_evidence_from(drive, file));
-      continue;
-    }
-    for (opal::DriveEvidence& drive : watched(options, registry, file, map)) drives.push_back(std::move(drive));
-  }
-  for (const opal::DriveEvidence& drive : drives)
-    if (drive.map != map->name())
-      throw opal::ConfigError(drive.drive + ": tells of the map \"" + drive.map + "\", expected \"" + map->name() +
-                              "\"");
-  return drives;
-}
 
 void write_evidence(const std::vector<opal::DriveEvidence>& drives, const std::string& file) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -120,12 +64,11 @@ void print(const opal::Learned& learned, double least_probability) {
   std::printf("%zu objects stand where the map says; of %zu nothing is known\n", learned.sound, learned.unseen);
 }
 
-int learn(LearnOptions options) {
-  if (options.run.config.empty()) options.run.config = "default";
+int learn(const LearnOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
-  const opal::Deployment deployment = options.run.deployment();
+  const opal::Deployment deployment = options.inputs.run.deployment();
   const auto map = load_map(registry, deployment);
-  const std::vector<opal::DriveEvidence> drives = evidence_of(options, registry, map);
+  const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, map);
   const opal::Learned learned = opal::learned_from(*map, drives);
   print(learned, options.least_probability);
   const std::string sensor = deployment.lasers.front().id;
@@ -144,13 +87,8 @@ void opal::add_learn_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<LearnOptions>();
   CLI::App* verb =
       app.add_subcommand("learn", "the building as built: what drives say that the map has wrong, as an overlay");
-  verb->add_option("MAP", options->run.map, "map document, or a source to import")->required();
-  verb->add_option("LOG", options->inputs, "recorded logs, and evidence of drives (.json)")->required();
+  options->inputs.add_to(*verb);
   verb->add_option("-o,--out", options->out, "overlay to write (.jsonld)")->required();
-  verb->add_option("--config", options->run.config, "deployment document, or the name of one that ships; default");
-  verb->add_option("--info", options->run.info, "SITE.info.json that describes the laser; overrides the deployment's");
-  verb->add_option("--queries", options->run.queries, "SITE.queries.json: each window is a drive of its own");
-  options->run.overlays.add_to(*verb, ", beside those of the deployment");
   verb->add_option("--least", options->least_probability, "changes that are less probable are told, not written")
       ->check(CLI::Range(0.5, 1.0))
       ->capture_default_str();

@@ -6,6 +6,7 @@
 #include "cli/map/map_overlay.hpp"
 #include "cli/map/map_patterns.hpp"
 #include "cli/map/map_redraw.hpp"
+#include "cli/map/map_review.hpp"
 #include "cli/map/map_stack.hpp"
 #include "cli/options/damage_options.hpp"
 #include "cli/options/exit_code.hpp"
@@ -147,7 +148,7 @@ void add_raster(CLI::App& map, int& exit_code) {
 void opal::add_map_verb(CLI::App& app, int& exit_code) {
   CLI::App* map = app.add_subcommand(
       "map",
-      "semantic maps: import, storeys, stack, check, patterns, derive, frame, overlay, damage, join, "
+      "semantic maps: import, storeys, stack, check, patterns, derive, frame, overlay, review, damage, join, "
       "raster, redraw, push, pull, list, diff, generate");
   map->require_subcommand(1);
   add_map_import(*map, exit_code);
@@ -158,6 +159,7 @@ void opal::add_map_verb(CLI::App& app, int& exit_code) {
   add_map_derive(*map, exit_code);
   add_map_frame(*map, exit_code);
   add_map_overlay(*map, exit_code);
+  add_map_review(*map, exit_code);
   add_damage(*map, exit_code);
   add_join(*map, exit_code);
   add_raster(*map, exit_code);

@@ -38,6 +38,16 @@ bool is_from_here(const httplib::Request& request, int port) {
   return false;
 }
 
+httplib::Headers page_headers() {
+  return {{"Content-Security-Policy",
+           "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
+           "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+          {"X-Content-Type-Options", "nosniff"},
+          {"Cross-Origin-Resource-Policy", "same-origin"},
+          {"Referrer-Policy", "no-referrer"},
+          {"Cache-Control", "no-store"}};
+}
+
 std::string run_token() {
   std::random_device device;
   return fmt::format("{}-{}", device(), device());

@@ -18,6 +18,10 @@ int bind_to_loopback(httplib::Server& server, int port, const std::string& advic
 /// name point here (DNS rebinding).
 bool is_from_here(const httplib::Request& request, int port);
 
+/// Headers of a page and of all that it gets: it may run what stands in it and talk to this server, nothing else;
+/// nobody may frame it, and nothing is kept.
+httplib::Headers page_headers();
+
 /// Tells the runs of a server apart.
 std::string run_token();
 

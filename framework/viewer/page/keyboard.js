@@ -4,7 +4,7 @@ export function listenToKeys(shortcuts, overlayOpen) {
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || overlayOpen()) return;
     const { target } = event,
-      takesText = target.matches('input[type=search], select, textarea');
+      takesText = target.matches('input[type=search], input[type=text], select, textarea');
     if (takesText && event.key !== 'Escape') return;
     if (event.key === ' ' && target.matches('button, summary, input')) return; // their own
     const act = actions.get(event.key);

@@ -17,11 +17,6 @@ using httplib::Response;
 
 constexpr auto kHeartbeat = 10s;  ///< shows a connection that is gone while nothing happens
 
-/// The page may run what stands in it and talk to this server, nothing else; nobody may frame it.
-constexpr const char* kContentPolicy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
-    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
 }  // namespace
 
 struct LiveServer::Implementation {
@@ -50,11 +45,7 @@ void LiveServer::Implementation::configure() {
   server.new_task_queue = [] { return new httplib::ThreadPool(kMostStreams + kThreadsForPages); };
   server.set_keep_alive_max_count(1);  // an idle browser holds no thread
   server.set_payload_max_length(1024);
-  server.set_default_headers({{"Content-Security-Policy", kContentPolicy},
-                              {"X-Content-Type-Options", "nosniff"},
-                              {"Cross-Origin-Resource-Policy", "same-origin"},
-                              {"Referrer-Policy", "no-referrer"},
-                              {"Cache-Control", "no-store"}});
+  server.set_default_headers(page_headers());
   server.set_pre_routing_handler(
       [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
   server.Get("/",

@@ -1,0 +1,73 @@
+#include "cli/options/drive_inputs.hpp"
+
+#include "benchmark/runs/recorded_log.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
+#include <opal/sensing/replay.hpp>
+
+#include <filesystem>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One drive per window of a log.
+std::vector<opal::DriveEvidence> watched(const LogRunOptions& options, const opal::PluginRegistry& registry,
+                                         const std::string& log_file,
+                                         const std::shared_ptr<const opal::SemanticMap>& map) {
+  LogRunOptions run = options;
+  run.log = log_file;
+  opal::Deployment deployment = run.deployment();
+  const RecordedLog log = read_recorded_log(registry, log_file, deployment, run.log_words);
+  deployment.lasers = run.lasers_of(log.records, deployment.lasers);
+  const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
+  std::vector<opal::DriveEvidence> drives;
+  for (const opal::Query& window : run.windows()) {
+    opal::ReplayOptions cut;
+    cut.from_s = window.start_s;
+    cut.to_s = window.end_s;
+    opal::Replay replay(log.records, deployment.lasers, cut);
+    opal::DriveObserver observer(parts);
+    while (const auto sample = replay.next()) observer.update(*sample);
+    const std::string name = fs::path(log_file).filename().string();
+    drives.push_back(observer.finish(run.queries.empty() ? name : name + " " + window.id));
+    const opal::DriveEvidence& drive = drives.back();
+    std::printf("%s: learned along %.0f m in %zu visits; %.0f m left out\n", drive.drive.c_str(), drive.learned_m,
+                drive.visits.size(), drive.left_out_m);
+  }
+  return drives;
+}
+
+bool is_evidence(const std::string& file) { return fs::path(file).extension() == ".json"; }
+
+}  // namespace
+
+void DriveInputs::add_to(CLI::App& verb) {
+  verb.add_option("MAP", run.map, "map document, or a source to import")->required();
+  verb.add_option("LOG", files, "recorded logs, and evidence of drives (.json)")->required();
+  run.config = "default";
+  verb.add_option("--config", run.config, "deployment document, or the name of one that ships")->capture_default_str();
+  verb.add_option("--info", run.info, "SITE.info.json that describes the laser; overrides the deployment's");
+  verb.add_option("--queries", run.queries, "SITE.queries.json: each window is a drive of its own");
+  run.overlays.add_to(verb, ", beside those of the deployment");
+}
+
+std::vector<opal::DriveEvidence> DriveInputs::drives(const opal::PluginRegistry& registry,
+                                                     const std::shared_ptr<const opal::SemanticMap>& map) const {
+  std::vector<opal::DriveEvidence> drives;
+  for (const std::string& file : files) {
+    if (is_evidence(file)) {
+      const nlohmann::json document = opal::read_json(file);
+      for (const nlohmann::json& drive : document.is_array() ? document : nlohmann::json::array({document}))
+        drives.push_back(opal::drive_evidence_from(drive, file));
+      continue;
+    }
+    for (opal::DriveEvidence& drive : watched(run, registry, file, map)) drives.push_back(std::move(drive));
+  }
+  for (const opal::DriveEvidence& drive : drives)
+    if (drive.map != map->name())
+      throw opal::ConfigError(drive.drive + ": tells of the map \"" + drive.map + "\", expected \"" + map->name() +
+                              "\"");
+  return drives;
+}
