@@ -69,6 +69,7 @@ VisitSight sight_of(const Visit& visit, bool agrees) {
   VisitSight sight{*visit.drive, agrees, visit.deviation->observations, visit.deviation->verdict};
   sight.moved = visit.deviation->moved;
   sight.sigma_m = visit.deviation->sigma_m;
+  sight.seen_through_share = visit.deviation->seen_through_share;
   return sight;
 }
 
@@ -231,15 +232,15 @@ std::string sentence_of(const Proposal& proposal) {
 }
 
 std::string sentence_of(const Proposal& proposal, const VisitSight& sight) {
-  std::string words;
+  const bool is_gone =
+      proposal.change == Change::added ? !sight.agrees : sight.verdict == DeviationVerdict::probably_absent;
+  if (is_gone) return fmt::format("beams pass through it, {:.0f} of 100 looks", 100 * sight.seen_through_share);
+  std::string words = "where the map says";
   if (proposal.change == Change::added)
-    words = sight.agrees ? fmt::format("a face of {:.1f} m", sight.face.length_m())
-                         : fmt::format("beams pass through it: {:.0f} of 100 looks", 100 * sight.seen_through_share);
+    words = fmt::format("a face of {:.1f} m", sight.face.length_m());
   else if (sight.verdict == DeviationVerdict::moved)
     words =
         fmt::format("elsewhere by {:.2f} m, {:.2f} m (+- {:.2f} m)", sight.moved.x(), sight.moved.y(), sight.sigma_m);
-  else
-    words = sight.verdict == DeviationVerdict::as_mapped ? "where the map says" : "gone: beams pass through it";
   return words + fmt::format("; {} keyframes", sight.keyframes);
 }
 

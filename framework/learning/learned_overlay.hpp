@@ -24,7 +24,7 @@ struct VisitSight {
   Point moved = Point::Zero();                             ///< of a moved object: from where the map says [m]
   double sigma_m = 0;                                      ///< one-sigma of `moved`
   Segment face = {};                                       ///< of something added
-  double seen_through_share = 0;  ///< of the keyframes that saw something added or through it: through it, in [0, 1]
+  double seen_through_share = 0;                           ///< of its looks: through it, in [0, 1]
 };
 
 /// A difference between the building and its map that drives agree on, or do not.

@@ -22,8 +22,21 @@ export class Detail {
     this.objection = element('p', { class: 'objection', role: 'note' });
     this.accept = this.button('Accept', 'a', 'accepted');
     this.refuse = this.button('Refuse', 'r', 'refused');
-    this.undo = element('button', { type: 'button', class: 'tool', onclick: () => review.undo() }, 'Undo ', element('kbd', { text: 'u' }));
-    this.note = element('input', { type: 'text', class: 'note', maxlength: 500, placeholder: 'Note (optional)', 'aria-label': 'Note', onchange: () => review.annotate(this.note.value.trim()) });
+    this.undo = element(
+      'button',
+      { type: 'button', class: 'tool', onclick: () => review.undo() },
+      'Undo ',
+      element('kbd', { text: 'u' }),
+    );
+    this.note = element('input', {
+      type: 'text',
+      class: 'note',
+      maxlength: 500,
+      placeholder: 'Note (optional)',
+      'aria-label': 'Note',
+      onchange: () => review.annotate(this.note.value.trim()),
+      onkeydown: ({ key }) => key === 'Enter' && this.note.blur(),
+    });
     this.said = element('p', { class: 'quiet said' });
     this.message = element('p', { class: 'message', role: 'status' });
     this.visits = element('tbody');
@@ -33,7 +46,12 @@ export class Detail {
 
   button(words, key, answer) {
     const act = () => this.review.decide(this.review.current.answer === answer ? 'undecided' : answer);
-    return element('button', { type: 'button', class: `tool decide ${answer}`, onclick: act }, `${words} `, element('kbd', { text: key }));
+    return element(
+      'button',
+      { type: 'button', class: `tool decide ${answer}`, onclick: act },
+      `${words} `,
+      element('kbd', { text: key }),
+    );
   }
 
   build() {
@@ -82,16 +100,24 @@ export class Detail {
     setText(this.sentence, proposal.sentence);
     setText(this.doubt, proposal.proposed ? '' : '? Less probable than asked for: drives alone would not change the map here.');
     setHidden(this.doubt, proposal.proposed);
-    setText(this.objection, objection && `Cannot be accepted: ${objection}. The map stays as it is until drives agree. Refuse it to take it off the list of what is undecided.`);
+    setText(
+      this.objection,
+      objection &&
+        `Cannot be accepted: ${objection}. The map stays as it is until drives agree. Refuse it to take it off the list of what is undecided.`,
+    );
     setHidden(this.objection, !objection);
     this.legend.className = `legend quiet ${about.change}`;
-    this.legend.replaceChildren(...legendOf(proposal).flatMap(([kind, words]) => [element('i', { class: kind }), element('span', { text: words })]));
+    this.legend.replaceChildren(
+      ...legendOf(proposal).flatMap(([kind, words]) => [element('i', { class: kind }), element('span', { text: words })]),
+    );
     this.visits.replaceChildren(...proposal.sights.map((sight, k) => this.row(sight, k)));
   }
 
   row({ drive, agrees, words }, k) {
+    const { faces, circles } = this.shown.picture.sights[k];
+    const isDrawn = faces.length + circles.length > 0;
     const cells = [
-      element('td', {}, element('i', { class: `swatch v${k % 6}` })),
+      element('td', {}, isDrawn ? element('i', { class: `swatch v${k % 6}` }) : ''),
       element('td', { class: 'drive', text: drive }),
       element('td', { text: words }),
       element('td', { class: agrees ? 'for' : 'against', text: agrees ? 'for' : 'against' }),
@@ -100,8 +126,15 @@ export class Detail {
   }
 }
 
-function legendOf({ about }) {
-  return kLegend.filter(([kind]) => (kind !== 'mapped' || about.change !== 'added') && (kind !== 'proposed' || about.change !== 'gone')).map(([kind, words]) => (kind === 'mapped' && about.change === 'gone' ? [kind, 'this object, which would not be looked for'] : [kind, words]));
+/// What is in the picture: [class, words].
+function legendOf({ about, objection }) {
+  const legend = new Map(kLegend);
+  if (about.change === 'added') legend.delete('mapped');
+  if (about.change === 'gone') {
+    legend.delete('proposed');
+    legend.set('mapped', 'this object, which would not be looked for');
+  } else if (objection) legend.set('proposed', 'what drives say together');
+  return [...legend];
 }
 
 function saidWords({ answer, by, at, note }) {

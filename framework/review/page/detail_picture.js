@@ -19,7 +19,8 @@ export class DetailPicture extends Picture {
     this.proposal = proposal;
     [...this.others.children].forEach((group, number) => group.classList.toggle('is-own', number === proposal.number));
     const sights = proposal.picture.sights.map((shapes, k) => path(shapes, `sight v${k % 6}`));
-    this.own.replaceChildren(changeOf(proposal), ...sights);
+    this.own.setAttribute('class', proposal.objection ? 'own disputed' : 'own');
+    this.own.replaceChildren(...sights, changeOf(proposal));
     this.look(around(boxOf(proposal)));
   }
 
@@ -39,5 +40,10 @@ function around([x, y, X, Y]) {
   const span = Math.max(X - x, Y - y, kLeastWidth_m / (1 + 2 * kAround)) * (1 + 2 * kAround);
   const cx = (x + X) / 2,
     cy = (y + Y) / 2;
-  return [Math.min(x, cx - span / 2), cy - Math.max(Y - y, span / 2) / 2, Math.max(X, cx + span / 2), cy + Math.max(Y - y, span / 2) / 2];
+  return [
+    Math.min(x, cx - span / 2),
+    cy - Math.max(Y - y, span / 2) / 2,
+    Math.max(X, cx + span / 2),
+    cy + Math.max(Y - y, span / 2) / 2,
+  ];
 }

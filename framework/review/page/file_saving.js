@@ -14,12 +14,17 @@ export class FileSaving {
   get words() {
     const { size } = this.review.unsaved;
     if (size > 0) return `${size} not in a file yet: save them.`;
-    return this.saved ? `Saved as ${this.saved}. Make the overlay: opal map review ... --decisions ${this.saved} -o OVERLAY.jsonld` : '';
+    return this.saved
+      ? `Saved as ${this.saved}. Make the overlay: opal map review ... --decisions ${this.saved} -o OVERLAY.jsonld`
+      : '';
   }
 
   changed() {
     try {
-      localStorage.setItem(this.key, JSON.stringify(this.review.proposals.map(({ answer, by, at, note }) => ({ answer, by, at, note }))));
+      localStorage.setItem(
+        this.key,
+        JSON.stringify(this.review.proposals.map(({ answer, by, at, note }) => ({ answer, by, at, note }))),
+      );
     } catch {
       /* a page from a file may have no storage: decisions last as long as the page */
     }

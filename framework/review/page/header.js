@@ -11,9 +11,20 @@ export class Header {
     this.count = element('strong', { class: 'count', role: 'status' });
     this.progress = element('progress', { max: Math.max(1, review.proposals.length), 'aria-label': 'Decided' });
     this.state = element('span', { class: 'state', role: 'status' });
-    this.save = element('button', { type: 'button', class: 'tool', onclick: () => saving.save() }, 'Save ', element('kbd', { text: 's' }));
+    this.save = element(
+      'button',
+      { type: 'button', class: 'tool', onclick: () => saving.save() },
+      'Save ',
+      element('kbd', { text: 's' }),
+    );
     const file = element('button', { type: 'button', class: 'tool', text: 'Save as a file', onclick: () => saveAsFile(review) });
-    this.by = element('input', { type: 'text', maxlength: 100, placeholder: 'Your name (optional)', 'aria-label': 'Your name', oninput: () => this.nameChanged() });
+    this.by = element('input', {
+      type: 'text',
+      maxlength: 100,
+      placeholder: 'Your name (optional)',
+      'aria-label': 'Your name',
+      oninput: () => this.nameChanged(),
+    });
     this.by.value = review.by = recall();
     this.root = element(
       'header',
@@ -25,7 +36,14 @@ export class Header {
       this.by,
       this.save,
       isServed ? file : '',
-      element('button', { type: 'button', class: 'tool', text: '◐', title: 'Light, dark, as the system', 'aria-label': 'Light, dark, as the system', onclick: theme }),
+      element('button', {
+        type: 'button',
+        class: 'tool',
+        text: '◐',
+        title: 'Light, dark, as the system',
+        'aria-label': 'Light, dark, as the system',
+        onclick: theme,
+      }),
       element('button', { type: 'button', class: 'tool', text: '?', title: 'Keys', 'aria-label': 'Keys', onclick: help }),
     );
     this.notes = noteBox(notes);
@@ -52,7 +70,11 @@ export class Header {
 
 /// What has changed since the decisions were made; empty: nothing.
 function noteBox(notes) {
-  const box = element('div', { class: 'notes', role: 'note' }, element('ul', {}, ...notes.map((text) => element('li', { text }))));
+  const box = element(
+    'div',
+    { class: 'notes', role: 'note' },
+    element('ul', {}, ...notes.map((text) => element('li', { text }))),
+  );
   box.append(element('button', { type: 'button', class: 'tool', text: 'Hide', onclick: () => setHidden(box, true) }));
   setHidden(box, notes.length === 0);
   return box;

@@ -5,7 +5,14 @@ export const kSigns = { moved: '↔', gone: '×', added: '+' };
 export const kAnswerSigns = { accepted: '✓', refused: '✕', undecided: '' };
 
 export const nameOf = ({ about, notes }) => notes.name ?? about.id;
-export const probabilityWords = (p) => (p > 0.999 && p < 1 ? '> 0.999' : p.toFixed(3));
+
+/// How far it moved, how long it is; empty for what is gone.
+function sizeWords({ about }) {
+  if (about.change === 'moved') return `${Math.hypot(...about.moved).toFixed(2)} m`;
+  if (about.change === 'gone') return '';
+  const [x, y, X, Y] = about.face;
+  return `${Math.hypot(X - x, Y - y).toFixed(1)} m`;
+}
 
 /// The filters and the proposals that pass.
 export class ProposalList {
@@ -13,7 +20,12 @@ export class ProposalList {
     this.review = review;
     this.filters = kFilters.map(([name, words]) => {
       const count = element('span', { class: 'number' });
-      const button = element('button', { type: 'button', class: 'tool filter', 'data-filter': name, onclick: () => review.choose(name) }, `${words} `, count);
+      const button = element(
+        'button',
+        { type: 'button', class: 'tool filter', 'data-filter': name, onclick: () => review.choose(name) },
+        `${words} `,
+        count,
+      );
       return { name, button, count };
     });
     this.items = review.proposals.map((proposal) => new Item(proposal, review));
@@ -22,7 +34,11 @@ export class ProposalList {
     this.root = element(
       'nav',
       { 'aria-label': 'Proposals' },
-      element('div', { class: 'filters', role: 'group', 'aria-label': 'Which proposals' }, ...this.filters.map(({ button }) => button)),
+      element(
+        'div',
+        { class: 'filters', role: 'group', 'aria-label': 'Which proposals' },
+        ...this.filters.map(({ button }) => button),
+      ),
       this.list,
       this.empty,
     );
@@ -49,8 +65,8 @@ class Item {
     this.proposal = proposal;
     const { about, probability, proposed, objection } = proposal;
     this.answer = element('span', { class: 'answer' });
-    const chips = [element('span', { class: 'number', text: `p ${probabilityWords(probability)}` })];
-    if (objection) chips.push(element('span', { class: 'chip conflict', text: 'conflict' }));
+    const facts = [about.change, sizeWords(proposal), `p ${probability.toFixed(3)}`].filter((word) => word).join(' · ');
+    const chips = objection ? [element('span', { class: 'chip conflict', text: 'conflict' })] : [];
     this.button = element(
       'button',
       { type: 'button', onclick: () => review.show(proposal.number) },
@@ -59,7 +75,7 @@ class Item {
         'span',
         { class: 'what' },
         element('span', { class: 'name', text: `${proposed ? '' : '? '}${nameOf(proposal)}` }),
-        element('span', { class: 'quiet' }, `${about.change}, ${proposal.type.replace(/^opal:/, '')} `, ...chips),
+        element('span', { class: 'quiet number' }, facts, ...chips),
       ),
       this.answer,
     );

@@ -27,7 +27,7 @@ export function roundLength(most_m) {
 export class Picture {
   constructor(label, map, { click = () => {} } = {}) {
     this.transform = new ViewTransform({ x: 0, y: 0, scale: 10 });
-    this.metres = svg('g', { class: 'metres' }, path(map, 'building'));
+    this.metres = svg('g', { class: 'metres' }, path({ ...map, points: [] }, 'building'));
     this.pixels = svg('g', { class: 'pixels' });
     this.svg = svg('svg', { role: 'img', 'aria-label': label }, this.metres, this.pixels);
     this.bar = element('div', { class: 'bar' });
@@ -44,7 +44,8 @@ export class Picture {
   }
 
   buttons() {
-    const button = (text, label, act) => element('button', { type: 'button', class: 'tool', text, title: label, 'aria-label': label, onclick: act });
+    const button = (text, label, act) =>
+      element('button', { type: 'button', class: 'tool', text, title: label, 'aria-label': label, onclick: act });
     return element(
       'div',
       { class: 'zoom' },

@@ -82,8 +82,7 @@ export class Review {
   decide(answer) {
     const { current } = this;
     if (!current) return;
-    if (answer === 'accepted' && current.objection)
-      return this.tell(`This one cannot be accepted: ${current.objection}.`);
+    if (answer === 'accepted' && current.objection) return this.tell(`This one cannot be accepted: ${current.objection}.`);
     const list = this.shown();
     this.say(current, { answer, by: this.by, at: answer === 'undecided' ? '' : now(), note: current.note });
     this.goOn(list, current);

@@ -39,7 +39,9 @@ export class WholePicture extends Picture {
   /// The nearest mark.
   click(x, y) {
     const away = (mark) => Math.hypot(this.transform.x(Number(mark.dataset.x)) - x, this.transform.y(Number(mark.dataset.y)) - y);
-    const listed = this.marks.map((mark, number) => [away(mark), number]).filter(([, number]) => !this.marks[number].classList.contains('unlisted'));
+    const listed = this.marks
+      .map((mark, number) => [away(mark), number])
+      .filter(([, number]) => !this.marks[number].classList.contains('unlisted'));
     const [distance, number] = listed.reduce((best, each) => (each[0] < best[0] ? each : best), [Infinity, -1]);
     if (distance < kReach_px) this.review.show(number);
   }
