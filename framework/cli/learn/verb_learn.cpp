@@ -3,7 +3,7 @@
 #include "cli/options/verbs.hpp"
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
-#include "learning/learned_overlay.hpp"
+#include "learning/deviation_list.hpp"
 #include "session/session.hpp"
 
 #include <opal/deployment/deployment.hpp>
@@ -24,17 +24,6 @@ void write_evidence(const std::vector<opal::DriveEvidence>& drives, const std::s
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const opal::DriveEvidence& drive : drives) all.push_back(opal::to_json(drive));
   opal::write_text(file, all.dump(1) + '\n');
-}
-
-void write_csv(const opal::Learned& learned, const std::string& file) {
-  std::string csv = "object,type,change,probability,moved_x_m,moved_y_m,sigma_m,visits_for,visits_against,drives\n";
-  for (const opal::Proposal& p : learned.proposals) {
-    char line[256];
-    std::snprintf(line, sizeof line, ",%s,%.4f,%.3f,%.3f,%.3f,%d,%d,", name_of(p.change), p.probability, p.moved.x(),
-                  p.moved.y(), p.sigma_m, p.visits_for, p.visits_against);
-    csv += '"' + p.id + "\"," + p.type + line + std::to_string(p.drives.size()) + '\n';
-  }
-  opal::write_text(file, csv);
 }
 
 void draw(const std::shared_ptr<const opal::SemanticMap>& map, const opal::Learned& learned,
@@ -75,7 +64,7 @@ int learn(const LearnOptions& options) {
   opal::write_text(options.out, opal::overlay_of(*map, learned, sensor, options.least_probability).dump(1) + '\n');
   std::cout << "written: " << options.out << '\n';
   if (!options.evidence.empty()) write_evidence(drives, options.evidence);
-  if (!options.csv.empty()) write_csv(learned, options.csv);
+  if (!options.csv.empty()) opal::write_text(options.csv, opal::deviation_csv(*map, learned));
   draw(map, learned, options);
   const bool any = std::any_of(drives.begin(), drives.end(), [](const auto& drive) { return !drive.visits.empty(); });
   return any ? kDone : kNo;

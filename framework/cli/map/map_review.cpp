@@ -89,7 +89,11 @@ int serve(opal::Review& review, const ReviewOptions& options) {
     std::unique_lock lock(mutex);
     std::condition_variable_any().wait(lock, signals.token(), [] { return false; });
   }
-  return make_overlay(review, options.out);
+  std::cout << review.count() << '\n';
+  if (review.decisions().all.empty()) return kDone;  // nobody has said anything: what is there stays
+  save(review, files);
+  std::cout << "written: " << files.decisions << ", " << files.overlay << '\n';
+  return kDone;
 }
 
 int review(const ReviewOptions& options) {

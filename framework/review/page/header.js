@@ -20,7 +20,7 @@ export class Header {
     const file = element('button', { type: 'button', class: 'tool', text: 'Save as a file', onclick: () => saveAsFile(review) });
     this.by = element('input', {
       type: 'text',
-      maxlength: 100,
+      maxlength: 60,
       placeholder: 'Your name (optional)',
       'aria-label': 'Your name',
       oninput: () => this.nameChanged(),

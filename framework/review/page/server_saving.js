@@ -6,10 +6,11 @@ export class ServerSaving {
     this.words = `Decisions are kept in ${server.decisions}.`;
     this.failed = 0; ///< how many decisions the last try left unsaved
     this.busy = false;
+    window.addEventListener('beforeunload', (event) => this.state !== 'saved' && event.preventDefault());
   }
 
   get state() {
-    return this.failed > 0 ? 'failed' : this.review.unsaved.size > 0 ? 'waiting' : 'saved';
+    return this.failed > 0 ? 'failed' : this.busy || this.review.unsaved.size > 0 ? 'waiting' : 'saved';
   }
 
   changed() {
@@ -20,6 +21,7 @@ export class ServerSaving {
   async save() {
     if (this.busy) return;
     this.busy = true;
+    this.words = 'Saving …';
     const { review } = this,
       sent = [...review.unsaved];
     review.unsaved.clear();
