@@ -3,9 +3,22 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, open } from './browser.js';
 import { writePage } from './page_file.js';
+import { passedByTab, worstContrast } from './reading.js';
 import { syntheticRun } from './synthetic_run.js';
 
 const run = syntheticRun({ frames: 60, hypotheses: 10 });
+const kInks = [
+  'text',
+  'faint',
+  'finding',
+  'pattern',
+  'run-a',
+  'run-b',
+  'status-searching',
+  'status-ambiguous',
+  'status-localized',
+  'status-lost',
+];
 let browser, address;
 before(async () => {
   browser = await launch();
@@ -17,28 +30,7 @@ test('Tab comes by every control, with a visible focus, and never gets stuck', a
   const { page, context } = await open(browser, address);
   await page.keyboard.press('b');
   await page.evaluate(() => window.opal.settled());
-  const wanted = await page.evaluate(() => {
-    const all = [...document.querySelectorAll('button, select, input, summary, [tabindex="0"]')].filter(
-      (node) => node.checkVisibility() && node.tabIndex >= 0 && !node.disabled,
-    );
-    all.forEach((node, k) => (node.dataset.stop = String(k)));
-    return all.map((node) => node.outerHTML.slice(0, 90));
-  });
-  const seen = new Set();
-  for (let k = 0; k < wanted.length + 5; ++k) {
-    await page.keyboard.press('Tab');
-    const [stop, outline] = await page.evaluate(() => {
-      const style = getComputedStyle(document.activeElement);
-      return [document.activeElement.dataset.stop, `${style.outlineStyle} ${style.outlineWidth}`];
-    });
-    if (stop === undefined) continue;
-    seen.add(Number(stop));
-    assert.match(outline, /^(solid|auto) [1-9]/, `focus shows on ${wanted[stop]}`);
-  }
-  assert.deepEqual(
-    wanted.filter((_, k) => !seen.has(k)),
-    [],
-  );
+  assert.deepEqual(await passedByTab(page), []);
   await context.close();
 });
 
@@ -110,58 +102,6 @@ test('the tree opens, closes and selects by arrow keys', async () => {
   await context.close();
 });
 
-/// Contrast of every visible text with what is behind it (WCAG 2.1, 1.4.3), and of the inks that words are drawn with.
-const worstContrast = () => {
-  const luminance = ([r, g, b]) => {
-    const f = (v) => (v / 255 <= 0.04045 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4);
-    return 0.2126 * f(r) + 0.7152 * f(g) + 0.0722 * f(b);
-  };
-  const canvas = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
-  const parse = (color) => {
-    canvas.clearRect(0, 0, 1, 1);
-    canvas.fillStyle = color;
-    canvas.fillRect(0, 0, 1, 1);
-    return [...canvas.getImageData(0, 0, 1, 1).data];
-  };
-  const contrast = (a, b) => {
-    const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
-    return (high + 0.05) / (low + 0.05);
-  };
-  const behind = (node) => {
-    for (let at = node; at; at = at.parentElement) {
-      const color = parse(getComputedStyle(at).backgroundColor);
-      if (color[3] > 250) return color;
-    }
-    return [255, 255, 255, 255];
-  };
-  const found = [];
-  for (const node of document.querySelectorAll('body *')) {
-    const own = [...node.childNodes].some((child) => child.nodeType === 3 && child.textContent.trim() !== '');
-    if (!own || !node.checkVisibility() || node.closest('script, noscript')) continue;
-    const ratio = contrast(parse(getComputedStyle(node).color), behind(node));
-    if (ratio < 4.5) found.push(`${ratio.toFixed(2)} ${node.tagName}.${node.className}: ${node.textContent.slice(0, 30)}`);
-  }
-  const style = getComputedStyle(document.documentElement),
-    plot = parse(style.getPropertyValue('--plot'));
-  const drawn = [
-    'text',
-    'faint',
-    'finding',
-    'pattern',
-    'run-a',
-    'run-b',
-    'status-searching',
-    'status-ambiguous',
-    'status-localized',
-    'status-lost',
-  ];
-  for (const ink of drawn) {
-    const ratio = contrast(parse(style.getPropertyValue(`--${ink}`)), plot);
-    if (ratio < 4.5) found.push(`${ratio.toFixed(2)} drawn with --${ink}`);
-  }
-  return found;
-};
-
 for (const colorScheme of ['light', 'dark'])
   test(`contrast is 4.5 at least: ${colorScheme}`, async () => {
     const { page, context } = await open(browser, address, { colorScheme });
@@ -172,13 +112,13 @@ for (const colorScheme of ['light', 'dark'])
       await page.keyboard.press(key);
       await page.keyboard.press('ArrowDown');
       await page.evaluate(() => window.opal.settled());
-      assert.deepEqual(await page.evaluate(worstContrast), []);
+      assert.deepEqual(await page.evaluate(worstContrast, kInks), []);
     }
     await page.keyboard.press('l');
-    assert.deepEqual(await page.evaluate(worstContrast), []);
+    assert.deepEqual(await page.evaluate(worstContrast, kInks), []);
     await page.keyboard.press('Escape');
     await page.keyboard.press('?');
-    assert.deepEqual(await page.evaluate(worstContrast), []);
+    assert.deepEqual(await page.evaluate(worstContrast, kInks), []);
     await context.close();
   });
 

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.js';
 import { changedBy, madeReview, opal, readJson, serveReview } from './made_review.js';
+import { passedByTab, worstContrast } from './reading.js';
 
 const skip = existsSync(process.env.OPAL_PROGRAM ?? '') ? false : 'OPAL_PROGRAM does not name the built program';
 let browser;
@@ -205,3 +206,18 @@ test('when the program is gone, the page says so and loses nothing', { skip }, a
   await context.close();
   await again.end();
 });
+
+for (const colorScheme of ['light', 'dark'])
+  test(`everything can be read, and reached by Tab: ${colorScheme}`, { skip }, async () => {
+    const folder = madeReview();
+    opal(folder, 'map', 'review', 'room.jsonld', 'evidence.json', '--html', 'review.html');
+    const { page, context } = await opened(`file://${join(folder, 'review.html')}`, { colorScheme });
+    for (const key of ['a', 'k', 'r', 'u', 'f', 'f', 'f', 'f']) await page.keyboard.press(key);
+    assert.deepEqual(await page.evaluate(worstContrast, ['text', 'faint', 'moved', 'gone', 'added', 'doubt']), []);
+    await page.locator('[data-filter=all]').click();
+    assert.deepEqual(await page.evaluate(worstContrast, []), []);
+    assert.deepEqual(await passedByTab(page), []);
+    await page.setViewportSize({ width: 390, height: 844 });
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390, 'nothing runs out of a phone');
+    await context.close();
+  });
