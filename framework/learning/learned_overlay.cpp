@@ -134,8 +134,10 @@ std::vector<FaceGroup> grouped_faces(const std::vector<const DriveEvidence*>& dr
   return groups;
 }
 
+std::string name_of_addition(std::size_t number) { return "learned-" + std::to_string(number); }
+
 Proposal proposal_for(const FaceGroup& group, std::size_t number) {
-  Proposal proposal{"learned-" + std::to_string(number), "opal:Wall", Change::added};
+  Proposal proposal{name_of_addition(number), "opal:Wall", Change::added};
   proposal.face = group.best.face;
   double odds = kPriorAdded / (1 - kPriorAdded);
   std::set<std::string> drives;
@@ -189,7 +191,9 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
       for (const Deviation& deviation : visit.objects)
         by_object[deviation.object].push_back({&deviation, &drive->drive});
   Learned learned;
+  std::set<std::string> names;
   for (const MapObject& object : map.objects()) {
+    names.insert(object.id);
     const auto visits = by_object.find(object.id);
     if (visits == by_object.end()) {
       ++learned.unseen;
@@ -204,7 +208,11 @@ Learned learned_from(const SemanticMap& map, std::span<const DriveEvidence> driv
           proposal_for(object, visits->second, static_cast<DeviationVerdict>(best), probability[best]));
   }
   std::size_t number = 0;
-  for (const FaceGroup& group : grouped_faces(ordered)) learned.proposals.push_back(proposal_for(group, ++number));
+  for (const FaceGroup& group : grouped_faces(ordered)) {
+    do ++number;
+    while (names.contains(name_of_addition(number)));
+    learned.proposals.push_back(proposal_for(group, number));
+  }
   std::stable_sort(learned.proposals.begin(), learned.proposals.end(), is_first);
   return learned;
 }

@@ -61,6 +61,7 @@ nlohmann::ordered_json overlay_of(const SemanticMap& map, const Learned& learned
                                   double least_probability);
 
 /// The overlay of those among all proposals that a person or a rule chooses. What is in conflict is never part of it.
+/// @param is_chosen  gets proposals of `learned` themselves, not copies.
 nlohmann::ordered_json overlay_of(const SemanticMap& map, const Learned& learned, const std::string& sensor,
                                   const std::function<bool(const Proposal&)>& is_chosen);
 

@@ -77,12 +77,12 @@ const Decision* Review::decision_on(std::size_t proposal) const {
 }
 
 nlohmann::ordered_json Review::overlay() const {
-  std::set<std::string> accepted;
+  std::set<const Proposal*> accepted;
   for (std::size_t k = 0; k < subjects_.size(); ++k)
     if (const Decision* decision = decision_on(k); decision && decision->answer == Answer::accepted)
-      accepted.insert(subjects_[k].id);
+      accepted.insert(&matter_.learned.proposals[k]);
   return overlay_of(*matter_.map, matter_.learned, matter_.sensor,
-                    [&](const Proposal& proposal) { return accepted.contains(proposal.id); });
+                    [&](const Proposal& proposal) { return accepted.contains(&proposal); });
 }
 
 std::string Review::count() const {

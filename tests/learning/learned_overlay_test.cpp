@@ -76,6 +76,15 @@ TEST_CASE("a face that the map lacks is added, unless beams pass through it on a
   CHECK(overlay_of(*map, doubtful, kSensor, 0.5).at("@graph").size() == 1);
 }
 
+TEST_CASE("what is learned on a map that has learned before gets other names, and can be laid over it") {
+  const auto map = room();
+  const std::vector<UnmappedFace> first{{{{2, 3}, {5, 3}}, 10, 0}}, second{{{{2, 1}, {5, 1}}, 10, 0}};
+  const auto once = applied(*map, {drive("a", {}, first), drive("b", {}, first)});
+  const auto twice = applied(*once, {drive("c", {}, second), drive("d", {}, second)});
+  CHECK(face_of(*twice, "learned-1/face").begin.y() == Approx(3).margin(0.01));
+  CHECK(face_of(*twice, "learned-2/face").begin.y() == Approx(1).margin(0.01));
+}
+
 TEST_CASE("one short look changes no map, two long ones do") {
   const auto map = room();
   const auto is_written = [&](const std::vector<DriveEvidence>& drives) {

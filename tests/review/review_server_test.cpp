@@ -30,7 +30,8 @@ struct Served {
   std::string body(const std::vector<std::pair<std::string, Answer>>& answers) const {
     return to_json(said(review, answers)).dump();
   }
-  httplib::Result post(const std::string& body, httplib::Headers headers, const char* type = "application/json") const {
+  httplib::Result post(const std::string& body, const httplib::Headers& headers,
+                       const char* type = "application/json") const {
     return httplib::Client("127.0.0.1", server.port()).Post("/decisions", headers, body, type);
   }
   httplib::Result post(const std::string& body) const { return post(body, {{"X-Opal-Token", token}}); }
@@ -80,7 +81,7 @@ TEST_CASE("two pages do not take each other's decisions away") {
 TEST_CASE("requests from another origin, for another host or without the token change nothing") {
   const Served served;
   const std::string body = served.body({{"wall-2", Answer::accepted}}), port = std::to_string(served.server.port());
-  const auto status = [&](httplib::Headers headers) { return served.post(body, std::move(headers))->status; };
+  const auto status = [&](const httplib::Headers& headers) { return served.post(body, headers)->status; };
   CHECK(status({}) == 403);
   CHECK(status({{"X-Opal-Token", "1-1"}}) == 403);
   for (const char* origin : {"http://evil.example", "null", "https://127.0.0.1", "http://127.0.0.1:1"})
