@@ -173,7 +173,7 @@ PoseEstimate Localizer::State::estimate(const Observation& observation) {
   return status.estimate(
       all, T_local_base, stamp_s,
       {tempering_weight(), kidnapping.probability(), unmapped_walls_m(local_map, *parts.map, T_map_local),
-       agreement(observation, *parts.map, T_map_local * T_local_base)});
+       kidnapping.is_broken(), agreement(observation, *parts.map, T_map_local * T_local_base)});
 }
 
 void Localizer::State::track(const Observation& observation, const Sample& sample) {

@@ -35,6 +35,10 @@ class OPAL_EXPORT KidnapDetector {
   /// Whether a scan that says this would be reason enough to look at it.
   bool alarming(double scan_nat) const;
 
+  /// Whether the newest scan shows much less of what was seen before than scans usually do: the robot has perhaps been
+  /// kidnapped, however well the scan fits.
+  bool is_broken() const { return is_broken_; }
+
   /// Where there is reason to search the whole map anew.
   std::optional<RetrospectiveVerification::Takeover> suspected() const;
 
@@ -51,6 +55,8 @@ class OPAL_EXPORT KidnapDetector {
   double suspicion_nat_ = 0;
   double usual_nat_ = 0;  ///< what scans said on average before there was suspicion
   RetrospectiveVerification::Takeover last_good_;
+  double usual_share_ = 0;  ///< of points on what was seen before
+  bool is_broken_ = false;
   KeyframeId discontinued_;  ///< the newest keyframe that did not continue those before
 };
 

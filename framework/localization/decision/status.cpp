@@ -16,6 +16,10 @@ bool same_place(const Pose2& a, const Pose2& b) {
   return distance_m(a, b) < kSamePlace_m && angle_between_rad(a, b) < kSamePlace_rad;
 }
 
+Status unproven(const PoseEstimate& estimate) {
+  return estimate.alternatives.empty() ? Status::searching : Status::ambiguous;
+}
+
 /// To the digits that are printed: what is not above a limit must not look as if it were.
 double rounded_down(double probability) { return std::floor(probability * 1000) / 1000; }
 
@@ -35,6 +39,7 @@ void StatusEstimator::reset() {
   last_ = {};
   belief_ = {};
   sure_ = 0;
+  unbroken_ = std::numeric_limits<double>::infinity();
   none_nat_ = 0;
   was_localized_ = false;
   mean_scan_nat_ = 0;
@@ -100,10 +105,14 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
     return because(Status::lost,
                    sentence("the newest scans do not fit here: kidnapped with probability %.3f, not below %.3f",
                             now.kidnapped, 1 - options_.localized_probability));
+  unbroken_ = now.is_broken ? 0 : unbroken_ + now.tempering_weight;
+  if (!doubt && sure_ > 0 && unbroken_ < options_.localized_weight)
+    return because(unproven(estimate),
+                   sentence("%.2f of %.2f pieces of new evidence ago a scan broke off from those before: the robot may "
+                            "have been kidnapped",
+                            unbroken_, options_.localized_weight));
   const double asked = weight_asked(now.unmapped_walls_m);
-  const Status status = sure_ >= asked && !doubt        ? Status::localized
-                        : estimate.alternatives.empty() ? Status::searching
-                                                        : Status::ambiguous;
+  const Status status = sure_ >= asked && !doubt ? Status::localized : unproven(estimate);
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
   if (same || estimate.probability <= options_.localized_probability)
     return because(status, sentence("the probability is %.3f, not above %.3f", rounded_down(estimate.probability),
@@ -130,8 +139,7 @@ Status StatusEstimator::because(Status status, std::string why) {
 }
 
 Status StatusEstimator::while_contradicted(const PoseEstimate& estimate) const {
-  if (was_localized_) return Status::lost;
-  return estimate.alternatives.empty() ? Status::searching : Status::ambiguous;
+  return was_localized_ ? Status::lost : unproven(estimate);
 }
 
 PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pose2& T_local_base, double stamp_s,

@@ -7,6 +7,7 @@
 #include <opal/localization/options/localizer_options.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace opal {
 
@@ -15,6 +16,7 @@ struct Circumstances {
   double tempering_weight = 1;  ///< how much of a new piece of evidence the scan was, in (0, 1]
   double kidnapped = 0;         ///< probability that the robot has been kidnapped from all hypotheses
   double unmapped_walls_m = 0;  ///< straight walls around the robot that the best hypothesis does not find on the map
+  bool is_broken = false;       ///< the scan shows hardly anything of what was seen before
   MapAgreement agreement{};     ///< of the map with the scan, at the best hypothesis
 };
 
@@ -72,7 +74,9 @@ class OPAL_EXPORT StatusEstimator {
   std::string contradiction_;  ///< of the sensor description by the drive; empty: none
   Pose2 T_map_local_;
   double none_nat_ = 0;  ///< log weight of "none of these"
-  double sure_ = 0;      ///< tempering_weight since the required probability holds at one place
+  /// Sum of tempering weights since a scan broke off from those before.
+  double unbroken_ = std::numeric_limits<double>::infinity();
+  double sure_ = 0;  ///< tempering_weight since the required probability holds at one place
   bool was_localized_ = false;
   double mean_scan_nat_ = 0;  ///< of the best hypothesis, over the newest scans
   MeanAgreement agreement_;   ///< since the best place is the same

@@ -178,6 +178,34 @@ TEST_CASE("a scan alarms where it says much less than usual") {
   CHECK(watch.detector.alarming(kBad_nat));
 }
 
+TEST_CASE(
+    "a scan breaks off if it shows much less of what was seen before than scans usually do, however much that is") {
+  const double usual = GENERATE(0.4, 0.6, 1.0);
+  Watch watch;
+  for (int k = 0; k < 10; ++k) {
+    watch.see(kGood_nat, usual);
+    CHECK_FALSE(watch.detector.is_broken());
+  }
+  watch.see(kGood_nat, 0.6 * usual);
+  CHECK_FALSE(watch.detector.is_broken());
+  watch.see(kGood_nat, 0.2 * usual);
+  CHECK(watch.detector.is_broken());
+  watch.see(kGood_nat, usual);
+  CHECK_FALSE(watch.detector.is_broken());
+}
+
+TEST_CASE("who sees little of the same from scan to scan for good gets used to it") {
+  Watch watch;
+  watch.see_good(10);
+  int broken = 0;
+  for (int k = 0; k < 20; ++k) {
+    watch.see(kGood_nat, 0.2);
+    broken += watch.detector.is_broken();
+  }
+  CHECK(broken > 0);
+  CHECK(broken < 10);
+}
+
 TEST_CASE("a detector that is reset suspects nothing and knows of no usual scan") {
   Watch watch;
   watch.see_good(60);

@@ -206,6 +206,21 @@ TEST_CASE("a place is not localized while a kidnapping from it is probable") {
   CHECK(Answer().weight_until_localized({1, 0.05, 0}) > 900);
 }
 
+TEST_CASE(
+    "after a scan that breaks off from those before, a place has to hold anew, though nothing speaks against it") {
+  Answer answer = localized_here();
+  Circumstances broken;
+  broken.is_broken = true;
+  const PoseEstimate estimate = answer.to({hypothesis(1, kHere, 20)}, broken);
+  CHECK(estimate.status == Status::searching);
+  CHECK(estimate.probability > 0.99);
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("a scan broke off from those before"));
+  CHECK(answer.estimator.believed());
+  CHECK(answer.weight_until_localized({}) == Approx(StatusOptions{}.localized_weight).margin(1));
+  answer.estimator.reset();
+  CHECK(answer.weight_until_localized({}) == Answer().weight_until_localized({}));
+}
+
 TEST_CASE("a scan that says nothing wears down what hypotheses do not keep up with") {
   Answer answer;
   double before = 0;
