@@ -29,6 +29,24 @@ nlohmann::ordered_json to_json(const UnmappedFace& unmapped) {
           {"views", unmapped.views},     {"seen_through_share", unmapped.seen_through_share}};
 }
 
+/// What is beyond is no place of a building and no number of keyframes.
+constexpr double kFarthest_m = 1e6;
+constexpr int kMostKeyframes = 1'000'000'000;
+
+/// A number in [low, high].
+double number_at(const nlohmann::json& json, const char* key, double low, double high) {
+  const double value = json.at(key).get<double>();
+  if (value >= low && value <= high) return value;
+  throw ConfigError(std::string(key) + " " + json.at(key).dump() + ", expected " + nlohmann::json(low).dump() + " to " +
+                    nlohmann::json(high).dump());
+}
+double metres_at(const nlohmann::json& json, const char* key) {
+  return number_at(json, key, -kFarthest_m, kFarthest_m);
+}
+int count_at(const nlohmann::json& json, const char* key) {
+  return static_cast<int>(number_at(json, key, 0, kMostKeyframes));
+}
+
 DeviationVerdict verdict_from(const std::string& word) {
   for (const DeviationVerdict verdict : kVerdicts)
     if (word == name_of(verdict)) return verdict;
@@ -40,19 +58,19 @@ Deviation deviation_from(const nlohmann::json& json) {
   deviation.object = json.at("object");
   deviation.type = json.at("type");
   deviation.verdict = verdict_from(json.at("verdict"));
-  deviation.moved = {json.at("moved_x_m").get<double>(), json.at("moved_y_m").get<double>()};
-  deviation.offset_m = json.at("offset_m");
-  deviation.sigma_m = json.at("sigma_m");
-  deviation.observations = json.at("observations");
-  deviation.seen_through_share = json.at("seen_through_share");
+  deviation.moved = {metres_at(json, "moved_x_m"), metres_at(json, "moved_y_m")};
+  deviation.offset_m = metres_at(json, "offset_m");
+  deviation.sigma_m = number_at(json, "sigma_m", 0, kFarthest_m);
+  deviation.observations = count_at(json, "observations");
+  deviation.seen_through_share = number_at(json, "seen_through_share", 0, 1);
   return deviation;
 }
 
 UnmappedFace face_from(const nlohmann::json& json) {
-  return {{{json.at("begin_x_m").get<double>(), json.at("begin_y_m").get<double>()},
-           {json.at("end_x_m").get<double>(), json.at("end_y_m").get<double>()}},
-          json.at("views"),
-          json.at("seen_through_share")};
+  return {{{metres_at(json, "begin_x_m"), metres_at(json, "begin_y_m")},
+           {metres_at(json, "end_x_m"), metres_at(json, "end_y_m")}},
+          count_at(json, "views"),
+          number_at(json, "seen_through_share", 0, 1)};
 }
 
 }  // namespace
@@ -74,8 +92,11 @@ DriveEvidence drive_evidence_from(const nlohmann::json& document, const std::str
   try {
     if (document.at("opal_evidence") != kFormat)
       throw ConfigError("format " + document.at("opal_evidence").dump() + ", expected " + std::to_string(kFormat));
-    DriveEvidence evidence{
-        document.at("map"), document.at("drive"), {}, document.at("learned_m"), document.at("left_out_m")};
+    DriveEvidence evidence{document.at("map"),
+                           document.at("drive"),
+                           {},
+                           number_at(document, "learned_m", 0, kFarthest_m),
+                           number_at(document, "left_out_m", 0, kFarthest_m)};
     for (const nlohmann::json& visit : document.at("visits")) {
       evidence.visits.emplace_back();
       for (const nlohmann::json& object : visit.at("objects"))

@@ -147,6 +147,24 @@ TEST_CASE("the evidence of a drive is a document that says the same when it is r
   CHECK(to_json(drive_evidence_from(document, "a.json")).dump() == to_json(evidence).dump());
 }
 
+TEST_CASE("a number in evidence that nothing can be is refused with what was found and what was expected") {
+  const auto refused = [](const char* key, const nlohmann::json& value) {
+    nlohmann::json document = nlohmann::json::parse(to_json(drive("a", {seen("wall-0", kMoved)})).dump());
+    document["visits"][0]["objects"][0][key] = value;
+    try {
+      drive_evidence_from(document, "x.json");
+    } catch (const ConfigError& error) {
+      return std::string(error.what());
+    }
+    return std::string("taken");
+  };
+  CHECK(refused("observations", 1e300) == "x.json: observations 1e+300, expected 0.0 to 1000000000.0");
+  CHECK_THAT(refused("observations", -1), Contains("expected 0.0 to"));
+  CHECK_THAT(refused("seen_through_share", 1.5), Contains("seen_through_share 1.5, expected 0.0 to 1.0"));
+  CHECK_THAT(refused("moved_x_m", 1e300), Contains("moved_x_m 1e+300"));
+  CHECK_THAT(refused("sigma_m", -0.1), Contains("sigma_m -0.1"));
+}
+
 TEST_CASE("a document that is no evidence is refused by name") {
   nlohmann::json document = nlohmann::json::parse(to_json(drive("a", {seen("wall-0", kMoved)})).dump());
   CHECK_THROWS_WITH(drive_evidence_from(nlohmann::json::object(), "x.json"),
