@@ -15,6 +15,7 @@ import faults
 import integrity
 import judge
 import make_results
+import mutants
 import tables
 
 HEADER = "query_id,timestamp,x,y,theta,localized_flag,probability,none,status\n"
@@ -287,7 +288,8 @@ class Page(unittest.TestCase):
             "drives": lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
             "drives-models": lambda: {"Duplex, Level 1": cells},
             "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
-            "integrity": lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)}})
+            "integrity": lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)},
+            "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
         row = (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict]))
         self.enterContext(unittest.mock.patch("campus.row_of", return_value=row))
         for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):
