@@ -143,6 +143,18 @@ TEST_CASE("a campaign in parts, in any order and by any number of jobs, is the c
   CHECK(values_in(campaign, parts) == values_in(campaign, whole));
 }
 
+TEST_CASE("a campaign that grows keeps its drives, and one that shrinks does not look at the others") {
+  const TemporaryFolder path;
+  const ab::ResultFolder folder(path.path(), {{"campaign", 1}});
+  drive_all(short_campaign(1), folder, {1, 1}, 1);
+  const auto first = values_in(short_campaign(1), folder);
+  drive_all(short_campaign(2), folder, {1, 1}, 1);
+  REQUIRE(values_in(short_campaign(2), folder).size() == 2);
+  CHECK(values_in(short_campaign(2), folder).front() == first.front());
+  drive_all(short_campaign(1), folder, {1, 1}, 1);
+  CHECK(values_in(short_campaign(1), folder) == first);
+}
+
 TEST_CASE("a stopped campaign keeps what has ended, and goes on") {
   const Campaign campaign = short_campaign(3);
   const TemporaryFolder path;
