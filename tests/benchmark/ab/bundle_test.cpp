@@ -1,7 +1,7 @@
 #include "small_experiment.hpp"
 
-#include "benchmark/ab/records/sha256.hpp"
 #include "benchmark/cells/ab_report.hpp"
+#include "common/digest/sha256.hpp"
 #include "tests/system/server/program.hpp"
 
 #include <catch2/catch.hpp>
@@ -62,7 +62,7 @@ class MadeBundle {
     write(name, content);
     json list = json::parse(content_of(path_of("bundle.json")));
     for (json& file : list["files"])
-      if (file["name"] == name) file["sha256"] = opal::ab::sha256_of(content);
+      if (file["name"] == name) file["sha256"] = opal::sha256_of(content);
     write("bundle.json", list.dump());
   }
   void write(const std::string& name, const std::string& content) const {
@@ -97,8 +97,7 @@ TEST_CASE("a bundle repeats its experiment to the byte, without the files that i
   CHECK_THAT(list["command"].get<std::string>(), Contains("opal ab ") && Contains("small.jsonld"));
   CHECK(list["seeds"]["corridor"] == json{1, 2});
   CHECK(list["opal"]["library_sha256"].get<std::string>().size() == 64);
-  CHECK_THAT(bundle.said(),
-             Contains("SHA-256 of bundle.json: " + opal::ab::sha256_of_file(bundle.path_of("bundle.json"))));
+  CHECK_THAT(bundle.said(), Contains("SHA-256 of bundle.json: " + opal::sha256_of_file(bundle.path_of("bundle.json"))));
 }
 
 TEST_CASE("a bundle with a file that was changed, is missing, or was added is refused by the file and its place") {
