@@ -39,8 +39,8 @@ std::string digest_of(const std::vector<opal::DriveEvidence>& drives) {
 }
 
 opal::ReviewMatter matter_of(const ReviewOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = options.inputs.run.deployment();
+  const opal::PluginRegistry registry = load_plugins(deployment);
   opal::ReviewMatter matter;
   matter.map = load_map(registry, deployment);
   const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, matter.map);
