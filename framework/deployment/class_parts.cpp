@@ -60,15 +60,29 @@ std::vector<std::string> class_files(const Deployment& deployment) {
   return {files.begin(), files.end()};
 }
 
+namespace {
+
+/// Calls with every text of a list's objects under a key, which it may change.
+void for_texts(nlohmann::json& configuration, const char* list, const char* key,
+               const std::function<void(nlohmann::json&)>& change) {
+  if (!configuration.contains(list) || !configuration[list].is_array()) return;
+  for (nlohmann::json& object : configuration[list])
+    if (object.is_object() && object.contains(key) && object[key].is_string()) change(object[key]);
+}
+
+}  // namespace
+
 nlohmann::json with_classes_named(nlohmann::json configuration,
                                   const std::function<std::string(const ClassSource&)>& type_of) {
-  for (const char* key : {"detectors", "patterns", "scorers"}) {
-    if (!configuration.contains(key) || !configuration[key].is_array()) continue;
-    for (nlohmann::json& part : configuration[key]) {
-      if (!part.is_object() || !part.contains("@type") || !part["@type"].is_string()) continue;
-      if (const auto source = read_class_source(part["@type"])) part["@type"] = type_of(*source);
-    }
-  }
+  for (const char* list : {"detectors", "patterns", "scorers"})
+    for_texts(configuration, list, "@type", [&](nlohmann::json& type) {
+      if (const auto source = read_class_source(type)) type = type_of(*source);
+    });
+  for_texts(configuration, "trusted_plugins", "file", [&](nlohmann::json& file) {
+    const std::string anything = ":Class";  // a file is named like one of its classes
+    if (const auto source = read_class_source(file.get<std::string>() + anything))
+      file = read_class_source(type_of(*source))->file;
+  });
   return configuration;
 }
 

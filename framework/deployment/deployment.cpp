@@ -6,6 +6,7 @@
 #include <opal/common/strict_json.hpp>
 #include "deployment/localizer_options.hpp"
 #include "deployment/store_source.hpp"
+#include "deployment/trusted_list.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -239,6 +240,7 @@ Deployment read(const nlohmann::json& json, const std::string& file) {
   if (auto patterns = document.list("patterns")) deployment.patterns = read_parts(*patterns);
   if (auto importers = document.list("importers")) deployment.importers = read_parts(*importers);
   if (auto sources = document.list("log_sources")) deployment.log_sources = read_parts(*sources);
+  deployment.trusted_plugins = read_trusted_plugins(document, file);
   deployment.scorers = read_scorers(document);
   if (document.object("stages"))
     deployment.stages = read_localizer_options(document.any("stages"), document.where("stages"));

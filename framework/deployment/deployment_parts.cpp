@@ -2,9 +2,11 @@
 #include <opal/deployment/deployment.hpp>
 #include "deployment/class_parts.hpp"
 #include "deployment/pipeline_plan.hpp"
+#include "deployment/types_made.hpp"
 #include "patterns/consuming_template.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace opal {
 namespace {
@@ -23,6 +25,7 @@ void expect_type(const PartConfig& part, PluginKind kind, const PluginRegistry& 
   if (!registry.has(part.type)) throw ConfigError(place + ", which no plugin offers" + expected);
   if (const PluginKind found = registry.type(part.type).kind; found != kind)
     throw ConfigError(place + ", which is a " + name_of(found) + expected);
+  registry.expect_trusted(part.type);
 }
 
 /// A plugin names the option that it does not accept; the deployment adds the file and the place.
@@ -108,6 +111,24 @@ std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, PluginKind 
   throw ConfigError(message);
 }
 
+/// What a map calls for and a deployment leaves of it, before anything but classes is made.
+struct CalledFor {
+  std::vector<RegisteredType> types;  ///< that there are
+  std::vector<PartConfig> detectors, patterns;
+};
+
+/// @throws ConfigError if no detector or no pattern is left.
+CalledFor called_for(const Deployment& deployment, const PluginRegistry& registry, const SemanticMap& map) {
+  CalledFor parts{types_for(deployment, registry), {}, {}};
+  const PipelinePlan plan = plan_pipeline(map, deployment.lasers.front().id, parts.types);
+  parts.detectors = narrowed(plan.detectors, deployment.detectors);
+  parts.patterns = observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns),
+                              parts.detectors, parts.types);
+  if (parts.detectors.empty()) refuse_empty(deployment, "detectors", plan);
+  if (parts.patterns.empty()) refuse_empty(deployment, "patterns", plan);
+  return parts;
+}
+
 /// Of one of the parts that are listed; none if it is not. All of them are checked.
 nlohmann::json options_of(const std::string& type, const std::vector<PartConfig>& listed, PluginKind kind,
                           const std::string& document, const PluginRegistry& registry) {
@@ -121,15 +142,18 @@ nlohmann::json options_of(const std::string& type, const std::vector<PartConfig>
 
 nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
                                 const std::string& importer) {
-  return options_of(importer, deployment.importers, PluginKind::map_importer, deployment.file, registry);
+  return options_of(importer, deployment.importers, PluginKind::map_importer, deployment.file,
+                    trusted_by(deployment, registry));
 }
 
 nlohmann::json log_source_options(const Deployment& deployment, const PluginRegistry& registry,
                                   const std::string& log_source) {
-  return options_of(log_source, deployment.log_sources, PluginKind::log_source, deployment.file, registry);
+  return options_of(log_source, deployment.log_sources, PluginKind::log_source, deployment.file,
+                    trusted_by(deployment, registry));
 }
 
-void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
+void check_parts(const Deployment& deployment, const PluginRegistry& plugins) {
+  const PluginRegistry registry = trusted_by(deployment, plugins);
   const auto expect_all = [&](const MaybeParts& parts, PluginKind kind) {
     if (!parts) return;
     for (const PartConfig& part : *parts) expect_usable(part, kind, deployment.file, registry);
@@ -143,16 +167,32 @@ void check_parts(const Deployment& deployment, const PluginRegistry& registry) {
     expect_usable(scorer.part, PluginKind::hypothesis_scorer, deployment.file, registry);
 }
 
-LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
+std::vector<std::string> types_made(const Deployment& deployment, const PluginRegistry& plugins,
+                                    const SemanticMap& map) {
+  check_parts(deployment, plugins);
+  const CalledFor called = called_for(deployment, trusted_by(deployment, plugins), map);
+  std::set<std::string> types;
+  const auto add = [&](const PartConfig& part, PluginKind kind) {
+    types.insert(read_class_source(part.type) ? host_of(kind) : part.type);
+  };
+  for (const PartConfig& part : called.detectors) add(part, PluginKind::feature_detector);
+  for (const PartConfig& part : called.patterns) add(part, PluginKind::pattern_template);
+  for (const ScorerConfig& scorer : deployment.scorers) add(scorer.part, PluginKind::hypothesis_scorer);
+  if (deployment.matcher) add(*deployment.matcher, PluginKind::scan_matcher);
+  for (const MaybeParts* listed : {&deployment.detectors, &deployment.patterns})
+    if (*listed)
+      for (const PartConfig& part : **listed)
+        add(part, listed == &deployment.detectors ? PluginKind::feature_detector : PluginKind::pattern_template);
+  for (const PartConfig& part : deployment.importers) add(part, PluginKind::map_importer);
+  for (const PartConfig& part : deployment.log_sources) add(part, PluginKind::log_source);
+  return {types.begin(), types.end()};
+}
+
+LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& plugins,
                            std::shared_ptr<const SemanticMap> map) {
-  check_parts(deployment, registry);
-  const std::vector<RegisteredType> types = types_for(deployment, registry);
-  const PipelinePlan plan = plan_pipeline(*map, deployment.lasers.front().id, types);
-  const auto detectors = narrowed(plan.detectors, deployment.detectors);
-  const auto patterns =
-      observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns), detectors, types);
-  if (detectors.empty()) refuse_empty(deployment, "detectors", plan);
-  if (patterns.empty()) refuse_empty(deployment, "patterns", plan);
+  check_parts(deployment, plugins);
+  const PluginRegistry registry = trusted_by(deployment, plugins);
+  const CalledFor called = called_for(deployment, registry, *map);
 
   LocalizerParts parts;
   parts.map = std::make_shared<const MapView>(std::move(map), deployment.lasers.front().id);
@@ -162,10 +202,11 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& r
   parts.local_map = deployment.local_map;
   if (deployment.matcher)
     parts.matcher = registry.make<ScanMatcher>(deployment.matcher->type, deployment.matcher->options);
-  parts.detectors = make_all<FeatureDetector>(detectors, PluginKind::feature_detector, deployment.file, registry);
-  parts.patterns = make_all<PatternTemplate>(patterns, PluginKind::pattern_template, deployment.file, registry);
+  parts.detectors =
+      make_all<FeatureDetector>(called.detectors, PluginKind::feature_detector, deployment.file, registry);
+  parts.patterns = make_all<PatternTemplate>(called.patterns, PluginKind::pattern_template, deployment.file, registry);
   for (Named<PatternTemplate>& pattern : parts.patterns)
-    pattern.part = consuming(std::move(pattern.part), info_of(pattern.name, types).consumes);
+    pattern.part = consuming(std::move(pattern.part), info_of(pattern.name, called.types).consumes);
   for (const ScorerConfig& scorer : deployment.scorers)
     parts.scorers.push_back(
         {scorer.name.empty() ? scorer.part.type : scorer.name,

@@ -1,121 +1,24 @@
 #include <opal/plugin/plugin_registry.hpp>
 
 #include "common/phrases.hpp"
+#include "plugin/class_source.hpp"
+#include "plugin/described_library.hpp"
 #include "plugin/plugin_library.hpp"
 #include "plugin/refusal.hpp"
+#include "plugin/trust.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <mutex>
-#include <variant>
 
 namespace opal {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// In the order of PluginKind.
-using AnyFactory = std::variant<Factory<FeatureDetector>, Factory<PatternTemplate>, Factory<HypothesisScorer>,
-                                Factory<LogSource>, Factory<MapImporter>, Factory<ScanMatcher>, Factory<MapStore>>;
-
-PluginKind kind_of(const AnyFactory& factory) { return static_cast<PluginKind>(factory.index()); }
-
 template <class T>
 PluginKind kind_of_interface() {
   return kind_of(AnyFactory(Factory<T>{}));
-}
-
-struct Registration {
-  TypeInfo info;
-  AnyFactory factory;
-};
-
-/// Takes what a plugin registers, until all of it is known to be good.
-class Collector final : public Registrar {
- public:
-  void add(TypeInfo type, Factory<FeatureDetector> make) override { take(std::move(type), std::move(make)); }
-  void add(TypeInfo type, Factory<PatternTemplate> make) override { take(std::move(type), std::move(make)); }
-  void add(TypeInfo type, Factory<HypothesisScorer> make) override { take(std::move(type), std::move(make)); }
-  void add(TypeInfo type, Factory<LogSource> make) override { take(std::move(type), std::move(make)); }
-  void add(TypeInfo type, Factory<MapImporter> make) override { take(std::move(type), std::move(make)); }
-  void add(TypeInfo type, Factory<ScanMatcher> make) override { take(std::move(type), std::move(make)); }
-  void add(TypeInfo type, Factory<MapStore> make) override { take(std::move(type), std::move(make)); }
-
-  std::vector<Registration> registrations;
-
- private:
-  template <class T>
-  void take(TypeInfo type, Factory<T> make) {
-    registrations.push_back({std::move(type), std::move(make)});
-  }
-};
-
-std::string canonical_file(const std::string& path) {
-  std::error_code error;
-  const fs::path canonical = fs::canonical(path, error);
-  if (error) refuse_file(path, "there is no such file");
-  if (!fs::is_regular_file(canonical)) refuse_file(path, "is no file");
-  return canonical.string();
-}
-
-std::string description_path(const std::string& file) { return fs::path(file).replace_extension(".jsonld").string(); }
-
-void require_same_plugin(const std::string& file, const PluginDescription& promised, const PluginDescriptor& actual) {
-  if (promised.name == actual.name && promised.version == actual.version) return;
-  refuse_file(file, std::string("calls itself ") + actual.name + " " + actual.version + ", but " +
-                        description_path(file) + " describes " + promised.name + " " + promised.version);
-}
-
-bool same_set(std::vector<std::string> a, std::vector<std::string> b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  return a == b;
-}
-
-void require_as_described(const std::string& file, const DescribedType& promised, const Registration& actual) {
-  const std::string name = promised.info.name;
-  const auto differ = [&](const std::string& what, const std::string& is, const std::string& described) {
-    refuse_file(file, name + " " + what + " " + is + ", but its description says " + described);
-  };
-  if (kind_of(actual.factory) != promised.kind)
-    differ("is registered as", name_of(kind_of(actual.factory)), name_of(promised.kind));
-  if (!same_set(actual.info.consumes, promised.info.consumes))
-    differ("consumes", listed(actual.info.consumes, "nothing"), listed(promised.info.consumes, "nothing"));
-  if (!same_set(actual.info.produces, promised.info.produces))
-    differ("produces", listed(actual.info.produces, "nothing"), listed(promised.info.produces, "nothing"));
-  if (std::visit([](const auto& make) { return !make; }, actual.factory))
-    refuse_file(file, name + " is registered without a factory");
-}
-
-/// The registrations by name, when they are exactly those described.
-std::map<std::string, Registration> by_name(const std::string& file, const PluginDescription& promised,
-                                            std::vector<Registration> registrations) {
-  std::map<std::string, Registration> named;
-  for (Registration& registration : registrations) {
-    const std::string name = registration.info.name;
-    if (!named.emplace(name, std::move(registration)).second) refuse_file(file, "registers " + name + " twice");
-  }
-  for (const DescribedType& type : promised.types) {
-    const auto found = named.find(type.info.name);
-    if (found == named.end())
-      refuse_file(file, "does not register " + type.info.name + ", which its description promises");
-    require_as_described(file, type, found->second);
-  }
-  for (const auto& [name, ignored] : named) {
-    const auto is_this = [&key = name](const DescribedType& type) { return type.info.name == key; };
-    if (std::none_of(promised.types.begin(), promised.types.end(), is_this))
-      refuse_file(file, "registers " + name + ", which its description does not name");
-  }
-  return named;
-}
-
-std::map<std::string, Registration> collect(const std::string& file, const PluginDescription& promised,
-                                            const PluginDescriptor& plugin) {
-  Collector collector;
-  if (const auto failure = failure_of([&] { plugin.register_types(collector); }))
-    refuse_file(file, "failed to register its types: " + *failure);
-  return by_name(file, promised, std::move(collector.registrations));
 }
 
 /// Takes every *.so of a folder, by name. @return why some were not taken.
@@ -137,44 +40,9 @@ std::vector<std::string> refusals_of(const std::string& folder, const Take& take
   return refusals;
 }
 
-/// A plugin by what its description promises. No code of it runs before it is opened.
-class Library {
- public:
-  /// @throws PluginError if the file is no plugin for this framework, or has no good description.
-  explicit Library(const std::string& path) : file_(canonical_file(path)) {
-    require_plugin_file(file_);
-    description_ = read_plugin_description(description_path(file_));
-  }
-
-  const std::string& file() const { return file_; }
-  const PluginDescription& description() const { return description_; }
-
-  /// Loads the code, at the first call. @throws PluginError, at every call, if it cannot or is not what was promised.
-  void open() {
-    const std::lock_guard lock(opening_);
-    if (code_ != nullptr) return;
-    auto code = open_plugin(file_);
-    require_same_plugin(file_, description_, *code);
-    registered_ = collect(file_, description_, *code);
-    keep_until_exit(file_);
-    code_ = std::move(code);
-  }
-
-  /// Of an open library.
-  const AnyFactory& factory(const std::string& type) const { return registered_.at(type).factory; }
-
- private:
-  std::string file_;
-  PluginDescription description_;
-  std::mutex opening_;
-  std::shared_ptr<const PluginDescriptor>
-      code_;  // before the factories, which are its code, so that it goes after them
-  std::map<std::string, Registration> registered_;
-};
-
 /// A type that can be made.
 struct Entry {
-  std::shared_ptr<Library> library;
+  std::shared_ptr<DescribedLibrary> library;
   RegisteredType type;
 };
 
@@ -182,8 +50,20 @@ struct Entry {
 
 struct PluginRegistry::State {
   std::map<std::string, Entry> entries;
+  std::vector<TrustedPlugins> lists;  ///< each of which must trust what is made
 
-  void require_new(const Library& library) const {
+  void expect_trusted(const Entry& entry) const {
+    for (const TrustedPlugins& trusted : lists)
+      expect_trusted_plugin(trusted, entry.type.plugin, entry.type.file, entry.library->digest());
+  }
+
+  /// A type that runs a class runs code of that class's file.
+  void expect_trusted_class_in(const Entry& entry, const nlohmann::json& options) const {
+    if (entry.type.info.name != host_of(entry.type.kind)) return;
+    for (const TrustedPlugins& trusted : lists) expect_trusted_class(trusted, options.at("class").get<std::string>());
+  }
+
+  void require_new(const DescribedLibrary& library) const {
     for (const auto& [name, entry] : entries)
       if (entry.library->file() == library.file()) refuse_file(library.file(), "is loaded already");
     for (const DescribedType& type : library.description().types) {
@@ -195,7 +75,7 @@ struct PluginRegistry::State {
     }
   }
 
-  void merge(const std::shared_ptr<Library>& library) {
+  void merge(const std::shared_ptr<DescribedLibrary>& library) {
     const PluginDescription& description = library->description();
     for (const DescribedType& described : description.types)
       entries.emplace(described.info.name,
@@ -219,14 +99,16 @@ PluginRegistry::PluginRegistry(PluginRegistry&&) noexcept = default;
 PluginRegistry& PluginRegistry::operator=(PluginRegistry&&) noexcept = default;
 
 void PluginRegistry::load(const std::string& path) {
-  const auto library = std::make_shared<Library>(path);
+  const auto library = std::make_shared<DescribedLibrary>(path);
   state_->require_new(*library);
+  for (const TrustedPlugins& trusted : state_->lists)
+    expect_trusted_plugin(trusted, library->description().name, library->file(), library->digest());
   library->open();
   state_->merge(library);
 }
 
 void PluginRegistry::announce(const std::string& path) {
-  const auto library = std::make_shared<Library>(path);
+  const auto library = std::make_shared<DescribedLibrary>(path);
   state_->require_new(*library);
   state_->merge(library);
 }
@@ -249,6 +131,22 @@ const RegisteredType& PluginRegistry::type(const std::string& name) const { retu
 
 bool PluginRegistry::has(const std::string& name) const { return state_->entries.count(name) > 0; }
 
+PluginRegistry PluginRegistry::trusting(const std::optional<TrustedPlugins>& trusted) const {
+  PluginRegistry registry;
+  *registry.state_ = *state_;
+  std::vector<TrustedPlugins>& lists = registry.state_->lists;
+  if (trusted && std::find(lists.begin(), lists.end(), *trusted) == lists.end()) lists.push_back(*trusted);
+  return registry;
+}
+
+bool PluginRegistry::is_listed(const std::string& name) const {
+  const std::string& plugin = type(name).plugin;
+  return std::all_of(state_->lists.begin(), state_->lists.end(),
+                     [&](const TrustedPlugins& trusted) { return trusted.plugins.contains(plugin); });
+}
+
+void PluginRegistry::expect_trusted(const std::string& name) const { state_->expect_trusted(state_->entry(name)); }
+
 template <class T>
 std::shared_ptr<const T> PluginRegistry::make(const std::string& name, const nlohmann::json& options) const {
   const Entry& entry = state_->entry(name);
@@ -256,6 +154,8 @@ std::shared_ptr<const T> PluginRegistry::make(const std::string& name, const nlo
   if (entry.type.kind != kind_of_interface<T>())
     throw PluginError(origin + " is a " + name_of(entry.type.kind) + ", expected a " + name_of(kind_of_interface<T>()));
   const nlohmann::json complete = complete_options(name, entry.type.options, options);
+  state_->expect_trusted(entry);
+  state_->expect_trusted_class_in(entry, complete);
   entry.library->open();
   const auto& factory = std::get<Factory<T>>(entry.library->factory(name));
   std::unique_ptr<T> made;

@@ -38,12 +38,12 @@ BenchResult bench(const std::string& prefix, const std::variant<Deployment, std:
   const py::gil_scoped_release others_run;
   const auto* name = std::get_if<std::string>(&config);
   const Deployment deployment = name != nullptr ? read_deployment(config_file(*name)) : std::get<0>(config);
-  const auto plugins = registry();
-  BenchSite site = load_sites(*plugins, {prefix}, {maps, std::nullopt}).front();
+  const PluginRegistry plugins = trusted_by(deployment, *registry());
+  BenchSite site = load_sites(plugins, {prefix}, {maps, std::nullopt}).front();
   std::vector<std::string> all = deployment.overlays;
   all.insert(all.end(), overlays.begin(), overlays.end());
   site.map = with_overlays(site.map, all);
-  return run_place(read_bench_place(*plugins, site, deployment));
+  return run_place(read_bench_place(plugins, site, deployment));
 }
 
 py::object number_or_none(double number) {

@@ -8,6 +8,7 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <optional>
@@ -44,6 +45,16 @@ sim::Recording driven(const SemanticMap& map, const std::shared_ptr<const Semant
   return sim::record(simulation, drives, sim::Random(seed).branch());
 }
 
+sim::ClutterOptions clutter_of(double level, double along_walls) {
+  if (!(along_walls >= 0 && along_walls <= sim::kMostAlongWalls))
+    throw ConfigError(
+        fmt::format("simulate: along_walls: {}, expected a number from 0 to {}", along_walls, sim::kMostAlongWalls));
+  sim::ClutterOptions clutter;
+  clutter.level = level;
+  clutter.along_walls = along_walls;
+  return clutter;
+}
+
 py::dict summary_of_drives(const sim::Recording& recording) {
   using namespace py::literals;
   py::list queries;
@@ -53,10 +64,10 @@ py::dict summary_of_drives(const sim::Recording& recording) {
 }
 
 py::dict simulate(const MapHandle& map, const std::string& prefix, int drives, double distance_m, double clutter,
-                  int people, double doors_open, const std::string& damage,
+                  double along_walls, int people, double doors_open, const std::string& damage,
                   const std::optional<std::vector<LaserModel>>& lasers, std::uint64_t seed) {
   sim::SimulationOptions world;
-  world.clutter.level = clutter;
+  world.clutter = clutter_of(clutter, along_walls);
   world.people = people;
   world.doors_open_share = doors_open;
   if (lasers) take_lasers(*lasers, world);
@@ -78,6 +89,7 @@ constexpr const char* kAboutSimulate =
     "map: what the robot knows; damage: how the building differs from it, in the words of `opal simulate --damage`.\n"
     "prefix: of the files to write. drives: number; distance_m: of each [m].\n"
     "clutter: how much stands about that the map does not hold; 1: everyday. people: who walk about.\n"
+    "along_walls: share of the walls that stand behind machines, boxes, benches and bins, 0 to 0.95.\n"
     "doors_open: share. lasers: opal.Laser of the robot; None: 270 degrees, up to 30 m.\n"
     "Returns a dict: queries (their ids), distances_m, scans (number), stops (how often somebody was in the way).\n"
     "Raises opal.Error, opal.WriteError.";
@@ -94,8 +106,9 @@ void bind_simulation(py::module_& module) {
              "symmetry: 0: all parts differ; 1: all are copies of one. Raises opal.ConfigError.");
   module.def("simulate", &simulate, py::arg("map"), py::arg("prefix"), py::kw_only(), py::arg("drives") = way.drives,
              py::arg("distance_m") = way.distance_m, py::arg("clutter") = world.clutter.level,
-             py::arg("people") = world.people, py::arg("doors_open") = world.doors_open_share, py::arg("damage") = "",
-             py::arg("lasers") = py::none(), py::arg("seed") = 1, kAboutSimulate);
+             py::arg("along_walls") = world.clutter.along_walls, py::arg("people") = world.people,
+             py::arg("doors_open") = world.doors_open_share, py::arg("damage") = "", py::arg("lasers") = py::none(),
+             py::arg("seed") = 1, kAboutSimulate);
 }
 
 }  // namespace opal::python

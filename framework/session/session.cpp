@@ -33,30 +33,38 @@ bool recognizes(const opal::PluginRegistry& registry, const std::string& type, c
 template <class T>
 std::string recognizing(const opal::PluginRegistry& registry, opal::PluginKind kind, const std::string& path) {
   for (const opal::RegisteredType& type : registry.types())
-    if (type.kind == kind && recognizes<T>(registry, type.info.name, path)) return type.info.name;
+    if (type.kind == kind && registry.is_listed(type.info.name) && recognizes<T>(registry, type.info.name, path))
+      return type.info.name;
   return "";
 }
 
-/// A line for every plugin of a kind: its name and what it says of itself.
+/// A line for every plugin of a kind: its name and what it says of itself, or that it was not asked.
 std::string what_is_read(const opal::PluginRegistry& registry, opal::PluginKind kind) {
   std::string lines;
-  for (const opal::RegisteredType& type : registry.types())
-    if (type.kind == kind) lines += "\n  " + type.info.name + ": " + type.description;
+  for (const opal::RegisteredType& type : registry.types()) {
+    if (type.kind != kind) continue;
+    lines += "\n  " + type.info.name + ": " + type.description;
+    if (!registry.is_listed(type.info.name)) lines += " (not asked: trusted_plugins does not name " + type.plugin + ")";
+  }
   return lines;
 }
 
-bool is_document(const std::string& source) {
+}  // namespace
+
+bool is_map_document(const std::string& source) {
   const std::string extension = fs::path(source).extension().string();
   return extension == ".jsonld" || extension == ".json";
 }
-
-}  // namespace
 
 opal::PluginRegistry load_plugins() {
   opal::PluginRegistry registry;
   for (const std::string& folder : opal::plugin_folders())
     for (const std::string& refusal : registry.announce_all(folder)) tell_refusal(refusal);
   return registry;
+}
+
+opal::PluginRegistry load_plugins(const opal::Deployment& deployment) {
+  return opal::trusted_by(deployment, load_plugins());
 }
 
 opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folders) {
@@ -89,13 +97,14 @@ opal::MapImport import_map(const opal::PluginRegistry& registry, const std::stri
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source) {
   if (const auto stored = opal::read_store_source(source)) return load_stored_map(registry, *stored);
-  return is_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
+  return is_map_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
 }
 
-std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry,
+std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& plugins,
                                                   const opal::Deployment& deployment) {
   const std::string& source = deployment.map;
-  if (is_document(source) || opal::read_store_source(source))
+  const opal::PluginRegistry registry = opal::trusted_by(deployment, plugins);
+  if (is_map_document(source) || opal::read_store_source(source))
     return with_overlays(load_map(registry, source), deployment.overlays);
   const std::string& importer = importer_of(registry, source).info.name;
   const opal::MapImport imported = import_map(registry, source, opal::importer_options(deployment, registry, importer));
@@ -109,7 +118,7 @@ nlohmann::json import_options(const opal::MapDamage& damage) {
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source,
                                                   const opal::MapDamage& damage) {
-  const bool is_made = is_document(source) || opal::read_store_source(source);
+  const bool is_made = is_map_document(source) || opal::read_store_source(source);
   if (is_made && damage.thick_m > 0)
     throw opal::ConfigError(source + ": damage thick= is done to grids before they are imported, found a document");
   return opal::damaged_map(
@@ -134,10 +143,11 @@ std::shared_ptr<const opal::LogSource> log_source(const opal::PluginRegistry& re
                                                   const std::vector<std::string>& words) {
   nlohmann::json options = opal::log_source_options(deployment, registry, source);
   options.merge_patch(opal::parse_options(source, registry.type(source).options, words));
-  return registry.make<opal::LogSource>(source, options);
+  return opal::trusted_by(deployment, registry).make<opal::LogSource>(source, options);
 }
 
-std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path,
+std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& plugins, const std::string& path,
                                           const opal::Deployment& deployment, const std::vector<std::string>& words) {
+  const opal::PluginRegistry registry = opal::trusted_by(deployment, plugins);
   return log_source(registry, log_source_of(registry, path), deployment, words)->open_for(path, deployment.lasers);
 }

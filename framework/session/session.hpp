@@ -15,8 +15,14 @@
 /// All plugins of the program's folders; refused ones are reported on stderr and left out.
 opal::PluginRegistry load_plugins();
 
+/// Of these, the ones that a deployment trusts: no other code runs for what is made of them.
+opal::PluginRegistry load_plugins(const opal::Deployment& deployment);
+
 /// The same with those of further folders, of which none may be refused. @throws opal::ConfigError if one is.
 opal::PluginRegistry load_plugins(const std::vector<std::string>& further_folders);
+
+/// Whether a map is read as a document of Opal, and not imported.
+bool is_map_document(const std::string& source);
 
 /// The importer that recognizes a source, as its plugin describes it. @throws opal::MapError if none does.
 const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, const std::string& source);

@@ -25,16 +25,6 @@ std::vector<std::string> store_types(const opal::PluginRegistry& registry) {
   return names;
 }
 
-std::string store_type(const opal::PluginRegistry& registry) {
-  if (const char* named = std::getenv("OPAL_MAP_STORE"); named != nullptr && *named != '\0') return named;
-  const std::vector<std::string> names = store_types(registry);
-  if (names.empty()) throw opal::PluginError(kNoStore);
-  if (names.size() == 1) return names.front();
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  throw opal::PluginError("plugins offer several map stores: " + list + "; name one in OPAL_MAP_STORE");
-}
-
 /// "3 days ago", "just now" by this machine's clock.
 std::string age_of(const std::string& utc) {
   std::tm moment{};
@@ -77,8 +67,18 @@ opal::StoredMap pull_or_find(const opal::MapStore& store, const MapCache& cache,
 
 }  // namespace
 
+std::string map_store_type(const opal::PluginRegistry& registry) {
+  if (const char* named = std::getenv("OPAL_MAP_STORE"); named != nullptr && *named != '\0') return named;
+  const std::vector<std::string> names = store_types(registry);
+  if (names.empty()) throw opal::PluginError(kNoStore);
+  if (names.size() == 1) return names.front();
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  throw opal::PluginError("plugins offer several map stores: " + list + "; name one in OPAL_MAP_STORE");
+}
+
 std::shared_ptr<const opal::MapStore> map_store(const opal::PluginRegistry& registry) {
-  return registry.make<opal::MapStore>(store_type(registry));
+  return registry.make<opal::MapStore>(map_store_type(registry));
 }
 
 std::shared_ptr<const opal::SemanticMap> load_stored_map(const opal::PluginRegistry& registry,

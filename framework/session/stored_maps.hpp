@@ -6,6 +6,10 @@
 
 #include <memory>
 
+/// The type of the map store that a plugin offers; of several, the one that OPAL_MAP_STORE names.
+/// @throws opal::PluginError if there is none, or no telling which.
+std::string map_store_type(const opal::PluginRegistry& registry);
+
 /// The map store that a plugin offers; of several, the type that OPAL_MAP_STORE names.
 /// @throws opal::PluginError if there is none, or no telling which.
 std::shared_ptr<const opal::MapStore> map_store(const opal::PluginRegistry& registry);

@@ -10,6 +10,9 @@
 
 namespace opal::simulation {
 
+/// More of the walls cannot be asked to stand behind things: a robot sees some of its building.
+constexpr double kMostAlongWalls = 0.95;
+
 /// What stands in a building that its map does not hold, in pieces per 100 m2 of floor.
 struct ClutterOptions {
   double level = 1;     ///< multiplies the numbers below
@@ -21,7 +24,7 @@ struct ClutterOptions {
   double cabinets = 0.4;     ///< along walls, long enough to be taken for one
   double lookalikes = 0.15;  ///< round things of the radius of the building's columns, or of 0.2 m
   double hidden_share = 0;   ///< of columns and wall ends behind a board; not multiplied
-  double along_walls = 0;    ///< share of the walls that stand behind things (along_walls.hpp); not multiplied
+  double along_walls = 0;    ///< share of the walls that stand behind things, up to kMostAlongWalls; not multiplied
 };
 
 /// The building itself: every face and column; glass where no sensor perceives a window or a panel; doors as leaves

@@ -24,9 +24,9 @@ class Simulations(InFolder):
     def test_drives_leave_the_files_of_the_program(self):
         self.opal("map", "generate", "corridor", "-o", "corridor.jsonld", "--size", "300")
         self.opal("simulate", "corridor.jsonld", "-o", "program/drives", "--seed", "5", "--drives", "2", "--distance", "6",
-                  "--people", "1", "--clutter", "0.5")
+                  "--people", "1", "--clutter", "0.5", "--along-walls", "0.7")
         building = opal.read_map(self.made("corridor.jsonld"))
-        told = opal.simulate(building, self.made("python/drives"), seed=5, **WAY)
+        told = opal.simulate(building, self.made("python/drives"), seed=5, along_walls=0.7, **WAY)
         self.assertEqual(told["queries"], ["q01", "q02"])
         self.assertEqual(len(told["distances_m"]), 2)
         for ending in (".log.gz", ".gt.csv", ".info.json", ".queries.json", ".map.jsonld", ".map.pgm"):
@@ -47,6 +47,9 @@ class Simulations(InFolder):
             opal.simulate(building, self.made("drives"), lasers=[])
         with self.assertRaisesRegex(opal.ConfigError, "holes"):
             opal.simulate(building, self.made("drives"), damage="holes=3")
+        for share in (-0.1, 0.96, float("nan")):
+            with self.assertRaisesRegex(opal.ConfigError, "along_walls: .*, expected a number from 0 to 0.95"):
+                opal.simulate(building, self.made("drives"), along_walls=share)
 
     def test_results_on_storeys_name_them_as_results_csv_does(self):
         for name, seed in (("ground", 1), ("upper", 2)):

@@ -1,6 +1,6 @@
 #include "benchmark/bundle/bundle.hpp"
 
-#include "benchmark/ab/records/sha256.hpp"
+#include "common/digest/sha256.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>

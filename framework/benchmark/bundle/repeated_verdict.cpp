@@ -1,5 +1,7 @@
 #include "benchmark/bundle/repeated_verdict.hpp"
 
+#include "benchmark/cells/ab_report.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
@@ -16,11 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kCosts{"cpu_ms", "cpu_ms_p99", "peak_mb"};
 /// What no other metric of the experiment has a part in: Holm's correction has.
 constexpr std::array kNumbersOfMetric{"baseline", "arm", "difference", "interval", "pairs", "better", "worse", "p"};
-
-bool is_measured(const std::string& metric) { return std::find(kCosts.begin(), kCosts.end(), metric) != kCosts.end(); }
 
 std::string then_and_now(const std::string& what, const json& then, const json& now) {
   const auto text = [](const json& value) {

@@ -1,7 +1,7 @@
 #include "benchmark/cells/ab_manifest.hpp"
 
 #include "benchmark/ab/records/program_files.hpp"
-#include "benchmark/ab/records/sha256.hpp"
+#include "common/digest/sha256.hpp"
 
 namespace ab = opal::ab;
 using nlohmann::ordered_json;
@@ -24,6 +24,6 @@ std::vector<std::string> arm_digests(const ordered_json& manifest) {
   constexpr std::size_t kDigits = 16;
   std::vector<std::string> digests;
   for (const ordered_json& arm : manifest.at("arms"))
-    digests.push_back(ab::sha256_of(manifest.at("opal").dump() + arm.dump()).substr(0, kDigits));
+    digests.push_back(opal::sha256_of(manifest.at("opal").dump() + arm.dump()).substr(0, kDigits));
   return digests;
 }

@@ -2,7 +2,7 @@
 
 #include "benchmark/ab/documents/experiment.hpp"
 #include "benchmark/ab/records/ranking_tally.hpp"
-#include "benchmark/ab/records/sha256.hpp"
+#include "common/digest/sha256.hpp"
 
 #include <opal/localization/localizer.hpp>
 #include "evaluation/ground_truth.hpp"
@@ -37,5 +37,5 @@ class RankedRun {
   opal::Pose2 T_base_laser_;
   const std::vector<ObservedScorer>& scorers_;
   opal::ab::RankingTally tally_;
-  opal::ab::Sha256 seen_;
+  opal::Sha256 seen_;
 };

@@ -17,6 +17,8 @@ namespace ab = opal::ab;
 namespace st = opal::statistics;
 using nlohmann::ordered_json;
 
+constexpr bool kMeasured = true;
+
 const std::vector<st::Metric>& known_metrics() {
   using Kind = st::Metric::Kind;
   static const std::vector<st::Metric> all{
@@ -25,14 +27,14 @@ const std::vector<st::Metric>& known_metrics() {
       {"localized", Kind::proportion, true, "", "localizes in", 0},
       {"distance_to_localized_m", Kind::distance_until, false, "m", "calls itself localized", 0},
       {"honest", Kind::proportion, true, "", "never calls a wrong pose localized in", 0},
-      {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
+      {"cpu_ms", Kind::cost, false, "ms", "CPU", 0, kMeasured},
       {"strict", Kind::proportion, true, "", "is right within 0.5 m and 5 degrees in", 0},
       {"time_to_success_s", Kind::distance_until, false, "s", "is right", 0},
       {"distance_to_strict_m", Kind::distance_until, false, "m", "is so right", 0},
       {"error_m", Kind::cost, false, "m", "error", 0},
       {"hypotheses", Kind::cost, false, "", "hypotheses", 0},
-      {"cpu_ms_p99", Kind::cost, false, "ms", "CPU in the slowest of 100 updates", 0},
-      {"peak_mb", Kind::cost, false, "MB", "memory", 0},
+      {"cpu_ms_p99", Kind::cost, false, "ms", "CPU in the slowest of 100 updates", 0, kMeasured},
+      {"peak_mb", Kind::cost, false, "MB", "memory", 0, kMeasured},
   };
   return all;
 }
@@ -45,7 +47,7 @@ const std::vector<st::Metric>& known_rankings() {
       {"on_top", Kind::proportion, true, "", "mostly has the truth on top in", 0},
       {"odds", Kind::cost, true, "", "odds for the truth", 0},
       {"surprise", Kind::cost, false, "", "surprise by the truth", 0},
-      {"cpu_ms", Kind::cost, false, "ms", "CPU", 0},
+      {"cpu_ms", Kind::cost, false, "ms", "CPU", 0, kMeasured},
   };
   return all;
 }
@@ -117,6 +119,12 @@ std::vector<st::Metric> metrics_of(const ab::Experiment& experiment) {
     metrics.push_back(*found);
   }
   return metrics;
+}
+
+bool is_measured(const std::string& metric) {
+  const auto is_so = [&](const st::Metric& known) { return known.name == metric && known.is_measured; };
+  return std::any_of(known_metrics().begin(), known_metrics().end(), is_so) ||
+         std::any_of(known_rankings().begin(), known_rankings().end(), is_so);
 }
 
 st::ResultsTable table_of(const ab::MergedResults& results, const ab::CellPlan& plan) {

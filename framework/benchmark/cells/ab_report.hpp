@@ -9,6 +9,9 @@
 /// name.
 std::vector<opal::statistics::Metric> metrics_of(const opal::ab::Experiment& experiment);
 
+/// Whether a metric of that name is a time or memory, which comes out differently when an experiment is repeated.
+bool is_measured(const std::string& metric);
+
 /// Results as the statistics take them; queries that some arm has not finished are left out.
 opal::statistics::ResultsTable table_of(const opal::ab::MergedResults& results, const opal::ab::CellPlan& plan);
 

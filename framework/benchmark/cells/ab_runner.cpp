@@ -6,7 +6,7 @@
 #include "session/session.hpp"
 
 #include "benchmark/ab/records/program_files.hpp"
-#include "benchmark/ab/records/sha256.hpp"
+#include "common/digest/sha256.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/sentence.hpp>
@@ -84,7 +84,7 @@ std::vector<ArmPlugins> load_arm_plugins(const ab::Experiment& experiment) {
     opal::check_parts(arm.deployment, *plugins.registry);
     all.push_back(plugins);
     for (const std::string& file : class_files(arm.deployment))
-      all.back().files.push_back({{"name", file}, {"version", ""}, {"sha256", ab::sha256_of_file(file)}});
+      all.back().files.push_back({{"name", file}, {"version", ""}, {"sha256", opal::sha256_of_file(file)}});
   }
   return all;
 }
@@ -99,7 +99,7 @@ void LocalizingRunner::enter(const ab::Task& task) {
 std::string LocalizingRunner::input(const ab::Task& task) const {
   constexpr std::size_t kDigits = 16;
   const opal::Query& query = world_->query(task.query);
-  return ab::sha256_of(world_->digest + opal::sentence(" %.9f %.9f", query.start_s, query.end_s)).substr(0, kDigits);
+  return opal::sha256_of(world_->digest + opal::sentence(" %.9f %.9f", query.start_s, query.end_s)).substr(0, kDigits);
 }
 
 void LocalizingRunner::set_up(std::size_t arm) {

@@ -2,7 +2,7 @@
 
 #include "session/session.hpp"
 
-#include "benchmark/ab/records/sha256.hpp"
+#include "common/digest/sha256.hpp"
 
 #include "benchmark/experiments/kit/thesis_robot.hpp"
 
@@ -30,7 +30,7 @@ std::vector<opal::Query> queries_of(const ab::RecordedPlace& place) {
   return chosen;
 }
 
-std::string digest_of(const opal::SemanticMap& map) { return ab::sha256_of(map.to_json_ld().dump()); }
+std::string digest_of(const opal::SemanticMap& map) { return opal::sha256_of(map.to_json_ld().dump()); }
 
 /// The bytes of numbers.
 class Digest {
@@ -57,7 +57,7 @@ class Digest {
   std::string finish() { return hash_.finish(); }
 
  private:
-  ab::Sha256 hash_;
+  opal::Sha256 hash_;
 };
 
 std::string digest_of(const sim::Recording& recording) {
@@ -113,7 +113,7 @@ nlohmann::ordered_json WorldSource::inputs(const ab::Scenario& scenario) {
     for (const char* ending :
          {".log.gz", ".info.json", ".queries.json", ".gt.csv", ".map.jsonld", ".map.yaml", ".map.pgm"})
       if (const std::string file = place->prefix + ending; std::filesystem::exists(file))
-        digests[std::filesystem::path(file).filename().string()] = ab::sha256_of_file(file);
+        digests[std::filesystem::path(file).filename().string()] = opal::sha256_of_file(file);
     return digests;
   }
   digests["map"] = digest_of(*map_of(scenario));
@@ -147,7 +147,7 @@ World WorldSource::recorded(const ab::Scenario& scenario, const ab::RecordedPlac
               opal::GroundTruth::read(place.prefix + ".gt.csv"), std::nullopt, ""};
   world.place.queries = queries_of(place);
   std::string& log = log_digests_[place.prefix];
-  if (log.empty()) log = ab::sha256_of_file(place.prefix + ".log.gz");
+  if (log.empty()) log = opal::sha256_of_file(place.prefix + ".log.gz");
   world.digest = Digest().add(digest_of(*map)).add(log).add(world.place.deployment.lasers.front()).finish();
   return world;
 }

@@ -35,6 +35,7 @@ struct Metric {
                        ///< of the name
   /// A smaller difference is of no interest: share, unit of the distance, share of the cost; 0: 0.02, 0.5, 0.05.
   double of_interest = 0;
+  bool is_measured = false;  ///< time or memory of the machine: the same program does not give the same value again
 };
 
 }  // namespace opal::statistics

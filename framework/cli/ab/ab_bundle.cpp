@@ -1,9 +1,9 @@
 #include "cli/ab/ab_bundle.hpp"
 
-#include "benchmark/ab/records/sha256.hpp"
 #include "benchmark/bundle/bundle_writer.hpp"
 #include "benchmark/bundle/repeated_verdict.hpp"
 #include "cli/options/exit_code.hpp"
+#include "common/digest/sha256.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -37,7 +37,7 @@ void say_what_differs(const ab::RepeatedVerdict& told) {
   if (told.same()) std::cout << "the verdict is that of the bundle\n";
 }
 
-std::string digest_of_bundle(const ab::Bundle& bundle) { return ab::sha256_of_file(bundle.path_of(ab::kBundleFile)); }
+std::string digest_of_bundle(const ab::Bundle& bundle) { return opal::sha256_of_file(bundle.path_of(ab::kBundleFile)); }
 
 fs::path out_of_bundle(const AbOptions& options) {
   if (!options.out.empty()) return options.out;

@@ -204,8 +204,8 @@ bool run_places(const std::vector<BenchSite>& sites, const opal::Deployment& dep
 }
 
 int bench(const BenchOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+  const opal::PluginRegistry registry = load_plugins(deployment);
   const std::vector<BenchSite> sites = sites_of(options, registry, deployment);
   std::vector<BenchPlace> places;
   if (sites.size() == 1) places.push_back(read_bench_place(registry, sites.front(), deployment));

@@ -86,8 +86,8 @@ void write_deployment(const opal::MotionCalibration& drive, const CalibrateOptio
 
 int calibrate(CalibrateOptions options) {
   options.config = config_file(options.config);
-  const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = opal::read_deployment(options.config);
+  const opal::PluginRegistry registry = load_plugins(deployment);
   opal::LaserModel laser = options.info.empty() ? deployment.lasers.front() : opal::read_site_laser(options.info);
   const std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, options.log, deployment));
   laser = opal::lasers_of_log(records, {laser}, options.log,

@@ -155,7 +155,8 @@ struct DriveSetup {
 DriveSetup set_up(DriveVerbOptions& options) {
   options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
-  DriveSetup setup{load_plugins(), opal::read_deployment(config_file(options.config)), {}, {}, {}};
+  opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+  DriveSetup setup{load_plugins(deployment), std::move(deployment), {}, {}, {}};
   options.take_laser(setup.deployment);
   setup.deployment.lasers.front() = options.world.laser;
   setup.deployment.map = options.map;

@@ -49,8 +49,8 @@ std::vector<experiments::Trouble> chosen_troubles(const std::vector<std::string>
 }
 
 std::vector<experiments::FaultRun> run_all(const FaultsVerbOptions& options, const std::stop_token& stop) {
-  const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+  const opal::PluginRegistry registry = load_plugins(deployment);
   if (!deployment.describes_laser || deployment.lasers.front().geometry_from_log)
     throw opal::ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
   const std::vector<experiments::Trouble> troubles = chosen_troubles(options.only);

@@ -97,8 +97,8 @@ class StoreyRuns {
 int storeys(StoreysVerbOptions options) {
   const StopSignals signals;  // before other threads
   opal::OutputFolder folder(options.out, "opal experiment storeys", drive_products());
-  const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+  const opal::PluginRegistry registry = load_plugins(deployment);
   options.take_laser(deployment);
   deployment.lasers = {options.world.laser};
   deployment.lasers.insert(deployment.lasers.end(), options.world.more_lasers.begin(), options.world.more_lasers.end());

@@ -54,8 +54,8 @@ void print(const opal::Learned& learned, double least_probability) {
 }
 
 int learn(const LearnOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = options.inputs.run.deployment();
+  const opal::PluginRegistry registry = load_plugins(deployment);
   const auto map = load_map(registry, deployment);
   const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, map);
   const opal::Learned learned = opal::learned_from(*map, drives);

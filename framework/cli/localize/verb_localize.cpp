@@ -38,7 +38,8 @@ struct LocalizeSetup {
 };
 
 LocalizeSetup set_up(const LocalizeOptions& options) {
-  LocalizeSetup setup{load_plugins(), options.deployment(), {}, {}, {}, {}, {}};
+  opal::Deployment deployment = options.deployment();
+  LocalizeSetup setup{load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
   const auto map = load_map(setup.plugins, setup.deployment);
   setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);

@@ -25,6 +25,11 @@ struct ImportOptions {
   StackVerbOptions stack;
 };
 
+/// Those that --config trusts.
+opal::PluginRegistry plugins_for(const ImportOptions& options) {
+  return options.config.empty() ? load_plugins() : load_plugins(opal::read_deployment(config_file(options.config)));
+}
+
 /// All that was said about options: by the deployment first, then on the command line.
 nlohmann::json options_for(const opal::RegisteredType& importer, const opal::PluginRegistry& registry,
                            const ImportOptions& options) {
@@ -90,7 +95,7 @@ int import_all(const ImportOptions& options, const opal::PluginRegistry& registr
 
 int import(const ImportOptions& options) {
   expect_other_file(options.source, options.out);
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = plugins_for(options);
   const opal::RegisteredType& importer = importer_of(registry, options.source);
   const nlohmann::json chosen = options_for(importer, registry, options);
   if (options.all) return import_all(options, registry, chosen);
@@ -114,7 +119,7 @@ void print(const opal::Storey& storey) {
 }
 
 int storeys(const std::string& source, const ImportOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = plugins_for(options);
   const opal::RegisteredType& type = importer_of(registry, source);
   const auto importer = registry.make<opal::MapImporter>(type.info.name, options_for(type, registry, options));
   const std::vector<opal::Storey> levels = importer->storeys(source);

@@ -1,9 +1,9 @@
 #include "cli/map/map_review.hpp"
 
-#include "benchmark/ab/records/sha256.hpp"
 #include "cli/options/drive_inputs.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "common/digest/sha256.hpp"
 #include "common/text_file.hpp"
 #include "review/review_server.hpp"
 #include "session/session.hpp"
@@ -33,20 +33,20 @@ struct ReviewOptions {
 std::string digest_of(const std::vector<opal::DriveEvidence>& drives) {
   std::set<std::string> documents;
   for (const opal::DriveEvidence& drive : drives) documents.insert(opal::to_json(drive).dump());
-  opal::ab::Sha256 digest;
+  opal::Sha256 digest;
   for (const std::string& document : documents) digest.add(document + '\n');
   return digest.finish();
 }
 
 opal::ReviewMatter matter_of(const ReviewOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
   const opal::Deployment deployment = options.inputs.run.deployment();
+  const opal::PluginRegistry registry = load_plugins(deployment);
   opal::ReviewMatter matter;
   matter.map = load_map(registry, deployment);
   const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, matter.map);
   matter.learned = opal::learned_from(*matter.map, drives);
   matter.sensor = deployment.lasers.front().id;
-  matter.map_digest = opal::ab::sha256_of(matter.map->to_json_ld().dump());
+  matter.map_digest = opal::sha256_of(matter.map->to_json_ld().dump());
   matter.evidence_digest = digest_of(drives);
   matter.least_probability = options.least_probability;
   return matter;

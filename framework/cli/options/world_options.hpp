@@ -33,7 +33,7 @@ struct WorldOptions {
     add_number(verb, "--lookalikes", world.clutter.lookalikes, 0.0, 100.0,
                "round things like the building's columns, per 100 m2, times --clutter");
     add_number(verb, "--hidden", world.clutter.hidden_share, 0.0, 1.0, "share of columns and corners behind a board");
-    add_number(verb, "--along-walls", world.clutter.along_walls, 0.0, 0.95,
+    add_number(verb, "--along-walls", world.clutter.along_walls, 0.0, opal::simulation::kMostAlongWalls,
                "share of the walls that stand behind machines, boxes, benches and bins");
     verb.add_option("--furniture", furnished,
                     "another map of the building: what only that one holds stands there, too");

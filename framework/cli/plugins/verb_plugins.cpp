@@ -1,5 +1,6 @@
 #include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
+#include "cli/plugins/trusted_list.hpp"
 #include "common/phrases.hpp"
 #include "deployment/localizer_options.hpp"
 #include "plugin/class_source.hpp"
@@ -24,6 +25,7 @@ struct PluginsRequest {
   std::vector<std::string> places;  ///< folders and files
   bool as_json = false;
   bool check = false;
+  TrustedListRequest trusted;
 };
 
 /// What was found, and what was wrong with it: one sentence each.
@@ -165,7 +167,17 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
                    "program's own and those in OPAL_PLUGIN_PATH");
   verb->add_flag("--json", request->as_json, "print JSON");
   verb->add_flag("--check", request->check, "put each plugin through the contract of its kind as well");
+  CLI::Option* digests = verb->add_option(
+      "--digests", request->trusted.config,
+      "print trusted_plugins of a deployment: the SHA-256 of each plugin and class file that it runs, ready to paste");
+  verb->add_option("--map", request->trusted.map, "with --digests: the map, instead of the deployment's")
+      ->needs(digests);
+  verb->add_option("--log", request->trusted.log, "with --digests: a recorded log that is to be read")->needs(digests);
   verb->callback([request, &exit_code] {
+    if (!request->trusted.config.empty()) {
+      std::cout << trusted_list(request->trusted);
+      return;
+    }
     const Inventory inventory = look_into(*request);
     request->as_json ? print_json(std::cout, inventory) : print_text(std::cout, inventory);
     exit_code = inventory.refused.empty() && inventory.violations.empty() ? kDone : kNo;

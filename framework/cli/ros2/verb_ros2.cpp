@@ -60,8 +60,8 @@ class RobotParts {
 };
 
 int localize_robot(const opal::Ros2Options& options) {
-  const opal::PluginRegistry plugins = load_plugins();
   const opal::Deployment deployment = options.deployment();
+  const opal::PluginRegistry plugins = load_plugins(deployment);
   const StopSignals signals;  // before other threads
   std::optional<LiveView> page;
   if (options.serve) page.emplace(options.port, signals.token());

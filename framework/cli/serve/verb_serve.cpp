@@ -20,8 +20,8 @@ struct ServeOptions {
 };
 
 int serve(const ServeOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
   opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+  const opal::PluginRegistry registry = load_plugins(deployment);
   if (!options.map.empty()) deployment.map = options.map;
   const auto map = load_map(registry, deployment);
   opal::build_parts(deployment, registry, map);  // what cannot run is said now, not to the first robot

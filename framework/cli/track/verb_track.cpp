@@ -57,7 +57,8 @@ struct TrackSetup {
 };
 
 TrackSetup set_up(const TrackOptions& options) {
-  TrackSetup setup{load_plugins(), deployment_for(options), {}, {}, {}, {}, {}};
+  opal::Deployment deployment = deployment_for(options);
+  TrackSetup setup{load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
   setup.map = load_map(setup.plugins, setup.deployment);
   if (options.damage.any()) setup.map = opal::damaged_map(*setup.map, options.damage.damage());
   setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);

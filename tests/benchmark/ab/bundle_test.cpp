@@ -1,6 +1,7 @@
 #include "small_experiment.hpp"
 
-#include "benchmark/ab/records/sha256.hpp"
+#include "benchmark/cells/ab_report.hpp"
+#include "common/digest/sha256.hpp"
 #include "tests/system/server/program.hpp"
 
 #include <catch2/catch.hpp>
@@ -61,7 +62,7 @@ class MadeBundle {
     write(name, content);
     json list = json::parse(content_of(path_of("bundle.json")));
     for (json& file : list["files"])
-      if (file["name"] == name) file["sha256"] = opal::ab::sha256_of(content);
+      if (file["name"] == name) file["sha256"] = opal::sha256_of(content);
     write("bundle.json", list.dump());
   }
   void write(const std::string& name, const std::string& content) const {
@@ -96,8 +97,7 @@ TEST_CASE("a bundle repeats its experiment to the byte, without the files that i
   CHECK_THAT(list["command"].get<std::string>(), Contains("opal ab ") && Contains("small.jsonld"));
   CHECK(list["seeds"]["corridor"] == json{1, 2});
   CHECK(list["opal"]["library_sha256"].get<std::string>().size() == 64);
-  CHECK_THAT(bundle.said(),
-             Contains("SHA-256 of bundle.json: " + opal::ab::sha256_of_file(bundle.path_of("bundle.json"))));
+  CHECK_THAT(bundle.said(), Contains("SHA-256 of bundle.json: " + opal::sha256_of_file(bundle.path_of("bundle.json"))));
 }
 
 TEST_CASE("a bundle with a file that was changed, is missing, or was added is refused by the file and its place") {
@@ -161,6 +161,42 @@ TEST_CASE("recordings that a bundle only names are looked for by their SHA-256")
   INFO(found.said);
   CHECK(found.exit_code == 0);
   CHECK(content_of(bundle.again() + "/results.jsonl") == bundle.results());
+}
+
+TEST_CASE("a verdict is repeated in what is computed; what is measured is told") {
+  const TemporaryFolder folder;
+  json document = small_experiment();
+  document["sites"][0]["queries"] = {"malaga-demo-q01"};
+  document["metrics"] = {"success", "hypotheses", "cpu_ms", "cpu_ms_p99", "peak_mb"};
+  const std::string experiment = written(folder, document), out = folder.path_of("out");
+  const std::string bundle = folder.path_of("bundle");
+  REQUIRE(opal_run({"ab", experiment, "-o", out}).exit_code == 0);
+  REQUIRE(opal_run({"ab", "bundle", experiment, "-o", out, "--to", bundle}).exit_code == 0);
+  const Finished again = opal_run({"ab", "repeat", bundle, "-o", folder.path_of("again")});
+  INFO(again.said);
+  CHECK_THAT(again.said, !Contains("hypotheses: "));
+  for (const char* measured : {"cpu_ms", "cpu_ms_p99", "peak_mb"})
+    CHECK_THAT(again.said, Contains(std::string("lack_of_fit, ") + measured + ": difference was "));
+  for (const char* number : {"baseline", "interval", "p "})
+    CHECK_THAT(again.said, !Contains(std::string("cpu_ms: ") + number));
+}
+
+TEST_CASE("the metrics that are measured are the costs of cells") {
+  const TemporaryFolder folder;
+  json document = small_experiment();
+  document["sites"][0]["queries"] = {"malaga-demo-q01"};
+  const std::string out = folder.path_of("out");
+  REQUIRE(opal_run({"ab", written(folder, document), "-o", out}).exit_code == 0);
+  const auto first_of = [&](const char* name) {
+    const std::string text = content_of(out + "/" + name);
+    return json::parse(text.substr(0, text.find('\n')));
+  };
+  const json costs = first_of("times.jsonl").at("costs"), values = first_of("results.jsonl").at("values");
+  for (const char* name : {"cpu_ms", "cpu_ms_p99", "peak_mb"}) {
+    CHECK(is_measured(name));
+    CHECK(costs.contains(name));
+  }
+  for (const auto& [name, value] : values.items()) CHECK_FALSE(is_measured(name));
 }
 
 TEST_CASE("only a finished experiment becomes a bundle, in a folder of its own") {

@@ -92,6 +92,18 @@ TEST_CASE("several buildings of a kind are several scenarios") {
   CHECK(std::get<SimulatedDrives>(experiment.scenarios[3].source).building->seed == 3);
 }
 
+TEST_CASE("a simulated drive reads what stands along the walls") {
+  const TemporaryFolder folder;
+  json document = opal::ab_tests::experiment_with_drives();
+  document["simulated"][0]["along_walls"] = 0.6;
+  const Experiment experiment = read_experiment(written(folder, document), shipped);
+  CHECK(std::get<SimulatedDrives>(experiment.scenarios[1].source).world.clutter.along_walls == 0.6);
+  using P = json::json_pointer;
+  for (const double share : {-0.1, 0.96})
+    CHECK_THAT(refusal_with(P("/simulated/0/along_walls"), share),
+               Catch::StartsWith("/simulated/0/along_walls: ") && Catch::Contains("expected a number from 0 to 0.95"));
+}
+
 TEST_CASE("what an experiment must not be is refused with its place") {
   using P = json::json_pointer;
   CHECK_THAT(refusal_with(P("/arm"), 1), Catch::StartsWith("/arm: unknown key, expected one of: "));

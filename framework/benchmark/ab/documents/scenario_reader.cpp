@@ -77,6 +77,7 @@ void read_drives(ConfigObject& object, SimulatedDrives& drives) {
   world.clutter.level = object.number("clutter", world.clutter.level, {0, 100});
   world.clutter.lookalikes = object.number("lookalikes", world.clutter.lookalikes, {0, 100});
   world.clutter.hidden_share = object.number("hidden", world.clutter.hidden_share, {0, 1});
+  world.clutter.along_walls = object.number("along_walls", world.clutter.along_walls, {0, simulation::kMostAlongWalls});
   world.people = object.integer("people", world.people, {0, 1000});
   world.doors_open_share = object.number("doors_open", world.doors_open_share, {0, 1});
 }

@@ -1,6 +1,6 @@
 #include "benchmark/ab/records/program_files.hpp"
 
-#include "benchmark/ab/records/sha256.hpp"
+#include "common/digest/sha256.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/plugin/plugin_folders.hpp>

@@ -35,7 +35,7 @@ Number number_at(const nlohmann::json& document, const char* key, Number low, Nu
 
 void read_world(const nlohmann::json& document, DrawnDrive& drive) {
   drive.clutter = number_at(document, "clutter", 0.0, 100.0);
-  drive.along_walls = number_at(document, "along_walls", 0.0, 0.95);
+  drive.along_walls = number_at(document, "along_walls", 0.0, simulation::kMostAlongWalls);
   drive.people = number_at(document, "people", 0, 1000);
   drive.doors_open_share = number_at(document, "doors_open_share", 0.0, 1.0);
   drive.duration_s = number_at(document, "duration_s", 1.0, 1e5);

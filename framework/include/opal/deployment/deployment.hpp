@@ -47,10 +47,11 @@ struct Deployment {
   std::optional<std::vector<PartConfig>> detectors;
   /// The same for pattern templates.
   std::optional<std::vector<PartConfig>> patterns;
-  std::vector<ScorerConfig> scorers;    ///< at least one; in the order of the document
-  LocalizerOptions stages = {};         ///< options of everything behind the local map
-  std::vector<PartConfig> importers;    ///< options for those that make the map, if it is made of a source
-  std::vector<PartConfig> log_sources;  ///< options for those that read a recorded log: topics, frames
+  std::vector<ScorerConfig> scorers;              ///< at least one; in the order of the document
+  LocalizerOptions stages = {};                   ///< options of everything behind the local map
+  std::vector<PartConfig> importers;              ///< options for those that make the map, if it is made of a source
+  std::vector<PartConfig> log_sources;            ///< options for those that read a recorded log: topics, frames
+  std::optional<TrustedPlugins> trusted_plugins;  ///< whose code may run, by digest; absent: that of all plugins
 };
 
 /// Reads a deployment strictly: unknown keys, wrong types and values out of range are errors, and lists keep
@@ -69,6 +70,10 @@ OPAL_EXPORT Deployment with_lasers(Deployment deployment, std::vector<LaserModel
 /// Whether one of the lasers takes its geometry from the log, or from the robot.
 OPAL_EXPORT bool takes_geometry_from_log(const Deployment& deployment);
 
+/// The plugins that a deployment trusts: all of them, or those of its list (PluginRegistry::trusting). The functions
+/// below do this by themselves; what is made without them, for example a map, is made of these plugins.
+OPAL_EXPORT PluginRegistry trusted_by(const Deployment& deployment, const PluginRegistry& registry);
+
 /// The options that a deployment gives to an importer; an empty object if it gives none.
 /// @throws ConfigError as `build_parts` does, for any of its importers.
 OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const PluginRegistry& registry,
@@ -78,14 +83,16 @@ OPAL_EXPORT nlohmann::json importer_options(const Deployment& deployment, const 
 OPAL_EXPORT nlohmann::json log_source_options(const Deployment& deployment, const PluginRegistry& registry,
                                               const std::string& log_source);
 
-/// What `build_parts` checks before it makes anything: types that no plugin offers, types of another kind, and options
-/// that the plugin does not accept. @throws ConfigError naming file and JSON pointer.
+/// What `build_parts` checks before it makes anything: types that no plugin offers, types of another kind, plugins that
+/// the deployment does not trust, and options that the plugin does not accept. @throws ConfigError naming file and JSON
+/// pointer.
 OPAL_EXPORT void check_parts(const Deployment& deployment, const PluginRegistry& registry);
 
 /// Makes the parts of a localizer. Detectors and pattern templates are those that the map calls for, narrowed
 /// and parametrised by the deployment.
 /// @throws ConfigError naming file and JSON pointer for types that no plugin offers, types of another kind,
-/// and options that the plugin does not accept; also if the map leaves no detector or no pattern.
+/// and options that the plugin does not accept; also if the map leaves no detector or no pattern, and for a plugin or a
+/// class that is to be made and that the deployment does not trust. No code of an announced plugin has run then.
 OPAL_EXPORT LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& registry,
                                        std::shared_ptr<const SemanticMap> map);
 

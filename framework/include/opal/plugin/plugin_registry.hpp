@@ -1,8 +1,10 @@
 #pragma once
 
 #include <opal/plugin/plugin_description.hpp>
+#include <opal/plugin/trusted_plugins.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,10 +56,20 @@ class OPAL_EXPORT PluginRegistry {
   /// True if a type of that name was loaded or announced.
   bool has(const std::string& name) const;
 
+  /// The same plugins, of which only trusted ones are made. A digest is computed before code of its file runs: plugins
+  /// that were announced, and files of classes, run only if it is as listed. Lists of this registry hold, too.
+  /// @param trusted  nullopt: what this registry trusts.
+  PluginRegistry trusting(const std::optional<TrustedPlugins>& trusted) const;
+  /// True if every list names the plugin of that type; its digest is another matter. @throws PluginError as `type`.
+  bool is_listed(const std::string& name) const;
+  /// @throws ConfigError naming plugin, file and both digests if `make` would refuse the type's library by a list.
+  void expect_trusted(const std::string& name) const;
+
   /// Makes an object, which may outlive the registry. Options are checked against the description (unknown
   /// names, types, ranges) and completed with its defaults first. T is one of the seven interfaces.
   /// @throws PluginError naming the type, the option, what was found and what is expected; also for a factory
   ///         that throws or returns null, and for an announced plugin that cannot be opened or is not as described.
+  /// @throws ConfigError for a library or a file of a class that is not trusted (`trusting`).
   template <class T>
   std::shared_ptr<const T> make(const std::string& name,
                                 const nlohmann::json& options = nlohmann::json::object()) const;

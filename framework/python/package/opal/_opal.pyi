@@ -372,6 +372,7 @@ def simulate(
     drives: int = ...,
     distance_m: float = ...,
     clutter: float = ...,
+    along_walls: float = ...,
     people: int = ...,
     doors_open: float = ...,
     damage: str = ...,

@@ -9,6 +9,7 @@ options. docs/python.md has examples; opal.examples has one class of each kind.
 from __future__ import annotations
 
 import importlib
+import importlib.machinery
 import importlib.util
 import json
 import sys
@@ -16,7 +17,7 @@ import threading
 import traceback
 from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType, TracebackType
+from types import CodeType, ModuleType, TracebackType
 from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
@@ -69,9 +70,17 @@ def load(file: str) -> ModuleType:
         return sys.modules[name] if name in sys.modules else _run(path, name)
 
 
+class _AsWritten(importlib.machinery.SourceFileLoader):
+    """Runs a file as it is, never what is cached beside it: that can be of something else."""
+
+    def get_code(self, fullname: str) -> CodeType:
+        code: CodeType = self.source_to_code(self.get_data(self.path), self.path)
+        return code
+
+
 def _run(path: Path, name: str) -> ModuleType:
     """The file runs as the module of that name; where it fails there is no such module."""
-    spec = importlib.util.spec_from_file_location(name, path)
+    spec = importlib.util.spec_from_file_location(name, path, loader=_AsWritten(name, str(path)))
     if spec is None or spec.loader is None:
         raise ImportError(f"{path}: no file of Python")
     module = importlib.util.module_from_spec(spec)

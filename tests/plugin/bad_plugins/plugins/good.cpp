@@ -1,7 +1,12 @@
-// A plugin without a fault, to compare with: its detector finds as many points as its option says.
+// A plugin without a fault, to compare with: its detector finds as many points as its option says. When it is opened,
+// its constructor leaves a trace.
 #include <opal/plugin/plugin.hpp>
 
+#include <cstdlib>
+
 namespace {
+
+const int trace = setenv("OPAL_TEST_GOOD_WAS_OPENED", "yes", 1);
 
 class CountingDetector final : public opal::FeatureDetector {
  public:

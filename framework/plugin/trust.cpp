@@ -1,0 +1,57 @@
+#include "plugin/trust.hpp"
+
+#include "common/digest/sha256.hpp"
+#include "common/phrases.hpp"
+#include "plugin/class_source.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <filesystem>
+#include <vector>
+
+namespace opal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// @param known  what the list names of this sort.
+void expect_digest(const TrustedPlugins& trusted, const std::map<std::string, TrustedFile>& known,
+                   const std::string& key, const std::string& what, const std::string& file,
+                   const std::string& digest) {
+  const std::string found = what + ": " + file + " has SHA-256 " + digest;
+  const auto listed_file = known.find(key);
+  if (listed_file == known.end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, ignored] : known) names.push_back(name);
+    throw ConfigError(trusted.where + ": " + found +
+                      " and is not in the list, expected one of: " + listed(names, "none"));
+  }
+  const TrustedFile& expected = listed_file->second;
+  if (digest != expected.sha256)
+    throw ConfigError(expected.where + ": " + found + ", expected " + expected.sha256 +
+                      ": it is not the file that is trusted");
+}
+
+}  // namespace
+
+std::string class_file_key(const std::string& file) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(file), error);
+  return error ? file : canonical.string();
+}
+
+void expect_trusted_plugin(const TrustedPlugins& trusted, const std::string& plugin, const std::string& file,
+                           const std::string& digest) {
+  expect_digest(trusted, trusted.plugins, plugin, "plugin " + plugin, file, digest);
+}
+
+void expect_trusted_class(const TrustedPlugins& trusted, const std::string& source) {
+  const auto found = read_class_source(source);
+  if (!found)
+    throw ConfigError(trusted.where + ": " + source +
+                      " is a class of a module, expected FILE.py:CLASS with the file in the list");
+  expect_digest(trusted, trusted.class_files, class_file_key(found->file), "class " + found->name, found->file,
+                sha256_of_file(found->file));
+}
+
+}  // namespace opal
