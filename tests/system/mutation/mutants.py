@@ -69,7 +69,7 @@ class Source:
         return (start, end) if self._is_here(cursor) and start < end else None
 
     def _visit(self, cursor, in_function, found):
-        if cursor.kind in CONSTANT or self._is_constexpr(cursor):
+        if cursor.kind in CONSTANT or self._is_constexpr(cursor) or self._never_returns(cursor):
             return
         in_function = in_function or cursor.kind in FUNCTIONS
         if in_function:
@@ -86,6 +86,11 @@ class Source:
             return False
         start = cursor.extent.start.offset
         return "constexpr" in self.text(start, start + 60).split("{")[0].split("(")[0].split("=")[0].split()
+
+    def _never_returns(self, cursor):
+        """Without what it ends with, it would return, and the compiler objects."""
+        start = cursor.extent.start.offset
+        return cursor.kind in FUNCTIONS and "[[noreturn]]" in self.text(max(0, start - 14), start + 14)
 
     def _swap(self, cursor, found):
         if cursor.kind != CursorKind.BINARY_OPERATOR or not is_number(cursor):
