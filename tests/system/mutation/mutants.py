@@ -18,12 +18,13 @@ FUNCTIONS = (CursorKind.FUNCTION_DECL, CursorKind.CXX_METHOD, CursorKind.CONSTRU
              CursorKind.CONVERSION_FUNCTION)
 # The compiler needs their values, and a mutant is picked when the program runs.
 CONSTANT = (CursorKind.STATIC_ASSERT, CursorKind.ENUM_CONSTANT_DECL, CursorKind.CASE_STMT, CursorKind.TEMPLATE_NON_TYPE_PARAMETER)
+# A mutant may be as odd as it likes.
+SILENT = ("parentheses", "misleading-indentation", "type-limits", "sign-compare", "unused-value", "unused-variable", "unused-result",
+          "unused-but-set-variable", "div-by-zero", "bool-operation", "int-in-bool-context", "tautological-compare", "bool-compare")
 HEAD = """#ifndef OPAL_MUTANT
 #define OPAL_MUTANT
 #include <cstdlib>
-#pragma GCC diagnostic ignored "-Wparentheses"
-#pragma GCC diagnostic ignored "-Wmisleading-indentation"
-inline const int opal_mutant = std::getenv("OPAL_MUTANT") ? std::atoi(std::getenv("OPAL_MUTANT")) : 0;
+""" + "".join(f'#pragma GCC diagnostic ignored "-W{name}"\n' for name in SILENT) + """inline const int opal_mutant = std::getenv("OPAL_MUTANT") ? std::atoi(std::getenv("OPAL_MUTANT")) : 0;
 #endif
 """
 

@@ -5,7 +5,7 @@ import pathlib
 import subprocess
 import sys
 
-DRIVES = 1000
+DRIVES = 500
 
 
 def label_of(stratum):
