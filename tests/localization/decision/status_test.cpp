@@ -1,4 +1,4 @@
-#include "localization/decision/status.hpp"
+#include "tests/localization/decision/made_status.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -10,47 +10,6 @@
 using namespace opal;
 
 namespace {
-
-constexpr double kDecisionMemory = 0.99;
-const Pose2 kHere(3, 2, 0.5), kThere(20, 9, 2), kElsewhere(-8, 4, -1);
-
-/// @param T_map_base  where the robot is now by it.
-Live hypothesis(int id, const Pose2& T_map_base, double nat, double scan_nat = 1, const Pose2& T_local_base = Pose2()) {
-  Live live;
-  live.hypothesis.id = HypothesisId(id);
-  live.hypothesis.T_map_local = T_map_base * T_local_base.inverse();
-  live.hypothesis.log_likelihood = nat;
-  live.scan_nat = scan_nat;
-  return live;
-}
-
-/// Estimates of a robot that stands at the origin of the local frame.
-struct Answer {
-  explicit Answer(const StatusOptions& options = {}) : estimator(options, kDecisionMemory) {}
-  PoseEstimate to(const std::vector<Live>& alive, const Circumstances& now = {}) {
-    return estimator.estimate(alive, Pose2(), ++stamp_s, now);
-  }
-  /// @return after how many whole pieces of evidence for one place it is localized; 1000: never.
-  double weight_until_localized(const Circumstances& now) {
-    double weight = 0;
-    to({hypothesis(1, kHere, 20)}, now);  // the place is new
-    while (weight < 999 && !estimator.localized()) {
-      weight += now.tempering_weight;
-      to({hypothesis(1, kHere, 20)}, now);
-    }
-    return weight;
-  }
-  StatusEstimator estimator;
-  double stamp_s = 0;
-};
-
-/// One that is localized here.
-Answer localized_here() {
-  Answer answer;
-  answer.weight_until_localized({});
-  REQUIRE(answer.estimator.localized());
-  return answer;
-}
 
 double sum_of(const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); }
 
@@ -166,59 +125,6 @@ TEST_CASE("missing walls never ask for less than is always asked for") {
   StatusOptions options;
   options.localized_weight = 30;  // more than the most for missing walls
   CHECK(Answer(options).weight_until_localized({1, 0, 1000}) == 30);
-}
-
-TEST_CASE("a robot that was localized is lost when scans fit no more, and not by one of them") {
-  Answer answer = localized_here();
-  CHECK(answer.to({hypothesis(1, kHere, 20, -1)}).status == Status::localized);
-  PoseEstimate estimate;
-  for (int k = 0; k < 10; ++k) estimate = answer.to({hypothesis(1, kHere, 20, -1)});
-  CHECK(estimate.status == Status::lost);
-  for (int k = 0; k < 10; ++k) estimate = answer.to({hypothesis(1, kHere, 20, 1)});
-  CHECK(estimate.status == Status::localized);
-}
-
-TEST_CASE("who was never localized cannot be lost") {
-  Answer answer;
-  for (int k = 0; k < 20; ++k) {
-    CHECK(answer.to({hypothesis(1, kHere, 3, -5)}).status != Status::lost);
-    CHECK(answer.to({}).status == Status::searching);
-  }
-}
-
-TEST_CASE("a robot that was localized is lost when no hypothesis is left, until it is reset") {
-  Answer answer = localized_here();
-  CHECK(answer.to({}).status == Status::lost);
-  answer.estimator.reset();
-  CHECK(answer.to({}).status == Status::searching);
-}
-
-TEST_CASE("a kidnapping that is probable makes the robot lost, and its place improbable") {
-  Answer answer = localized_here();
-  const PoseEstimate estimate = answer.to({hypothesis(1, kHere, 20)}, {1, 0.6, 0});
-  CHECK(estimate.status == Status::lost);
-  CHECK(estimate.probability < 0.4 + 1e-9);
-  CHECK(estimate.none >= 0.6);
-  CHECK(answer.to({hypothesis(1, kHere, 20)}).status == Status::localized);  // it was none
-}
-
-TEST_CASE("a place is not localized while a kidnapping from it is probable") {
-  CHECK(Answer().weight_until_localized({1, 0.05, 0}) > 900);
-}
-
-TEST_CASE(
-    "after a scan that breaks off from those before, a place has to hold anew, though nothing speaks against it") {
-  Answer answer = localized_here();
-  Circumstances broken;
-  broken.is_broken = true;
-  const PoseEstimate estimate = answer.to({hypothesis(1, kHere, 20)}, broken);
-  CHECK(estimate.status == Status::searching);
-  CHECK(estimate.probability > 0.99);
-  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("a scan broke off from those before"));
-  CHECK(answer.estimator.believed());
-  CHECK(answer.weight_until_localized({}) == Approx(StatusOptions{}.localized_weight).margin(1));
-  answer.estimator.reset();
-  CHECK(answer.weight_until_localized({}) == Answer().weight_until_localized({}));
 }
 
 TEST_CASE("a scan that says nothing wears down what hypotheses do not keep up with") {

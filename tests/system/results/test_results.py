@@ -286,8 +286,7 @@ class Page(unittest.TestCase):
                    "localized_after_m": {"median": 4.5, "95 %": None}}
         driven = types.SimpleNamespace(makers=lambda: {
             "drives": lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
-            "drives-models": lambda: {"Duplex, Level 1": cells},
-            "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
+            "drives-models": lambda: {"Duplex, Level 1": cells}, "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
             "integrity": lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)},
             "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
         row = (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict]))

@@ -1,0 +1,56 @@
+#include "tests/localization/decision/made_status.hpp"
+
+using namespace opal;
+
+TEST_CASE("a robot that was localized is lost when scans fit no more, and not by one of them") {
+  Answer answer = localized_here();
+  CHECK(answer.to({hypothesis(1, kHere, 20, -1)}).status == Status::localized);
+  PoseEstimate estimate;
+  for (int k = 0; k < 10; ++k) estimate = answer.to({hypothesis(1, kHere, 20, -1)});
+  CHECK(estimate.status == Status::lost);
+  for (int k = 0; k < 10; ++k) estimate = answer.to({hypothesis(1, kHere, 20, 1)});
+  CHECK(estimate.status == Status::localized);
+}
+
+TEST_CASE("who was never localized cannot be lost") {
+  Answer answer;
+  for (int k = 0; k < 20; ++k) {
+    CHECK(answer.to({hypothesis(1, kHere, 3, -5)}).status != Status::lost);
+    CHECK(answer.to({}).status == Status::searching);
+  }
+}
+
+TEST_CASE("a robot that was localized is lost when no hypothesis is left, until it is reset") {
+  Answer answer = localized_here();
+  CHECK(answer.to({}).status == Status::lost);
+  answer.estimator.reset();
+  CHECK(answer.to({}).status == Status::searching);
+}
+
+TEST_CASE("a kidnapping that is probable makes the robot lost, and its place improbable") {
+  Answer answer = localized_here();
+  const PoseEstimate estimate = answer.to({hypothesis(1, kHere, 20)}, {1, 0.6, 0});
+  CHECK(estimate.status == Status::lost);
+  CHECK(estimate.probability < 0.4 + 1e-9);
+  CHECK(estimate.none >= 0.6);
+  CHECK(answer.to({hypothesis(1, kHere, 20)}).status == Status::localized);  // it was none
+}
+
+TEST_CASE("a place is not localized while a kidnapping from it is probable") {
+  CHECK(Answer().weight_until_localized({1, 0.05, 0}) > 900);
+}
+
+TEST_CASE(
+    "after a scan that breaks off from those before, a place has to hold anew, though nothing speaks against it") {
+  Answer answer = localized_here();
+  Circumstances broken;
+  broken.is_broken = true;
+  const PoseEstimate estimate = answer.to({hypothesis(1, kHere, 20)}, broken);
+  CHECK(estimate.status == Status::searching);
+  CHECK(estimate.probability > 0.99);
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("a scan broke off from those before"));
+  CHECK(answer.estimator.believed());
+  CHECK(answer.weight_until_localized({}) == Approx(StatusOptions{}.localized_weight).margin(1));
+  answer.estimator.reset();
+  CHECK(answer.weight_until_localized({}) == Answer().weight_until_localized({}));
+}
