@@ -19,6 +19,7 @@ nlohmann::ordered_json to_json(const Deviation& deviation) {
           {"offset_m", deviation.offset_m},
           {"sigma_m", deviation.sigma_m},
           {"observations", deviation.observations},
+          {"looks", deviation.looks},
           {"seen_through_share", deviation.seen_through_share}};
 }
 
@@ -62,6 +63,8 @@ Deviation deviation_from(const nlohmann::json& json) {
   deviation.offset_m = metres_at(json, "offset_m");
   deviation.sigma_m = number_at(json, "sigma_m", 0, kFarthest_m);
   deviation.observations = count_at(json, "observations");
+  // Evidence of earlier versions does not tell it.
+  deviation.looks = json.contains("looks") ? number_at(json, "looks", 0, kMostKeyframes) : deviation.observations;
   deviation.seen_through_share = number_at(json, "seen_through_share", 0, 1);
   return deviation;
 }

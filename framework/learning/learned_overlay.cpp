@@ -18,7 +18,12 @@ constexpr double kOnePlace_m = 0.1;
 constexpr double kSeenThrough = 0.3;
 
 /// How often a visit is right about an object: it may have taken something before it for it, however long it looked.
-double reliability(int keyframes) { return std::min(0.98, 1 - 0.5 * std::exp(-keyframes / 3.0)); }
+double reliability(double keyframes) { return std::min(0.98, 1 - 0.5 * std::exp(-keyframes / 3.0)); }
+
+/// Keyframes on which the verdict rests. What is gone is never recognized: it is looked for.
+double keyframes_of(const Deviation& deviation) {
+  return deviation.verdict == DeviationVerdict::probably_absent ? deviation.looks : deviation.observations;
+}
 
 struct Visit {
   const Deviation* deviation;
@@ -30,7 +35,7 @@ struct Visit {
 std::array<double, 3> posterior(const std::vector<Visit>& visits) {
   std::array<double, 3> probability = kPrior;
   for (const Visit& visit : visits) {
-    const double right = reliability(visit.deviation->observations);
+    const double right = reliability(keyframes_of(*visit.deviation));
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
       probability[k] *= static_cast<int>(visit.deviation->verdict) == k ? right : (1 - right) / 2;

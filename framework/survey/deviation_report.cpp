@@ -29,6 +29,7 @@ class ObjectEvidence {
     const bool absent = all >= options_.least_observations && deviation.seen_through_share > options_.absent_share;
     deviation.feature = main_.exists() ? main_ : any_;
     deviation.observations = observations_;
+    deviation.looks = all;
     if (!main_.exists() && !absent) return false;
     if (main_.exists()) locate(deviation);
     const double least = std::max(options_.least_offset_m, options_.sigmas * deviation.sigma_m);

@@ -20,7 +20,9 @@ struct Deviation {
   double offset_m = 0;
   double sigma_m = 0;  ///< one-sigma of offset_m
   Point moved = Point::Zero();
-  int observations = 0;           ///< keyframes that recognized it, of the face that was recognized most often
+  int observations = 0;  ///< keyframes that recognized it, of the face that was recognized most often
+  /// Keyframes' worth of beams that ended on it or passed through where it should be, recognized or not.
+  double looks = 0;
   double seen_through_share = 0;  ///< of the evidence about its faces, in [0, 1]
   DeviationVerdict verdict = DeviationVerdict::as_mapped;
 };

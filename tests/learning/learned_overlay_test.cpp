@@ -140,6 +140,26 @@ TEST_CASE("the order in which drives arrive, and arriving twice, changes no byte
   CHECK(overlay_of(*map, learned_from(*map, drives), kSensor, 0.9).dump() == once);
 }
 
+TEST_CASE(
+    "what was never recognized is gone after two visits that looked for it long enough, and not after two glances") {
+  const auto map = room();
+  const auto probability_after = [&](int keyframes) {
+    const std::vector<DriveEvidence> drives{drive("a", {seen("wall-2", kGone, {}, keyframes)}),
+                                            drive("b", {seen("wall-2", kGone, {}, keyframes)})};
+    const Learned learned = learned_from(*map, drives);
+    const Proposal* proposal = proposal_of(learned, "wall-2");
+    return proposal ? proposal->probability : 0;
+  };
+  CHECK(probability_after(12) > 0.9);
+  CHECK(probability_after(1) < 0.5);
+}
+
+TEST_CASE("evidence that does not tell how often it looked is read as before") {
+  nlohmann::json document = nlohmann::json::parse(to_json(drive("a", {seen("wall-0", kMoved)})).dump());
+  document["visits"][0]["objects"][0].erase("looks");
+  CHECK(drive_evidence_from(document, "a.json").visits[0].objects[0].looks == 12);
+}
+
 TEST_CASE("the evidence of a drive is a document that says the same when it is read") {
   const DriveEvidence evidence =
       drive("a", {seen("wall-0", kMoved, {0.1, 0.4}), seen("wall-1", kGone)}, {{{{2, 3}, {5, 3}}, 7, 0.25}});

@@ -35,7 +35,9 @@ inline Deviation seen(const std::string& object, DeviationVerdict verdict, const
   deviation.moved = moved;
   deviation.offset_m = moved.norm();
   deviation.sigma_m = 0.03;
-  deviation.observations = keyframes;
+  const bool is_gone = verdict == DeviationVerdict::probably_absent;
+  deviation.observations = is_gone ? 0 : keyframes;  // what is gone is never recognized
+  deviation.looks = keyframes;
   return deviation;
 }
 
