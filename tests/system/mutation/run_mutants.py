@@ -28,8 +28,8 @@ import mutants as finder  # noqa: E402
 
 ROOMS = ("sensing", "patterns", "local_map", "sensor_health", "localization", "live")
 # What is quick comes first: most mutants do not get further.
-PROGRAMS = ("localization", "patterns", "sensing", "scorers", "scan_matching", "local_map", "detectors", "deployment", "sensor_health",
-            "replay", "live_core")
+PROGRAMS = ("localization", "patterns", "sensing", "scorers", "scan_matching", "local_map", "detectors", "deployment", "replay",
+            "sensor_health", "live_core")
 FOLDERS = ("framework", "plugins", "patterns", "maps", "configs", "tests", "docs")
 EXPLAINED = HERE / "explained.txt"
 
@@ -70,7 +70,9 @@ def write_mutants(tree, chosen):
     for number, mutant in enumerate(chosen, 1):
         by_file[mutant.file][number] = mutant
     for file, mutants in by_file.items():
-        (tree / file.relative_to(ROOT)).write_bytes(finder.mutated(file.read_bytes(), mutants))
+        target, text = tree / file.relative_to(ROOT), finder.mutated(file.read_bytes(), mutants)
+        if target.read_bytes() != text:  # else it need not be built again
+            target.write_bytes(text)
 
 
 def build(tree, jobs):
@@ -105,10 +107,9 @@ def limits(programs):
 
 def noticed_by(number, allowed):
     """The first program whose tests fail; None: no test does."""
-    for program, limit_s in allowed.items():
-        if not passes(program, number, limit_s):
-            return program.name.removesuffix("_tests")
-    return None
+    by = next((program.name.removesuffix("_tests") for program, limit_s in allowed.items() if not passes(program, number, limit_s)), None)
+    print(f"mutant {number}: " + (f"noticed by {by}" if by else "not noticed"), flush=True)
+    return by
 
 
 def room_of(mutant):
