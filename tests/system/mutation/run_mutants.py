@@ -147,7 +147,7 @@ def main():
     parser.add_argument("build", type=pathlib.Path, help="folder of a configured build, for its options")
     parser.add_argument("-o", "--out", type=pathlib.Path, default=pathlib.Path("out/mutants"), help="folder for summary.json")
     parser.add_argument("--tree", type=pathlib.Path, default=pathlib.Path("build/mutants"), help="folder for the copy with all mutants")
-    parser.add_argument("--mutants", type=int, default=300, help="how many are drawn")
+    parser.add_argument("--mutants", type=int, default=120, help="how many are drawn")
     parser.add_argument("--seed", type=int, default=1, help="of the draw")
     parser.add_argument("--rooms", nargs="+", default=ROOMS, help="folders of framework/")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
