@@ -9,12 +9,10 @@
 #include <fmt/format.h>
 
 #include <mutex>
-#include <thread>
 
 namespace opal {
 namespace {
 
-using namespace std::chrono_literals;
 using httplib::Request;
 using httplib::Response;
 
@@ -25,8 +23,6 @@ struct ReviewServer::Implementation {
       : review(matter), notes(std::move(sentences)), files(std::move(where)) {}
 
   void configure();
-  void listen(int wanted_port);
-  void stop();
   void show(const Request& request, Response& response);
   void take(const Request& request, Response& response);
   void take_known(const std::string& body, Response& response);
@@ -36,35 +32,22 @@ struct ReviewServer::Implementation {
   const std::vector<std::string> notes;
   const ReviewFiles files;
   const std::string token = run_token();
-  int port = 0;
-  httplib::Server server;
-  std::thread thread;
+  LoopbackServer server;
 };
 
 void ReviewServer::Implementation::configure() {
   constexpr int kThreads = 4;
-  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-  server.set_keep_alive_max_count(1);  // an idle browser holds no thread
-  server.set_payload_max_length(kLargestPost);
-  server.set_default_headers(page_headers());
-  server.set_pre_routing_handler([this](const Request& request, Response& response) {
-    if (is_from_here(request, port)) return httplib::Server::HandlerResponse::Unhandled;
-    answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port));
-    return httplib::Server::HandlerResponse::Handled;
+  httplib::Server& http = server.http;
+  http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+  http.set_keep_alive_max_count(1);  // an idle browser holds no thread
+  http.set_payload_max_length(kLargestPost);
+  http.set_default_headers(page_headers());
+  http.set_pre_routing_handler([this](const Request& request, Response& response) {
+    using Verdict = httplib::Server::HandlerResponse;
+    return server.refuses(request, response) ? Verdict::Handled : Verdict::Unhandled;
   });
-  server.Get("/", [this](const Request& request, Response& response) { show(request, response); });
-  server.Post("/decisions", [this](const Request& request, Response& response) { take(request, response); });
-}
-
-void ReviewServer::Implementation::listen(int wanted_port) {
-  port = bind_to_loopback(server, wanted_port, "choose another port with --port");
-  thread = std::thread([this] { server.listen_after_bind(); });
-  while (!server.is_running()) std::this_thread::sleep_for(1ms);  // until then it would not hear `stop`
-}
-
-void ReviewServer::Implementation::stop() {
-  server.stop();
-  thread.join();
+  http.Get("/", [this](const Request& request, Response& response) { show(request, response); });
+  http.Post("/decisions", [this](const Request& request, Response& response) { take(request, response); });
 }
 
 void ReviewServer::Implementation::show(const Request& request, Response& response) {
@@ -101,12 +84,12 @@ void ReviewServer::Implementation::take_known(const std::string& body, Response&
 ReviewServer::ReviewServer(Review& review, std::vector<std::string> notes, ReviewFiles files, int port)
     : implementation_(std::make_unique<Implementation>(review, std::move(notes), std::move(files))) {
   implementation_->configure();
-  implementation_->listen(port);
+  implementation_->server.listen(port, "choose another port with --port");
 }
 
-ReviewServer::~ReviewServer() { implementation_->stop(); }
+ReviewServer::~ReviewServer() { implementation_->server.stop(); }
 
-int ReviewServer::port() const { return implementation_->port; }
+int ReviewServer::port() const { return implementation_->server.port(); }
 std::string ReviewServer::url() const {
   return fmt::format("http://{}:{}/?key={}", kLoopback, port(), implementation_->token);
 }

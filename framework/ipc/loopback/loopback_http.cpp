@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <random>
 
 namespace opal {
@@ -15,9 +16,7 @@ void reuse_address_only(socket_t socket) {
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-}  // namespace
-
-int bind_to_loopback(httplib::Server& server, int port, const std::string& advice) {
+int bound_port(httplib::Server& server, int port, const std::string& advice) {
   server.set_socket_options(reuse_address_only);
   if (port == 0)
     port = server.bind_to_any_port(kLoopback);
@@ -27,6 +26,8 @@ int bind_to_loopback(httplib::Server& server, int port, const std::string& advic
   if (port < 0) throw Error(std::string(kLoopback) + ": no port is free");
   return port;
 }
+
+}  // namespace
 
 bool is_from_here(const httplib::Request& request, int port) {
   if (request.get_header_value_count("Host") != 1) return false;
@@ -56,6 +57,24 @@ std::string run_token() {
 void answer(httplib::Response& response, int status, const std::string& sentence) {
   response.status = status;
   response.set_content(sentence + "\n", "text/plain; charset=utf-8");
+}
+
+void LoopbackServer::listen(int port, const std::string& advice) {
+  using namespace std::chrono_literals;
+  port_ = bound_port(http, port, advice);
+  thread_ = std::thread([this] { http.listen_after_bind(); });
+  while (!http.is_running()) std::this_thread::sleep_for(1ms);  // until then it would not hear `stop`
+}
+
+void LoopbackServer::stop() {
+  http.stop();
+  thread_.join();
+}
+
+bool LoopbackServer::refuses(const httplib::Request& request, httplib::Response& response) const {
+  if (is_from_here(request, port_)) return false;
+  answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port_));
+  return true;
 }
 
 }  // namespace opal

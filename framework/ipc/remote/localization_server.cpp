@@ -9,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <thread>
-
 namespace opal::remote {
 namespace {
 
@@ -44,30 +42,29 @@ struct LocalizationServer::Implementation {
 
   const std::string map_message;
   LocalizationDrives drives;
-  int port = 0;
-  httplib::Server server;
-  std::thread thread;
+  LoopbackServer server;
 };
 
 void LocalizationServer::Implementation::configure() {
   constexpr int kThreads = 16;  // a peer that is silent holds one for as long as kPatience
-  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-  server.set_payload_max_length(kMostBytes);
-  server.set_read_timeout(kPatience);
-  server.set_write_timeout(kPatience);
-  server.set_keep_alive_timeout(5);
-  server.set_keep_alive_max_count(1'000'000);
-  server.set_tcp_nodelay(true);
-  server.set_pre_routing_handler(
+  httplib::Server& http = server.http;
+  http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+  http.set_payload_max_length(kMostBytes);
+  http.set_read_timeout(kPatience);
+  http.set_write_timeout(kPatience);
+  http.set_keep_alive_timeout(5);
+  http.set_keep_alive_max_count(1'000'000);
+  http.set_tcp_nodelay(true);
+  http.set_pre_routing_handler(
       [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
-  server.set_exception_handler([this](const Request&, Response& response, const std::exception_ptr& trouble) {
+  http.set_exception_handler([this](const Request&, Response& response, const std::exception_ptr& trouble) {
     answer_trouble(response, trouble);
   });
-  server.Get("/v1/map", [this](const Request&, Response& response) { response.set_content(map_message, kJson); });
-  server.Post("/v1/begin", [this](const Request& request, Response& response) {
+  http.Get("/v1/map", [this](const Request&, Response& response) { response.set_content(map_message, kJson); });
+  http.Post("/v1/begin", [this](const Request& request, Response& response) {
     response.set_content(json{{"session", drives.begin(laser_from(parsed(request)))}}.dump(), kJson);
   });
-  server.Post("/v1/scans", [this](const Request& request, Response& response) { answer_scan(request, response); });
+  http.Post("/v1/scans", [this](const Request& request, Response& response) { answer_scan(request, response); });
 }
 
 void LocalizationServer::Implementation::answer_scan(const Request& request, Response& response) {
@@ -79,10 +76,7 @@ void LocalizationServer::Implementation::answer_scan(const Request& request, Res
 
 /// A page of some web site can send plain text here without asking; JSON it cannot.
 Verdict LocalizationServer::Implementation::refuse_strangers(const Request& request, Response& response) const {
-  if (!is_from_here(request, port)) {
-    answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port));
-    return Verdict::Handled;
-  }
+  if (server.refuses(request, response)) return Verdict::Handled;
   if (!request.path.starts_with("/v1/")) {
     answer(response, 404,
            request.path.substr(0, 80) + ": unknown, this program speaks version 1: /v1/map, /v1/begin, /v1/scans");
@@ -110,18 +104,12 @@ void LocalizationServer::Implementation::answer_trouble(Response& response, cons
 LocalizationServer::LocalizationServer(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make, int port)
     : implementation_(std::make_unique<Implementation>(std::move(map), std::move(sensor), std::move(make))) {
   implementation_->configure();
-  implementation_->port = bind_to_loopback(implementation_->server, port, "choose another port with --port");
-  implementation_->thread = std::thread([this] { implementation_->server.listen_after_bind(); });
-  while (!implementation_->server.is_running())
-    std::this_thread::sleep_for(1ms);  // until then it would not hear `stop`
+  implementation_->server.listen(port, "choose another port with --port");
 }
 
-LocalizationServer::~LocalizationServer() {
-  implementation_->server.stop();
-  implementation_->thread.join();
-}
+LocalizationServer::~LocalizationServer() { implementation_->server.stop(); }
 
-int LocalizationServer::port() const { return implementation_->port; }
+int LocalizationServer::port() const { return implementation_->server.port(); }
 std::string LocalizationServer::address() const { return fmt::format("{}:{}", kLoopback, port()); }
 
 }  // namespace opal::remote

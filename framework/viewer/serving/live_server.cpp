@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <charconv>
-#include <thread>
 
 namespace opal {
 namespace {
@@ -23,7 +22,6 @@ struct LiveServer::Implementation {
   Implementation(std::string page_text, const RecordLog& log) : page(std::move(page_text)), records(log) {}
 
   void configure();
-  void listen(int wanted_port);
   void stop();
   httplib::Server::HandlerResponse refuse_strangers(const Request& request, Response& response) const;
   void open_stream(const Request& request, Response& response);
@@ -33,45 +31,33 @@ struct LiveServer::Implementation {
   const std::string page;
   const RecordLog& records;
   const std::string token = run_token();  ///< so that a browser that comes back to another run is not given its middle
-  int port = 0;
   std::atomic<int> streams = 0;
   std::stop_source stopping;
-  httplib::Server server;
-  std::thread thread;
+  LoopbackServer server;
 };
 
 void LiveServer::Implementation::configure() {
   constexpr int kThreadsForPages = 4;
-  server.new_task_queue = [] { return new httplib::ThreadPool(kMostStreams + kThreadsForPages); };
-  server.set_keep_alive_max_count(1);  // an idle browser holds no thread
-  server.set_payload_max_length(1024);
-  server.set_default_headers(page_headers());
-  server.set_pre_routing_handler(
+  httplib::Server& http = server.http;
+  http.new_task_queue = [] { return new httplib::ThreadPool(kMostStreams + kThreadsForPages); };
+  http.set_keep_alive_max_count(1);  // an idle browser holds no thread
+  http.set_payload_max_length(1024);
+  http.set_default_headers(page_headers());
+  http.set_pre_routing_handler(
       [this](const Request& request, Response& response) { return refuse_strangers(request, response); });
-  server.Get("/",
-             [this](const Request&, Response& response) { response.set_content(page, "text/html; charset=utf-8"); });
-  server.Get("/events", [this](const Request& request, Response& response) { open_stream(request, response); });
-}
-
-void LiveServer::Implementation::listen(int wanted_port) {
-  port = bind_to_loopback(server, wanted_port, "choose another port with --serve=PORT");
-  thread = std::thread([this] { server.listen_after_bind(); });
-  while (!server.is_running()) std::this_thread::sleep_for(1ms);  // until then it would not hear `stop`
+  http.Get("/", [this](const Request&, Response& response) { response.set_content(page, "text/html; charset=utf-8"); });
+  http.Get("/events", [this](const Request& request, Response& response) { open_stream(request, response); });
 }
 
 void LiveServer::Implementation::stop() {
   stopping.request_stop();
   server.stop();
-  thread.join();
 }
 
 httplib::Server::HandlerResponse LiveServer::Implementation::refuse_strangers(const Request& request,
                                                                               Response& response) const {
   using Verdict = httplib::Server::HandlerResponse;
-  if (!is_from_here(request, port)) {
-    answer(response, 403, fmt::format("This server answers to {}:{} only.", kLoopback, port));
-    return Verdict::Handled;
-  }
+  if (server.refuses(request, response)) return Verdict::Handled;
   if (request.method != "GET") {
     answer(response, 405, "This server only shows.");
     return Verdict::Handled;
@@ -121,12 +107,12 @@ bool LiveServer::Implementation::write_next(std::size_t& position, httplib::Data
 LiveServer::LiveServer(std::string page, const RecordLog& records, int port)
     : implementation_(std::make_unique<Implementation>(std::move(page), records)) {
   implementation_->configure();
-  implementation_->listen(port);
+  implementation_->server.listen(port, "choose another port with --serve=PORT");
 }
 
 LiveServer::~LiveServer() { implementation_->stop(); }
 
-int LiveServer::port() const { return implementation_->port; }
+int LiveServer::port() const { return implementation_->server.port(); }
 std::string LiveServer::url() const { return fmt::format("http://127.0.0.1:{}/", port()); }
 int LiveServer::streams() const { return implementation_->streams; }
 

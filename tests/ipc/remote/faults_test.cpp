@@ -57,24 +57,18 @@ class Impostor {
   explicit Impostor(const std::function<void(httplib::Response&)>& to_scans) {
     const std::string map =
         json{{"protocol", remote::kProtocol}, {"sensor", LaserModel().id}, {"map", room()->to_json_ld()}}.dump();
-    server_.Get("/v1/map", [map](const httplib::Request&, httplib::Response& r) { r.set_content(map, kJson); });
-    server_.Post("/v1/begin",
-                 [](const httplib::Request&, httplib::Response& r) { r.set_content(R"({"session":"x.1"})", kJson); });
-    server_.Post("/v1/scans", [to_scans](const httplib::Request&, httplib::Response& r) { to_scans(r); });
-    port_ = bind_to_loopback(server_, 0, "");
-    thread_ = std::thread([this] { server_.listen_after_bind(); });
-    while (!server_.is_running()) std::this_thread::sleep_for(1ms);
+    httplib::Server& http = server_.http;
+    http.Get("/v1/map", [map](const httplib::Request&, httplib::Response& r) { r.set_content(map, kJson); });
+    http.Post("/v1/begin",
+              [](const httplib::Request&, httplib::Response& r) { r.set_content(R"({"session":"x.1"})", kJson); });
+    http.Post("/v1/scans", [to_scans](const httplib::Request&, httplib::Response& r) { to_scans(r); });
+    server_.listen(0, "");
   }
-  ~Impostor() {
-    server_.stop();
-    thread_.join();
-  }
-  std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+  ~Impostor() { server_.stop(); }
+  std::string address() const { return "127.0.0.1:" + std::to_string(server_.port()); }
 
  private:
-  httplib::Server server_;
-  int port_ = 0;
-  std::thread thread_;
+  LoopbackServer server_;
 };
 
 json scan_message(const std::string& session, double stamp_s) {
