@@ -132,4 +132,10 @@ DriveEvidence DriveObserver::finish(const std::string& drive) {
   return std::move(state_->evidence);
 }
 
+DriveEvidence observed_drive(const LocalizerParts& parts, Replay& replay, const std::string& drive) {
+  DriveObserver observer(parts);
+  while (const auto sample = replay.next()) observer.update(*sample);
+  return observer.finish(drive);
+}
+
 }  // namespace opal

@@ -4,6 +4,7 @@
 #include "survey/deviation_report.hpp"
 
 #include <opal/localization/localizer.hpp>
+#include <opal/sensing/replay.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -44,6 +45,9 @@ class DriveObserver {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// What the rest of a recorded drive says of the map of a localizer.
+DriveEvidence observed_drive(const LocalizerParts& parts, Replay& replay, const std::string& drive);
 
 /// The document of one drive, and back. @throws ConfigError naming file, place, what was found and what was expected.
 nlohmann::ordered_json to_json(const DriveEvidence& evidence);

@@ -179,6 +179,12 @@ bool is_first(const Proposal& a, const Proposal& b) {
 
 }  // namespace
 
+const MapObject* object_of(const SemanticMap& map, const Proposal& proposal) {
+  for (const MapObject& object : map.objects())
+    if (object.id == proposal.id) return &object;
+  return nullptr;
+}
+
 const char* name_of(Change change) {
   switch (change) {
     case Change::moved: return "moved";

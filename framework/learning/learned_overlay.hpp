@@ -43,6 +43,12 @@ struct Proposal {
   std::vector<VisitSight> sights = {};   ///< of each visit, in order of the drives
 };
 
+/// Changes that are less probable are usually told, and not made.
+inline constexpr double kLeastProbability = 0.9;
+
+/// The object of a map that a proposal is about; null for something added.
+const MapObject* object_of(const SemanticMap& map, const Proposal& proposal);
+
 /// What many drives say together.
 struct Learned {
   std::vector<Proposal> proposals;  ///< most probable first, then by id

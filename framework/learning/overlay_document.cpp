@@ -47,16 +47,10 @@ void shift(Shifts& shifts, const MapFeature& feature, const Point& moved, const 
   }
 }
 
-const MapObject* object_of(const SemanticMap& map, const std::string& id) {
-  for (const MapObject& object : map.objects())
-    if (object.id == id) return &object;
-  return nullptr;
-}
-
 Shifts shifts_of(const SemanticMap& map, std::span<const Proposal> proposals) {
   Shifts shifts;
   for (const Proposal& proposal : proposals) {
-    const MapObject* object = proposal.change == Change::moved ? object_of(map, proposal.id) : nullptr;
+    const MapObject* object = proposal.change == Change::moved ? object_of(map, proposal) : nullptr;
     if (!object) continue;
     for (const MapFeatureNumber feature : object->features)
       shift(shifts, map.feature(feature), proposal.moved, object->id + " " + sentence_of(proposal));

@@ -15,10 +15,10 @@ namespace opal {
 struct ReviewMatter {
   std::shared_ptr<const SemanticMap> map;
   Learned learned;
-  std::string sensor;              ///< id; perceives what is added, and does not perceive any more what is gone
-  std::string map_digest;          ///< of the map's contents
-  std::string evidence_digest;     ///< of the contents of all drives
-  double least_probability = 0.9;  ///< proposals that are less probable are shown as doubtful
+  std::string sensor;           ///< id; perceives what is added, and does not perceive any more what is gone
+  std::string map_digest;       ///< of the map's contents
+  std::string evidence_digest;  ///< of the contents of all drives
+  double least_probability = kLeastProbability;  ///< proposals that are less probable are shown as doubtful
 };
 
 /// Proposals, and what a person has said of them.

@@ -13,12 +13,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const MapObject* object_of(const SemanticMap& map, const std::string& id) {
-  for (const MapObject& object : map.objects())
-    if (object.id == id) return &object;
-  return nullptr;
-}
-
 ordered_json notes_of(const MapObject* object) {
   ordered_json json = ordered_json::object();
   if (!object) return json;
@@ -35,7 +29,7 @@ ordered_json json_of(const Review& review, std::size_t number, const ProposalPic
     sights.push_back({{"drive", sight.drive}, {"agrees", sight.agrees}, {"words", sentence_of(proposal, sight)}});
   return {{"about", to_json(review.subjects()[number])},
           {"type", proposal.type},
-          {"notes", notes_of(object_of(*matter.map, proposal.id))},
+          {"notes", notes_of(object_of(*matter.map, proposal))},
           {"probability", proposal.probability},
           {"proposed", proposal.probability >= matter.least_probability},
           {"objection", objection_to(proposal)},

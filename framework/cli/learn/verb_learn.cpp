@@ -17,7 +17,7 @@ namespace {
 struct LearnOptions {
   DriveInputs inputs;
   std::string out, evidence, csv, png, svg;
-  double least_probability = 0.9;
+  double least_probability = opal::kLeastProbability;
 };
 
 void write_evidence(const std::vector<opal::DriveEvidence>& drives, const std::string& file) {

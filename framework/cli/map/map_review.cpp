@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 struct ReviewOptions {
   DriveInputs inputs;
   std::string out, decisions, html;
-  double least_probability = 0.9;
+  double least_probability = opal::kLeastProbability;
   int port = opal::ReviewServer::kUsualPort;
 };
 

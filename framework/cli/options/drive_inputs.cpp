@@ -28,10 +28,8 @@ std::vector<opal::DriveEvidence> watched(const LogRunOptions& options, const opa
     cut.from_s = window.start_s;
     cut.to_s = window.end_s;
     opal::Replay replay(log.records, deployment.lasers, cut);
-    opal::DriveObserver observer(parts);
-    while (const auto sample = replay.next()) observer.update(*sample);
     const std::string name = fs::path(log_file).filename().string();
-    drives.push_back(observer.finish(run.queries.empty() ? name : name + " " + window.id));
+    drives.push_back(observed_drive(parts, replay, run.queries.empty() ? name : name + " " + window.id));
     const opal::DriveEvidence& drive = drives.back();
     std::printf("%s: learned along %.0f m in %zu visits; %.0f m left out\n", drive.drive.c_str(), drive.learned_m,
                 drive.visits.size(), drive.left_out_m);

@@ -83,9 +83,7 @@ class GridFile {
 DriveEvidence evidence_of(const simulation::Recording& recording, const LocalizerParts& parts, int number) {
   const std::vector<LogRecord> records = records_of(recording);
   Replay replay(records, {recording.laser});
-  DriveObserver observer(parts);
-  while (const auto sample = replay.next()) observer.update(*sample);
-  return observer.finish(fmt::format("drive {}", number));
+  return observed_drive(parts, replay, fmt::format("drive {}", number));
 }
 
 }  // namespace
@@ -103,7 +101,7 @@ std::shared_ptr<const SemanticMap> redrawn_map(const std::shared_ptr<const Seman
   mapping.seed = drive.seed;
   const GridFile grid(scratch, drive);
   write_raster(cone_mapped(placed_scans(simulation), mapping), grid.yaml());
-  return load_map(*robots.registry, grid.yaml());
+  return load_map(trusted_by(robots.one_laser, *robots.registry), grid.yaml());
 }
 
 std::shared_ptr<const SemanticMap> learned_map(const std::shared_ptr<const SemanticMap>& building,
@@ -115,7 +113,6 @@ std::shared_ptr<const SemanticMap> learned_map(const std::shared_ptr<const Seman
     const DrawnDrive earlier = earlier_drive(drive, static_cast<std::uint64_t>(k));
     evidence.push_back(evidence_of(recorded(earlier, {building, wrong}, robots.one_laser), parts, k));
   }
-  constexpr double kLeastProbability = 0.9;  // as opal learn writes it
   const nlohmann::ordered_json overlay =
       overlay_of(*wrong, learned_from(*wrong, evidence), robots.one_laser.lasers.front().id, kLeastProbability);
   return overlaid_map(*wrong, {parse_overlay(overlay.dump(), "learned")}).map;
