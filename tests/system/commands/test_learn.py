@@ -8,11 +8,15 @@ MAP = f"{ROOT}/maps/malaga/malaga.map.yaml"
 LOG = f"{ROOT}/maps/malaga/malaga.log.gz"
 
 
-class Learn(Commands):
+class DamagedMap(Commands):
+    """damaged.jsonld is the map that ships, without a third of its walls."""
+
     def setUp(self):
         super().setUp()
         self.opal("map", "damage", MAP, "--plan", "1.5", "--damage", "drop=0.3", "--seed", "2", "-o", "damaged.jsonld")
 
+
+class Learn(DamagedMap):
     def learn(self, *words, **how):
         return self.opal("learn", "damaged.jsonld", *words, "--config", "malaga", "-o", "learned.jsonld", **how)
 

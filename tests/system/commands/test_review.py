@@ -3,16 +3,12 @@
 import json
 import re
 
-from test_commands import ROOT, Commands
-
-MAP = f"{ROOT}/maps/malaga/malaga.map.yaml"
-LOG = f"{ROOT}/maps/malaga/malaga.log.gz"
+from test_learn import LOG, DamagedMap
 
 
-class Review(Commands):
+class Review(DamagedMap):
     def setUp(self):
         super().setUp()
-        self.opal("map", "damage", MAP, "--plan", "1.5", "--damage", "drop=0.3", "--seed", "2", "-o", "damaged.jsonld")
         self.opal("learn", "damaged.jsonld", LOG, "--config", "malaga", "-o", "learned.jsonld", "--evidence", "evidence.json")
 
     def review(self, *words, evidence="evidence.json", **how):

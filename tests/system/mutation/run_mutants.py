@@ -117,8 +117,8 @@ def room_of(mutant):
 
 
 def summary(chosen, noticed, why):
-    """Counts by room, and what nobody noticed."""
-    rooms, missed = {}, []
+    """Counts by room and of all, and what nobody noticed."""
+    rooms, total, missed = {}, collections.Counter(), []
     for mutant, by in zip(chosen, noticed):
         row = rooms.setdefault(room_of(mutant), {"mutants": 0, "noticed": 0, "explained": 0})
         row["mutants"] += 1
@@ -127,15 +127,14 @@ def summary(chosen, noticed, why):
         if by is None and key_of(mutant) not in why:
             file, was, becomes = key_of(mutant)
             missed.append({"file": file, "line": mutant.line, "was": was, "becomes": becomes})
-    return {"rooms": rooms, "missed": missed}
+    for row in rooms.values():
+        total.update(row)
+    return {"rooms": {**rooms, "all": total}, "missed": missed}
 
 
 def tell(result):
     print(f"{'room':16}{'mutants':>9}{'noticed':>9}{'explained':>11}{'noticed %':>11}")
-    total = collections.Counter()
     for room, row in result["rooms"].items():
-        total.update(row)
-    for room, row in [*result["rooms"].items(), ("all", total)]:
         share = 100 * row["noticed"] / max(1, row["mutants"] - row["explained"])
         print(f"{room:16}{row['mutants']:9}{row['noticed']:9}{row['explained']:11}{share:11.1f}")
     for mutant in result["missed"]:

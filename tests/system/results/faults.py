@@ -3,8 +3,9 @@
 import csv
 import pathlib
 import statistics
-import subprocess
 import sys
+
+from redrawn import run
 
 DRIVES = 40
 WRONG_FOR_S = 1
@@ -26,10 +27,7 @@ def faults_table(options):
     folder = pathlib.Path(options.out) / "faults"
     kept = folder / "drives.csv"
     if not (options.reuse and kept.exists()):
-        done = subprocess.run([str(options.opal.resolve()), "experiment", "faults", "-o", str(folder), "--drives", str(DRIVES),
-                               "--jobs", str(options.jobs)], capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise SystemExit(f"opal experiment faults: {done.stderr.strip()}")
+        run(options.opal.resolve(), "experiment", "faults", "-o", folder, "--drives", DRIVES, "--jobs", options.jobs)
         print("faults: done", file=sys.stderr, flush=True)
     by_fault = {}
     with kept.open(newline="", encoding="utf-8") as file:

@@ -2,8 +2,9 @@
 
 import json
 import pathlib
-import subprocess
 import sys
+
+from redrawn import run
 
 DRIVES = 500
 
@@ -29,9 +30,6 @@ def integrity_table(options):
     folder = pathlib.Path(options.out) / "integrity"
     summary = folder / "summary.json"
     if not (options.reuse and summary.exists()):
-        done = subprocess.run([str(options.opal.resolve()), "experiment", "integrity", "-o", str(folder), "--drives", str(DRIVES),
-                               "--jobs", str(options.jobs)], capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise SystemExit(f"opal experiment integrity: {done.stderr.strip()}")
+        run(options.opal.resolve(), "experiment", "integrity", "-o", folder, "--drives", DRIVES, "--jobs", options.jobs)
         print("integrity: done", file=sys.stderr, flush=True)
     return {label_of(stratum): cells_of(stratum) for stratum in json.loads(summary.read_text())["strata"]}

@@ -1,10 +1,10 @@
 """Small changes of the library that its tests notice: `./run mutants`, by room."""
 
-import collections
 import json
 import pathlib
-import subprocess
 import sys
+
+from redrawn import run
 
 RUN = pathlib.Path(__file__).resolve().parents[1] / "mutation/run_mutants.py"
 
@@ -19,14 +19,6 @@ def mutants_table(options):
     folder = pathlib.Path(options.out) / "mutants"
     summary = folder / "summary.json"
     if not (options.reuse and summary.exists()):
-        build = options.opal.resolve().parents[1]
-        done = subprocess.run(["/usr/bin/python3", "-B", str(RUN), str(build), "-o", str(folder), "--jobs", str(options.jobs)],
-                              capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise SystemExit(f"run_mutants.py: {done.stderr.strip()[-2000:] or done.stdout.strip()[-2000:]}")
+        run("/usr/bin/python3", "-B", RUN, options.opal.resolve().parents[1], "-o", folder, "--jobs", options.jobs)
         print("mutants: done", file=sys.stderr, flush=True)
-    rooms = json.loads(summary.read_text())["rooms"]
-    total = collections.Counter()
-    for row in rooms.values():
-        total.update(row)
-    return {room: cells_of(row) for room, row in [*rooms.items(), ("all", total)]}
+    return {room: cells_of(row) for room, row in json.loads(summary.read_text())["rooms"].items()}
