@@ -33,8 +33,7 @@ std::shared_ptr<const SemanticMap> as_built(const MapHandle& map, const std::str
 
 void take_lasers(const std::vector<LaserModel>& lasers, sim::SimulationOptions& world) {
   if (lasers.empty()) throw ConfigError("simulate: lasers: none, expected one at least");
-  world.laser = lasers.front();
-  world.more_lasers.assign(lasers.begin() + 1, lasers.end());
+  world.take(lasers);
 }
 
 /// As `opal simulate` drives: on every storey of a map that holds several.

@@ -25,6 +25,12 @@ struct SimulationOptions {
   double robot_radius_m = 0.3;
   bool outdoors = false;  ///< robots can be outdoors; outer doors may be open, too
 
+  /// Scans with the lasers of a robot: at least one.
+  void take(const std::vector<LaserModel>& lasers) {
+    laser = lasers.front();
+    more_lasers.assign(lasers.begin() + 1, lasers.end());
+  }
+
   /// 270 degrees in steps of half a degree, up to 30 m, 0.2 m before the robot's centre.
   static LaserModel default_laser();
 };

@@ -20,10 +20,7 @@ struct WorldOptions {
 
   /// The lasers that a deployment describes; the simulator's, if it describes none or leaves it to the log.
   void take_laser(const opal::Deployment& deployment) {
-    if (deployment.describes_laser && !deployment.lasers.front().geometry_from_log) {
-      world.laser = deployment.lasers.front();
-      world.more_lasers.assign(deployment.lasers.begin() + 1, deployment.lasers.end());
-    }
+    if (deployment.describes_laser && !deployment.lasers.front().geometry_from_log) world.take(deployment.lasers);
     world.laser.id = deployment.lasers.front().id;
   }
 

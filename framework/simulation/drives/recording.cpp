@@ -139,6 +139,13 @@ Recording record_route(Simulation& simulation, const std::vector<Point>& places,
   return recording;
 }
 
+Recording record_about(Simulation& simulation, double duration_s, const DriveOptions& options, Random random) {
+  constexpr int kPlaces = 20;
+  std::vector<Point> places;
+  for (int k = 0; k < kPlaces; ++k) places.push_back(simulation.floor().anywhere(random));
+  return record_route(simulation, places, duration_s, options, random.branch());
+}
+
 Recording record_way(Simulation& simulation, const std::vector<Point>& places, double most_s,
                      const DriveOptions& options) {
   Recording recording = recording_by(simulation);
@@ -174,15 +181,19 @@ Recording record_along(Simulation& simulation, std::span<const StampedPose> T_ma
   return recording;
 }
 
+bool was_kidnapped(const Pose2& before, const Pose2& after) {
+  constexpr double kFarthest_m = 1;  // that a robot drives from scan to scan
+  return distance_m(before, after) >= kFarthest_m;
+}
+
 Pose2 truth_at(const Recording& recording, double stamp_s) {
-  constexpr double kCarried_m = 1;  // no robot drives so far from scan to scan
   const auto& scans = recording.scans;
   const auto after = std::lower_bound(scans.begin(), scans.end(), stamp_s,
                                       [](const auto& scan, double stamp) { return scan.scan.stamp_s < stamp; });
   if (after == scans.begin()) return scans.front().T_map_base;
   const auto& before = *std::prev(after);
   if (after == scans.end()) return before.T_map_base;
-  if (distance_m(before.T_map_base, after->T_map_base) > kCarried_m)
+  if (was_kidnapped(before.T_map_base, after->T_map_base))
     return stamp_s < after->scan.stamp_s ? before.T_map_base : after->T_map_base;
   const double share = (stamp_s - before.scan.stamp_s) / (after->scan.stamp_s - before.scan.stamp_s);
   return interpolated(before.T_map_base, after->T_map_base, share);

@@ -55,6 +55,9 @@ Recording record(Simulation& simulation, const DriveOptions& options, Random ran
 Recording record_route(Simulation& simulation, const std::vector<Point>& places, double duration_s,
                        const DriveOptions& options, Random random);
 
+/// The same to places that are drawn all over the floor.
+Recording record_about(Simulation& simulation, double duration_s, const DriveOptions& options, Random random);
+
 /// One drive from where the robot stands to one place after the other, where it ends, or after a time.
 /// @param places  on the floor.
 Recording record_way(Simulation& simulation, const std::vector<Point>& places, double most_s,
@@ -63,6 +66,9 @@ Recording record_way(Simulation& simulation, const std::vector<Point>& places, d
 /// The same poses at the same times as another recording: one drive.
 /// @param T_map_laser  poses of the laser by increasing stamp.
 Recording record_along(Simulation& simulation, std::span<const StampedPose> T_map_laser);
+
+/// Whether a robot was moved from one scan to the next otherwise than by driving.
+bool was_kidnapped(const Pose2& before, const Pose2& after);
 
 /// Where the robot was; linear between two scans, unless it was kidnapped between them. Before the first scan and
 /// after the last one, as at that scan.

@@ -24,18 +24,12 @@ std::shared_ptr<const SemanticMap> building_of(std::uint64_t seed, const std::st
 simulation::Recording recorded(const Deployment& deployment, std::shared_ptr<const SemanticMap> building,
                                std::uint64_t seed, const FaultDriveOptions& options) {
   simulation::SimulationOptions world;
-  world.laser = deployment.lasers.front();
-  world.more_lasers.assign(deployment.lasers.begin() + 1, deployment.lasers.end());
+  world.take(deployment.lasers);
   world.people = options.people;
   simulation::Simulation simulation(std::move(building), world, seed);
   simulation::DriveOptions drive;
-  drive.drives = 1;
-  drive.distance_m = 1e6;
   drive.scan_every_s = kScanEvery_s;
-  simulation::Random random(seed);
-  std::vector<Point> places;
-  for (int k = 0; k < 20; ++k) places.push_back(simulation.floor().anywhere(random));
-  return simulation::record_route(simulation, places, options.duration_s, drive, random.branch());
+  return simulation::record_about(simulation, options.duration_s, drive, simulation::Random(seed));
 }
 
 Deployment as_described(Deployment deployment, const Trouble& trouble) {

@@ -62,19 +62,19 @@ class DriveProcess {
   ab::ChildProcess process_;
 };
 
-std::vector<bool> finished(const Campaign& campaign, const ab::ResultFolder& folder) {
-  std::vector<bool> is_finished(campaign.size(), false);
+/// All that have ended, by number; a larger campaign has left some of higher numbers, too.
+std::map<std::size_t, ab::CellResult> ended_drives(const ab::ResultFolder& folder) {
+  std::map<std::size_t, ab::CellResult> results;
   for (const std::string& journal : folder.journals())
-    ab::read_journal(journal, [&](const ab::CellResult& result, ab::JournalPlace) {
-      if (result.number < is_finished.size()) is_finished[result.number] = true;  // others are of a larger campaign
-    });
-  return is_finished;
+    ab::read_journal(journal, [&](const ab::CellResult& result, ab::JournalPlace) { results[result.number] = result; });
+  return results;
 }
 
-std::vector<std::size_t> unfinished(const std::vector<bool>& is_finished, std::size_t first, std::size_t end) {
+std::vector<std::size_t> unfinished(const ab::ResultFolder& folder, std::size_t first, std::size_t end) {
+  const std::map<std::size_t, ab::CellResult> ended = ended_drives(folder);
   std::vector<std::size_t> numbers;
   for (std::size_t number = first; number < end; ++number)
-    if (!is_finished[number]) numbers.push_back(number);
+    if (!ended.contains(number)) numbers.push_back(number);
   return numbers;
 }
 
@@ -93,7 +93,7 @@ void drive_campaign(const Campaign& campaign, const CampaignRobots& robots, cons
                     const std::stop_token& stop) {
   const std::size_t first = shard.first(campaign.size()), end = shard.end(campaign.size());
   const ab::Claim claim(folder.path(), first, end);
-  const std::vector<std::size_t> numbers = unfinished(finished(campaign, folder), first, end);
+  const std::vector<std::size_t> numbers = unfinished(folder, first, end);
   ab::Journal journal(folder.journal(shard, 0));
   std::vector<std::unique_ptr<DriveProcess>> under_way;
   std::size_t next = 0, done = end - first - numbers.size();
@@ -110,11 +110,8 @@ void drive_campaign(const Campaign& campaign, const CampaignRobots& robots, cons
 }
 
 std::vector<JudgedDrive> judged_drives(const Campaign& campaign, const ab::ResultFolder& folder) {
-  std::map<std::size_t, ab::CellResult> results;
-  for (const std::string& journal : folder.journals())
-    ab::read_journal(journal, [&](const ab::CellResult& result, ab::JournalPlace) { results[result.number] = result; });
   std::vector<JudgedDrive> drives;
-  for (const auto& [number, result] : results)
+  for (const auto& [number, result] : ended_drives(folder))
     if (number < campaign.size()) drives.push_back(judged(campaign.drive(number), result));
   return drives;
 }

@@ -9,7 +9,6 @@ namespace {
 using simulation::Random;
 
 constexpr double kLaserScanEvery_s = 0.1;
-constexpr int kPlaces = 20;
 
 std::string storey_id(int storey) { return "level-" + std::to_string(storey); }
 
@@ -54,8 +53,7 @@ MapDamage damage_of(const DrawnDrive& drive) {
 
 simulation::SimulationOptions options_of(const DrawnDrive& drive, const Deployment& robot) {
   simulation::SimulationOptions options;
-  options.laser = robot.lasers.front();
-  options.more_lasers.assign(robot.lasers.begin() + 1, robot.lasers.end());
+  options.take(robot.lasers);
   options.clutter.level = drive.clutter;
   options.clutter.along_walls = drive.along_walls;
   options.people = drive.people;
@@ -70,14 +68,6 @@ void append(simulation::Recording& recording, simulation::Recording more) {
   move(recording.scans, more.scans);
   move(recording.more_scans, more.more_scans);
   move(recording.odometry, more.odometry);
-}
-
-simulation::Recording route(simulation::Simulation& simulation, double duration_s, Random random) {
-  simulation::DriveOptions drive;
-  drive.scan_every_s = kLaserScanEvery_s;
-  std::vector<Point> places;
-  for (int k = 0; k < kPlaces; ++k) places.push_back(simulation.floor().anywhere(random));
-  return record_route(simulation, places, duration_s, drive, random.branch());
 }
 
 }  // namespace
@@ -96,8 +86,11 @@ simulation::Recording recorded(const DrawnDrive& drive, const DriveWorld& world,
   Random random(drive.seed);
   simulation::Simulation simulation(world.building, options_of(drive, robot), drive.seed);
   const double first_s = drive.is_kidnapped ? event_window(drive).from_s : drive.duration_s;
-  simulation::Recording recording = route(simulation, first_s, random.branch());
-  if (drive.is_kidnapped) append(recording, route(simulation, drive.duration_s - first_s, random.branch()));
+  simulation::DriveOptions options;
+  options.scan_every_s = kLaserScanEvery_s;
+  simulation::Recording recording = record_about(simulation, first_s, options, random.branch());
+  if (drive.is_kidnapped)
+    append(recording, record_about(simulation, drive.duration_s - first_s, options, random.branch()));
   return recording;
 }
 

@@ -20,13 +20,15 @@ namespace {
 class Trace {
  public:
   void add(const JudgedAnswer& answer) {
-    constexpr double kEvery_m = 0.2, kCarried_m = 1;
+    constexpr double kEvery_m = 0.2;
+    const bool is_elsewhere = truth_.empty() || simulation::was_kidnapped(truth_.back().pose, answer.truth);
     truth_.push_back({answer.stamp_s, answer.truth});
     auto& stretches = way_.stretches;
     const Point at = answer.truth.position();
-    const double step_m = stretches.empty() ? kNever : (stretches.back().points.back() - at).norm();
-    if (step_m > kCarried_m) stretches.push_back({{at}, true});
-    if (step_m > kEvery_m && step_m <= kCarried_m) stretches.back().points.push_back(at);
+    if (is_elsewhere)
+      stretches.push_back({{at}, true});
+    else if ((stretches.back().points.back() - at).norm() > kEvery_m)
+      stretches.back().points.push_back(at);
     if (answer.is_localized && !answer.is_right) way_.estimate.push_back(answer.said.position());
     if (answer.is_right && way_.marks.empty()) way_.marks.push_back(at);
   }
@@ -108,8 +110,7 @@ std::string integrity_page(const std::string& command, const std::vector<Stratum
       text_element("p",
                    "Right means: within 1 m and 10 degrees. A drive is false if it called a wrong pose localized for "
                    "longer than 1 s, crashed or hung. Drives through one building are no independent trials: intervals "
-                   "are those of "
-                   "Clopper and Pearson for as many independent drives as tell as much (Korn and "
+                   "are those of Clopper and Pearson for as many independent drives as tell as much (Korn and "
                    "Graubard 1998).") +
       text_element("code", command) + strata_html(strata) +
       text_element("h2", fmt::format("The worst drives: {}", worst.size()));

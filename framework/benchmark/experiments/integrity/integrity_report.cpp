@@ -104,8 +104,7 @@ std::string bound_sentence(const Stratum& all) {
   const double median_m = quantile_of(all.drives, &IntegrityRun::localized_after_m, 0.5);
   return fmt::format(
       "At most {} of 1,000 drives call a wrong pose localized for longer than 1 s (95 % confidence, {} of {} drives "
-      "did). "
-      "{} % of the drives are sure of their pose at some time, half of all after {} m.",
+      "did). {} % of the drives are sure of their pose at some time, half of all after {} m.",
       per_thousand(all.false_share().high), all.false_drives(), all.drives.size(),
       number(100.0 * static_cast<double>(localized_drives(all)) / static_cast<double>(all.drives.size()), 1),
       number(median_m, 1));

@@ -1,5 +1,6 @@
 #include "benchmark/experiments/integrity/integrity_run.hpp"
 
+#include "benchmark/experiments/kit/recorded_way.hpp"
 #include "evaluation/pose_tolerance.hpp"
 #include "live/live_core.hpp"
 
@@ -8,37 +9,12 @@
 namespace opal::experiments {
 namespace {
 
-/// Driven since the start, at each scan; being carried is no driving.
-class DrivenWay {
- public:
-  explicit DrivenWay(const simulation::Recording& recording) {
-    constexpr double kCarried_m = 1;
-    const Pose2* before = nullptr;
-    for (const simulation::RecordedScan& scan : recording.scans) {
-      const double step_m = before ? distance_m(*before, scan.T_map_base) : 0;
-      if (step_m < kCarried_m) driven_m_ += step_m;
-      way_.push_back({scan.scan.stamp_s, driven_m_});
-      before = &scan.T_map_base;
-    }
-  }
-  double driven_m() const { return driven_m_; }
-  double at_m(double stamp_s) const {
-    const auto after = std::lower_bound(way_.begin(), way_.end(), stamp_s,
-                                        [](const auto& place, double stamp) { return place.first < stamp; });
-    return after == way_.end() ? driven_m_ : after->second;
-  }
-
- private:
-  double driven_m_ = 0;
-  std::vector<std::pair<double, double>> way_;  ///< stamp, driven
-};
-
 /// Watches the answers of one drive.
 class Watch {
  public:
   Watch(const DrawnDrive& drive, const simulation::Recording& recording, IntegrityRun& run)
       : drive_(drive), window_(event_window(drive)), recording_(recording), way_(recording), run_(run) {
-    run_.driven_m = way_.driven_m();
+    run_.driven_m = way_.all_m();
   }
 
   JudgedAnswer see(const LiveAnswer& answer, double now_s) {
@@ -59,7 +35,7 @@ class Watch {
     run_.duration_s = judged.stamp_s;
     run_.localized.add(judged.stamp_s, judged.is_localized, judged.is_right);
     if (!judged.is_right) return;
-    if (!run_.localized_after_m) run_.localized_after_m = way_.at_m(judged.stamp_s);
+    if (!run_.localized_after_m) run_.localized_after_m = way_.driven_m(judged.stamp_s);
     if (judged.stamp_s >= window_.to_s && !run_.recovered_after_s)
       run_.recovered_after_s = judged.stamp_s - window_.to_s;
   }
@@ -67,7 +43,7 @@ class Watch {
   const DrawnDrive& drive_;
   simulation::FaultWindow window_;
   const simulation::Recording& recording_;
-  DrivenWay way_;
+  RecordedWay way_;
   IntegrityRun& run_;
 };
 

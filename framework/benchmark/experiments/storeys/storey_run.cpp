@@ -1,5 +1,6 @@
 #include "benchmark/experiments/storeys/storey_run.hpp"
 
+#include "benchmark/experiments/kit/recorded_way.hpp"
 #include "evaluation/pose_tolerance.hpp"
 #include "live/live_core.hpp"
 #include "map_tools/map_stack.hpp"
@@ -10,43 +11,10 @@
 namespace opal::experiments {
 namespace {
 
-/// Truth and driven way by stamp.
-class Way {
- public:
-  Way(const simulation::Recording& recording, double from_s) : recording_(recording) {
-    double driven_m = 0;
-    const Pose2* before = nullptr;
-    for (const simulation::RecordedScan& scan : recording.scans) {
-      const bool counts = before != nullptr && scan.scan.stamp_s > from_s;
-      // A ride is a step from sheet to sheet, not a way.
-      constexpr double kMostStep_m = 5;
-      if (counts && distance_m(*before, scan.T_map_base) < kMostStep_m)
-        driven_m += distance_m(*before, scan.T_map_base);
-      driven_m_.push_back(driven_m);
-      before = &scan.T_map_base;
-    }
-  }
-  const Pose2& truth(double stamp_s) const { return recording_.scans[number(stamp_s)].T_map_base; }
-  double driven_m(double stamp_s) const { return driven_m_[number(stamp_s)]; }
-  double all_m() const { return driven_m_.empty() ? 0 : driven_m_.back(); }
-
- private:
-  /// Answers are given at the stamps of scans.
-  std::size_t number(double stamp_s) const {
-    const auto& scans = recording_.scans;
-    const auto after = std::lower_bound(scans.begin(), scans.end(), stamp_s - 1e-6,
-                                        [](const auto& scan, double stamp) { return scan.scan.stamp_s < stamp; });
-    return static_cast<std::size_t>(std::min(after, scans.end() - 1) - scans.begin());
-  }
-
-  const simulation::Recording& recording_;
-  std::vector<double> driven_m_;
-};
-
 /// Watches the answers of one drive.
 class Watch {
  public:
-  Watch(const SemanticMap& map, const Way& way, double from_s, StoreyRun& run)
+  Watch(const SemanticMap& map, const RecordedWay& way, double from_s, StoreyRun& run)
       : map_(map), way_(way), from_s_(from_s), run_(run) {}
 
   void see(const LiveAnswer& answer) {
@@ -73,7 +41,7 @@ class Watch {
 
  private:
   const SemanticMap& map_;
-  const Way& way_;
+  const RecordedWay& way_;
   double from_s_;
   StoreyRun& run_;
 };
@@ -96,7 +64,7 @@ StoreyRun run_storey_drive(const LocalizerParts& parts, const simulation::Simula
   StoreyRun run;
   run.seed = seed;
   run.from = run.to = storey;
-  const Way way(recording, -1);
+  const RecordedWay way(recording);
   Watch watch(map, way, -1, run);
   play(parts, recording, [&](const LiveAnswer& answer) { watch.see(answer); });
   run.driven_m = way.all_m();
@@ -115,7 +83,7 @@ std::optional<StoreyRun> run_ride(const LocalizerParts& parts, const simulation:
   run.from = from;
   run.to = to;
   run.lift = lift.id;
-  const Way way(made->recording, made->ride.leaves_s);
+  const RecordedWay way(made->recording, made->ride.leaves_s);
   Watch watch(map, way, made->ride.leaves_s, run);
   play(parts, made->recording, [&](const LiveAnswer& answer) {
     watch.see(answer);
