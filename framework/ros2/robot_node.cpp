@@ -182,7 +182,7 @@ void RobotNode::hint_at(const recording::ReceivedMessage& message) {
 }
 
 void RobotNode::set_clock(const recording::ReceivedMessage& message) {
-  if (const auto time_s = decode_clock(message.bytes())) sim_time_s_ = *time_s;
+  if (const auto time_s = decode_clock(message.bytes()); time_s) sim_time_s_ = time_s;
 }
 
 void RobotNode::fall_back_to_odometry_topic() {

@@ -57,6 +57,7 @@ class StoreyCut {
       if (whole == by_id_.end() || whole->second->is_a("IfcElementAssembly")) break;
       object = whole->second;
     }
+    // NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): an element of the model, which outlives the cut
     if (object == &element || treatment.kind == Kind::filling) return element;
     const Treatment of_whole = classes_.of(*object);
     if (of_whole.kind == Kind::left_out || element.is_a("IfcBuildingElementPart")) treatment = of_whole;

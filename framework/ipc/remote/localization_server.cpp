@@ -101,8 +101,9 @@ void LocalizationServer::Implementation::answer_trouble(Response& response, cons
   }
 }
 
-LocalizationServer::LocalizationServer(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make, int port)
-    : implementation_(std::make_unique<Implementation>(std::move(map), std::move(sensor), std::move(make))) {
+LocalizationServer::LocalizationServer(const std::shared_ptr<const SemanticMap>& map, std::string sensor, Maker make,
+                                       int port)
+    : implementation_(std::make_unique<Implementation>(map, std::move(sensor), std::move(make))) {
   implementation_->configure();
   implementation_->server.listen(port, "choose another port with --port");
 }

@@ -21,7 +21,8 @@ class LocalizationServer {
   /// Serves at once, from threads of its own.
   /// @param sensor  whose features of the map are used.
   /// @param port  0: any free one. @throws Error if it cannot be listened on.
-  LocalizationServer(std::shared_ptr<const SemanticMap> map, std::string sensor, Maker make, int port = kUsualPort);
+  LocalizationServer(const std::shared_ptr<const SemanticMap>& map, std::string sensor, Maker make,
+                     int port = kUsualPort);
   ~LocalizationServer();
   LocalizationServer(const LocalizationServer&) = delete;
   LocalizationServer& operator=(const LocalizationServer&) = delete;

@@ -281,6 +281,7 @@ void TermReader::store(const std::string& term, TermDefinition definition, const
   const bool keep = before && before->is_protected && !use_.override_protected;
   if (keep && !same_meaning(*before, definition))
     refuse("protected term redefinition", place, "the term is protected by an earlier context");
+  // NOLINTNEXTLINE(performance-move-const-arg): make_shared takes it by &&
   result_.terms[term] = keep ? before : std::make_shared<TermDefinition>(std::move(definition));
 }
 

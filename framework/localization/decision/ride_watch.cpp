@@ -16,7 +16,7 @@ bool is_lift(const MapConnection& connection) {
 
 }  // namespace
 
-RideWatch::RideWatch(std::shared_ptr<const MapView> map, const RideOptions& options) : options_(options) {
+RideWatch::RideWatch(const std::shared_ptr<const MapView>& map, const RideOptions& options) : options_(options) {
   for (const MapConnection& connection : map->map().origin().connections) {
     if (!is_lift(connection)) continue;
     Cabin cabin{connection.radius_m, {}};

@@ -17,7 +17,7 @@ namespace opal {
 /// serve several storeys costs nothing.
 class OPAL_EXPORT RideWatch {
  public:
-  RideWatch(std::shared_ptr<const MapView> map, const RideOptions& options);
+  RideWatch(const std::shared_ptr<const MapView>& map, const RideOptions& options);
 
   /// Takes what odometry says with every sample, in order of time.
   /// @param best  the best hypothesis' pose at this sample, frame `map`; none without a hypothesis.

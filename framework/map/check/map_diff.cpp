@@ -208,7 +208,7 @@ class MapComparison {
     return texts;
   }
 
-  static const std::string& as_is(const std::string& text) { return text; }
+  static std::string as_is(const std::string& text) { return text; }
 
   const SemanticMap& before_;
   const SemanticMap& after_;

@@ -20,7 +20,7 @@ void hand_over(const ddsi_serdata* message, const TakeRaw& take) {
 void take_raw(const Entity& reader, const TakeRaw& take) {
   constexpr std::uint32_t kAtOnce = 32;
   std::array<ddsi_serdata*, kAtOnce> messages{};
-  std::array<dds_sample_info_t, kAtOnce> infos{};
+  std::array<dds_sample_info_t, kAtOnce> infos{};  // NOLINT(*-enum-default-initialization): written before it is read
   const std::uint32_t any = DDS_ANY_SAMPLE_STATE | DDS_ANY_VIEW_STATE | DDS_ANY_INSTANCE_STATE;
   for (dds_return_t count = static_cast<dds_return_t>(kAtOnce); count == static_cast<dds_return_t>(kAtOnce);) {
     count = dds_takecdr(reader.handle(), messages.data(), kAtOnce, infos.data(), any);

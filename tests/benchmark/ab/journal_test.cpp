@@ -56,8 +56,10 @@ TEST_CASE("a journal that was cut anywhere holds the cells before the cut, and g
     CAPTURE(cut);
     const std::string path = folder.write("journal.jsonl", whole.substr(0, cut));
     std::vector<std::size_t> expected;
-    for (std::size_t k = 0, end = 0; k < 3; ++k)
-      if ((end = whole.find('\n', end) + 1) <= cut) expected.push_back(k);
+    for (std::size_t k = 0, end = 0; k < 3; ++k) {
+      end = whole.find('\n', end) + 1;
+      if (end <= cut) expected.push_back(k);
+    }
     REQUIRE(numbers_in(path) == expected);
     Journal(path).append(result_of(7));
     expected.push_back(7);

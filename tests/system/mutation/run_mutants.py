@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 sys.path.insert(0, str(ROOT / "tests/system/structure"))
 
-import tidy_units  # noqa: E402
+import compile_commands  # noqa: E402
 from source_tree import files_below  # noqa: E402
 
 import mutants as finder  # noqa: E402
@@ -35,7 +35,7 @@ EXPLAINED = HERE / "explained.txt"
 
 
 def all_mutants(build, rooms, jobs):
-    options = tidy_units.commands(build)
+    options = compile_commands.options_of_sources(build)
     paths = [path for room in rooms for path in files_below(ROOT, f"framework/{room}") if path.suffix == ".cpp" and path in options]
     with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
         return sum(pool.map(finder.mutants_of, paths, (options[path] for path in paths)), [])

@@ -11,23 +11,22 @@ import shutil
 import subprocess
 import sys
 
-import tidy_units
+import compile_commands
 from source_tree import ROOT, files_below
 
 FOLDERS = ("framework", "plugins", "patterns", "tests")
-PROGRAM = "clang-tidy-14"
+PROGRAM = "clang-tidy-22"  # from version 22 on, it leaves out the headers of libraries: a quarter of the time
 SKIPPED = 77
-CATCH = "run_tests.cpp"  # makes all of Catch2 of its header, so it comes before those that only use it
 # The text may have several lines.
 FINDING = re.compile(r"^(\S+?):(\d+):\d+: (?:error|warning): ((?:.|\n(?!\S+:\d+:\d+: ))*?) \[([^\],\s]+)[^\]\n]*\]$", re.MULTILINE)
 
 
-def sources_to_read(build):
-    """With their options. The others are in no folder of ours: CMake wrote them."""
-    commands = tidy_units.commands(build)
-    ours = [path for folder in FOLDERS for path in files_below(ROOT, folder) if path.suffix == ".cpp"]
-    ours.sort(key=lambda path: path.name != CATCH)
-    return {path: commands[path] for path in ours if path in commands}, [path for path in ours if path not in commands]
+def files_to_read(build):
+    """Of every file with sources of ours: how many these are, and its options. And the sources that are in none."""
+    ours = {path for folder in FOLDERS for path in files_below(ROOT, folder) if path.suffix == ".cpp"}
+    files = {file: (len(ours.intersection(sources)), options) for file, (sources, options) in compile_commands.files(build).items()
+             if ours.intersection(sources)}
+    return files, ours.difference(compile_commands.options_of_sources(build))
 
 
 def run(command):
@@ -39,21 +38,20 @@ def run(command):
     return said, process.returncode != 0, used.ru_utime + used.ru_stime
 
 
-def findings_of(unit, path, more):
-    path.write_text(unit.text())
-    options = [word for option in unit.options for word in option]
-    said, failed, spent_s = run([PROGRAM, "--quiet", *more, str(path), "--", "-std=c++20", "-w", *options])
+def findings_of(file, sources, options, more):
+    words = [word for option in options for word in option]
+    said, failed, spent_s = run([PROGRAM, "--quiet", *more, str(file), "--", "-std=c++20", "-w", *words])
     everything = FINDING.findall(said)
     found = {finding for finding in everything if is_ours(finding[0])}
     if failed and not everything:
-        found.add((str(path), "0", said, "clang-tidy failed"))
-    print(f"{path.name}: {len(unit.sources)} sources, {spent_s:.0f} s of processor", *map(line_of, sorted(found)),
+        found.add((str(file), "0", said, "clang-tidy failed"))
+    print(f"{file.name}: {sources} sources, {spent_s:.0f} s of processor", *map(line_of, sorted(found)),
           sep="\n  ", flush=True)  # at once: whoever is stopped halfway has seen something
     return found
 
 
 def is_ours(file):
-    """Some checks tell of the headers of libraries, too."""
+    """Some headers of libraries are older than this clang, which takes a few of their lines for errors."""
     return pathlib.Path(os.path.abspath(file)).is_relative_to(ROOT)
 
 
@@ -62,22 +60,9 @@ def line_of(finding):
     return f"{os.path.relpath(file, ROOT)}:{line}: {' '.join(text.split())} [{check}]"
 
 
-def findings_apart(unit, path, more):
-    """Sources that do not go together, though they seemed to, are read apart."""
-    found = findings_of(unit, path, more)
-    wrong = {file for file, _, _, check in found if check == "clang-diagnostic-error"}
-    if not wrong or len(unit.sources) == 1:
-        return found
-    print(f"{path.name} is read in parts: {', '.join(sorted(wrong))} cannot be read with its neighbours", flush=True)
-    return set().union(*(findings_apart(part, path.with_name(f"{path.stem}_{number}.cpp"), more)
-                         for number, part in enumerate(unit.parts(wrong))))
-
-
-def all_findings(units, folder, more):
-    folder.mkdir(exist_ok=True)
-    paths = [folder / f"unit_{number}.cpp" for number in range(len(units))]
+def all_findings(files, more):
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        return set().union(*pool.map(findings_apart, units, paths, [more] * len(units)))
+        return set().union(*pool.map(lambda file: findings_of(file, *files[file], more), files))
 
 
 def main():
@@ -87,12 +72,11 @@ def main():
     if not shutil.which(PROGRAM):
         print(f"no {PROGRAM}: skipped")
         return SKIPPED
-    options, unread = sources_to_read(build.build)
-    units = tidy_units.units_of(options)
-    print(f"clang-tidy reads {len(options)} sources in {len(units)} units", flush=True)
-    for path in unread:
+    files, unread = files_to_read(build.build)
+    print(f"clang-tidy reads {sum(sources for sources, _ in files.values())} sources in {len(files)} files", flush=True)
+    for path in sorted(unread):
         print(f"{path.relative_to(ROOT)}: not read, this build does not compile it")
-    found = all_findings(units, build.build / "tidy", more)
+    found = all_findings(files, more)
     print(f"findings: {len(found)}", *map(line_of, sorted(found)), sep="\n")
     return 1 if found else 0
 

@@ -4,12 +4,12 @@ import pathlib
 import tempfile
 import unittest
 
+import compile_commands
 import rules_of_rooms
 import rules_of_size
 import rules_of_words
-import tidy_units
 from functions import functions_of
-from source_tree import Rooms, WrongTable, framework_includes
+from source_tree import ROOT, Rooms, WrongTable, framework_includes
 
 
 def lengths(text):
@@ -121,40 +121,17 @@ class RulesOfWords(Tree):
         self.assertEqual(self.broken(rules_of_words.breaks, self.root, table), ["docs/page.md:2: 'Oldword', expected: new word"])
 
 
-class TidyUnits(Tree):
-    def units(self, **texts):
-        options = {self.write(f"{name}.cpp", text): [] for name, text in texts.items()}
-        return [[source.stem for source in unit.sources] for unit in tidy_units.units_of(options, self.root)]
+class CompileCommands(Tree):
+    def test_the_unit_of_a_folder_has_its_sources(self):
+        unit = self.write("build/Unity/opal/framework_a.cpp", '#include "framework/cmake/precompiled.cpp"\n#include "made/by_the_build.cpp"\n')
+        self.assertEqual(compile_commands.sources_of(unit), [ROOT / "framework/cmake/precompiled.cpp"])
+        alone = self.write("framework/a/a.cpp", '#include "framework/a/b.cpp"\n')
+        self.assertEqual(compile_commands.sources_of(alone), [alone])
 
-    def test_sources_that_name_different_things_alike_are_read_apart(self):
-        self.assertEqual(self.units(a="struct Walk {\n", b="struct Walk {\n", c="struct Run {\n"), [["a"], ["b", "c"]])
-        self.assertEqual(self.units(a="int size(int x) {\n", b="[[noreturn]] void size(int y) {\n"), [["a"], ["b"]])
-        self.assertEqual(self.units(a="int size(int x) {\n", b="int size(double x) {\n"), [["a"], ["b"]])
-        self.assertEqual(self.units(a="constexpr int kA = 1, kB = 2;\n", b="constexpr int kB = 3;\n"), [["a"], ["b"]])
-        self.assertEqual(self.units(a="using nlohmann::json;\n", b="using json = nlohmann::ordered_json;\n"), [["a"], ["b"]])
-        self.assertEqual(self.units(a="using Json = A;\n", b="using Json = B;\n", c="using Json = B;\n"), [["a"], ["b", "c"]])
-
-    def test_sources_that_cannot_be_read_together_are_taken_apart(self):
-        unit = tidy_units.Unit()
-        unit.sources = [pathlib.Path(name) for name in "abcd"]
-        parts = lambda *apart: [[str(source) for source in part.sources] for part in unit.parts(apart)]
-        self.assertEqual(parts("b"), [["b"], ["a", "c", "d"]])
-        self.assertEqual(parts("x.hpp"), [["a", "b"], ["c", "d"]])
-        self.assertEqual(parts("a", "b", "c", "d"), [["a", "b"], ["c", "d"]])
-
-    def test_names_of_headers_are_kept_apart_from_those_that_sources_give(self):
-        self.write("framework/a/cell.hpp", "namespace opal {\nenum class Cell { full };\nint size_of(Cell c);\n")
-        reader = '#include "a/cell.hpp"\nnamespace opal {\nint x = size_of({});\n'
-        self.assertEqual(self.units(a=reader, b="namespace opal {\nusing Cell = int;\n"), [["a"], ["b"]])
-        self.assertEqual(self.units(a=reader, b="namespace opal {\nint size_of(int x) {\n"), [["a"], ["b"]])
-        self.assertEqual(self.units(a='#include "a/cell.hpp"\n', b="namespace opal {\nint size_of(int x) {\n"), [["a", "b"]])
-        self.write("framework/a/other.hpp", "namespace opal::b {\nstruct Cell {\n")
-        other = '#include "a/other.hpp"\nusing namespace opal::b;\nCell cell;\n'
-        self.assertEqual(self.units(a=reader + "Cell cell;\n", b=other), [["a"], ["b"]])
-
-    def test_entries_of_plugins_and_uses_are_read_together(self):
-        self.assertEqual(self.units(a="void register_types(R& r) {\n", b="void register_types(R& r) {\n"), [["a", "b"]])
-        self.assertEqual(self.units(a="struct Walk;\n  size(3);\n", b="struct Walk;\n  size(3);\n"), [["a", "b"]])
+    def test_options_of_the_preprocessor_are_kept_with_their_values(self):
+        words = ["c++", "-DA=1", "-isystem", "/usr/include/eigen3", "-O3", "-I/tree", "-c", "a.cpp"]
+        self.assertEqual(compile_commands.preprocessor_options(words),
+                         [("-DA=1",), ("-isystem", "/usr/include/eigen3"), ("-I/tree",)])
 
 
 if __name__ == "__main__":

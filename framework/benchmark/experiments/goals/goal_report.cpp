@@ -102,7 +102,7 @@ ThesisTable::Block block_of(std::span<const Run> runs, const std::string& conten
     block.rows.push_back({name, {}});
     for (const std::string& task : tasks) block.rows.back().cells.push_back(cell(of(runs, contender, task)));
   };
-  const auto middle = [](auto value) { return [value](const Runs& r) { return median(values(r, value)); }; };
+  const auto middle = [](const auto& value) { return [value](const Runs& r) { return median(values(r, value)); }; };
   row("success", [](const Runs& r) { return share_of(count(r, reached), r.size()); });
   row("pattern type", patterns_of);
   row("total time", [&](const Runs& r) { return minutes(middle(reached_after_s)(r)); });

@@ -22,8 +22,10 @@ MapState drawn_state(Random& random, std::size_t states) {
   double whole = 0;
   for (std::size_t k = 0; k < states; ++k) whole += kMapShares[k];
   double at = random.uniform(0, whole);
-  for (std::size_t k = 0; k + 1 < states; ++k)
-    if ((at -= kMapShares[k]) < 0) return kMapStates[k];
+  for (std::size_t k = 0; k + 1 < states; ++k) {
+    at -= kMapShares[k];
+    if (at < 0) return kMapStates[k];
+  }
   return kMapStates[states - 1];
 }
 
