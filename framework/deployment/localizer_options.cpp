@@ -138,6 +138,8 @@ const Fields<StatusOptions>& fields_of(const StatusOptions&) {
        "for"},
       {"localized_weight_per_share", &O::localized_weight_per_share, "", 0, kMany,
        "more of the sum of tempering weights, times what the share lacks"},
+      {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
+       "the same share below which nothing is localized, whatever else speaks for it"},
       {"localized_most_weight", &O::localized_most_weight, "", 0, kMany, "whatever is missing, this is enough"},
       {"lost_scan_nat", &O::lost_scan_nat, "nat", -kMany, kMany,
        "mean of the newest scans below which the robot is lost"},

@@ -38,6 +38,7 @@ struct Localizer::State {
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
   void check_sensors(const Sample& sample);
+  void forget_drive();
   bool is_keyframe(const Sample& sample);
   bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Sample& sample) const;
@@ -131,10 +132,25 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
 void Localizer::State::check_sensors(const Sample& sample) {
   StageClock clock(sensor_s);
   bool changed = false;
+  const bool was_frozen = sensors.is_odometry_frozen();
   failures.guard("scan matcher", [&] { changed = sensors.add(sample); });
   if (!changed) return;
+  if (was_frozen && !sensors.is_odometry_frozen()) forget_drive();
   status.contradict(sensors.contradiction());
   journal.sensor(sensors.findings());
+}
+
+/// Where the robot was does not say where it is.
+void Localizer::State::forget_drive() {
+  local_map.clear();
+  retrospective.clear();
+  hypotheses.clear();
+  kidnapping.reset();
+  rides.reset();
+  search_now = false;
+  status.reset();
+  started = false;
+  schedule.reset();
 }
 
 bool Localizer::State::is_keyframe(const Sample& sample) {
@@ -290,19 +306,10 @@ void Localizer::hint(const PoseHint& hint) {
 }
 
 void Localizer::reset() {
-  State& s = *state_;
-  s.hint.reset();
-  s.sensors.clear();
-  s.local_map.clear();
-  s.retrospective.clear();
-  s.hypotheses.clear();
-  s.kidnapping.reset();
-  s.rides.reset();
-  s.search_now = false;
-  s.status.reset();
-  s.started = false;
-  s.schedule.reset();
-  s.journal.reset();
+  state_->hint.reset();
+  state_->sensors.clear();
+  state_->forget_drive();
+  state_->journal.reset();
 }
 
 void Localizer::keep_pattern() {

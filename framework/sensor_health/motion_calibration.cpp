@@ -16,6 +16,7 @@ constexpr std::size_t kFewestPairs = 3;
 
 // Odometry and scans are stamped up to 0.1 s apart, and wheels slip: so much of a motion [1], and so much always.
 constexpr double kShare = 0.1, kLeast_m = 0.02, kLeast_rad = 0.02;
+constexpr double kTells = 1;  // standard deviations between two explanations of a motion, so that it is for one of them
 constexpr double kLeastTurn_rad = 0.05, kLeastDrive_m = 0.1;  // less tells nothing of a scale
 
 double robust_weight(double normalized) { return normalized <= kHuber ? 1 : kHuber / normalized; }
@@ -144,15 +145,17 @@ Unknowns as_described(const Pose2& T_base_laser) {
   return x;
 }
 
-/// Of the pairs that drove.
+/// Of the pairs that drove and are for one of the two.
 double share_nearer_to(const Unknowns& estimate, std::span<const MotionPair> pairs, bool is_mirrored,
                        const Unknowns& described) {
   double nearer = 0, drives = 0;
   for (const MotionPair& pair : pairs) {
     if (pair.T_odometry.position().norm() < kLeastDrive_m) continue;
     const Equation estimated(pair, is_mirrored ? mirrored(pair.T_scans) : pair.T_scans), as_it_is(pair, pair.T_scans);
+    const double by_estimate = estimated.normalized(estimate), by_description = as_it_is.normalized(described);
+    if (std::abs(by_estimate - by_description) < kTells) continue;
     ++drives;
-    nearer += estimated.normalized(estimate) < as_it_is.normalized(described);
+    nearer += by_estimate < by_description;
   }
   return drives > 0 ? nearer / drives : 0;
 }

@@ -6,9 +6,13 @@ namespace {
 // A motion is long enough to tell its direction, and short enough that the scans are alike.
 constexpr double kStep_m = 0.25, kStep_rad = 0.25, kTooFar_m = 1, kTooFar_rad = 0.8;
 /// A robot that stands by its odometry is looked at this often: it may be driving all the same.
-constexpr double kStanding_s = 0.5;
+constexpr double kStanding_s = 0.5, kStands_m = 0.02, kStands_rad = 0.02;
 constexpr double kFewestInliers = 0.6, kPlainInliers = 0.85, kClearlyMore = 0.2;
 constexpr std::size_t kFewestPoints = 20;
+/// A distance of which scans may tell whether it was driven forwards or backwards, and how many more of the points
+/// agree with the one than with the other if they do.
+constexpr double kTellsDirection_m = 0.1, kMoreInliers = 0.03;
+constexpr double kUnknown = 100;  // square of how much longer the motion may as well have been, if nothing tells
 
 std::vector<Point> positions_of(const Scan& scan) {
   std::vector<Point> points;
@@ -18,6 +22,10 @@ std::vector<Point> positions_of(const Scan& scan) {
 }
 
 }  // namespace
+
+bool is_standstill(const Pose2& T_odometry) {
+  return T_odometry.position().norm() < kStands_m && std::abs(T_odometry.heading_rad()) < kStands_rad;
+}
 
 void MotionPairs::clear() {
   begun_ = false;
@@ -31,10 +39,10 @@ void MotionPairs::begin_at(const Scan& scan, const Pose2& T_odom_base) {
   begun_ = true;
 }
 
-ScanMatch MotionPairs::as_described(const std::vector<Point>& points, const Pose2& T_odometry) const {
-  const Pose2 guess = T_base_laser_.inverse() * T_odometry * T_base_laser_;
-  const double sigma_m = 0.03 + 0.1 * guess.position().norm(), sigma_rad = 0.03 + 0.1 * std::abs(guess.heading_rad());
-  return matcher_->match(reference_, points, guess, {sigma_m, sigma_m, sigma_rad});
+ScanMatch MotionPairs::near(const std::vector<Point>& points, const Pose2& T_laser) const {
+  const double sigma_m = 0.03 + 0.1 * T_laser.position().norm(),
+               sigma_rad = 0.03 + 0.1 * std::abs(T_laser.heading_rad());
+  return matcher_->match(reference_, points, T_laser, {sigma_m, sigma_m, sigma_rad});
 }
 
 /// The search is as wide backwards as forwards, and reaches twice as far as odometry moved.
@@ -45,16 +53,39 @@ ScanMatch MotionPairs::any_way(const std::vector<Point>& points, const Pose2& T_
 }
 
 std::optional<MotionPair> MotionPairs::laid_over(const std::vector<Point>& points, const Pose2& T_odometry) const {
-  ScanMatch match = as_described(points, T_odometry);
-  bool is_as_described = true;
-  const double described_share = match.converged ? match.inlier_share : 0;
-  if (described_share < kPlainInliers) {
-    const ScanMatch other = any_way(points, T_odometry);
-    is_as_described = !other.converged || other.inlier_share <= described_share + kClearlyMore;
-    if (!is_as_described) match = other;
-  }
+  const Pose2 T_described = T_base_laser_.inverse() * T_odometry * T_base_laser_;
+  ScanMatch match = near(points, T_described);
+  const bool is_plain = match.converged && match.inlier_share >= kPlainInliers;
+  bool is_as_described = !is_plain ? !prefer_any_way(points, T_odometry, kClearlyMore, match) : true;
+  if (is_as_described && is_standstill(T_odometry))
+    is_as_described = !prefer_any_way(points, T_odometry, kMoreInliers, match);
+  else if (is_as_described && T_odometry.position().norm() > kTellsDirection_m)
+    is_as_described = !prefer_backwards(points, T_described, match);
   if (!match.converged || match.inlier_share < kFewestInliers || !match.covariance.allFinite()) return std::nullopt;
   return MotionPair{T_odometry, match.T_reference_scan, match.covariance, is_as_described};
+}
+
+bool MotionPairs::prefer_any_way(const std::vector<Point>& points, const Pose2& T_odometry, double by,
+                                 ScanMatch& match) const {
+  const ScanMatch other = any_way(points, T_odometry);
+  if (!other.converged || other.inlier_share <= (match.converged ? match.inlier_share : 0) + by) return false;
+  match = other;
+  return true;
+}
+
+/// Between walls that run along the way, scans lie over each other either way, but for a few points.
+bool MotionPairs::prefer_backwards(const std::vector<Point>& points, const Pose2& T_described, ScanMatch& match) const {
+  const ScanMatch back = near(points, {Point(-T_described.position()), T_described.heading_rad()});
+  if (back.converged && distance_m(back.T_reference_scan, match.T_reference_scan) < T_described.position().norm())
+    return false;  // both ways lead to one place
+  const double more = (back.converged ? back.inlier_share : 0) - (match.converged ? match.inlier_share : 0);
+  if (more > kMoreInliers) {
+    match = back;
+    return true;
+  }
+  if (more >= -kMoreInliers)  // how far the laser moved along the way, nothing tells
+    match.covariance.topLeftCorner<2, 2>() += kUnknown * T_described.position() * T_described.position().transpose();
+  return false;
 }
 
 std::optional<MotionPair> MotionPairs::add(const Scan& scan, const Pose2& T_odom_base) {

@@ -11,6 +11,9 @@
 
 namespace opal {
 
+/// Odometry has no motion worth the name.
+bool is_standstill(const Pose2& T_odometry);
+
 /// Cuts a drive into short motions and lays the scan at the end of each over the one at its beginning. Where the scans
 /// lie over each other as odometry and the described mount have it, that is taken. Where they do not, all motions are
 /// tried, backwards as well as forwards, and one that fits clearly better is taken. So look-alike places, and corridors
@@ -30,8 +33,10 @@ class OPAL_EXPORT MotionPairs {
 
  private:
   void begin_at(const Scan& scan, const Pose2& T_odom_base);
-  ScanMatch as_described(const std::vector<Point>& points, const Pose2& T_odometry) const;
+  ScanMatch near(const std::vector<Point>& points, const Pose2& T_laser) const;
   ScanMatch any_way(const std::vector<Point>& points, const Pose2& T_odometry) const;
+  bool prefer_any_way(const std::vector<Point>& points, const Pose2& T_odometry, double by, ScanMatch& match) const;
+  bool prefer_backwards(const std::vector<Point>& points, const Pose2& T_described, ScanMatch& match) const;
   std::optional<MotionPair> laid_over(const std::vector<Point>& points, const Pose2& T_odometry) const;
 
   std::shared_ptr<const ScanMatcher> matcher_;

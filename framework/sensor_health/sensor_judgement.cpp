@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -30,38 +32,38 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// A standing robot's scans lie over each other to a few centimetres; people in them do not move all of it.
 constexpr double kMoves_m = 0.1, kMoves_rad = 0.08;
-constexpr std::size_t kMovingMotions = 5;
+constexpr std::size_t kMovingMotions = 3;
 
 constexpr int kScansOfRanges = 10;
 constexpr double kFewestUsable = 0.02;
 constexpr double kRepeatedScans = 0.3;
 
 /// @param better  share of the motions that speak against the description: single ones that went wrong do not.
-Verdict verdict_of(double off, double sigma, const Bounds& bounds, double better) {
-  if (off < kSigmas * sigma || better < kMostBetter) return Verdict::fine;
-  return off > bounds.contradicted ? Verdict::contradicted : off > bounds.doubtful ? Verdict::doubtful : Verdict::fine;
+/// @return none if the drive is against the description, and its motions are not.
+std::optional<Verdict> verdict_of(double off, double sigma, const Bounds& bounds, double better) {
+  if (off < kSigmas * sigma || off <= bounds.doubtful) return Verdict::fine;
+  if (better < kMostBetter) return std::nullopt;
+  return off > bounds.contradicted ? Verdict::contradicted : Verdict::doubtful;
 }
 
 const char* ending_of(Verdict verdict) { return verdict == Verdict::fine ? ": fine" : ""; }
 
-SensorFinding turn_finding(const MotionCalibration& drive) {
+std::optional<SensorFinding> turn_finding(const MotionCalibration& drive) {
   const Estimated& scale = drive.turn_scale;
   const double by_odometry = drive.turned_rad, by_scans = scale.value * by_odometry;
   const std::string turned = sentence("scans turn by %.2f rad where odometry turns by %.2f", by_scans, by_odometry);
+  const double off = scale.value < 0 ? 2 : std::abs(std::log(scale.value));
+  const auto verdict = verdict_of(off, scale.sigma, kScale, drive.turns_better);
+  if (!verdict) return std::nullopt;
   if (scale.value < 0)
-    return {Subject::mirroring,
-            verdict_of(2, scale.sigma, kScale, drive.turns_better),
-            -1,
-            1,
-            scale.sigma,
-            turned + ": is the laser mounted upside down, or is one of the two mirrored?"};
-  const Verdict verdict = verdict_of(std::abs(std::log(scale.value)), scale.sigma, kScale, drive.turns_better);
-  return {Subject::odometry_turn,
-          verdict,
-          scale.value,
-          1,
-          scale.sigma,
-          turned + (verdict == Verdict::fine ? ": fine" : ": is the odometry's heading scaled, or in other units?")};
+    return SensorFinding{Subject::mirroring,
+                         *verdict,
+                         -1,
+                         1,
+                         scale.sigma,
+                         turned + ": is the laser mounted upside down, or is one of the two mirrored?"};
+  const char* end = *verdict == Verdict::fine ? ": fine" : ": is the odometry's heading scaled, or in other units?";
+  return SensorFinding{Subject::odometry_turn, *verdict, scale.value, 1, scale.sigma, turned + end};
 }
 
 const char* guess_of_heading(double off_rad) {
@@ -71,35 +73,39 @@ const char* guess_of_heading(double off_rad) {
   return ": is the laser's heading on the robot, or its first angle, described wrongly?";
 }
 
-SensorFinding heading_finding(const MotionCalibration& drive, const Pose2& T_base_laser) {
+std::optional<SensorFinding> heading_finding(const MotionCalibration& drive, const Pose2& T_base_laser) {
   const Estimated& heading = drive.mount_heading_rad;
   const double off_rad = wrap_angle(heading.value - T_base_laser.heading_rad());
-  const Verdict verdict = verdict_of(std::abs(off_rad), heading.sigma, kHeading_rad, drive.distances_better);
+  const auto verdict = verdict_of(std::abs(off_rad), heading.sigma, kHeading_rad, drive.distances_better);
+  if (!verdict) return std::nullopt;
   std::string words =
       sentence("the laser looks %.1f +- %.1f degrees to the left of the driving direction, and is described at %.1f",
                heading.value * kDegrees, heading.sigma * kDegrees, T_base_laser.heading_rad() * kDegrees);
-  words += verdict == Verdict::fine ? ending_of(verdict) : guess_of_heading(off_rad);
-  return {Subject::mount_heading, verdict, heading.value, T_base_laser.heading_rad(), heading.sigma, words};
+  words += *verdict == Verdict::fine ? ending_of(*verdict) : guess_of_heading(off_rad);
+  return SensorFinding{Subject::mount_heading,     *verdict,      heading.value,
+                       T_base_laser.heading_rad(), heading.sigma, words};
 }
 
-SensorFinding distance_finding(const MotionCalibration& drive) {
+std::optional<SensorFinding> distance_finding(const MotionCalibration& drive) {
   const Estimated& scale = drive.distance_scale;
-  const Verdict verdict = verdict_of(std::abs(std::log(scale.value)), scale.sigma, kScale, drive.distances_better);
+  const auto verdict = verdict_of(std::abs(std::log(scale.value)), scale.sigma, kScale, drive.distances_better);
+  if (!verdict) return std::nullopt;
   std::string words =
       sentence("scans move by %.2f m where odometry moves by %.2f", scale.value * drive.driven_m, drive.driven_m);
-  words += verdict == Verdict::fine
-               ? ending_of(verdict)
+  words += *verdict == Verdict::fine
+               ? ending_of(*verdict)
                : ": is the wheel radius wrong, do wheels slip, or are ranges or odometry in other units?";
-  return {Subject::odometry_distance, verdict, scale.value, 1, scale.sigma, words};
+  return SensorFinding{Subject::odometry_distance, *verdict, scale.value, 1, scale.sigma, words};
 }
 
-SensorFinding position_finding(const MotionCalibration& drive, const Pose2& T_base_laser) {
+std::optional<SensorFinding> position_finding(const MotionCalibration& drive, const Pose2& T_base_laser) {
   const double off_m = (drive.mount_position_m - T_base_laser.position()).norm(), sigma = drive.mount_position_sigma_m;
-  const Verdict verdict = verdict_of(off_m, sigma, kPosition_m, drive.distances_better);
+  const auto verdict = verdict_of(off_m, sigma, kPosition_m, drive.distances_better);
+  if (!verdict) return std::nullopt;
   std::string words =
       sentence("in turns the laser moves as if it sat at (%.2f, %.2f) m on the robot, and is described at (%.2f, %.2f)",
                drive.mount_position_m.x(), drive.mount_position_m.y(), T_base_laser.x(), T_base_laser.y());
-  return {Subject::mount_position, verdict, off_m, 0, sigma, words + ending_of(verdict)};
+  return SensorFinding{Subject::mount_position, *verdict, off_m, 0, sigma, words + ending_of(*verdict)};
 }
 
 }  // namespace
@@ -107,13 +113,17 @@ SensorFinding position_finding(const MotionCalibration& drive, const Pose2& T_ba
 std::vector<SensorFinding> judge_motion(const MotionCalibration& drive, const Pose2& T_base_laser) {
   std::vector<SensorFinding> findings;
   if (drive.pairs < kFewestMotions) return findings;
+  const auto tell = [&](std::optional<SensorFinding> finding) {
+    if (finding) findings.push_back(std::move(*finding));
+  };
   const bool turned = drive.turned_rad >= kLeastTurned_rad && drive.turn_scale.sigma < kScale.most_sigma;
-  if (turned) findings.push_back(turn_finding(drive));
-  if (drive.driven_m < kLeastDriven_m || drive.distance_scale.sigma > kScale.most_sigma) return findings;
-  if (drive.mount_heading_rad.sigma < kHeading_rad.most_sigma) findings.push_back(heading_finding(drive, T_base_laser));
-  findings.push_back(distance_finding(drive));
-  if (turned && drive.mount_position_sigma_m < kPosition_m.most_sigma)
-    findings.push_back(position_finding(drive, T_base_laser));
+  if (turned) tell(turn_finding(drive));
+  const bool tells_direction = drive.distance_scale.value > kSigmas * drive.distance_scale.sigma;  // and the way in it
+  if (drive.driven_m < kLeastDriven_m || !tells_direction) return findings;
+  if (drive.mount_heading_rad.sigma < kHeading_rad.most_sigma) tell(heading_finding(drive, T_base_laser));
+  if (drive.distance_scale.sigma > kScale.most_sigma) return findings;
+  tell(distance_finding(drive));
+  if (turned && drive.mount_position_sigma_m < kPosition_m.most_sigma) tell(position_finding(drive, T_base_laser));
   return findings;
 }
 

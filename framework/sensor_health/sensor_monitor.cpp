@@ -12,16 +12,31 @@ constexpr std::size_t kStandingMotions = 10;
 constexpr std::size_t kKnownAfter = 8;    // motions, if they tell of the mount too, or
 constexpr std::size_t kEnoughAfter = 24;  // if they do not: if they say that all is fine,
 constexpr int kSkipped = 15;              // one of sixteen that follow will do
-constexpr double kStands_m = 0.02, kStands_rad = 0.02;
 constexpr double kOtherView_m = 0.1, kOtherView_rad = 0.1;
-
-bool stands(const MotionPair& pair) {
-  return pair.T_odometry.position().norm() < kStands_m && std::abs(pair.T_odometry.heading_rad()) < kStands_rad;
-}
 
 void keep(std::vector<MotionPair>& newest, const MotionPair& pair, std::size_t most) {
   newest.push_back(pair);
   if (newest.size() > most) newest.erase(newest.begin());
+}
+
+/// Turns tell of both.
+bool is_same_subject(SensorFinding::Subject a, SensorFinding::Subject b) {
+  const auto of_turns = [](SensorFinding::Subject s) {
+    return s == SensorFinding::Subject::mirroring ? SensorFinding::Subject::odometry_turn : s;
+  };
+  return of_turns(a) == of_turns(b);
+}
+
+/// A contradiction stands until motions tell of its subject again: a corridor that tells nothing does not refute it.
+/// Whether odometry stands is seen in every motion.
+void keep_contradictions(const std::vector<SensorFinding>& before, std::vector<SensorFinding>& now) {
+  for (const SensorFinding& old : before) {
+    if (old.verdict != SensorFinding::Verdict::contradicted || old.subject == SensorFinding::Subject::standing_odometry)
+      continue;
+    const bool is_told = std::any_of(now.begin(), now.end(),
+                                     [&](const SensorFinding& f) { return is_same_subject(f.subject, old.subject); });
+    if (!is_told) now.push_back(old);
+  }
 }
 
 bool same_verdicts(const std::vector<SensorFinding>& a, const std::vector<SensorFinding>& b) {
@@ -68,7 +83,7 @@ bool SensorMonitor::add(const Scan& scan, const Pose2& T_odom_base) {
 }
 
 void SensorMonitor::take(const MotionPair& pair) {
-  if (stands(pair)) return keep(standing_, pair, kStandingMotions);
+  if (is_standstill(pair.T_odometry)) return keep(standing_, pair, kStandingMotions);
   standing_.clear();
   keep(newest_, pair, kMotions);
   const auto is_fine = [](const SensorFinding& f) { return f.verdict == SensorFinding::Verdict::fine; };
@@ -90,11 +105,13 @@ void SensorMonitor::look_at_ranges(const Scan& scan, const Pose2& T_odom_base) {
 
 /// The fit costs more than everything else here: it is made when there is a new motion.
 void SensorMonitor::judge_motions() {
-  of_motions_ = judge_standing(standing_);
+  std::vector<SensorFinding> now = judge_standing(standing_);
   if (const auto drive = calibrate_motion(newest_, described_.T_base_laser)) {
     const std::vector<SensorFinding> found = judge_motion(*drive, described_.T_base_laser);
-    of_motions_.insert(of_motions_.end(), found.begin(), found.end());
+    now.insert(now.end(), found.begin(), found.end());
   }
+  keep_contradictions(of_motions_, now);
+  of_motions_ = std::move(now);
 }
 
 }  // namespace opal

@@ -1,5 +1,7 @@
 #include "sensor_health/sensor_monitors.hpp"
 
+#include <algorithm>
+
 #include <opal/common/sentence.hpp>
 
 namespace opal {
@@ -39,6 +41,14 @@ void SensorMonitors::clear() {
   for (SensorMonitor& monitor : monitors_) monitor.clear();
   slip_.clear();
   findings_.clear();
+}
+
+bool SensorMonitors::is_odometry_frozen() const {
+  const std::vector<SensorFinding>& all = findings();
+  return std::any_of(all.begin(), all.end(), [](const SensorFinding& finding) {
+    return finding.subject == SensorFinding::Subject::standing_odometry &&
+           finding.verdict == SensorFinding::Verdict::contradicted;
+  });
 }
 
 std::string SensorMonitors::contradiction() const {

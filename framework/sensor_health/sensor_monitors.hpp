@@ -26,6 +26,8 @@ class OPAL_EXPORT SensorMonitors {
   const std::vector<SensorFinding>& findings() const;
   /// Words of the first finding that contradicts its description; empty if none does.
   std::string contradiction() const;
+  /// Odometry stands where the robot does not: where the robot goes meanwhile, nothing counts.
+  bool is_odometry_frozen() const;
 
  private:
   std::vector<LaserModel> lasers_;

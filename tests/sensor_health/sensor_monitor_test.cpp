@@ -46,6 +46,23 @@ std::vector<Reading> driven(const LaserModel& laser, const std::string& kind, st
   return readings;
 }
 
+/// Straight on between two walls without end.
+std::vector<Reading> driven_along_a_bare_corridor(const LaserModel& laser, double length_m) {
+  constexpr double kHalfWidth_m = 1.2, kStep_m = 0.1;
+  std::vector<Reading> readings;
+  for (int step = 0; step * kStep_m < length_m; ++step) {
+    Reading reading{{}, Pose2(step * kStep_m, 0, 0)};
+    reading.scan.stamp_s = 1000 + step * 0.1;
+    for (int beam = 0; beam < laser.beams; ++beam) {
+      const double across = std::abs(std::sin(laser.angle_min_rad + beam * laser.angle_increment_rad));
+      const double range_m = across > 1e-3 ? kHalfWidth_m / across : 1e3;
+      reading.scan.ranges_m.push_back(static_cast<float>(range_m < laser.range_max_m ? range_m : laser.no_return_m));
+    }
+    readings.push_back(std::move(reading));
+  }
+  return readings;
+}
+
 /// Half a minute whose readings were changed on the way, each by the same mistake.
 template <class Change>
 std::vector<Reading> driven_with(const std::string& kind, const Change& change) {
@@ -90,11 +107,54 @@ TEST_CASE("a description that is right is found fine, whatever the building") {
 TEST_CASE("a laser that is mounted backwards is noticed") {
   LaserModel described = true_laser();
   described.T_base_laser = Pose2(described.T_base_laser.position(), described.T_base_laser.heading_rad() + 3.14);
-  const std::string kind = GENERATE("office", "hall", "warehouse");
+  const std::string kind = GENERATE("office", "hall", "warehouse", "corridor");
   SensorMonitors monitor = watched(driven(true_laser(), kind, 1), described);
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::mount_heading));
   CHECK_THAT(monitor.contradiction(), Catch::Contains("backwards"));
+}
+
+TEST_CASE("what contradicted a description stands where motions tell nothing of it, and falls where they agree") {
+  LaserModel backwards = true_laser();
+  backwards.T_base_laser = Pose2(backwards.T_base_laser.position(), 3.14);
+  std::vector<Reading> readings = driven(true_laser(), "office", 1);
+  const auto in_a_corridor = driven_along_a_bare_corridor(true_laser(), 30);
+  readings.insert(readings.end(), in_a_corridor.begin(), in_a_corridor.end());
+  CHECK(contradicts(watched(readings, backwards), Subject::mount_heading));
+
+  const LaserModel right = true_laser();
+  std::vector<Reading> righted = driven(backwards, "office", 1);
+  for (const auto& more : {in_a_corridor, driven(right, "office", 2)})
+    righted.insert(righted.end(), more.begin(), more.end());
+  SensorMonitors monitor = watched(righted, right);
+  INFO(words(monitor));
+  CHECK(monitor.contradiction().empty());
+}
+
+TEST_CASE("a bare corridor says nothing against a description, nor for it") {
+  const bool is_backwards = GENERATE(false, true);
+  LaserModel described = true_laser();
+  if (is_backwards) described.T_base_laser = Pose2(described.T_base_laser.position(), 3.14);
+  SensorMonitors monitor = watched(driven_along_a_bare_corridor(true_laser(), 30), described);
+  INFO(words(monitor));
+  for (const SensorFinding& finding : monitor.findings()) CHECK(finding.subject != Subject::mount_heading);
+}
+
+TEST_CASE("a robot that stands in a crowd is not one whose odometry has frozen") {
+  const std::string kind = GENERATE("office", "hall", "corridor");
+  simulation::SimulationOptions options;
+  options.people = 25;
+  simulation::Simulation robot(simulation::generate_building({kind, 1, 0, 0.5}).map, options, 1);
+  simulation::Random random(1);
+  robot.place(Pose2(robot.floor().anywhere(random), 0));
+  std::vector<Reading> readings;
+  for (int step = 0; step < 600; ++step) {
+    robot.drive({{0, 0}, 0}, 0.1);
+    readings.push_back({robot.scan(), robot.T_odom_base()});
+  }
+  SensorMonitors monitor = watched(readings, true_laser());
+  INFO(words(monitor));
+  CHECK(monitor.contradiction().empty());
 }
 
 TEST_CASE("a laser that is turned by 30 degrees is noticed") {
@@ -123,7 +183,8 @@ TEST_CASE("odometry in other units is noticed") {
 }
 
 TEST_CASE("odometry that never comes is noticed") {
-  const auto readings = driven_with("office", [](Reading& reading) { reading.T_odom_base = Pose2(); });
+  const std::string kind = GENERATE("office", "hall", "warehouse", "corridor");
+  const auto readings = driven_with(kind, [](Reading& reading) { reading.T_odom_base = Pose2(); });
   SensorMonitors monitor = watched(readings, true_laser());
   INFO(words(monitor));
   CHECK(contradicts(monitor, Subject::standing_odometry));

@@ -112,7 +112,13 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
                             "have been kidnapped",
                             unbroken_, options_.localized_weight));
   const double asked = weight_asked(now.unmapped_walls_m);
-  const Status status = sure_ >= asked && !doubt ? Status::localized : unproven(estimate);
+  const bool is_other_place = agreement_.share() < options_.localized_least_agreement;
+  const Status status = sure_ >= asked && !doubt && !is_other_place ? Status::localized : unproven(estimate);
+  if (sure_ > 0 && is_other_place)
+    return because(status,
+                   sentence("%.0f %% of the beams that the map speaks about pass through what it has: is it the "
+                            "map of this building?",
+                            100 * (1 - agreement_.share())));
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
   if (same || estimate.probability <= options_.localized_probability)
     return because(status, sentence("the probability is %.3f, not above %.3f", rounded_down(estimate.probability),

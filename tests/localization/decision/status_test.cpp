@@ -117,8 +117,19 @@ TEST_CASE("the less a map agrees with what is seen, the longer a place has to ho
   StatusOptions strict;
   strict.localized_weight_per_share = 1000;
   Circumstances none;
-  none.agreement = {0, 0.5};
+  none.agreement = {0.2, 0.3};
   CHECK(Answer(strict).weight_until_localized(none) == strict.localized_most_weight);
+}
+
+TEST_CASE("a map through which most beams pass is another building's, however long a place holds") {
+  const StatusOptions options;
+  Circumstances now;
+  now.agreement = {options.localized_least_agreement - 0.05, 1.05 - options.localized_least_agreement};
+  Answer answer;
+  CHECK(answer.weight_until_localized(now) >= 999);
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("is it the map of this building?"));
+  now.agreement = {options.localized_least_agreement + 0.05, 0.95 - options.localized_least_agreement};
+  CHECK(Answer().weight_until_localized(now) <= options.localized_most_weight + 1);
 }
 
 TEST_CASE("missing walls never ask for less than is always asked for") {
