@@ -16,8 +16,9 @@ bool is_standstill(const Pose2& T_odometry);
 
 /// Cuts a drive into short motions and lays the scan at the end of each over the one at its beginning. Where the scans
 /// lie over each other as odometry and the described mount have it, that is taken. Where they do not, all motions are
-/// tried, backwards as well as forwards, and one that fits clearly better is taken. So look-alike places, and corridors
-/// along which scans slide, do not speak against a description that is right.
+/// tried, backwards as well as forwards, and one that fits clearly better is taken. So look-alike places do not speak
+/// against a description that is right. Along a corridor scans slide: what fits as well backwards says nothing of the
+/// distance, neither for a description nor against it.
 class OPAL_EXPORT MotionPairs {
  public:
   /// @param matcher  not null. @param T_base_laser  the described mount.
@@ -35,6 +36,7 @@ class OPAL_EXPORT MotionPairs {
   void begin_at(const Scan& scan, const Pose2& T_odom_base);
   ScanMatch near(const std::vector<Point>& points, const Pose2& T_laser) const;
   ScanMatch any_way(const std::vector<Point>& points, const Pose2& T_odometry) const;
+  // Each says whether it has put another motion in the place of `match`.
   bool prefer_any_way(const std::vector<Point>& points, const Pose2& T_odometry, double by, ScanMatch& match) const;
   bool prefer_backwards(const std::vector<Point>& points, const Pose2& T_described, ScanMatch& match) const;
   std::optional<MotionPair> laid_over(const std::vector<Point>& points, const Pose2& T_odometry) const;

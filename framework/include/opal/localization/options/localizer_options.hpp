@@ -97,7 +97,7 @@ struct StatusOptions {
   double localized_agreement = 0.5;   ///< Of the beams that end on mapped surfaces or pass through them, so many
                                       ///< should end there. If fewer do, the map is poor, or the robot elsewhere:
   double localized_weight_per_share = 30;   ///< so much more is asked for, times what is missing.
-  double localized_least_agreement = 0.33;  ///< With fewer than so many the map is another place's: nothing helps.
+  double localized_least_agreement = 0.25;  ///< With fewer than so many the map is another place's: nothing helps.
   double localized_most_weight = 20;  ///< Whatever is missing, this is enough, or localized_weight if that is more
   double lost_scan_nat = -0.2;        ///< mean of the newest scans below this: lost
 };
