@@ -26,12 +26,14 @@ Sum operator+(Sum a, Sum b) { return {a.value + b.value}; }
 constexpr int square(int x) { return x * x; }
 template <class T> T half(T x) { return x / 2; }
 [[noreturn]] void give_up(int code) { std::exit(code); }
+double limit(int count) { return 10. * count; }
 double sum_of(const double* values, int count) {
   Sum sum;
   for (int k = 0; k < count; ++k) {
     if (values[k] > 0 && k != 7) sum.add(values[k]);
   }
   sum = sum + Sum{};
+  if (sum.value > limit(count) || values[0] >= values[1]) sum = Sum{};
   return TWICE(sum.value);
 }
 int main() {
@@ -60,6 +62,12 @@ class MutantTest(unittest.TestCase):
     def test_what_the_compiler_computes_and_what_macros_make_is_left_alone(self):
         for never in ("2 + 1", "kStep > 2", "x * x", "(x) + (x)", "sum + Sum{}", "std::exit(code)"):
             self.assertNotIn(never, self.was())
+
+    def test_an_end_of_a_range_moves_only_where_an_operand_is_an_integer(self):
+        self.assertLessEqual({"k < count", "values[k] > 0"}, self.was())
+        self.assertIn("sum.value > limit(count) || values[0] >= values[1]", self.was())
+        self.assertNotIn("sum.value > limit(count)", self.was())
+        self.assertNotIn("values[0] >= values[1]", self.was())
 
     def test_of_those_that_lie_in_each_other_one_is_taken(self):
         chosen = mutants.without_overlap(self.found, 100)
