@@ -61,6 +61,29 @@ TEST_CASE("neighbouring beams are found through free ones, and not beyond the vi
   CHECK(neighbour(chains, 2, 1) == nullptr);
 }
 
+TEST_CASE("a hit of which position, bearing or range are no number is in no chain") {
+  for (int broken = 0; broken < 5; ++broken) {
+    Scan scan = scan_with({2, 2, 2, 2});
+    ScanPoint& hit = scan.points[1];
+    if (broken == 0) hit.position.x() = NAN;
+    if (broken == 1) hit.position.y() = INFINITY;
+    if (broken == 2) hit.bearing_rad = NAN;
+    if (broken == 3) hit.range_m = INFINITY;
+    if (broken == 4) hit.range_m = 0;
+    CAPTURE(broken);
+    CHECK(chain_sizes(scan) == std::vector{3});
+  }
+}
+
+TEST_CASE("across a face seen head-on the range's noise counts, along a beam that grazes it the bearing's") {
+  const ReadingNoise noise{.range_sigma_m = 0.03, .bearing_sigma_rad = 0.002, .surface_sigma_m = 0.01};
+  const ScanPoint hit{{5, 0}, 5, 0, 0};
+  const auto variance = [&](double off_rad) { return variance_across(hit, unit_vector(off_rad), noise); };
+  CHECK(variance(0) == Approx(0.0009 + 0.0001));
+  CHECK(variance(std::numbers::pi / 2) == Approx(0.01 * 0.01 + 0.0001));
+  CHECK(variance(std::numbers::pi / 3) == Approx(0.0009 / 4 + 0.0001 * 3 / 4 + 0.0001));
+}
+
 TEST_CASE("a line through exact points is exact, whatever its heading") {
   const double heading = GENERATE(0.0, 0.8, std::numbers::pi / 2, 2.5, -3.0);
   const Point from(3, 1);
