@@ -52,3 +52,18 @@ TEST_CASE("a mean of agreements follows the newest, and parts of evidence count 
   halves.add({0.9, 0.1}, 0.5);
   CHECK(whole.share() == Approx(halves.share()));
 }
+
+TEST_CASE("of sixty returns each has a say, of more an even share of them") {
+  const auto map = view_of({{"opal:Wall", Segment{{10, -5}, {10, 5}}}});
+  const LocalMap nothing({}, nullptr);
+  const auto share_of = [&](int returns, int every) {
+    ObservedScan scan;
+    for (int k = 0; k < returns; ++k)  // on the wall, or far behind it
+      scan.points.emplace_back(k % every == 0 ? Point(10, -3 + 0.01 * k) : Point(14, -3 + 0.01 * k));
+    return agreement(Observation{nothing, {scan}}, *map, Pose2()).share();
+  };
+  CHECK(share_of(60, 2) == Approx(0.5));
+  CHECK(share_of(59, 59) == Approx(1. / 59));
+  CHECK(share_of(120, 2) == 1);  // every second one
+  CHECK(share_of(61, 2) == 1);
+}
