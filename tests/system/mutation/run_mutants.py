@@ -66,9 +66,14 @@ def copy_tree(tree):
 
 
 def write_mutants(tree, chosen):
+    """What an earlier draw changed, and this one does not, becomes as it is again."""
     by_file = collections.defaultdict(dict)
     for number, mutant in enumerate(chosen, 1):
         by_file[mutant.file][number] = mutant
+    for target in (tree / "framework").rglob("*.cpp"):
+        source = ROOT / target.relative_to(tree)
+        if source not in by_file and target.read_bytes().startswith(finder.HEAD.encode()):
+            shutil.copy(source, target)
     for file, mutants in by_file.items():
         target, text = tree / file.relative_to(ROOT), finder.mutated(file.read_bytes(), mutants)
         if target.read_bytes() != text:  # else it need not be built again

@@ -6,11 +6,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 try:
     import mutants
+    import run_mutants
 except ModuleNotFoundError:
     print("no python3-clang-14: skipped")
     sys.exit(77)
@@ -74,6 +76,19 @@ class MutantTest(unittest.TestCase):
         spans = sorted((mutant.start, mutant.end) for mutant in chosen)
         self.assertTrue(all(before[1] <= after[0] for before, after in zip(spans, spans[1:])))
         self.assertEqual(len(mutants.without_overlap(self.found, 2)), 2)
+
+    def test_what_an_earlier_draw_changed_is_as_it_was_again(self):
+        root, tree = self.folder / "root", self.folder / "tree"
+        for folder in (root, tree):
+            (folder / "framework").mkdir(parents=True)
+            for name in ("first.cpp", "second.cpp"):
+                (folder / "framework" / name).write_text(SOURCE)
+        draws = [mutants.without_overlap(mutants.mutants_of(root / "framework" / name, []), 3) for name in ("first.cpp", "second.cpp")]
+        with unittest.mock.patch.object(run_mutants, "ROOT", root):
+            for draw in draws:
+                run_mutants.write_mutants(tree, draw)
+        self.assertEqual((tree / "framework/first.cpp").read_text(), SOURCE)
+        self.assertIn("opal_mutant != 1", (tree / "framework/second.cpp").read_text())
 
     def test_one_program_holds_all_of_them_and_runs_the_one_that_is_asked_for(self):
         compiler = shutil.which("g++")
