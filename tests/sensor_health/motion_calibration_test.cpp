@@ -138,7 +138,8 @@ TEST_CASE("motions that scatter more than they should make the estimates as much
   for (std::size_t k = 0; k < scattered.size(); ++k)
     scattered[k].T_scans = Pose2(k % 2 == 0 ? 0.6 : 0.2, 0, 0);  // 0.2 m off, and 0.046 are usual
   const double more = calibrate_motion(scattered, Pose2())->distance_scale.sigma;
-  // All are 4.36 standard deviations off, where half of pairs of normal numbers are 1.177; beyond 1.5 their weight falls.
+  // All are 4.36 standard deviations off, where half of pairs of normal numbers are 1.177; beyond 1.5 their weight
+  // falls.
   const double off = 0.2 / std::sqrt(0.01 * 0.01 + 0.02 * 0.02 + 0.04 * 0.04);
   CHECK(more / usual == Approx(off / 1.177 * std::sqrt(off / 1.5)).epsilon(0.01));
 }

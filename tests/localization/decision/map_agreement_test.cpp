@@ -34,6 +34,8 @@ TEST_CASE("nothing that is seen, or nothing mapped in view, disagrees with nothi
   Robot robot(map, {4, 3, 0});
   CHECK(agreement(robot.observation(), *map, Pose2(500, 500, 0)).share() == 1);
   robot.drive_blind_to({5, 3, 0});
+  CHECK(agreement(robot.observation(), *map, robot.T_map_base()).met == 0);
+  CHECK(agreement(robot.observation(), *map, robot.T_map_base()).passed == 0);
   CHECK(agreement(robot.observation(), *map, robot.T_map_base()).share() == 1);
 }
 
