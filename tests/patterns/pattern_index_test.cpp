@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <random>
 
 using namespace opal;
@@ -143,9 +144,13 @@ TEST_CASE("faces that cross touch, however long they are, and those whose extens
 }
 
 TEST_CASE("a table keeps how far each pattern extends, whichever of them do") {
-  const std::vector<PatternInstance> patterns{extended(0, 0), extended(-2, 0), extended(0, 3), extended(0, 0)};
-  const PatternTable table(patterns);
-  REQUIRE(table.size() == 4);
-  for (int k = 0; k < 4; ++k)
-    CHECK(table.extent_m(k) == std::array<double, 2>{patterns[k].extent_min_m, patterns[k].extent_max_m});
+  std::vector<PatternInstance> patterns{extended(-2, 0), extended(0, 0), extended(0, 3), extended(0, 0)};
+  for (int turn = 0; turn < 4; ++turn) {
+    std::rotate(patterns.begin(), patterns.begin() + 1, patterns.end());
+    const PatternTable table(patterns), first(std::span<const PatternInstance>(patterns).first(1));
+    REQUIRE(table.size() == 4);
+    for (int k = 0; k < 4; ++k)
+      CHECK(table.extent_m(k) == std::array<double, 2>{patterns[k].extent_min_m, patterns[k].extent_max_m});
+    CHECK(first.extent_m(0) == table.extent_m(0));
+  }
 }
