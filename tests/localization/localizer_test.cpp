@@ -75,7 +75,10 @@ struct Driven {
 TEST_CASE("a robot that drives about is found, and every estimate is written with all that is held possible") {
   Driven robot;
   robot.drive_on(12);
-  CHECK(robot.heard.of("keyframe").size() == 12);
+  const auto keyframes = robot.heard.of("keyframe");
+  REQUIRE(keyframes.size() == 12);
+  CHECK(keyframes.back()["features"] == 5);  // four corners and a column
+  CHECK(keyframes.back()["local_features"] == robot.localizer.local_map().features().size());
   const auto estimates = robot.heard.of("estimate");
   REQUIRE(estimates.size() == 12);
   const ordered_json& last = estimates.back();
@@ -171,6 +174,19 @@ TEST_CASE("features of a laser are placed by its mount") {
   REQUIRE(found.size() == detected_from(*robot.map, T_map_base).size());
   const Geometry column = transformed(T_map_base, found[0].feature.geometry);
   CHECK((anchor_of(column) - Point(3, 2.2)).norm() < 1e-6);
+}
+
+TEST_CASE("scorers are told of every feature which laser saw it") {
+  int told = 0;
+  bool all_known = true;
+  Driven robot(std::make_shared<ToldScorer>([&](const Hypothesis&, const Observation& seen) {
+    told += seen.features.empty() ? 0 : 1;
+    all_known = all_known && seen.feature_scans == std::vector<int>(seen.features.size(), 0);
+    return Score{1, {}, {}};
+  }));
+  robot.drive_on(4);
+  CHECK(told > 0);
+  CHECK(all_known);
 }
 
 TEST_CASE("a scan counts by how far the robot drove and turned since the one before") {

@@ -69,3 +69,15 @@ TEST_CASE("of sixty returns each has a say, of more an even share of them") {
   CHECK(share_of(120, 2) == 1);  // every second one
   CHECK(share_of(61, 2) == 1);
 }
+
+TEST_CASE("a return behind a wall has passed it from nearby, and from afar may be its own") {
+  const LocalMap nothing({}, nullptr);
+  const auto behind = [&](double wall_m) {
+    const auto map = view_of({{"opal:Wall", Segment{{wall_m, -5}, {wall_m, 5}}}});
+    ObservedScan scan;
+    scan.points = {Point(wall_m + 0.3, 0)};
+    return agreement(Observation{nothing, {scan}}, *map, Pose2()).passed;
+  };
+  CHECK(behind(2) == 1);
+  CHECK(behind(20) == 0);
+}
