@@ -9,7 +9,7 @@ namespace opal {
 
 /// Notices wheels whose counts have frozen: odometry stands still, and most beams of the laser have changed all the
 /// same. It needs no scan matcher, so it tells within a second or two.
-class StandingOdometry {
+class OPAL_EXPORT StandingOdometry {
  public:
   /// @param scan  sensor frame. @param T_odom_base  odometry at its stamp.
   void add(const Scan& scan, const Pose2& T_odom_base);

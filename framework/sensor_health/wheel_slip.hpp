@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/common/export.hpp>
 #include <opal/sensor_health/sensor_finding.hpp>
 
 #include <deque>
@@ -9,7 +10,7 @@ namespace opal {
 
 /// Holds what odometry counts against what the scan matcher sees, over the last metres. A description that is wrong
 /// all the time is the monitor's to find; this notices wheels that slip for a while.
-class WheelSlip {
+class OPAL_EXPORT WheelSlip {
  public:
   /// One step from keyframe to keyframe. @param by_scans_m  as the scan matcher corrected it.
   void add(double by_odometry_m, double by_scans_m);

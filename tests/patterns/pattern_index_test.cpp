@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <random>
 
 using namespace opal;
@@ -99,4 +100,57 @@ TEST_CASE("an index of no patterns answers that there are none") {
   const PatternIndex index{PatternTable()};
   CHECK(index.find(with_invariants({{1.0, 0.1, Comparison::equal}})).empty());
   CHECK(index.count(with_invariants({{1.0, 0.1, Comparison::equal}}), 10) == 0);
+}
+
+namespace {
+
+/// Any two faces that touch.
+class TouchingFaces final : public PatternTemplate {
+ public:
+  PatternShape shape() const override { return {{GeometryKind::segment, GeometryKind::segment}, 0.1}; }
+  std::optional<PatternInstance> match(std::span<const Feature* const>) const override {
+    PatternInstance instance;
+    instance.members = {0, 1};
+    return instance;
+  }
+};
+
+bool touch(const Segment& a, const Segment& b) {
+  return !find_patterns(TouchingFaces(), std::vector<Feature>{{"opal:Wall", a}, {"opal:Wall", b}}).empty();
+}
+
+PatternInstance extended(double min_m, double max_m) {
+  PatternInstance instance;
+  instance.members = {0};
+  instance.extent_min_m = min_m;
+  instance.extent_max_m = max_m;
+  return instance;
+}
+
+}  // namespace
+
+TEST_CASE("faces that cross touch, however long they are, and those whose extensions cross do not") {
+  const double length_m = GENERATE(0.4, 6.0);
+  const Segment along{{0, 0}, {length_m, 0}};
+  for (const double at : {0.3, 0.7}) {
+    const Point middle(at * length_m, 0), half(0, 0.5 * length_m), farther(0, 0.2 * length_m + 0.15);
+    CHECK(touch(along, {middle - half, middle + half}));
+    CHECK(touch({middle - half, middle + half}, along));
+    CHECK_FALSE(touch(along, {middle + farther, middle + farther + half}));
+    CHECK_FALSE(touch({middle - farther, middle - farther - half}, along));
+  }
+  CHECK(touch(along, {{0, 0.05}, {length_m, 0.05}}));
+  CHECK_FALSE(touch(along, {{0, 0.15}, {length_m, 0.15}}));
+}
+
+TEST_CASE("a table keeps how far each pattern extends, whichever of them do") {
+  std::vector<PatternInstance> patterns{extended(-2, 0), extended(0, 0), extended(0, 3), extended(0, 0)};
+  for (int turn = 0; turn < 4; ++turn) {
+    std::rotate(patterns.begin(), patterns.begin() + 1, patterns.end());
+    const PatternTable table(patterns), first(std::span<const PatternInstance>(patterns).first(1));
+    REQUIRE(table.size() == 4);
+    for (int k = 0; k < 4; ++k)
+      CHECK(table.extent_m(k) == std::array<double, 2>{patterns[k].extent_min_m, patterns[k].extent_max_m});
+    CHECK(first.extent_m(0) == table.extent_m(0));
+  }
 }

@@ -1,5 +1,7 @@
 #include "sensing/log_tally.hpp"
 
+#include <opal/sensing/log_source.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -58,4 +60,55 @@ TEST_CASE("odometry tells how far the robot drove and turned") {
   CHECK(odometry.poses == 3);
   CHECK(odometry.driven_m == Approx(5));
   CHECK(odometry.turned_rad == Approx(2));
+}
+
+namespace {
+
+struct ListedRecords final : LogReader {
+  explicit ListedRecords(std::vector<LogRecord> all) : records(std::move(all)) {}
+  std::optional<LogRecord> next() override {
+    return position < records.size() ? std::optional(records[position++]) : std::nullopt;
+  }
+  std::map<std::string, int> defects() const override { return {{"malformed line", 3}}; }
+  double progress() const override { return 0; }
+  std::vector<LogRecord> records;
+  std::size_t position = 0;
+};
+
+RawScan scan_of_front(double stamp_s, const Pose2& T_odom_base) {
+  RawScan scan;
+  scan.stamp_s = stamp_s;
+  scan.frame = "front";
+  scan.ranges_m.assign(5, 2.0f);
+  scan.T_odom_base = T_odom_base;
+  return scan;
+}
+
+}  // namespace
+
+TEST_CASE("a log tells its laser with its mount, its odometry, and from when to when it lasts") {
+  ListedRecords reader({MountRecord{"base_link", "rear", Pose2(-1, 0, 3)},
+                        MountRecord{"base_link", "front", Pose2(0.3, 0, 0)}, OdometryRecord{10, Pose2()},
+                        scan_of_front(11, Pose2(1, 0, 0)), scan_of_front(12, Pose2(1.5, 0, 0)),
+                        OdometryRecord{13, Pose2(4, 3, 0)}});
+  const LogContents contents = contents_of(reader);
+  REQUIRE(contents.lasers.size() == 1);
+  CHECK(contents.lasers[0].frame == "front");
+  CHECK(contents.lasers[0].beams == 5);
+  REQUIRE(contents.lasers[0].mount);
+  CHECK(contents.lasers[0].mount->T_base_laser.x() == 0.3);
+  REQUIRE(contents.odometries.size() == 1);
+  CHECK(contents.odometries[0].driven_m == Approx(5));  // the log's own, not that of its scans
+  CHECK(contents.first_s == 10);
+  CHECK(contents.last_s == 13);
+  CHECK(contents.topics.size() == 2);
+  CHECK(contents.defects.at("malformed line") == 3);
+}
+
+TEST_CASE("a log without odometry of its own has that of its scans") {
+  ListedRecords reader({scan_of_front(11, Pose2(1, 0, 0)), scan_of_front(12, Pose2(1.5, 0, 0))});
+  const LogContents contents = contents_of(reader);
+  REQUIRE(contents.odometries.size() == 1);
+  CHECK(contents.odometries[0].driven_m == Approx(0.5));
+  CHECK(contents.last_s == 12);
 }

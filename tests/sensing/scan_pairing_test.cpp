@@ -196,3 +196,31 @@ TEST_CASE("scans of before a clock went back leave with what was known then") {
   CHECK(stamps_of(pairing) == std::vector{100.1, 0.6});
   CHECK(pairing.counts().at("clock reset") == 1);
 }
+
+TEST_CASE("a scan is that of the laser whose frame it names; a single laser without a frame takes any") {
+  const auto left_of = [](const std::vector<std::string>& frames, const std::string& named) {
+    std::vector<LaserModel> lasers;
+    for (const std::string& frame : frames) lasers.emplace_back().frame = frame;
+    ScanPairing pairing(lasers);
+    pairing.take(odometry_at(0.9));
+    RawScan raw = plain(1);
+    raw.frame = named;
+    pairing.take(raw);
+    pairing.finish();
+    return stamps_of(pairing).size();
+  };
+  CHECK(left_of({""}, "rear") == 1);
+  CHECK(left_of({"front"}, "front") == 1);
+  CHECK(left_of({"front"}, "rear") == 0);
+  CHECK(left_of({"front", "rear"}, "rear") == 1);
+  CHECK(left_of({"front", ""}, "rear") == 0);
+}
+
+TEST_CASE("over a clock reset nobody knows how long the robot drove: what is farther than a jump is one") {
+  ScanPairing pairing({LaserModel{}});
+  pairing.take(OdometryRecord{50, Pose2()});
+  pairing.take(plain(100));
+  pairing.take(OdometryRecord{60, Pose2(5, 0, 0)});
+  CHECK(pairing.counts().at("clock reset") == 1);
+  CHECK(pairing.counts().at("odometry jump") == 1);
+}

@@ -32,3 +32,16 @@ TEST_CASE("what is not finite is not written, what is huge is") {
   write_tum(out, std::vector<StampedPose>{{1, Pose2(std::numeric_limits<double>::max(), 0, 0)}});
   CHECK(out.str().size() > 300);
 }
+
+TEST_CASE("between two poses a robot moves evenly, and turns the short way; before and after nothing is known") {
+  const std::vector<StampedPose> poses{{10, Pose2(1, 0, 3)}, {14, Pose2(3, 4, -3)}};
+  const auto at = pose_at(poses, 11);
+  REQUIRE(at);
+  CHECK(at->x() == Approx(1.5));
+  CHECK(at->y() == Approx(1));
+  CHECK(at->heading_rad() == Approx(3 + 0.25 * (2 * std::numbers::pi - 6)));
+  CHECK(pose_at(poses, 14)->x() == 3);
+  CHECK(pose_at(poses, 10)->x() == 1);
+  CHECK_FALSE(pose_at(poses, 9.9));
+  CHECK_FALSE(pose_at(poses, 14.1));
+}

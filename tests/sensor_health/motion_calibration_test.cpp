@@ -46,6 +46,15 @@ void expect(const MotionCalibration& found, const Robot& robot, double scale_mar
   CHECK(found.turn_scale.value == Approx((robot.mirrored ? -1 : 1) * robot.turn_scale).margin(scale_margin));
 }
 
+/// Motions of a robot that drives so far and turns so much each time, seen without an error.
+std::vector<MotionPair> exact(const Pose2& T_motion, const Pose2& T_base_laser, int motions) {
+  MotionPair pair;
+  pair.T_odometry = T_motion;
+  pair.T_scans = T_base_laser.inverse() * T_motion * T_base_laser;
+  pair.covariance *= 1e-4;
+  return std::vector<MotionPair>(static_cast<std::size_t>(motions), pair);
+}
+
 }  // namespace
 
 TEST_CASE("mount and scales are found from motions, wherever the laser sits") {
@@ -98,4 +107,66 @@ TEST_CASE("a drive straight ahead says nothing of where the laser sits") {
   CHECK(found->mount_position_sigma_m > 0.5);
   CHECK(found->mount_heading_rad.sigma < 0.05);
   CHECK_FALSE(calibrate_motion({}, Pose2()));
+}
+
+TEST_CASE("a calibration counts its motions, and what odometry has of them") {
+  auto pairs = exact(Pose2(0.2, 0, 0.1), Pose2(), 3);
+  CHECK_FALSE(calibrate_motion(std::span(pairs).first(2), Pose2()));
+  pairs.push_back({Pose2(-0.3, 0.4, -0.2), Pose2(-0.3, 0.4, -0.2)});
+  const auto found = calibrate_motion(pairs, Pose2());
+  REQUIRE(found);
+  CHECK(found->pairs == 4);
+  CHECK(found->driven_m == Approx(1.1));
+  CHECK(found->turned_rad == Approx(0.5));
+}
+
+TEST_CASE("scales and heading are known as well as the motions are, and better the more there are of them") {
+  const int motions = GENERATE(9, 36);
+  const auto found = calibrate_motion(exact(Pose2(0.4, 0, 0), Pose2(), motions), Pose2());
+  // A motion of 0.4 m is known to 0.01 m by the scans, and to 0.02 m and a tenth of it by odometry.
+  const double sigma_m = std::sqrt(0.01 * 0.01 + 0.02 * 0.02 + 0.04 * 0.04);
+  CHECK(found->distance_scale.sigma == Approx(sigma_m / 0.4 / std::sqrt(motions)).epsilon(1e-3));
+  CHECK(found->mount_heading_rad.sigma == Approx(sigma_m / 0.4 / std::sqrt(motions)).epsilon(1e-3));
+  const auto turned = calibrate_motion(exact(Pose2(0, 0, 0.2), Pose2(), motions), Pose2());
+  const double sigma_rad = std::sqrt(0.01 * 0.01 + 0.02 * 0.02 + 0.02 * 0.02);
+  CHECK(turned->turn_scale.sigma == Approx(sigma_rad / 0.2 / std::sqrt(motions)).epsilon(1e-3));
+}
+
+TEST_CASE("motions that scatter more than they should make the estimates as much less certain") {
+  auto scattered = exact(Pose2(0.4, 0, 0), Pose2(), 20);
+  const double usual = calibrate_motion(scattered, Pose2())->distance_scale.sigma;
+  for (std::size_t k = 0; k < scattered.size(); ++k)
+    scattered[k].T_scans = Pose2(k % 2 == 0 ? 0.6 : 0.2, 0, 0);  // 0.2 m off, and 0.046 are usual
+  const double more = calibrate_motion(scattered, Pose2())->distance_scale.sigma;
+  // All are 4.36 standard deviations off, where half of pairs of normal numbers are 1.177; beyond 1.5 their weight
+  // falls.
+  const double off = 0.2 / std::sqrt(0.01 * 0.01 + 0.02 * 0.02 + 0.04 * 0.04);
+  CHECK(more / usual == Approx(off / 1.177 * std::sqrt(off / 1.5)).epsilon(0.01));
+}
+
+TEST_CASE("what a drive says nothing of stays as it is described") {
+  const Pose2 described(0.4, 0.1, 0.5);
+  const auto found = calibrate_motion(exact(Pose2(0.2, 0, 0), described, 20), described);
+  CHECK((found->mount_position_m - described.position()).norm() < 1e-6);
+  CHECK(found->mount_position_sigma_m == Approx(1).epsilon(0.01));
+}
+
+TEST_CASE("motions speak against a description that is wrong, and none against one that is right") {
+  const Pose2 mount(0.3, 0.1, 0.5);
+  auto pairs = exact(Pose2(0.3, 0, 0.2), mount, 10);
+  const auto right = calibrate_motion(pairs, mount), wrong = calibrate_motion(pairs, Pose2());
+  CHECK(right->distances_better == 0);
+  CHECK(wrong->distances_better == 1);
+  CHECK(wrong->turns_better < 0.5);
+  for (MotionPair& pair : pairs) pair.T_odometry = Pose2(pair.T_odometry.position(), 0.1);
+  CHECK(calibrate_motion(pairs, mount)->turns_better == 1);
+  for (const double turn_rad : {0.0, 0.04}) {  // too small a turn tells nothing of a scale
+    for (MotionPair& pair : pairs) pair.T_odometry = Pose2(pair.T_odometry.position(), turn_rad);
+    CHECK(calibrate_motion(pairs, mount)->turns_better == 0);
+  }
+}
+
+TEST_CASE("motions that are too short tell nothing of a mount") {
+  const auto pairs = exact(Pose2(0.08, 0, 0.2), Pose2(0, 0, 3), 10);
+  CHECK(calibrate_motion(pairs, Pose2())->distances_better == 0);
 }

@@ -11,7 +11,7 @@
 namespace opal {
 
 /// Lets pass about the best share of all values in [0, 1] so far, and whatever comes while there are few.
-class BestShare {
+class OPAL_EXPORT BestShare {
  public:
   BestShare(std::size_t few, std::size_t one_in) : few_(few), one_in_(one_in) {}
   bool passes(float value);
@@ -29,7 +29,7 @@ class BestShare {
 /// The points of a scan as they would lie on the map, in an order in which few of them say much: those along which the
 /// observed pattern could sweep come last, since they lie on the map wherever it sweeps to; the others are spread over
 /// the scan.
-class TellingPoints {
+class OPAL_EXPORT TellingPoints {
  public:
   TellingPoints(const PatternInstance& observed, std::span<const Point> points);
   std::size_t size() const { return points_.size(); }

@@ -142,3 +142,11 @@ TEST_CASE("an alignment that is no number is handed on as it is, and does not sp
   const Pose2 found = filter.update(known, seen_from_all_sides(known), 1, known, {});
   CHECK(distance_m(found, known) < 1e-9);
 }
+
+TEST_CASE("a pose of which nothing is known is known to five metres and to the whole turn") {
+  const Eigen::Matrix3d unknown = PoseFilter().covariance();
+  CHECK(unknown(0, 0) == Approx(25).epsilon(0.001));
+  CHECK(unknown(1, 1) == Approx(25).epsilon(0.001));
+  CHECK(unknown(2, 2) == Approx(10).epsilon(0.001));
+  CHECK(std::abs(unknown(0, 1)) < 1e-9);
+}

@@ -34,6 +34,8 @@ TEST_CASE("nothing that is seen, or nothing mapped in view, disagrees with nothi
   Robot robot(map, {4, 3, 0});
   CHECK(agreement(robot.observation(), *map, Pose2(500, 500, 0)).share() == 1);
   robot.drive_blind_to({5, 3, 0});
+  CHECK(agreement(robot.observation(), *map, robot.T_map_base()).met == 0);
+  CHECK(agreement(robot.observation(), *map, robot.T_map_base()).passed == 0);
   CHECK(agreement(robot.observation(), *map, robot.T_map_base()).share() == 1);
 }
 
@@ -51,4 +53,31 @@ TEST_CASE("a mean of agreements follows the newest, and parts of evidence count 
   halves.add({0.9, 0.1}, 0.5);
   halves.add({0.9, 0.1}, 0.5);
   CHECK(whole.share() == Approx(halves.share()));
+}
+
+TEST_CASE("of sixty returns each has a say, of more an even share of them") {
+  const auto map = view_of({{"opal:Wall", Segment{{10, -5}, {10, 5}}}});
+  const LocalMap nothing({}, nullptr);
+  const auto share_of = [&](int returns, int every) {
+    ObservedScan scan;
+    for (int k = 0; k < returns; ++k)  // on the wall, or far behind it
+      scan.points.emplace_back(k % every == 0 ? Point(10, -3 + 0.01 * k) : Point(14, -3 + 0.01 * k));
+    return agreement(Observation{nothing, {scan}}, *map, Pose2()).share();
+  };
+  CHECK(share_of(60, 2) == Approx(0.5));
+  CHECK(share_of(59, 59) == Approx(1. / 59));
+  CHECK(share_of(120, 2) == 1);  // every second one
+  CHECK(share_of(61, 2) == 1);
+}
+
+TEST_CASE("a return behind a wall has passed it from nearby, and from afar may be its own") {
+  const LocalMap nothing({}, nullptr);
+  const auto behind = [&](double wall_m) {
+    const auto map = view_of({{"opal:Wall", Segment{{wall_m, -5}, {wall_m, 5}}}});
+    ObservedScan scan;
+    scan.points = {Point(wall_m + 0.3, 0)};
+    return agreement(Observation{nothing, {scan}}, *map, Pose2()).passed;
+  };
+  CHECK(behind(2) == 1);
+  CHECK(behind(20) == 0);
 }

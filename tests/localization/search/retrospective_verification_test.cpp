@@ -249,3 +249,13 @@ TEST_CASE("the first scan after a blind drive counts once") {
   CHECK(past.truth().scans == 1);
   CHECK(past.truth().nat <= 2);
 }
+
+TEST_CASE("a scan that is a part of a piece of evidence counts as a part, for a candidate and against it") {
+  Past part = past_of(2), against = past_of(-10), whole_against = past_of(-10);
+  part.see(0.25);
+  against.see(0.25);
+  whole_against.see(1);
+  CHECK(part.truth().nat == Approx(std::pow(kMemory, 0.25) * 0.25 * 2));
+  CHECK_FALSE(against.truth().hopeless);  // 12.9 nat behind, by a quarter
+  CHECK(whole_against.truth().hopeless);
+}

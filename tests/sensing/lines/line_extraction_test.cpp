@@ -34,6 +34,36 @@ ScanChains chains_of(const std::vector<Point>& points) {
   return chains;
 }
 
+/// What a laser at the origin sees of faces, a quarter of a degree apart, from -60 to 60 degrees.
+Scan scan_of(const std::vector<Segment>& faces) {
+  Scan scan;
+  scan.angle_increment_rad = std::numbers::pi / 720;
+  scan.range_max_m = 30;
+  for (int beam = -240; beam <= 240; ++beam) {
+    const double bearing = beam * scan.angle_increment_rad;
+    const Point along = unit_vector(bearing);
+    double nearest_m = scan.range_max_m;
+    for (const Segment& face : faces) {
+      const double across = cross(along, face.end - face.begin);
+      const double range_m = cross(face.begin, face.end - face.begin) / across, at = cross(face.begin, along) / across;
+      if (range_m > 0 && at >= 0 && at <= 1) nearest_m = std::min(nearest_m, range_m);
+    }
+    if (nearest_m < scan.range_max_m)
+      scan.points.push_back({nearest_m * along, nearest_m, bearing, beam + 240});
+    else
+      scan.free_bearings_rad.push_back(bearing);
+  }
+  return scan;
+}
+
+/// Lines about 2 m ahead: two pieces of a wall, or one, if something nearer hides what lies between them.
+int pieces_of_wall(double turned_rad) {
+  const Point begin(2, 0.7), end = begin + 0.45 * unit_vector(std::numbers::pi / 2 + turned_rad);
+  const auto lines = extract_lines(chained(scan_of({{{2, -1}, {2, 0.3}}, {{1, 0.1}, {1, 0.4}}, {begin, end}}), {}), {});
+  return static_cast<int>(
+      std::count_if(lines.begin(), lines.end(), [](const Line& line) { return line.segment.midpoint().x() > 1.5; }));
+}
+
 LineFit fit(const std::vector<Point>& points, const ReadingNoise& noise) {
   const Run run{0, static_cast<int>(points.size()) - 1};
   return fit_line(chains_of(points), {&run, 1}, noise);
@@ -59,6 +89,29 @@ TEST_CASE("neighbouring beams are found through free ones, and not beyond the vi
   CHECK(neighbour(chains, 1, 2)->range_m == 5);
   CHECK(neighbour(chains, 0, -1) == nullptr);
   CHECK(neighbour(chains, 2, 1) == nullptr);
+}
+
+TEST_CASE("a hit of which position, bearing or range are no number is in no chain") {
+  for (int broken = 0; broken < 5; ++broken) {
+    Scan scan = scan_with({2, 2, 2, 2});
+    ScanPoint& hit = scan.points[1];
+    if (broken == 0) hit.position.x() = NAN;
+    if (broken == 1) hit.position.y() = INFINITY;
+    if (broken == 2) hit.bearing_rad = NAN;
+    if (broken == 3) hit.range_m = INFINITY;
+    if (broken == 4) hit.range_m = 0;
+    CAPTURE(broken);
+    CHECK(chain_sizes(scan) == std::vector{3});
+  }
+}
+
+TEST_CASE("across a face seen head-on the range's noise counts, along a beam that grazes it the bearing's") {
+  const ReadingNoise noise{.range_sigma_m = 0.03, .bearing_sigma_rad = 0.002, .surface_sigma_m = 0.01};
+  const ScanPoint hit{{5, 0}, 5, 0, 0};
+  const auto variance = [&](double off_rad) { return variance_across(hit, unit_vector(off_rad), noise); };
+  CHECK(variance(0) == Approx(0.0009 + 0.0001));
+  CHECK(variance(std::numbers::pi / 2) == Approx(0.01 * 0.01 + 0.0001));
+  CHECK(variance(std::numbers::pi / 3) == Approx(0.0009 / 4 + 0.0001 * 3 / 4 + 0.0001));
 }
 
 TEST_CASE("a line through exact points is exact, whatever its heading") {
@@ -109,4 +162,11 @@ TEST_CASE("the covariance of a corner follows its lines' offsets") {
   CHECK(corner.covariance(0, 0) == Approx(0.0004));
   CHECK(corner.covariance(1, 1) == Approx(0.0001));
   CHECK(corner.covariance(2, 2) == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("two pieces of a wall are one behind something nearer, if they are as parallel as their headings are known") {
+  CHECK(pieces_of_wall(0) == 1);
+  CHECK(pieces_of_wall(0.04) == 1);
+  CHECK(pieces_of_wall(0.17) == 2);
+  CHECK(pieces_of_wall(-0.17) == 2);
 }

@@ -1,5 +1,8 @@
 """Small changes of C++ sources that tests should notice, found on clang's AST.
 
+An end of a range (`<` or `<=`) moves only where an operand is an integer. Between two real numbers it matters only if they are equal
+to the last bit, and which side such a pair belongs to is no promise that a test should hold.
+
 All mutants of a build are compiled in at once, and the environment picks one (mutant schemata: Untch, Offutt and Harrold 1993).
 """
 
@@ -12,6 +15,8 @@ from clang.cindex import CursorKind, TypeKind
 
 # What a test may miss: an end of a range, a sign, a case, a step that is left out (DeMillo, Lipton and Sayward 1978).
 SWAPS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "*": "/", "/": "*", "&&": "||", "||": "&&"}
+BOUNDED = ("<", "<=", ">", ">=")
+REAL = (TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE)
 STATEMENTS = (CursorKind.CALL_EXPR, CursorKind.UNEXPOSED_EXPR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR, CursorKind.BINARY_OPERATOR,
               CursorKind.UNARY_OPERATOR)
 FUNCTIONS = (CursorKind.FUNCTION_DECL, CursorKind.CXX_METHOD, CursorKind.CONSTRUCTOR, CursorKind.FUNCTION_TEMPLATE, CursorKind.LAMBDA_EXPR,
@@ -35,6 +40,14 @@ def is_number(cursor):
     """Of a type for which `a ? x : y` is what x and y are; expressions of Eigen are none."""
     kind = cursor.type.get_canonical().kind
     return TypeKind.BOOL.value <= kind.value <= TypeKind.LONGDOUBLE.value or kind == TypeKind.ENUM
+
+
+def is_real(cursor):
+    """A floating-point number as it is written: `0` is none, even where it is compared with a double."""
+    children = list(cursor.get_children())
+    if cursor.kind == CursorKind.UNEXPOSED_EXPR and len(children) == 1 and is_number(children[0]):  # an implicit conversion
+        return is_real(children[0])
+    return cursor.type.get_canonical().kind in REAL
 
 
 class Source:
@@ -101,7 +114,7 @@ class Source:
         if not (span and left and right and left[1] <= right[0] and is_number(sides[0]) and is_number(sides[1])):
             return
         operator = self.text(left[1], right[0]).strip()
-        if operator in SWAPS:
+        if operator in SWAPS and not (operator in BOUNDED and all(map(is_real, sides))):
             becomes = f"(({self.text(*left)}) {SWAPS[operator]} ({self.text(*right)}))"
             found.append(Mutant(self.path, *span, cursor.location.line, self.text(*span), becomes))
 

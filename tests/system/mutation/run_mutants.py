@@ -66,9 +66,14 @@ def copy_tree(tree):
 
 
 def write_mutants(tree, chosen):
+    """What an earlier draw changed, and this one does not, becomes as it is again."""
     by_file = collections.defaultdict(dict)
     for number, mutant in enumerate(chosen, 1):
         by_file[mutant.file][number] = mutant
+    for target in (tree / "framework").rglob("*.cpp"):
+        source = ROOT / target.relative_to(tree)
+        if source not in by_file and target.read_bytes().startswith(finder.HEAD.encode()):
+            shutil.copy(source, target)
     for file, mutants in by_file.items():
         target, text = tree / file.relative_to(ROOT), finder.mutated(file.read_bytes(), mutants)
         if target.read_bytes() != text:  # else it need not be built again
@@ -105,9 +110,15 @@ def limits(programs):
     return allowed
 
 
-def noticed_by(number, allowed):
+def own_first(allowed, room):
+    """The tests of a room notice most of its mutants."""
+    return sorted(allowed.items(), key=lambda item: not item[0].name.startswith(room))
+
+
+def noticed_by(number, mutant, allowed):
     """The first program whose tests fail; None: no test does."""
-    by = next((program.name.removesuffix("_tests") for program, limit_s in allowed.items() if not passes(program, number, limit_s)), None)
+    tried = own_first(allowed, room_of(mutant))
+    by = next((program.name.removesuffix("_tests") for program, limit_s in tried if not passes(program, number, limit_s)), None)
     print(f"mutant {number}: " + (f"noticed by {by}" if by else "not noticed"), flush=True)
     return by
 
@@ -162,7 +173,7 @@ def main():
     folder = build(tree, options.jobs)
     allowed = limits([folder / f"{name}_tests" for name in PROGRAMS])
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        noticed = list(pool.map(lambda number: noticed_by(number, allowed), range(1, len(chosen) + 1)))
+        noticed = list(pool.map(lambda item: noticed_by(*item, allowed), enumerate(chosen, 1)))
     result = summary(chosen, noticed, explained())
     options.out.mkdir(parents=True, exist_ok=True)
     (options.out / "summary.json").write_text(json.dumps(result, indent=1) + "\n")

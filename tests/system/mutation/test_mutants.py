@@ -6,11 +6,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 try:
     import mutants
+    import run_mutants
 except ModuleNotFoundError:
     print("no python3-clang-14: skipped")
     sys.exit(77)
@@ -26,12 +28,14 @@ Sum operator+(Sum a, Sum b) { return {a.value + b.value}; }
 constexpr int square(int x) { return x * x; }
 template <class T> T half(T x) { return x / 2; }
 [[noreturn]] void give_up(int code) { std::exit(code); }
+double limit(int count) { return 10. * count; }
 double sum_of(const double* values, int count) {
   Sum sum;
   for (int k = 0; k < count; ++k) {
     if (values[k] > 0 && k != 7) sum.add(values[k]);
   }
   sum = sum + Sum{};
+  if (sum.value > limit(count) || values[0] >= values[1]) sum = Sum{};
   return TWICE(sum.value);
 }
 int main() {
@@ -61,11 +65,30 @@ class MutantTest(unittest.TestCase):
         for never in ("2 + 1", "kStep > 2", "x * x", "(x) + (x)", "sum + Sum{}", "std::exit(code)"):
             self.assertNotIn(never, self.was())
 
+    def test_an_end_of_a_range_moves_only_where_an_operand_is_an_integer(self):
+        self.assertLessEqual({"k < count", "values[k] > 0"}, self.was())
+        self.assertIn("sum.value > limit(count) || values[0] >= values[1]", self.was())
+        self.assertNotIn("sum.value > limit(count)", self.was())
+        self.assertNotIn("values[0] >= values[1]", self.was())
+
     def test_of_those_that_lie_in_each_other_one_is_taken(self):
         chosen = mutants.without_overlap(self.found, 100)
         spans = sorted((mutant.start, mutant.end) for mutant in chosen)
         self.assertTrue(all(before[1] <= after[0] for before, after in zip(spans, spans[1:])))
         self.assertEqual(len(mutants.without_overlap(self.found, 2)), 2)
+
+    def test_what_an_earlier_draw_changed_is_as_it_was_again(self):
+        root, tree = self.folder / "root", self.folder / "tree"
+        for folder in (root, tree):
+            (folder / "framework").mkdir(parents=True)
+            for name in ("first.cpp", "second.cpp"):
+                (folder / "framework" / name).write_text(SOURCE)
+        draws = [mutants.without_overlap(mutants.mutants_of(root / "framework" / name, []), 3) for name in ("first.cpp", "second.cpp")]
+        with unittest.mock.patch.object(run_mutants, "ROOT", root):
+            for draw in draws:
+                run_mutants.write_mutants(tree, draw)
+        self.assertEqual((tree / "framework/first.cpp").read_text(), SOURCE)
+        self.assertIn("opal_mutant != 1", (tree / "framework/second.cpp").read_text())
 
     def test_one_program_holds_all_of_them_and_runs_the_one_that_is_asked_for(self):
         compiler = shutil.which("g++")

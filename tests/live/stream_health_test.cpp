@@ -1,0 +1,118 @@
+#include "live/stream_health.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+
+namespace {
+
+constexpr double kNoClock = std::numeric_limits<double>::quiet_NaN();
+
+/// A robot with one laser whose records arrive as they are stamped, unless a test lets them come later.
+struct Listened {
+  StreamHealth health{{LaserModel{}}, LiveOptions{}};
+  double now_s = 1000;
+  double late_s = 0;
+
+  void hear(int records, double every_s, bool scans_too = true) {
+    for (int k = 0; k < records; ++k) {
+      now_s += every_s;
+      RawScan scan;
+      scan.stamp_s = now_s - late_s;
+      health.take(OdometryRecord{now_s - late_s, Pose2()}, now_s, now_s);
+      if (scans_too) health.take(scan, now_s, now_s);
+    }
+  }
+  /// Words about one subject.
+  std::vector<std::string> said(const std::string& subject, double after_s = 0.01) const {
+    std::vector<std::string> words;
+    for (const HealthFinding& finding : health.findings(now_s + after_s))
+      if (finding.subject == subject) words.push_back(finding.words);
+    return words;
+  }
+};
+
+using Words = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("records at a steady rate are fine, whatever the rate") {
+  const double every_s = GENERATE(0.01, 0.1, 0.9);
+  Listened robot;
+  robot.hear(120, every_s);
+  CHECK(robot.health.findings(robot.now_s + 0.01).empty());
+}
+
+TEST_CASE("records that come more slowly than they used to are told with both rates") {
+  Listened robot;
+  robot.hear(60, 0.1);
+  robot.hear(20, 0.2);
+  // The newest tenth counts for an average of late, the newest hundredth for the usual one.
+  CHECK(robot.said("odometry") == Words{"odometry: 5.3 records a second, 8.5 before"});
+  CHECK(robot.said("laser") == Words{"laser: 5.3 records a second, 8.5 before"});
+  robot.hear(20, 0.1);
+  CHECK(robot.said("odometry").empty());
+}
+
+TEST_CASE("a rate is known after fifty records") {
+  Listened robot;
+  robot.hear(30, 0.1);
+  robot.hear(15, 0.2);
+  CHECK(robot.said("odometry").empty());
+  robot.hear(6, 0.2);
+  CHECK(robot.said("odometry").size() == 1);
+}
+
+TEST_CASE("a sensor is silent after a second, and after five of its intervals") {
+  Listened often, seldom;
+  often.hear(60, 0.1);
+  CHECK(often.said("odometry", 0.95).empty());
+  CHECK(often.said("odometry", 1.2) == Words{"odometry: no odometry for 1.2 s"});
+  seldom.hear(60, 0.5);
+  CHECK(seldom.said("odometry", 2.4).empty());
+  CHECK(seldom.said("odometry", 2.6) == Words{"odometry: no odometry for 2.6 s"});
+}
+
+TEST_CASE("a sensor that was never heard is missing after three seconds") {
+  Listened robot;
+  robot.hear(29, 0.1, false);
+  CHECK(robot.said("laser").empty());
+  robot.hear(3, 0.1, false);
+  CHECK(robot.said("laser").size() == 1);
+}
+
+TEST_CASE("records that arrive late, or before their stamps, are told by how much on average") {
+  Listened late, early;
+  late.late_s = 0.7;
+  late.hear(10, 0.1);
+  CHECK(late.said("odometry") == Words{"odometry: arrives 0.70 s after its stamps"});
+  late.late_s = 0;
+  late.hear(10, 0.1);
+  CHECK(late.said("odometry").empty());
+  early.late_s = -0.3;
+  early.hear(10, 0.1);
+  CHECK(early.said("odometry").size() == 1);
+}
+
+TEST_CASE("stamps of an unknown clock are neither late nor early") {
+  StreamHealth health({LaserModel{}}, LiveOptions{});
+  for (int k = 0; k < 10; ++k) health.take(OdometryRecord{5e6 + k, Pose2()}, k * 0.1, kNoClock);
+  CHECK(health.findings(1).empty());
+}
+
+TEST_CASE("what is odd in records is told for a while, by how often it came since it began to be told") {
+  Listened robot;
+  robot.hear(60, 0.1);
+  robot.health.note({{"gap", 4}}, robot.now_s);
+  CHECK(robot.said("scans") == Words{"gap: 4 times of late"});
+  robot.hear(20, 0.1);
+  robot.health.note({{"gap", 6}}, robot.now_s);
+  CHECK(robot.said("scans") == Words{"gap: 6 times of late"});
+  robot.hear(31, 0.1);
+  robot.health.note({{"gap", 6}}, robot.now_s);
+  CHECK(robot.said("scans").empty());
+  robot.health.note({{"gap", 7}, {"clock reset", 1}, {"odometry jump", 2}}, robot.now_s);
+  CHECK(robot.said("scans") == Words{"gap: 1 times of late"});
+  CHECK(robot.said("clock") == Words{"clock reset: 1 times of late"});
+  CHECK(robot.said("odometry") == Words{"odometry jump: 2 times of late"});
+}

@@ -1,0 +1,220 @@
+// The pipeline as a whole, in a small room where the right decision is known.
+#include "tests/localization/synthetic_scene.hpp"
+
+#include <opal/localization/localizer.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+using namespace opal;
+using namespace opal::synthetic;
+using nlohmann::ordered_json;
+
+namespace {
+
+struct Heard : EventSink {
+  std::vector<ordered_json> all;
+  bool listening() const override { return true; }
+  void write(const ordered_json& event) override { all.push_back(event); }
+  std::vector<ordered_json> of(const std::string& kind) const {
+    std::vector<ordered_json> some;
+    for (const ordered_json& event : all)
+      if (event["event"] == kind) some.push_back(event);
+    return some;
+  }
+};
+
+/// Finds what it is told.
+struct ToldDetector : FeatureDetector {
+  Features features;
+  std::vector<Feature> detect(const Scan&) const override { return features; }
+};
+
+/// A robot with perfect odometry in the room.
+struct Driven {
+  std::shared_ptr<const MapView> map = view_of(room());
+  std::shared_ptr<ToldDetector> detector = std::make_shared<ToldDetector>();
+  Heard heard;
+  Localizer localizer;
+  double stamp_s = 100;
+
+  explicit Driven(std::shared_ptr<const HypothesisScorer> scorer = fit_scorer(), const LocalizerOptions& options = {})
+      : localizer(parts(std::move(scorer), options), &heard) {}
+
+  LocalizerParts parts(std::shared_ptr<const HypothesisScorer> scorer, const LocalizerOptions& options) const {
+    LocalizerParts parts;
+    parts.map = map;
+    parts.lasers[0].T_base_laser = T_base_laser;
+    parts.detectors = {{"told", detector}};
+    parts.patterns = {{"corner", std::make_shared<CornerTemplate>()}};
+    parts.scorers = {{"scorer", std::move(scorer), true, 1}};
+    parts.stages = options;
+    return parts;
+  }
+  std::optional<PoseEstimate> see_at(const Pose2& T_map_base, const Pose2& T_odom_base) {
+    detector->features = detected_from(*map, T_map_base);
+    Scan scan = scan_from(*map, T_map_base);
+    scan.stamp_s = stamp_s += 0.5;
+    return localizer.update(sample_of(std::move(scan), T_odom_base, T_base_laser));
+  }
+  std::optional<PoseEstimate> drive_to(const Pose2& T_map_base) { return see_at(T_map_base, T_map_base); }
+  /// Keyframe after keyframe across the room.
+  void drive_on(int keyframes) {
+    for (int k = 0; k < keyframes; ++k) drive_to(Pose2(3 + 0.25 * k, 4.5, 0.1));
+  }
+  double nat_of(HypothesisId id) const {
+    for (const Hypothesis& each : localizer.hypotheses())
+      if (each.id == id) return each.log_likelihood;
+    return -1e9;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a robot that drives about is found, and every estimate is written with all that is held possible") {
+  Driven robot;
+  robot.drive_on(12);
+  const auto keyframes = robot.heard.of("keyframe");
+  REQUIRE(keyframes.size() == 12);
+  CHECK(keyframes.back()["features"] == 5);  // four corners and a column
+  CHECK(keyframes.back()["local_features"] == robot.localizer.local_map().features().size());
+  const auto estimates = robot.heard.of("estimate");
+  REQUIRE(estimates.size() == 12);
+  const ordered_json& last = estimates.back();
+  const auto& alive = robot.localizer.hypotheses();
+  REQUIRE(last["hypotheses"].size() == alive.size());
+  for (std::size_t k = 0; k < alive.size(); ++k)
+    CHECK(last["hypotheses"][k]["log_likelihood"].get<double>() == Approx(alive[k].log_likelihood));
+  CHECK(last["T_map_base"][0].get<double>() == Approx(3 + 0.25 * 11).margin(0.05));
+  CHECK(last["T_map_base"][1].get<double>() == Approx(4.5).margin(0.05));
+}
+
+TEST_CASE("each hypothesis is written where it begins and where it ends") {
+  Driven robot;
+  robot.drive_on(12);
+  std::set<int> begun;
+  for (const ordered_json& event : robot.heard.of("spawned")) {
+    CHECK(event["T_map_base"].size() == 3);
+    begun.insert(event["hypothesis"].get<int>());
+  }
+  const auto ended = robot.heard.of("pruned");
+  REQUIRE_FALSE(ended.empty());
+  for (const ordered_json& event : ended) {
+    CHECK(begun.contains(event["hypothesis"].get<int>()));
+    REQUIRE(event.contains("T_map_base"));
+    CHECK(event["T_map_base"].size() == 3);
+    CHECK_FALSE(event["reason"].get<std::string>().empty());
+  }
+}
+
+TEST_CASE("each update writes what it cost, stage by stage") {
+  Driven robot;
+  robot.drive_on(3);
+  const auto costs = robot.heard.of("cost");
+  REQUIRE(costs.size() == 3);
+  for (const ordered_json& cost : costs) {
+    REQUIRE(cost.contains("cpu_ms"));
+    double sum_ms = 0;
+    for (const char* stage : {"sensor", "detect", "local_map", "track", "associate", "verify", "status"})
+      sum_ms += cost["cpu_ms"].at(stage).get<double>();
+    CHECK(cost["cpu_ms"].at("total").get<double>() == Approx(sum_ms).margin(0.01));
+  }
+}
+
+TEST_CASE("a status is written when it changes, and not before it changes again") {
+  Pose2 truth;
+  Driven robot(std::make_shared<ToldScorer>([&](const Hypothesis& hypothesis, const Observation& seen) {
+    const Pose2 T_map_base = hypothesis.T_map_local * seen.local_map.T_local_base();
+    return Score{distance_m(T_map_base, truth) < 1 ? 5. : -5., {}, {}};
+  }));
+  std::vector<std::string> changes;
+  for (int k = 0; k < 30; ++k) {
+    truth = Pose2(2 + 0.2 * k, 4.5, 0.1);
+    const auto estimate = robot.drive_to(truth);
+    const std::string now = name_of(estimate.value().status);
+    if (changes.empty() || changes.back() != now) changes.push_back(now);
+  }
+  std::vector<std::string> written;
+  for (const ordered_json& event : robot.heard.of("status")) written.push_back(event["status"].get<std::string>());
+  CHECK(written == changes);
+  CHECK(written.size() > 1);
+  CHECK(written.back() == "localized");
+}
+
+TEST_CASE("a local feature that stays where it is is written when its views have grown by half") {
+  Driven robot;
+  for (int k = 0; k < 9; ++k) robot.drive_to(Pose2(3 + 0.15 * k, 4.5, 0));
+  std::vector<int> written;
+  for (const ordered_json& event : robot.heard.of("local_features"))
+    for (const ordered_json& feature : event["changed"])
+      if (feature["id"] == 0) written.push_back(feature["measurements"].get<int>());
+  CHECK(written == std::vector{1, 2, 3, 5, 8});
+}
+
+TEST_CASE("after a reset all is written anew, and nothing of before is said to be gone") {
+  Driven robot;
+  robot.drive_on(4);
+  robot.localizer.reset();
+  CHECK(robot.localizer.hypotheses().empty());
+  robot.heard.all.clear();
+  robot.drive_on(1);
+  const auto features = robot.heard.of("local_features");
+  REQUIRE(features.size() == 1);
+  CHECK(features[0]["gone"].empty());
+  CHECK(features[0]["changed"].size() == robot.localizer.local_map().features().size());
+  CHECK(robot.heard.of("status").size() == 1);
+}
+
+TEST_CASE("features of a laser are placed by its mount") {
+  Driven robot;
+  const Pose2 T_map_base(3, 4.5, 0.1);
+  robot.drive_to(T_map_base);
+  const auto& found = robot.localizer.local_map().features();
+  REQUIRE(found.size() == detected_from(*robot.map, T_map_base).size());
+  const Geometry column = transformed(T_map_base, found[0].feature.geometry);
+  CHECK((anchor_of(column) - Point(3, 2.2)).norm() < 1e-6);
+}
+
+TEST_CASE("scorers are told of every feature which laser saw it") {
+  int told = 0;
+  bool all_known = true;
+  Driven robot(std::make_shared<ToldScorer>([&](const Hypothesis&, const Observation& seen) {
+    told += seen.features.empty() ? 0 : 1;
+    all_known = all_known && seen.feature_scans == std::vector<int>(seen.features.size(), 0);
+    return Score{1, {}, {}};
+  }));
+  robot.drive_on(4);
+  CHECK(told > 0);
+  CHECK(all_known);
+}
+
+TEST_CASE("a scan counts by how far the robot drove and turned since the one before") {
+  LocalizerOptions options;
+  options.tracking.evidence_memory = 1;
+  options.tempering = {1.2, 1.5, 0.05};
+  const auto [step, weight] = GENERATE(table<Pose2, double>(
+      {{Pose2(0.3, 0, 0), 0.25}, {Pose2(0, 0, 0.3), 0.2}, {Pose2(0.3, 0, -0.3), 0.45}, {Pose2(0.9, 0, 0.6), 1}}));
+  Driven robot(constant_scorer(2), options);
+  robot.drive_to(Pose2(4, 4.5, 0));
+  REQUIRE_FALSE(robot.localizer.hypotheses().empty());
+  const HypothesisId best = robot.localizer.hypotheses().front().id;
+  const double before = robot.nat_of(best);
+  robot.drive_to(Pose2(4, 4.5, 0) * step);
+  CHECK(robot.nat_of(best) - before == Approx(2 * weight));
+}
+
+TEST_CASE("odometry that stands while the robot drives is found out, and where the robot was then is forgotten") {
+  Driven robot;
+  robot.drive_on(6);
+  const Pose2 stuck(3 + 0.25 * 5, 4.5, 0.1);
+  for (int k = 0; k < 8; ++k) robot.see_at(stuck * Pose2(0.3 * k, 0, 0.2 * k), stuck);
+  const auto& findings = robot.localizer.sensor_findings();
+  REQUIRE(std::any_of(findings.begin(), findings.end(), [](const SensorFinding& finding) {
+    return finding.subject == SensorFinding::Subject::standing_odometry;
+  }));
+  const auto moved = robot.see_at(stuck * Pose2(2.5, 0, 1.6), stuck * Pose2(0.3, 0, 0));
+  REQUIRE(moved);
+  CHECK(moved->status != Status::localized);
+  CHECK(robot.localizer.local_map().keyframes().size() == 1);
+}

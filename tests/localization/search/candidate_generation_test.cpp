@@ -1,0 +1,56 @@
+#include "localization/search/candidate_generation.hpp"
+
+#include "tests/localization/synthetic_scene.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace opal;
+using namespace opal::synthetic;
+
+namespace {
+
+/// So many corners in a row, the first one the nearest.
+std::vector<SearchFeature> corners_in_a_row(int count) {
+  std::vector<SearchFeature> features;
+  for (int k = 0; k < count; ++k)
+    features.push_back({{"opal:Corner", OrientedPoint{{1. + k, 0}, 0, 0.5 * std::numbers::pi}}, LocalFeatureId(k)});
+  return features;
+}
+
+std::vector<Point> coarse_points() {
+  std::vector<Point> points;
+  for (int k = 0; k < 30; ++k) points.emplace_back(0.2 * k, 3);
+  return points;
+}
+
+/// What is looked up in the room, which has four corners, each as good as another.
+std::vector<CandidateGenerator::LookedUp> looked_up(int corners, int places) {
+  SearchOptions options;
+  options.places = places;
+  const CandidateGenerator generator(view_of(room()), {{"corner", std::make_shared<CornerTemplate>()}}, options);
+  return generator.propose(corners_in_a_row(corners), coarse_points(), false).looked_up;
+}
+
+}  // namespace
+
+TEST_CASE("of features of one shape the eight best are looked up, the nearest ones of corners") {
+  const auto all = looked_up(9, 0);
+  CHECK(all.size() == 8);
+  for (const auto& each : all) {
+    CHECK(each.expected == 4);
+    REQUIRE(each.local_features.size() == 1);
+    CHECK(each.local_features[0] != LocalFeatureId(8));
+  }
+  CHECK(looked_up(3, 0).size() == 3);
+}
+
+TEST_CASE("patterns are looked up as long as they promise no more places than are wanted, three in any case") {
+  CHECK(looked_up(8, 17).size() == 4);
+  CHECK(looked_up(8, 16).size() == 4);
+  CHECK(looked_up(8, 15).size() == 3);
+  CHECK(looked_up(8, 1).size() == 3);
+  CHECK(looked_up(2, 1).size() == 2);
+  CHECK(looked_up(8, 2000).size() == 8);
+}
