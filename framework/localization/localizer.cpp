@@ -147,7 +147,6 @@ void Localizer::State::forget_drive() {
   hypotheses.clear();
   kidnapping.reset();
   rides.reset();
-  search_now = false;
   status.reset();
   started = false;
   schedule.reset();

@@ -17,10 +17,10 @@ OPAL_EXPORT std::vector<SensorFinding> judge_motion(const MotionCalibration& dri
 /// @param standing  the newest motions without odometry.
 OPAL_EXPORT std::vector<SensorFinding> judge_standing(std::span<const MotionPair> standing);
 
-/// What ranges say of the limits of a description.
 /// Odometry has frozen. @param changed_share  of the beams while it stood.
 SensorFinding frozen_odometry(double changed_share);
 
+/// What ranges say of the limits of a description.
 OPAL_EXPORT std::vector<SensorFinding> judge_ranges(const RangeHabits& habits, const LaserModel& described);
 
 }  // namespace opal
