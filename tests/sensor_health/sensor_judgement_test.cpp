@@ -75,7 +75,7 @@ TEST_CASE("what a drive does not know well enough is left out") {
     change(drive);
     return subjects_of(drive);
   };
-  using enum Subject;
+  using enum SensorFinding::Subject;
   const std::vector<Subject> only_turn{odometry_turn}, no_turn{mount_heading, odometry_distance};
   CHECK(with([](auto& drive) { drive.turned_rad = 0.7; }) == no_turn);
   CHECK(with([](auto& drive) { drive.turn_scale.sigma = 0.09; }) == no_turn);
