@@ -21,6 +21,8 @@ std::vector<Point> positions_of(const Scan& scan) {
   return points;
 }
 
+double fit_of(const ScanMatch& match) { return match.converged ? match.inlier_share : 0; }
+
 }  // namespace
 
 bool is_standstill(const Pose2& T_odometry) {
@@ -55,11 +57,11 @@ ScanMatch MotionPairs::any_way(const std::vector<Point>& points, const Pose2& T_
 std::optional<MotionPair> MotionPairs::laid_over(const std::vector<Point>& points, const Pose2& T_odometry) const {
   const Pose2 T_described = T_base_laser_.inverse() * T_odometry * T_base_laser_;
   ScanMatch match = near(points, T_described);
-  const bool is_plain = match.converged && match.inlier_share >= kPlainInliers;
-  bool is_as_described = !is_plain ? !prefer_any_way(points, T_odometry, kClearlyMore, match) : true;
-  if (is_as_described && is_standstill(T_odometry))
-    is_as_described = !prefer_any_way(points, T_odometry, kMoreInliers, match);
-  else if (is_as_described && T_odometry.position().norm() > kTellsDirection_m)
+  const bool stands = is_standstill(T_odometry);
+  bool is_as_described = true;
+  if (stands || fit_of(match) < kPlainInliers)
+    is_as_described = !prefer_any_way(points, T_odometry, stands ? kMoreInliers : kClearlyMore, match);
+  if (is_as_described && T_odometry.position().norm() > kTellsDirection_m)
     is_as_described = !prefer_backwards(points, T_described, match);
   if (!match.converged || match.inlier_share < kFewestInliers || !match.covariance.allFinite()) return std::nullopt;
   return MotionPair{T_odometry, match.T_reference_scan, match.covariance, is_as_described};
@@ -68,7 +70,7 @@ std::optional<MotionPair> MotionPairs::laid_over(const std::vector<Point>& point
 bool MotionPairs::prefer_any_way(const std::vector<Point>& points, const Pose2& T_odometry, double by,
                                  ScanMatch& match) const {
   const ScanMatch other = any_way(points, T_odometry);
-  if (!other.converged || other.inlier_share <= (match.converged ? match.inlier_share : 0) + by) return false;
+  if (fit_of(other) <= fit_of(match) + by) return false;
   match = other;
   return true;
 }
@@ -78,7 +80,7 @@ bool MotionPairs::prefer_backwards(const std::vector<Point>& points, const Pose2
   const ScanMatch back = near(points, {Point(-T_described.position()), T_described.heading_rad()});
   if (back.converged && distance_m(back.T_reference_scan, match.T_reference_scan) < T_described.position().norm())
     return false;  // both ways lead to one place
-  const double more = (back.converged ? back.inlier_share : 0) - (match.converged ? match.inlier_share : 0);
+  const double more = fit_of(back) - fit_of(match);
   if (more > kMoreInliers) {
     match = back;
     return true;

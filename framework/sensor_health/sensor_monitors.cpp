@@ -44,10 +44,12 @@ void SensorMonitors::clear() {
 }
 
 bool SensorMonitors::is_odometry_frozen() const {
-  const std::vector<SensorFinding>& all = findings();
-  return std::any_of(all.begin(), all.end(), [](const SensorFinding& finding) {
+  const auto is_frozen = [](const SensorFinding& finding) {
     return finding.subject == SensorFinding::Subject::standing_odometry &&
            finding.verdict == SensorFinding::Verdict::contradicted;
+  };
+  return std::any_of(monitors_.begin(), monitors_.end(), [&](const SensorMonitor& monitor) {
+    return std::any_of(monitor.findings().begin(), monitor.findings().end(), is_frozen);
   });
 }
 

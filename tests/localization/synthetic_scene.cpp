@@ -152,6 +152,18 @@ std::shared_ptr<const HypothesisScorer> constant_scorer(double nat, const std::s
   return std::make_shared<ToldScorer>([=](const Hypothesis&, const Observation&) { return Score{nat, veto, {}}; });
 }
 
+VerificationOptions no_earlier_scans() {
+  VerificationOptions options;
+  options.scans = 0;
+  return options;
+}
+
+std::vector<const LocalFeature*> all_features_of(const LocalMap& local_map) {
+  std::vector<const LocalFeature*> all;
+  for (const LocalFeature& feature : local_map.features()) all.push_back(&feature);
+  return all;
+}
+
 std::optional<PatternInstance> CornerTemplate::match(std::span<const Feature* const> features) const {
   const auto& corner = std::get<OrientedPoint>(features[0]->geometry);
   PatternInstance instance;

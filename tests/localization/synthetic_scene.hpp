@@ -5,6 +5,7 @@
 #include "localization/scoring/scorer_ensemble.hpp"
 
 #include <opal/local_map/local_map.hpp>
+#include <opal/localization/options/localizer_options.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
 #include <opal/map/view/map_view.hpp>
 #include <opal/patterns/pattern_template.hpp>
@@ -101,6 +102,11 @@ struct Judges {
   PluginFailures failures;
   ScorerEnsemble ensemble;
 };
+
+/// Verification of candidates by the newest scan alone.
+VerificationOptions no_earlier_scans();
+/// Stable or not.
+std::vector<const LocalFeature*> all_features_of(const LocalMap& local_map);
 
 /// A corner, whose direction fixes the pose.
 struct CornerTemplate : PatternTemplate {

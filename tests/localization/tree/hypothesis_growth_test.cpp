@@ -23,12 +23,6 @@ struct CountingListener : HypothesisListener {
   void candidate_rejected(const VerifiedCandidate&, const std::string&) override {}
 };
 
-VerificationOptions no_earlier_scans() {
-  VerificationOptions options;
-  options.scans = 0;
-  return options;
-}
-
 /// Hypotheses in a map that sees `local` features from the origin of its local frame.
 struct Growing {
   Growing(const Features& mapped, const LocalizerOptions& options)
@@ -44,11 +38,7 @@ struct Growing {
     candidate.candidate.T_map_base = T_map_base;
     set.spawn({candidate}, Observation{local_map, {}}, 1, past);
   }
-  void grow() {
-    std::vector<const LocalFeature*> all;
-    for (const LocalFeature& feature : local_map.features()) all.push_back(&feature);
-    set.grow(all, local_map);
-  }
+  void grow() { set.grow(all_features_of(local_map), local_map); }
   std::shared_ptr<const MapView> map;
   Judges judges;
   RetrospectiveVerification past;

@@ -29,11 +29,6 @@ struct Lift {
     set.spawn(std::move(candidates), observation(), 1, past);
   }
   Observation observation() const { return {local_map, {}}; }
-  static VerificationOptions no_scans() {
-    VerificationOptions options;
-    options.scans = 0;
-    return options;
-  }
   static std::vector<Pose2> elsewhere(const Pose2& T_map_base) {
     std::vector<Pose2> poses;
     for (const double x_m : {0.0, 100.0, 200.0})
@@ -54,7 +49,7 @@ struct Lift {
   Deaf listener;
   std::shared_ptr<const MapView> map = view_of({{"opal:Column", Circle{{0, 50}, 0.2}}});
   Judges judges{map, {{"told", constant_scorer(1), true, 1}}};
-  RetrospectiveVerification past{map, judges.ensemble, no_scans(), 1};
+  RetrospectiveVerification past{map, judges.ensemble, no_earlier_scans(), 1};
   LocalMap local_map{{}, nullptr};
   HypothesisSet set{map, judges.ensemble, {}, listener};
 };

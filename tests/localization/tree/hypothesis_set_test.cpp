@@ -51,14 +51,9 @@ struct Line {
                 std::shared_ptr<const HypothesisScorer> second = constant_scorer(0))
       : map(view_of(features)),
         judges(map, {{"told", told(), true, 1}, {"second", std::move(second), false, 1}}),
-        past(map, judges.ensemble, no_scans(), 1),
+        past(map, judges.ensemble, no_earlier_scans(), 1),
         set(map, judges.ensemble, options, listener) {
     see({}, Pose2());
-  }
-  static VerificationOptions no_scans() {
-    VerificationOptions options;
-    options.scans = 0;
-    return options;
   }
   std::shared_ptr<const HypothesisScorer> told() {
     return std::make_shared<ToldScorer>([this](const Hypothesis& hypothesis, const Observation& seen) {
@@ -79,11 +74,7 @@ struct Line {
     set.spawn(std::move(candidates), nothing_seen(), tempering_weight, past);
   }
   void track(double tempering_weight = 1) { set.track(nothing_seen(), tempering_weight, {}, {0, 0}); }
-  void grow() {
-    std::vector<const LocalFeature*> all;
-    for (const LocalFeature& feature : local_map.features()) all.push_back(&feature);
-    set.grow(all, local_map);
-  }
+  void grow() { set.grow(all_features_of(local_map), local_map); }
   double nat_of(HypothesisId id) const {
     for (const Live& live : set.alive())
       if (live.hypothesis.id == id) return live.hypothesis.log_likelihood;
