@@ -102,10 +102,10 @@ ThesisTable::Block block_of(std::span<const Run> runs, const std::string& conten
     block.rows.push_back({name, {}});
     for (const std::string& task : tasks) block.rows.back().cells.push_back(cell(of(runs, contender, task)));
   };
-  const auto middle = [](const auto& value) { return [value](const Runs& r) { return median(values(r, value)); }; };
+  const auto middle = [](const Runs& r, const auto& value) { return median(values(r, value)); };
   row("success", [](const Runs& r) { return share_of(count(r, reached), r.size()); });
   row("pattern type", patterns_of);
-  row("total time", [&](const Runs& r) { return minutes(middle(reached_after_s)(r)); });
+  row("total time", [&](const Runs& r) { return minutes(middle(r, reached_after_s)); });
   row("95 %", [](const Runs& r) {
     const Interval within = median_interval(values(r, reached_after_s));
     return minutes(within.low) + "-" + minutes(within.high);
@@ -113,16 +113,16 @@ ThesisTable::Block block_of(std::span<const Run> runs, const std::string& conten
   row("wrong pattern starts",
       [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.wrong_starts; })), 2); });
   row("first correct pattern",
-      [&](const Runs& r) { return minutes(middle([](const Run& x) { return x.right_after_s; })(r)); });
+      [&](const Runs& r) { return minutes(middle(r, [](const Run& x) { return x.right_after_s; })); });
   row("circles in local map", circles_of);
-  row("places after inspection", [&](const Runs& r) { return number(middle(measures()[6].of)(r), 0); });
+  row("places after inspection", [&](const Runs& r) { return number(middle(r, measures()[6].of), 0); });
   row("places after arrival",
-      [&](const Runs& r) { return number(middle([](const Run& x) { return x.places_at_end; })(r), 0); });
+      [&](const Runs& r) { return number(middle(r, [](const Run& x) { return x.places_at_end; }), 0); });
   row("recoveries",
       [](const Runs& r) { return number(mean(values(r, [](const Run& x) { return x.recoveries; })), 2); });
   row("localized after",
-      [&](const Runs& r) { return minutes(middle([](const Run& x) { return x.localized_after_s; })(r)); });
-  row("driven m", [&](const Runs& r) { return number(middle([](const Run& x) { return x.driven_m; })(r), 1); });
+      [&](const Runs& r) { return minutes(middle(r, [](const Run& x) { return x.localized_after_s; })); });
+  row("driven m", [&](const Runs& r) { return number(middle(r, [](const Run& x) { return x.driven_m; }), 1); });
   row("touched something", [](const Runs& r) { return share_of(count(r, touched), r.size()); });
   row("falsely localized", [](const Runs& r) { return share_of(count(r, misled), r.size()); });
   return block;
