@@ -24,7 +24,7 @@ class Collector final : public Registrar {
   void add(TypeInfo type, Factory<ScanMatcher> make) override { take(std::move(type), std::move(make)); }
   void add(TypeInfo type, Factory<MapStore> make) override { take(std::move(type), std::move(make)); }
 
-  std::vector<Registration> registrations;
+  std::vector<TypeRegistration> registrations;
 
  private:
   template <class T>
@@ -55,7 +55,7 @@ bool same_set(std::vector<std::string> a, std::vector<std::string> b) {
   return a == b;
 }
 
-void require_as_described(const std::string& file, const DescribedType& promised, const Registration& actual) {
+void require_as_described(const std::string& file, const DescribedType& promised, const TypeRegistration& actual) {
   const std::string name = promised.info.name;
   const auto differ = [&](const std::string& what, const std::string& is, const std::string& described) {
     refuse_file(file, name + " " + what + " " + is + ", but its description says " + described);
@@ -71,10 +71,10 @@ void require_as_described(const std::string& file, const DescribedType& promised
 }
 
 /// The registrations by name, when they are exactly those described.
-std::map<std::string, Registration> by_name(const std::string& file, const PluginDescription& promised,
-                                            std::vector<Registration> registrations) {
-  std::map<std::string, Registration> named;
-  for (Registration& registration : registrations) {
+std::map<std::string, TypeRegistration> by_name(const std::string& file, const PluginDescription& promised,
+                                                std::vector<TypeRegistration> registrations) {
+  std::map<std::string, TypeRegistration> named;
+  for (TypeRegistration& registration : registrations) {
     const std::string name = registration.info.name;
     if (!named.emplace(name, std::move(registration)).second) refuse_file(file, "registers " + name + " twice");
   }
@@ -92,8 +92,8 @@ std::map<std::string, Registration> by_name(const std::string& file, const Plugi
   return named;
 }
 
-std::map<std::string, Registration> collect(const std::string& file, const PluginDescription& promised,
-                                            const PluginDescriptor& plugin) {
+std::map<std::string, TypeRegistration> collect(const std::string& file, const PluginDescription& promised,
+                                                const PluginDescriptor& plugin) {
   Collector collector;
   if (const auto failure = failure_of([&] { plugin.register_types(collector); }))
     refuse_file(file, "failed to register its types: " + *failure);

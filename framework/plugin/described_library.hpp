@@ -17,7 +17,8 @@ using AnyFactory = std::variant<Factory<FeatureDetector>, Factory<PatternTemplat
 
 inline PluginKind kind_of(const AnyFactory& factory) { return static_cast<PluginKind>(factory.index()); }
 
-struct Registration {
+/// A type as the code of its plugin registers it.
+struct TypeRegistration {
   TypeInfo info;
   AnyFactory factory;
 };
@@ -48,7 +49,7 @@ class DescribedLibrary {
   std::string digest_;
   std::shared_ptr<const PluginDescriptor>
       code_;  // before the factories, which are its code, so that it goes after them
-  std::map<std::string, Registration> registered_;
+  std::map<std::string, TypeRegistration> registered_;
 };
 
 }  // namespace opal

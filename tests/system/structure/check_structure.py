@@ -10,6 +10,7 @@ import sys
 
 import rules_of_rooms
 import rules_of_size
+import rules_of_types
 import rules_of_words
 from source_tree import HERE, ROOT, Rooms, WrongTable
 
@@ -18,6 +19,7 @@ def all_breaks(root, tables):
     rooms = Rooms(tables / "rooms.txt")
     return [*rules_of_rooms.breaks(root, rooms),
             *rules_of_size.breaks(root, tables / "exceptions.txt"),
+            *rules_of_types.breaks(root),
             *rules_of_words.breaks(root, tables / "words.txt")]
 
 

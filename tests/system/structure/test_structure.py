@@ -7,6 +7,7 @@ import unittest
 import compile_commands
 import rules_of_rooms
 import rules_of_size
+import rules_of_types
 import rules_of_words
 from functions import functions_of
 from source_tree import ROOT, Rooms, WrongTable, framework_includes
@@ -111,6 +112,17 @@ class RulesOfSize(Tree):
         self.write("framework/a/map_utils.hpp", "")
         self.write("framework/a/a.hpp", "class PluginManager {\n")
         self.assertEqual(len(self.broken(rules_of_size.names, self.root)), 2)
+
+
+class RulesOfTypes(Tree):
+    def test_two_types_of_one_name_are_told(self):
+        self.write("framework/a/a.hpp", "namespace opal {\nstruct A {\n  enum class Kind { one };\n};\nstruct Later;\n}\n")
+        self.write("framework/a/b.cpp", "namespace opal {\nnamespace {\nstruct A {};\n}\nclass B : A { struct A {}; };\n"
+                   "template <>\nstruct Later<B> {};\nvoid f() {\n  struct A {};\n}\n}\n")
+        self.assertEqual(self.broken(rules_of_types.breaks, self.root), [])
+        self.write("plugins/c/c.hpp", "namespace opal::c {\nstruct A {};\n}\nnamespace opal {\nenum class A { x };\n}\n")
+        self.assertEqual(self.broken(rules_of_types.breaks, self.root),
+                         ["plugins/c/c.hpp:5: defines opal::A, as framework/a/a.hpp does: the linker takes both for one"])
 
 
 class RulesOfWords(Tree):
