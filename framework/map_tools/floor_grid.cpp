@@ -53,6 +53,16 @@ Point FloorGrid::center_of(int cell) const {
   return low_ + cell_m_ * Point(column + 0.5, row + 0.5);
 }
 
+/// By whole numbers: a step of one cell from a point on a border may end in the next cell but one.
+template <class Visit>
+void FloorGrid::visit_around(const Point& p, int reach, const Visit& visit) const {
+  const Point cells = ((p - low_) / cell_m_).array().floor();
+  if (!(cells.minCoeff() >= -reach && cells.x() < columns_ + reach && cells.y() < rows_ + reach)) return;
+  const int column = static_cast<int>(cells.x()), row = static_cast<int>(cells.y());
+  for (int j = std::max(0, row - reach); j <= std::min(rows_ - 1, row + reach); ++j)
+    for (int i = std::max(0, column - reach); i <= std::min(columns_ - 1, column + reach); ++i) visit(j * columns_ + i);
+}
+
 void FloorGrid::keep_parts(Parts parts) {
   constexpr double kLeast_m2 = 1;
   std::vector<char> seen(clearance_m_.size(), 0);
@@ -133,24 +143,20 @@ std::optional<Point> FloorGrid::nearest(const Point& p) const {
   if (holds(p)) return p;
   const int reach = static_cast<int>(0.5 / cell_m_ + 1e-9);
   std::optional<Point> best;
-  for (int j = -reach; j <= reach; ++j)
-    for (int i = -reach; i <= reach; ++i) {
-      const int cell = cell_at(p + cell_m_ * Point(i, j));
-      if (cell < 0 || clearance_m_[cell] == 0) continue;
-      const Point center = center_of(cell);
-      if (!best || (center - p).norm() < (*best - p).norm()) best = center;
-    }
+  visit_around(p, reach, [&](int cell) {
+    if (clearance_m_[cell] == 0) return;
+    const Point center = center_of(cell);
+    if (!best || (center - p).norm() < (*best - p).norm()) best = center;
+  });
   return best;
 }
 
 void FloorGrid::raise(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const {
   const int reach = static_cast<int>(std::ceil(radius_m / cell_m_));
   for (const Point& point : points)
-    for (int j = -reach; j <= reach; ++j)
-      for (int i = -reach; i <= reach; ++i) {
-        const int cell = cell_at(point + cell_m_ * Point(i, j));
-        if (cell >= 0 && (center_of(cell) - point).norm() < radius_m) prices[cell] = std::max(prices[cell], price);
-      }
+    visit_around(point, reach, [&](int cell) {
+      if ((center_of(cell) - point).norm() < radius_m) prices[cell] = std::max(prices[cell], price);
+    });
 }
 
 bool FloorGrid::is_outside(const Point& p) const {

@@ -70,6 +70,9 @@ class OPAL_EXPORT FloorGrid {
   std::vector<Point> along(const FloorWays& ways, int cell) const;
 
  private:
+  /// Cells of the grid no more than so many columns and rows from that of a point, row by row.
+  template <class Visit>
+  void visit_around(const Point& p, int reach, const Visit& visit) const;
   void keep_parts(Parts parts);
   void measure_clearance();
   bool is_outside(int cell) const { return !outside_.empty() && outside_[cell]; }

@@ -93,7 +93,8 @@ class Disambiguate : public Node {
   double failed_at_s_ = -1e9;
 };
 
-/// Drives to the goal by the best hypothesis. Succeeds near it; fails if there is no pose, or no way.
+/// Drives to the goal by the best hypothesis, another way if it lingers before something. Succeeds near the goal; fails
+/// if there is no pose, or no way.
 class GoToGoal : public Node {
  public:
   explicit GoToGoal(double arrived_m) : arrived_m_(arrived_m) {}
@@ -101,9 +102,15 @@ class GoToGoal : public Node {
   void halt() override { drive_.reset(); }
 
  private:
+  bool plan(Blackboard& blackboard);
+  void notice_lingering(const Blackboard& blackboard);
+
   double arrived_m_;
   std::optional<PathDrive> drive_;
   double planned_at_s_ = 0;
+  Point lingering_from_odom_ = Point::Zero();
+  double lingering_s_ = 0;  ///< while this node drove the robot, which is still about there
+  double ticked_at_s_ = 0;
 };
 
 }  // namespace opal::behaviours

@@ -70,18 +70,22 @@ void Blackboard::notice_progress() {
 }
 
 void Blackboard::notice_impasse() {
-  constexpr double kOnce_s = 60, kAgain_s = 600, kApart_m = 0.3;
   if (!is_stuck() || !wanted_odom_) return;
   const Point here = T_odom_base().position(), way = *wanted_odom_ - here;
   if (way.isZero()) return;
   const double ahead_m = motion.options().radius_m + motion.options().margin_m;
-  const Point p = here + std::min(ahead_m, way.norm()) * way.normalized();
+  bar(here + std::min(ahead_m, way.norm()) * way.normalized(), false);
+}
+
+/// Not for long the first time: it may have been somebody who has gone on since.
+void Blackboard::bar(const Point& p_odom, bool for_long) {
+  constexpr double kOnce_s = 60, kAgain_s = 600, kApart_m = 0.3;
   for (Impasse& impasse : impasses_) {
-    if ((impasse.p_odom - p).norm() > kApart_m) continue;
-    if (now_s() > impasse.until_s) impasse.until_s = now_s() + kAgain_s;
+    if ((impasse.p_odom - p_odom).norm() > kApart_m) continue;
+    if (for_long || now_s() > impasse.until_s) impasse.until_s = now_s() + kAgain_s;
     return;
   }
-  impasses_.push_back({p, now_s() + kOnce_s});
+  impasses_.push_back({p_odom, now_s() + (for_long ? kAgain_s : kOnce_s)});
 }
 
 void Blackboard::notice_unmapped() {

@@ -63,10 +63,12 @@ class Blackboard {
 
   /// Whether the robot has wanted to get somewhere for some seconds, and has not moved.
   bool is_stuck() const { return now_s() - moved_at_s_ > kPatience_s; }
+  /// For some minutes there is no way through a place, whatever the plan says. Frame odom.
+  void give_up(const Point& p_odom) { bar(p_odom, true); }
   /// What stands where the map has nothing, frame `map`: near the robot as it is seen now, farther away as it was seen
   /// last, so that a plan does not forget on its way round a thing what the way round is for.
   std::vector<Point> unmapped() const;
-  /// Where it got stuck not long ago, a little way ahead, frame odom: whatever the plan says, there is no way through.
+  /// Where it got stuck not long ago, a little way ahead, or gave up, frame odom: there is no way through.
   std::vector<Point> impasses() const;
   void forget_being_stuck() { moved_at_s_ = now_s(); }
 
@@ -75,7 +77,7 @@ class Blackboard {
 
   struct Impasse {
     Point p_odom;
-    double until_s;  ///< it may have been somebody who has gone on since
+    double until_s;
   };
   struct Unmapped {
     Point p_map;
@@ -83,6 +85,7 @@ class Blackboard {
   };
   void notice_progress();
   void notice_impasse();
+  void bar(const Point& p_odom, bool for_long);
   void notice_unmapped();
 
   PoseEstimate estimate_;

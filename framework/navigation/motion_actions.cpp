@@ -1,5 +1,7 @@
 #include "navigation/actions.hpp"
 
+#include "navigation/path.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -156,17 +158,61 @@ NodeStatus DriveBetweenFeatures::tick(Blackboard& blackboard) {
   return NodeStatus::running;
 }
 
+namespace {
+
+/// Where a way first becomes dear, from a little way ahead on; there if it does nowhere near. Frame `map`.
+Point first_narrow(const Blackboard& blackboard, std::span<const Point> way, const FloorGrid::Surcharge& prices) {
+  constexpr double kNear_m = 4;
+  const double ahead_m = blackboard.motion.options().radius_m + blackboard.motion.options().margin_m;
+  for (double along_m = ahead_m; along_m < std::min(kNear_m, length_m(way)); along_m += blackboard.floor.cell_m()) {
+    const Point p = point_along(way, along_m);
+    const int cell = blackboard.floor.cell_at(p);
+    if (cell >= 0 && prices[static_cast<std::size_t>(cell)] > 0) return p;
+  }
+  return point_along(way, ahead_m);
+}
+
+}  // namespace
+
+/// Whoever comes and goes before something is about the same place again and again, with other nodes in between.
+void GoToGoal::notice_lingering(const Blackboard& blackboard) {
+  constexpr double kAbout_m = 3, kInterrupted_s = 1;
+  const Point& here = blackboard.T_odom_base().position();
+  const double since_s = blackboard.now_s() - ticked_at_s_;
+  ticked_at_s_ = blackboard.now_s();
+  if (since_s < kInterrupted_s) lingering_s_ += since_s;
+  if ((here - lingering_from_odom_).norm() < kAbout_m) return;
+  lingering_from_odom_ = here;
+  lingering_s_ = 0;
+}
+
+bool GoToGoal::plan(Blackboard& blackboard) {
+  constexpr double kPatience_s = 30;
+  const auto way_by = [&](const FloorGrid::Surcharge& prices) {
+    return blackboard.floor.way(blackboard.estimate().T_map_base.position(), blackboard.goal, prices);
+  };
+  const Pose2 T_odom_map = blackboard.T_map_odom().inverse();
+  FloorGrid::Surcharge prices = unmapped_surcharge(blackboard);
+  auto way = way_by(prices);
+  if (way && lingering_s_ > kPatience_s) {
+    lingering_s_ = 0;
+    blackboard.give_up(T_odom_map * first_narrow(blackboard, *way, prices));
+    prices = unmapped_surcharge(blackboard);
+    way = way_by(prices);
+  }
+  if (!way) return false;
+  drive_.emplace(T_odom_map, blackboard.floor.straightened(*way, prices));
+  planned_at_s_ = blackboard.now_s();
+  return true;
+}
+
 NodeStatus GoToGoal::tick(Blackboard& blackboard) {
   constexpr double kReplan_s = 1;
   if (!blackboard.estimate().has_pose) return NodeStatus::failure;
   if ((blackboard.estimate().T_map_base.position() - blackboard.goal).norm() < arrived_m_) return NodeStatus::success;
-  if (!drive_ || blackboard.now_s() - planned_at_s_ > kReplan_s) {
-    const FloorGrid::Surcharge prices = unmapped_surcharge(blackboard);
-    const auto way = blackboard.floor.way(blackboard.estimate().T_map_base.position(), blackboard.goal, prices);
-    if (!way) return NodeStatus::failure;
-    drive_.emplace(blackboard.T_map_odom().inverse(), blackboard.floor.straightened(*way, prices));
-    planned_at_s_ = blackboard.now_s();
-  }
+  notice_lingering(blackboard);
+  const bool stale = !drive_ || blackboard.now_s() - planned_at_s_ > kReplan_s;
+  if (stale && !plan(blackboard)) return NodeStatus::failure;
   drive_->drive(blackboard);
   return NodeStatus::running;
 }

@@ -52,8 +52,10 @@ void SeenObstacles::add(const Scan& scan, const Pose2& T_odom_base, const Pose2&
     const Point p = T_odom_laser_ * point.position;
     const bool moves =
         std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
-    SeenPoint& seen = points_.try_emplace(key_of(p, memory_.cell_m), SeenPoint{p, now_s_, kNever_s}).first->second;
-    seen = {p, now_s_, moves ? now_s_ : seen.moved_s};
+    const auto [entry, is_new] = points_.try_emplace(key_of(p, memory_.cell_m), SeenPoint{p, now_s_, kNever_s, 1});
+    SeenPoint& seen = entry->second;
+    const bool again = !is_new && seen.stamp_s != now_s_;
+    seen = {p, now_s_, moves ? now_s_ : seen.moved_s, seen.scans + (again ? 1 : 0)};
   }
 }
 
@@ -130,7 +132,8 @@ std::vector<Point> SeenObstacles::within(double reach_m, Test test) const {
 }
 
 std::vector<Point> SeenObstacles::standing(double reach_m) const {
-  return within(reach_m, [this](const SeenPoint& seen) { return !moved_when_seen(seen); });
+  return within(reach_m,
+                [this](const SeenPoint& seen) { return seen.scans >= memory_.scans && !moved_when_seen(seen); });
 }
 
 std::vector<Point> SeenObstacles::moving(double reach_m) const {

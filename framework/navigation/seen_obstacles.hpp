@@ -18,6 +18,7 @@ struct ObstacleMemory {
   double earlier_s = 0.5;   ///< what stands where a beam passed this long ago has moved there
   double moving_s = 1;      ///< what has moved, and what is beside it, may move on for so long
   double berth_m = 0.35;    ///< as far as a leg swings until the next scan
+  int scans = 3;            ///< a beam that ends between two depths leaves a point where the next scans see nothing
   double flicker_s = 60;    ///< what came so often within this time, without going on, is glass that some beams pass
 };
 
@@ -31,7 +32,8 @@ class SeenObstacles {
 
   /// What the next motion must not touch, frame base_link at the newest scan.
   std::vector<Obstacle> near(double reach_m) const;
-  /// What stands within reach of the robot, as far as it is not forgotten, frame odom: for planning.
+  /// What stands within reach of the robot and was seen in several scans, as far as it is not forgotten, frame odom:
+  /// for planning.
   std::vector<Point> standing(double reach_m) const;
   /// What moved when it was seen last, frame odom. It is elsewhere by now, if that is some seconds ago: then it is left
   /// out.
@@ -42,6 +44,7 @@ class SeenObstacles {
     Point p_odom;
     double stamp_s;
     double moved_s;  ///< when it was seen to move; long ago: never
+    int scans;       ///< in which it was seen
   };
   /// Ranges of a scan by direction, in the laser frame; 0: the laser does not look there, or saw nothing.
   struct Sweep {

@@ -107,6 +107,16 @@ TEST_CASE("a way is made straight where nothing is in between, and not through w
   for (std::size_t k = 0; k + 1 < straight.size(); ++k) CHECK(floor.holds(straight[k], straight[k + 1]));
 }
 
+TEST_CASE("what stands on the border of cells makes dear all floor around it") {
+  const FloorGrid grid({0, 0}, 0.1, 300, 300, std::vector<char>(300 * 300, 1));
+  for (int k = 0; k < 200; ++k) {
+    const Point p = 0.1 * Point(20 + k, 250 - k);
+    FloorGrid::Surcharge prices = grid.no_surcharge();
+    grid.raise(prices, std::vector<Point>{p}, 0.38, 1);
+    CHECK(std::count(prices.begin(), prices.end(), 1.f) == 44);
+  }
+}
+
 TEST_CASE("a robot that sees nothing any more goes back to where it saw something") {
   MadeUpMoment moment;
   DriveFreely drive(0);
@@ -140,7 +150,7 @@ TEST_CASE("a plan remembers what stands in the way when the robot is far from it
     if (barred) moment.queries.scan.points.push_back({{4, 0}, 4, 0, 270});
     moment.blackboard.look();
   };
-  look_from(2, true, 1);
+  for (const double now_s : {0.8, 0.9, 1.0}) look_from(2, true, now_s);
   REQUIRE(moment.blackboard.unmapped().size() == 1);
   look_from(20, false, 40);
   CHECK(moment.blackboard.unmapped().size() == 1);
@@ -180,4 +190,30 @@ TEST_CASE("a way round 500 m long is better than past what stands in a gap that 
   CHECK(walking < 50);
   for (double now_s = 1; now_s < 5; now_s += 0.1) price_beside(true, now_s);
   CHECK(price_beside(true, 5) > 500);
+}
+
+TEST_CASE("a robot that comes and goes before a gap gives it up, one that gets on does not") {
+  MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
+  GoToGoal drive(0.3);
+  const auto at = [&](double x, double now_s) {
+    moment.queries.stand(Pose2(x, 1, 0), {Pose2(x, 1, 0)}, now_s);
+    for (const double y : {-0.45, 0.45}) {  // legs of a chair
+      const Point p = wide_laser().T_base_laser.inverse() * Point(12 - x, y);
+      moment.queries.scan.points.push_back({p, p.norm(), std::atan2(p.y(), p.x()), 0});
+    }
+    moment.blackboard.look();
+    drive.tick(moment.blackboard);
+  };
+  SECTION("to and fro") {
+    for (double now_s = 0; now_s < 60; now_s += 0.5) at(10 + std::fmod(now_s, 8) / 8, now_s);
+    REQUIRE(moment.blackboard.impasses().size() == 1);
+    const Point given_up = moment.blackboard.impasses().front();
+    CHECK((given_up - Point(11.7, 1)).norm() < 0.5);
+    for (double now_s = 60; now_s < 300; now_s += 0.5) at(2 + std::fmod(now_s, 8), now_s);  // farther away
+    CHECK(moment.blackboard.impasses().size() == 1);
+  }
+  SECTION("onwards, slowly") {
+    for (double now_s = 0; now_s < 60; now_s += 0.5) at(2 + 0.15 * now_s, now_s);
+    CHECK(moment.blackboard.impasses().empty());
+  }
 }
