@@ -70,22 +70,22 @@ void Blackboard::notice_progress() {
 }
 
 void Blackboard::notice_impasse() {
-  if (!is_stuck() || !wanted_odom_) return;
+  if (!is_stuck() || !wanted_odom_ || !estimate_.has_pose) return;
   const Point here = T_odom_base().position(), way = *wanted_odom_ - here;
   if (way.isZero()) return;
   const double ahead_m = motion.options().radius_m + motion.options().margin_m;
-  bar(here + std::min(ahead_m, way.norm()) * way.normalized(), false);
+  bar(T_map_odom() * Point(here + std::min(ahead_m, way.norm()) * way.normalized()), false);
 }
 
 /// Not for long the first time: it may have been somebody who has gone on since.
-void Blackboard::bar(const Point& p_odom, bool for_long) {
+void Blackboard::bar(const Point& p_map, bool for_long) {
   constexpr double kOnce_s = 60, kAgain_s = 600, kApart_m = 0.3;
   for (Impasse& impasse : impasses_) {
-    if ((impasse.p_odom - p_odom).norm() > kApart_m) continue;
+    if ((impasse.p_map - p_map).norm() > kApart_m) continue;
     if (for_long || now_s() > impasse.until_s) impasse.until_s = now_s() + kAgain_s;
     return;
   }
-  impasses_.push_back({p_odom, now_s() + (for_long ? kAgain_s : kOnce_s)});
+  impasses_.push_back({p_map, now_s() + (for_long ? kAgain_s : kOnce_s)});
 }
 
 void Blackboard::notice_unmapped() {
@@ -94,7 +94,7 @@ void Blackboard::notice_unmapped() {
   noticed_at_s_ = now_s();
   const Point here = estimate_.T_map_base.position();
   const bool elsewhere = (T_map_odom_noticed_ * T_odom_base().position() - here).norm() > kSamePlace_m;
-  if (elsewhere) unmapped_.clear();  // another hypothesis is best
+  if (elsewhere) unmapped_.clear(), impasses_.clear();  // another hypothesis is best
   T_map_odom_noticed_ = T_map_odom();
   std::erase_if(unmapped_, [&](const Unmapped& seen) {
     return (seen.p_map - here).norm() <= kReach_m || now_s() - seen.stamp_s > kKept_s;
@@ -114,7 +114,7 @@ std::vector<Point> Blackboard::unmapped() const {
 std::vector<Point> Blackboard::impasses() const {
   std::vector<Point> points;
   for (const Impasse& impasse : impasses_)
-    if (now_s() < impasse.until_s) points.push_back(impasse.p_odom);
+    if (now_s() < impasse.until_s) points.push_back(impasse.p_map);
   return points;
 }
 

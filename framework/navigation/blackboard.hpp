@@ -63,12 +63,12 @@ class Blackboard {
 
   /// Whether the robot has wanted to get somewhere for some seconds, and has not moved.
   bool is_stuck() const { return now_s() - moved_at_s_ > kPatience_s; }
-  /// For some minutes there is no way through a place, whatever the plan says. Frame odom.
-  void give_up(const Point& p_odom) { bar(p_odom, true); }
+  /// For some minutes there is no way through a place, whatever the plan says. Frame `map`.
+  void give_up(const Point& p_map) { bar(p_map, true); }
   /// What stands where the map has nothing, frame `map`: near the robot as it is seen now, farther away as it was seen
   /// last, so that a plan does not forget on its way round a thing what the way round is for.
   std::vector<Point> unmapped() const;
-  /// Where it got stuck not long ago, a little way ahead, or gave up, frame odom: there is no way through.
+  /// Where it got stuck not long ago, a little way ahead, or gave up, frame `map`: there is no way through.
   std::vector<Point> impasses() const;
   void forget_being_stuck() { moved_at_s_ = now_s(); }
 
@@ -76,7 +76,7 @@ class Blackboard {
   static constexpr double kPatience_s = 6;
 
   struct Impasse {
-    Point p_odom;
+    Point p_map;
     double until_s;
   };
   struct Unmapped {
@@ -85,7 +85,7 @@ class Blackboard {
   };
   void notice_progress();
   void notice_impasse();
-  void bar(const Point& p_odom, bool for_long);
+  void bar(const Point& p_map, bool for_long);
   void notice_unmapped();
 
   PoseEstimate estimate_;
@@ -96,7 +96,7 @@ class Blackboard {
   bool wants_pattern_alone_ = false;
   std::vector<Impasse> impasses_;
   std::vector<Unmapped> unmapped_;
-  Pose2 T_map_odom_noticed_;  ///< by which unmapped_ lies in the map
+  Pose2 T_map_odom_noticed_;  ///< by which unmapped_ and impasses_ lie in the map
   double noticed_at_s_ = -1e9;
   std::optional<Point> wanted_odom_;  ///< where some node wanted to get at the tick before
   Point moved_from_ = Point::Zero();

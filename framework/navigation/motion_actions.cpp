@@ -196,7 +196,7 @@ bool GoToGoal::plan(Blackboard& blackboard) {
   auto way = way_by(prices);
   if (way && lingering_s_ > kPatience_s) {
     lingering_s_ = 0;
-    blackboard.give_up(T_odom_map * first_narrow(blackboard, *way, prices));
+    blackboard.give_up(first_narrow(blackboard, *way, prices));
     prices = unmapped_surcharge(blackboard);
     way = way_by(prices);
   }

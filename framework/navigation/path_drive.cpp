@@ -24,7 +24,7 @@ FloorGrid::Surcharge unmapped_surcharge(const Blackboard& blackboard) {
   const std::vector<Point> standing = in_map(T_map_odom, blackboard.obstacles().standing(kReach_m)),
                            moving = in_map(T_map_odom, blackboard.obstacles().moving(kReach_m));
   std::vector<Point> unmapped = blackboard.unmapped();
-  for (const Point& p : blackboard.impasses()) unmapped.push_back(T_map_odom * p);
+  for (const Point& p : blackboard.impasses()) unmapped.push_back(p);
   const MotionOptions& motion = blackboard.motion.options();
   const double keep_m = motion.radius_m + motion.margin_m;
   FloorGrid::Surcharge prices = blackboard.tight;
