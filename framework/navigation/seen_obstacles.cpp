@@ -8,7 +8,8 @@ namespace {
 constexpr int kDirections = 720;
 
 int direction_of(double bearing_rad) {
-  const int k = static_cast<int>((wrap_angle(bearing_rad) + std::numbers::pi) / (2 * std::numbers::pi) * kDirections);
+  if (std::abs(bearing_rad) > std::numbers::pi) bearing_rad = wrap_angle(bearing_rad);
+  const int k = static_cast<int>((bearing_rad + std::numbers::pi) / (2 * std::numbers::pi) * kDirections);
   return std::clamp(k, 0, kDirections - 1);
 }
 
@@ -32,8 +33,9 @@ void SeenObstacles::sweep(const Scan& scan) {
 
 double SeenObstacles::Sweep::range_at(double bearing_rad, int slack) const {
   double least = 0;
+  const int direction = direction_of(bearing_rad);
   for (int k = -slack; k <= slack; ++k) {
-    const double range = ranges_m[(direction_of(bearing_rad) + k + kDirections) % kDirections];
+    const double range = ranges_m[(direction + k + kDirections) % kDirections];
     if (range > 0) least = least == 0 ? range : std::min(least, range);
   }
   return least;
@@ -47,16 +49,25 @@ void SeenObstacles::add(const Scan& scan, const Pose2& T_odom_base, const Pose2&
   forget();
   std::vector<Point> movers = moved(scan);
   leave_out_panes(movers);
-  constexpr double kBeside_m = 0.5, kNever_s = -1e9;
+  constexpr double kBeside_m = 0.5;
   for (const ScanPoint& point : scan.points) {
     const Point p = T_odom_laser_ * point.position;
     const bool moves =
         std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
-    const auto [entry, is_new] = points_.try_emplace(key_of(p, memory_.cell_m), SeenPoint{p, now_s_, kNever_s, 1});
-    SeenPoint& seen = entry->second;
-    const bool again = !is_new && seen.stamp_s != now_s_;
-    seen = {p, now_s_, moves ? now_s_ : seen.moved_s, seen.scans + (again ? 1 : 0)};
+    see(p, moves);
   }
+}
+
+void SeenObstacles::see(const Point& p_odom, bool moves) {
+  constexpr double kNever_s = -1e9;
+  const long key = key_of(p_odom, memory_.cell_m);
+  const auto [entry, is_new] = point_of_.try_emplace(key, points_.size());
+  if (is_new) points_.push_back({key, p_odom, now_s_, kNever_s, 1});
+  SeenPoint& seen = points_[entry->second];
+  if (seen.stamp_s != now_s_) ++seen.scans;
+  seen.p_odom = p_odom;
+  seen.stamp_s = now_s_;
+  if (moves) seen.moved_s = now_s_;
 }
 
 /// Points of a scan where beams passed not long ago, frame odom. A lone one is a thin leg that was missed before.
@@ -98,19 +109,31 @@ void SeenObstacles::leave_out_panes(std::vector<Point>& movers) {
 void SeenObstacles::forget() {
   constexpr double kBehind_m = 0.2;
   const Pose2 T_laser_odom = T_odom_laser_.inverse();
-  std::erase_if(points_, [&](const auto& entry) {
-    const double age_s = now_s_ - entry.second.stamp_s;
+  const auto is_gone = [&](const SeenPoint& seen) {
+    const double age_s = now_s_ - seen.stamp_s;
     if (age_s > memory_.planning_s) return true;
     if (age_s <= memory_.newest_s) return false;
-    const Point p = T_laser_odom * entry.second.p_odom;
+    const Point p = T_laser_odom * seen.p_odom;
     return sweep_.range_at(std::atan2(p.y(), p.x()), 2) > p.norm() + kBehind_m;
-  });
+  };
+  for (std::size_t k = points_.size(); k-- > 0;)
+    if (is_gone(points_[k])) drop(k);
+}
+
+/// The last one takes its place.
+void SeenObstacles::drop(std::size_t point) {
+  point_of_.erase(points_[point].key);
+  if (point + 1 < points_.size()) {
+    points_[point] = points_.back();
+    point_of_[points_[point].key] = point;
+  }
+  points_.pop_back();
 }
 
 std::vector<Obstacle> SeenObstacles::near(double reach_m) const {
   const Pose2 T_base_odom = T_odom_base_.inverse(), T_laser_odom = T_odom_laser_.inverse();
   std::vector<Obstacle> found;
-  for (const auto& [key, seen] : points_) {
+  for (const SeenPoint& seen : points_) {
     const double age_s = now_s_ - seen.stamp_s;
     if (age_s > memory_.unseen_s) continue;
     const Point p = T_base_odom * seen.p_odom;
@@ -126,7 +149,7 @@ std::vector<Obstacle> SeenObstacles::near(double reach_m) const {
 template <class Test>
 std::vector<Point> SeenObstacles::within(double reach_m, Test test) const {
   std::vector<Point> found;
-  for (const auto& [key, seen] : points_)
+  for (const SeenPoint& seen : points_)
     if (test(seen) && (seen.p_odom - T_odom_base_.position()).norm() <= reach_m) found.push_back(seen.p_odom);
   return found;
 }

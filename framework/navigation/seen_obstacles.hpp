@@ -41,6 +41,7 @@ class SeenObstacles {
 
  private:
   struct SeenPoint {
+    long key;  ///< of its cell
     Point p_odom;
     double stamp_s;
     double moved_s;  ///< when it was seen to move; long ago: never
@@ -56,6 +57,8 @@ class SeenObstacles {
   static long key_of(const Point& p_odom, double cell_m);
   void sweep(const Scan& scan);
   void forget();
+  void drop(std::size_t point);
+  void see(const Point& p_odom, bool moves);
   bool moved_when_seen(const SeenPoint& seen) const { return seen.stamp_s - seen.moved_s < memory_.moving_s; }
   /// Those that pass a test, within reach of the robot. Frame odom.
   template <class Test>
@@ -71,7 +74,8 @@ class SeenObstacles {
   };
 
   ObstacleMemory memory_;
-  std::unordered_map<long, SeenPoint> points_;
+  std::vector<SeenPoint> points_;                   ///< in one piece: all of them are asked at every scan
+  std::unordered_map<long, std::size_t> point_of_;  ///< by cell
   std::unordered_map<long, Arrivals> arrivals_;
   Sweep sweep_;                ///< of the newest scan
   std::deque<Sweep> earlier_;  ///< oldest first
