@@ -155,7 +155,7 @@ void FloorGrid::raise(Surcharge& prices, std::span<const Point> points, double r
   const int reach = static_cast<int>(std::ceil(radius_m / cell_m_));
   for (const Point& point : points)
     visit_around(point, reach, [&](int cell) {
-      if ((center_of(cell) - point).norm() < radius_m) prices[cell] = std::max(prices[cell], price);
+      if (prices[cell] < price && (center_of(cell) - point).squaredNorm() < radius_m * radius_m) prices[cell] = price;
     });
 }
 

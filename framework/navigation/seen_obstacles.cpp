@@ -107,14 +107,15 @@ void SeenObstacles::leave_out_panes(std::vector<Point>& movers) {
 
 /// Points are forgotten when they are old, or a beam and its neighbours end clearly behind them.
 void SeenObstacles::forget() {
-  constexpr double kBehind_m = 0.2;
+  constexpr double kBehind_m = 0.2, kReach_m = 12;  // what is farther away concerns no plan yet
   const Pose2 T_laser_odom = T_odom_laser_.inverse();
   const auto is_gone = [&](const SeenPoint& seen) {
     const double age_s = now_s_ - seen.stamp_s;
     if (age_s > memory_.planning_s) return true;
     if (age_s <= memory_.newest_s) return false;
     const Point p = T_laser_odom * seen.p_odom;
-    return sweep_.range_at(std::atan2(p.y(), p.x()), 2) > p.norm() + kBehind_m;
+    return p.squaredNorm() < kReach_m * kReach_m &&
+           sweep_.range_at(std::atan2(p.y(), p.x()), 2) > p.norm() + kBehind_m;
   };
   for (std::size_t k = points_.size(); k-- > 0;)
     if (is_gone(points_[k])) drop(k);
