@@ -45,10 +45,19 @@ void Blackboard::look() {
   estimate_ = localization.estimate();
   obstacles_.add(localization.newest_scan(), T_odom_base(), localization.laser().T_base_laser);
   near_ = obstacles_.near(motion.reach_m());
+  if (estimate_.status == Status::localized) leave_out_mapped_berths();
   notice_progress();
   notice_unmapped();
   velocity_ = {};
   wants_pattern_alone_ = false;
+}
+
+/// What is mapped does not walk, though panes may seem to: they send back some beams of one scan and none of the next.
+void Blackboard::leave_out_mapped_berths() {
+  constexpr double kMapped_m = 0.15;
+  for (Obstacle& obstacle : near_)
+    if (obstacle.berth_m > 0 && localization.map().clearance_m(estimate_.T_map_base * obstacle.position) < kMapped_m)
+      obstacle.berth_m = 0;
 }
 
 double Blackboard::met_share() const {
@@ -86,6 +95,20 @@ void Blackboard::bar(const Point& p_map, bool for_long) {
     return;
   }
   impasses_.push_back({p_map, now_s() + (for_long ? kAgain_s : kOnce_s)});
+}
+
+bool Blackboard::try_again(std::span<const Point> way_map) {
+  const double keep_m = motion.options().radius_m + motion.options().margin_m;
+  const auto is_on_way = [&](const Impasse& impasse) {
+    return now_s() < impasse.until_s && nearest_on_path(way_map, impasse.p_map).off_m < keep_m;
+  };
+  bool any = false;
+  for (Impasse& impasse : impasses_) {
+    if (!is_on_way(impasse)) continue;
+    impasse.until_s = now_s();
+    any = true;
+  }
+  return any;
 }
 
 void Blackboard::notice_unmapped() {

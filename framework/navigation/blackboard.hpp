@@ -65,6 +65,9 @@ class Blackboard {
   bool is_stuck() const { return now_s() - moved_at_s_ > kPatience_s; }
   /// For some minutes there is no way through a place, whatever the plan says. Frame `map`.
   void give_up(const Point& p_map) { bar(p_map, true); }
+  /// Where even the best way leads through impasses there is no other: they are tried again. Frame `map`.
+  /// @return whether there are such.
+  bool try_again(std::span<const Point> way_map);
   /// What stands where the map has nothing, frame `map`: near the robot as it is seen now, farther away as it was seen
   /// last, so that a plan does not forget on its way round a thing what the way round is for.
   std::vector<Point> unmapped() const;
@@ -83,6 +86,7 @@ class Blackboard {
     Point p_map;
     double stamp_s;
   };
+  void leave_out_mapped_berths();
   void notice_progress();
   void notice_impasse();
   void bar(const Point& p_map, bool for_long);

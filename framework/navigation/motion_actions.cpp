@@ -191,17 +191,20 @@ bool GoToGoal::plan(Blackboard& blackboard) {
   const auto way_by = [&](const FloorGrid::Surcharge& prices) {
     return blackboard.floor.way(blackboard.estimate().T_map_base.position(), blackboard.goal, prices);
   };
-  const Pose2 T_odom_map = blackboard.T_map_odom().inverse();
   FloorGrid::Surcharge prices = unmapped_surcharge(blackboard);
   auto way = way_by(prices);
+  const auto again = [&] {
+    prices = unmapped_surcharge(blackboard);
+    way = way_by(prices);
+  };
   if (way && lingering_s_ > kPatience_s) {
     lingering_s_ = 0;
     blackboard.give_up(first_narrow(blackboard, *way, prices));
-    prices = unmapped_surcharge(blackboard);
-    way = way_by(prices);
+    again();
   }
+  if (way && blackboard.try_again(*way)) again();
   if (!way) return false;
-  drive_.emplace(T_odom_map, blackboard.floor.straightened(*way, prices));
+  drive_.emplace(blackboard.T_map_odom().inverse(), blackboard.floor.straightened(*way, prices));
   planned_at_s_ = blackboard.now_s();
   return true;
 }

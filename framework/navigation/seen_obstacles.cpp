@@ -114,8 +114,7 @@ void SeenObstacles::forget() {
     if (age_s > memory_.planning_s) return true;
     if (age_s <= memory_.newest_s) return false;
     const Point p = T_laser_odom * seen.p_odom;
-    return p.squaredNorm() < kReach_m * kReach_m &&
-           sweep_.range_at(std::atan2(p.y(), p.x()), 2) > p.norm() + kBehind_m;
+    return p.squaredNorm() < kReach_m * kReach_m && sweep_.range_at(std::atan2(p.y(), p.x()), 2) > p.norm() + kBehind_m;
   };
   for (std::size_t k = points_.size(); k-- > 0;)
     if (is_gone(points_[k])) drop(k);
