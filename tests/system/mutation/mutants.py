@@ -96,7 +96,8 @@ class Source:
 
     def _is_constexpr(self, cursor):
         """Declarations, and `if constexpr`."""
-        if not (cursor.kind.is_declaration() or cursor.kind == CursorKind.IF_STMT) or cursor.kind == CursorKind.NAMESPACE:
+        statements = (CursorKind.IF_STMT, CursorKind.DECL_STMT)
+        if not (cursor.kind.is_declaration() or cursor.kind in statements) or cursor.kind == CursorKind.NAMESPACE:
             return False
         start = cursor.extent.start.offset
         return "constexpr" in self.text(start, start + 60).split("{")[0].split("(")[0].split("=")[0].split()
