@@ -151,12 +151,21 @@ std::optional<Point> FloorGrid::nearest(const Point& p) const {
   return best;
 }
 
-void FloorGrid::raise(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const {
+template <class Visit>
+void FloorGrid::visit_near(std::span<const Point> points, double radius_m, const Visit& visit) const {
   const int reach = static_cast<int>(std::ceil(radius_m / cell_m_));
   for (const Point& point : points)
     visit_around(point, reach, [&](int cell) {
-      if (prices[cell] < price && (center_of(cell) - point).squaredNorm() < radius_m * radius_m) prices[cell] = price;
+      if ((center_of(cell) - point).squaredNorm() < radius_m * radius_m) visit(cell);
     });
+}
+
+void FloorGrid::raise(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const {
+  visit_near(points, radius_m, [&](int cell) { prices[cell] = std::max(prices[cell], price); });
+}
+
+void FloorGrid::limit(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const {
+  visit_near(points, radius_m, [&](int cell) { prices[cell] = std::min(prices[cell], price); });
 }
 
 bool FloorGrid::is_outside(const Point& p) const {

@@ -51,6 +51,8 @@ class OPAL_EXPORT FloorGrid {
   Surcharge no_surcharge() const { return Surcharge(clearance_m_.size(), 0.f); }
   /// Makes cells that are near to one of the points at least so dear.
   void raise(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const;
+  /// Makes them at most so dear.
+  void limit(Surcharge& prices, std::span<const Point> points, double radius_m, float price) const;
 
   /// Makes these cells ground outside the building: no way leads there that begins inside, and one that begins there
   /// leads inside as soon as it can.
@@ -73,6 +75,9 @@ class OPAL_EXPORT FloorGrid {
   /// Cells of the grid no more than so many columns and rows from that of a point, row by row.
   template <class Visit>
   void visit_around(const Point& p, int reach, const Visit& visit) const;
+  /// Cells whose centres are that near to one of the points; some may come again.
+  template <class Visit>
+  void visit_near(std::span<const Point> points, double radius_m, const Visit& visit) const;
   void keep_parts(Parts parts);
   void measure_clearance();
   bool is_outside(int cell) const { return !outside_.empty() && outside_[cell]; }

@@ -48,6 +48,7 @@ void Blackboard::look() {
   if (estimate_.status == Status::localized) leave_out_mapped_berths();
   notice_progress();
   notice_unmapped();
+  notice_passed();
   velocity_ = {};
   wants_pattern_alone_ = false;
 }
@@ -78,12 +79,17 @@ void Blackboard::notice_progress() {
   wanted_odom_.reset();
 }
 
+/// Somebody in the way is no impasse: who comes also goes.
 void Blackboard::notice_impasse() {
+  constexpr double kSomebody_m = 0.8;
   if (!is_stuck() || !wanted_odom_ || !estimate_.has_pose) return;
   const Point here = T_odom_base().position(), way = *wanted_odom_ - here;
   if (way.isZero()) return;
   const double ahead_m = motion.options().radius_m + motion.options().margin_m;
-  bar(T_map_odom() * Point(here + std::min(ahead_m, way.norm()) * way.normalized()), false);
+  const Point p = here + std::min(ahead_m, way.norm()) * way.normalized();
+  const auto is_there = [&](const Point& somebody) { return (somebody - p).norm() < kSomebody_m; };
+  const std::vector<Point> people = obstacles_.moving(ahead_m + kSomebody_m);
+  if (std::none_of(people.begin(), people.end(), is_there)) bar(T_map_odom() * p, false);
 }
 
 /// Not for long the first time: it may have been somebody who has gone on since.
@@ -117,9 +123,9 @@ void Blackboard::notice_unmapped() {
   noticed_at_s_ = now_s();
   const Point here = estimate_.T_map_base.position();
   const bool elsewhere = (T_map_odom_noticed_ * T_odom_base().position() - here).norm() > kSamePlace_m;
-  if (elsewhere) unmapped_.clear(), impasses_.clear();  // another hypothesis is best
+  if (elsewhere) unmapped_.clear(), passed_.clear(), impasses_.clear();  // another hypothesis is best
   T_map_odom_noticed_ = T_map_odom();
-  std::erase_if(unmapped_, [&](const Unmapped& seen) {
+  std::erase_if(unmapped_, [&](const Stamped& seen) {
     return (seen.p_map - here).norm() <= kReach_m || now_s() - seen.stamp_s > kKept_s;
   });
   for (const Point& p_odom : obstacles_.standing(kReach_m)) {
@@ -130,7 +136,21 @@ void Blackboard::notice_unmapped() {
 
 std::vector<Point> Blackboard::unmapped() const {
   std::vector<Point> points;
-  for (const Unmapped& seen : unmapped_) points.push_back(seen.p_map);
+  for (const Stamped& seen : unmapped_) points.push_back(seen.p_map);
+  return points;
+}
+
+void Blackboard::notice_passed() {
+  constexpr double kSpacing_m = 0.1, kKept_s = 300;
+  while (!passed_.empty() && now_s() - passed_.front().stamp_s > kKept_s) passed_.pop_front();
+  if (estimate_.status != Status::localized) return;
+  const Point here = estimate_.T_map_base.position();
+  if (passed_.empty() || (passed_.back().p_map - here).norm() > kSpacing_m) passed_.push_back({here, now_s()});
+}
+
+std::vector<Point> Blackboard::passed() const {
+  std::vector<Point> points;
+  for (const Stamped& place : passed_) points.push_back(place.p_map);
   return points;
 }
 

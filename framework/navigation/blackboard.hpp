@@ -6,6 +6,7 @@
 
 #include "map_tools/floor_grid.hpp"
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -71,6 +72,9 @@ class Blackboard {
   /// What stands where the map has nothing, frame `map`: near the robot as it is seen now, farther away as it was seen
   /// last, so that a plan does not forget on its way round a thing what the way round is for.
   std::vector<Point> unmapped() const;
+  /// Where the robot has been in the last minutes and knew it, frame `map`: there it can be again, however narrow it
+  /// is.
+  std::vector<Point> passed() const;
   /// Where it got stuck not long ago, a little way ahead, or gave up, frame `map`: there is no way through.
   std::vector<Point> impasses() const;
   void forget_being_stuck() { moved_at_s_ = now_s(); }
@@ -82,7 +86,7 @@ class Blackboard {
     Point p_map;
     double until_s;
   };
-  struct Unmapped {
+  struct Stamped {
     Point p_map;
     double stamp_s;
   };
@@ -91,6 +95,7 @@ class Blackboard {
   void notice_impasse();
   void bar(const Point& p_map, bool for_long);
   void notice_unmapped();
+  void notice_passed();
 
   PoseEstimate estimate_;
   SeenObstacles obstacles_;
@@ -99,8 +104,9 @@ class Blackboard {
   Velocity velocity_, before_;
   bool wants_pattern_alone_ = false;
   std::vector<Impasse> impasses_;
-  std::vector<Unmapped> unmapped_;
-  Pose2 T_map_odom_noticed_;  ///< by which unmapped_ and impasses_ lie in the map
+  std::vector<Stamped> unmapped_;
+  std::deque<Stamped> passed_;  ///< oldest first
+  Pose2 T_map_odom_noticed_;    ///< by which unmapped_, passed_ and impasses_ lie in the map
   double noticed_at_s_ = -1e9;
   std::optional<Point> wanted_odom_;  ///< where some node wanted to get at the tick before
   Point moved_from_ = Point::Zero();

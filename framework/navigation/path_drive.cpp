@@ -16,15 +16,14 @@ std::vector<Point> in_map(const Pose2& T_map_odom, std::vector<Point> points_odo
 }  // namespace
 
 FloorGrid::Surcharge unmapped_surcharge(const Blackboard& blackboard) {
-  constexpr double kReach_m = 10, kBeside_m = 0.06;
+  constexpr double kReach_m = 10, kBeside_m = 0.06, kWheelTrack_m = 0.1;
   constexpr double kSteering_m = 0.02;  // noise of ranges and steering: a gap that just fits is tried again and again
   // Per metre. Any way round is better than what is blocked. Who walks will have gone on until the robot is there.
   constexpr float kBeside = 25, kBlocked = 2000;
   const Pose2 T_map_odom = blackboard.T_map_odom();
   const std::vector<Point> standing = in_map(T_map_odom, blackboard.obstacles().standing(kReach_m)),
                            moving = in_map(T_map_odom, blackboard.obstacles().moving(kReach_m));
-  std::vector<Point> unmapped = blackboard.unmapped();
-  for (const Point& p : blackboard.impasses()) unmapped.push_back(p);
+  const std::vector<Point> unmapped = blackboard.unmapped(), impasses = blackboard.impasses();
   const MotionOptions& motion = blackboard.motion.options();
   const double keep_m = motion.radius_m + motion.margin_m;
   FloorGrid::Surcharge prices = blackboard.tight;
@@ -32,6 +31,9 @@ FloorGrid::Surcharge unmapped_surcharge(const Blackboard& blackboard) {
   blackboard.floor.raise(prices, unmapped, keep_m + kBeside_m, kBeside);
   blackboard.floor.raise(prices, unmapped, keep_m + kSteering_m, kBlocked);
   blackboard.floor.raise(prices, standing, motion.radius_m, kBlocked);
+  blackboard.floor.limit(prices, blackboard.passed(), kWheelTrack_m, kBeside);
+  blackboard.floor.raise(prices, impasses, keep_m + kBeside_m, kBeside);
+  blackboard.floor.raise(prices, impasses, keep_m + kSteering_m, kBlocked);
   return prices;
 }
 

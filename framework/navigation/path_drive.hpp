@@ -5,7 +5,7 @@
 namespace opal::behaviours {
 
 /// What has been seen makes the floor dear where the robot has no room for it, and near what is not mapped, and where
-/// it got stuck; frame `map`, by the best hypothesis.
+/// it got stuck, but for where it has just been itself; frame `map`, by the best hypothesis.
 FloorGrid::Surcharge unmapped_surcharge(const Blackboard& blackboard);
 
 /// Follows a path, frame odom, by motion primitives.

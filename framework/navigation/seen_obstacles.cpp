@@ -155,14 +155,13 @@ std::vector<Point> SeenObstacles::within(double reach_m, Test test) const {
 }
 
 std::vector<Point> SeenObstacles::standing(double reach_m) const {
-  return within(reach_m,
-                [this](const SeenPoint& seen) { return seen.scans >= memory_.scans && !moved_when_seen(seen); });
+  return within(reach_m, [this](const SeenPoint& seen) { return seen.scans >= memory_.scans && !waits(seen); });
 }
 
 std::vector<Point> SeenObstacles::moving(double reach_m) const {
   return within(reach_m, [this](const SeenPoint& seen) {
     const bool has_gone = now_s_ - seen.stamp_s > memory_.unseen_s;
-    return moved_when_seen(seen) && !has_gone;
+    return waits(seen) && !has_gone;
   });
 }
 

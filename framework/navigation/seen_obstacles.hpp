@@ -17,6 +17,7 @@ struct ObstacleMemory {
   double planning_s = 300;  ///< for planning, unless a beam has passed through since
   double earlier_s = 0.5;   ///< what stands where a beam passed this long ago has moved there
   double moving_s = 1;      ///< what has moved, and what is beside it, may move on for so long
+  double waiting_s = 20;    ///< and who has come somewhere is taken for somebody who will go on, for so long
   double berth_m = 0.35;    ///< as far as a leg swings until the next scan
   int scans = 3;            ///< a beam that ends between two depths leaves a point where the next scans see nothing
   double flicker_s = 60;    ///< what came so often within this time, without going on, is glass that some beams pass
@@ -35,8 +36,8 @@ class SeenObstacles {
   /// What stands within reach of the robot and was seen in several scans, as far as it is not forgotten, frame odom:
   /// for planning.
   std::vector<Point> standing(double reach_m) const;
-  /// What moved when it was seen last, frame odom. It is elsewhere by now, if that is some seconds ago: then it is left
-  /// out.
+  /// What moves, or came not long ago and waits, frame odom. It is elsewhere by now, if it was seen some seconds ago:
+  /// then it is left out.
   std::vector<Point> moving(double reach_m) const;
 
  private:
@@ -59,7 +60,8 @@ class SeenObstacles {
   void forget();
   void drop(std::size_t point);
   void see(const Point& p_odom, bool moves);
-  bool moved_when_seen(const SeenPoint& seen) const { return seen.stamp_s - seen.moved_s < memory_.moving_s; }
+  /// Came there not long before it was seen last: somebody who waits.
+  bool waits(const SeenPoint& seen) const { return seen.stamp_s - seen.moved_s < memory_.waiting_s; }
   /// Those that pass a test, within reach of the robot. Frame odom.
   template <class Test>
   std::vector<Point> within(double reach_m, Test test) const;
