@@ -1,6 +1,7 @@
 """The notebooks run from top to bottom, and keep outputs that say so."""
 
 import importlib.util
+import itertools
 import unittest
 
 from recorded import ROOT, InFolder
@@ -37,9 +38,13 @@ class Notebooks(InFolder):
 
     @staticmethod
     def texts_of(cell):
-        """What can be compared: no pictures, no addresses of objects, no axes."""
-        texts = [output.text if output.output_type == "stream" else output.get("data", {}).get("text/plain", "")
-                 for output in cell.outputs]
+        """What can be compared: no pictures, no addresses of objects, no axes. What is printed comes in pieces of any length."""
+        texts = []
+        for stream, outputs in itertools.groupby(cell.outputs, lambda output: output.get("name") if output.output_type == "stream" else None):
+            if stream:
+                texts.append("".join(output.text for output in outputs))
+            else:
+                texts += [output.get("data", {}).get("text/plain", "") for output in outputs]
         return [text for text in texts if text and not any(word in text for word in (" at 0x", "<Figure", "<Axes"))]
 
 
