@@ -59,6 +59,16 @@ TEST_CASE("neighbours between which something stands are no pattern") {
   CHECK(count(layer_of(features), "opal:ColumnPair") == 2);  // with the one between, not across it
 }
 
+TEST_CASE("a wall hides a neighbour where it crosses the way, not where the way passes by its end") {
+  const auto pairs = [](double low_y,
+                        double high_y) {  // of two columns, the way between which crosses x = 2 at y = 0.8
+    return layer_of({column(0, 0), column(7, 2.8), wall(2, low_y, 2, high_y)}).patterns.size();
+  };
+  CHECK(pairs(0.5, 1.1) == 0);
+  CHECK(pairs(1.1, 1.7) == 1);
+  CHECK(pairs(-0.7, 0.5) == 1);
+}
+
 TEST_CASE("a wall that ends at a corner does not hide it, a wall before it does") {
   const std::vector<Feature> room{corner(0, 0, 0.25 * std::numbers::pi), corner(6, 0, 0.75 * std::numbers::pi),
                                   wall(0, 0, 6, 0), wall(0, 5, 0, 0), wall(6, 0, 6, 5)};

@@ -38,6 +38,19 @@ TEST_CASE("a range that many readings share, and none exceeds, stands for no ret
   CHECK(laser.invalid_share == Approx(0.2));
 }
 
+TEST_CASE("a range that only one reading has is as far as the laser saw, however many shared the farthest one before") {
+  LaserTally tally;
+  RawScan scan;
+  scan.ranges_m.assign(200, 3.0f);
+  scan.ranges_m.push_back(4.0f);
+  for (int k = 0; k < 200; ++k) scan.ranges_m.push_back(2.0f);
+  tally.add(scan);
+  LogLaser laser;
+  tally.tell(laser);
+  CHECK(laser.no_return_m == 0);
+  CHECK(laser.farthest_m == 4);
+}
+
 TEST_CASE("most scans say how many beams a laser has") {
   LaserTally tally;
   for (const std::size_t beams : {4u, 6u, 6u}) {

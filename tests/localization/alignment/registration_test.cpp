@@ -62,6 +62,16 @@ TEST_CASE("parallel faces at a wrong distance show the difference as errors") {
   CHECK(found.errors_m[1] == Approx(0.3).margin(0.02));
 }
 
+TEST_CASE("a part of a wall is as far from the wall as its offset and the gap along it say") {
+  const Segment wall{{0, 0}, {4, 0}};
+  CHECK(mismatch(Segment{{1, 0.3}, {2, 0.3}}, wall).position_m == Approx(0.3));
+  CHECK(mismatch(Segment{{3, 0.3}, {6, 0.3}}, wall).position_m == Approx(0.3));
+  CHECK(mismatch(Segment{{4.4, 0.3}, {6, 0.3}}, wall).position_m == Approx(0.5));
+  CHECK(mismatch(Segment{{6, 0.3}, {4.4, 0.3}}, wall).position_m == Approx(0.5));
+  CHECK(mismatch(Segment{{-2, 0.3}, {-0.4, 0.3}}, wall).position_m == Approx(0.5));
+  CHECK(mismatch(Segment{{1, 0}, {1 + std::cos(0.2), std::sin(0.2)}}, wall).heading_rad == Approx(0.2));
+}
+
 TEST_CASE("registration of nothing fixes nothing") { CHECK(register_geometry({}).fixed == 0); }
 
 TEST_CASE("registration moves rigidly with the map and with the local frame") {

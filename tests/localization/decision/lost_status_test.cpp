@@ -33,6 +33,7 @@ TEST_CASE("a kidnapping that is probable makes the robot lost, and its place imp
   CHECK(estimate.status == Status::lost);
   CHECK(estimate.probability < 0.4 + 1e-9);
   CHECK(estimate.none >= 0.6);
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("kidnapped with probability 0.600, not below 0.010"));
   CHECK(answer.to({hypothesis(1, kHere, 20)}).status == Status::localized);  // it was none
 }
 
