@@ -78,6 +78,8 @@ TEST_CASE("a robot that drives about is found, and every estimate is written wit
   const auto keyframes = robot.heard.of("keyframe");
   REQUIRE(keyframes.size() == 12);
   CHECK(keyframes.back()["features"] == 5);  // four corners and a column
+  const Pose2& here = robot.localizer.local_map().T_local_base();
+  CHECK(keyframes.back().at("T_local_base") == ordered_json{here.x(), here.y(), here.heading_rad()});
   CHECK(keyframes.back()["local_features"] == robot.localizer.local_map().features().size());
   const auto estimates = robot.heard.of("estimate");
   REQUIRE(estimates.size() == 12);

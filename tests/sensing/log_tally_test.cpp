@@ -107,6 +107,7 @@ TEST_CASE("a log tells its laser with its mount, its odometry, and from when to 
   const LogContents contents = contents_of(reader);
   REQUIRE(contents.lasers.size() == 1);
   CHECK(contents.lasers[0].frame == "front");
+  CHECK(contents.lasers[0].topic == "scans");
   CHECK(contents.lasers[0].beams == 5);
   REQUIRE(contents.lasers[0].mount);
   CHECK(contents.lasers[0].mount->T_base_laser.x() == 0.3);
