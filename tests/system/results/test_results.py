@@ -256,8 +256,8 @@ class Drives(unittest.TestCase):
         self.assertEqual(cells["most m"], "60")
         self.assertEqual(cells["why not reached"], "2 x nothing told several places apart")
 
-    def test_a_map_without_floor_is_told_in_its_own_words(self):
-        cells = drives.refused_cells("warning\nopal: roof: has no floor\n")
+    def test_a_map_without_floor_is_told_in_its_own_words_without_its_folder(self):
+        cells = drives.refused_cells("warning\nopal: /models/of/roof: has no floor\n")
         self.assertEqual((cells["drives"], cells["why not reached"]), ("0", "roof: has no floor"))
 
 
