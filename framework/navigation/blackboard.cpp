@@ -29,6 +29,13 @@ FloorGrid::Surcharge price_of_tight_floor(const FloorGrid& floor, const MapView&
   return prices;
 }
 
+template <class Places>
+std::vector<Point> places_of(const Places& all) {
+  std::vector<Point> points;
+  for (const auto& each : all) points.push_back(each.p_map);
+  return points;
+}
+
 }  // namespace
 
 Blackboard::Blackboard(const LocalizationQueries& queries, const MotionPrimitives& primitives,
@@ -134,11 +141,7 @@ void Blackboard::notice_unmapped() {
   }
 }
 
-std::vector<Point> Blackboard::unmapped() const {
-  std::vector<Point> points;
-  for (const Stamped& seen : unmapped_) points.push_back(seen.p_map);
-  return points;
-}
+std::vector<Point> Blackboard::unmapped() const { return places_of(unmapped_); }
 
 void Blackboard::notice_passed() {
   constexpr double kSpacing_m = 0.1, kKept_s = 300;
@@ -148,11 +151,7 @@ void Blackboard::notice_passed() {
   if (passed_.empty() || (passed_.back().p_map - here).norm() > kSpacing_m) passed_.push_back({here, now_s()});
 }
 
-std::vector<Point> Blackboard::passed() const {
-  std::vector<Point> points;
-  for (const Stamped& place : passed_) points.push_back(place.p_map);
-  return points;
-}
+std::vector<Point> Blackboard::passed() const { return places_of(passed_); }
 
 std::vector<Point> Blackboard::impasses() const {
   std::vector<Point> points;

@@ -188,21 +188,19 @@ void GoToGoal::notice_lingering(const Blackboard& blackboard) {
 
 bool GoToGoal::plan(Blackboard& blackboard) {
   constexpr double kPatience_s = 30;
-  const auto way_by = [&](const FloorGrid::Surcharge& prices) {
-    return blackboard.floor.way(blackboard.estimate().T_map_base.position(), blackboard.goal, prices);
-  };
-  FloorGrid::Surcharge prices = unmapped_surcharge(blackboard);
-  auto way = way_by(prices);
-  const auto again = [&] {
+  FloorGrid::Surcharge prices;
+  std::optional<std::vector<Point>> way;
+  const auto look_for_way = [&] {
     prices = unmapped_surcharge(blackboard);
-    way = way_by(prices);
+    way = blackboard.floor.way(blackboard.estimate().T_map_base.position(), blackboard.goal, prices);
   };
+  look_for_way();
   if (way && lingering_s_ > kPatience_s) {
     lingering_s_ = 0;
     blackboard.give_up(first_narrow(blackboard, *way, prices));
-    again();
+    look_for_way();
   }
-  if (way && blackboard.try_again(*way)) again();
+  if (way && blackboard.try_again(*way)) look_for_way();
   if (!way) return false;
   drive_.emplace(blackboard.T_map_odom().inverse(), blackboard.floor.straightened(*way, prices));
   planned_at_s_ = blackboard.now_s();

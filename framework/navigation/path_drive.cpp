@@ -23,17 +23,18 @@ FloorGrid::Surcharge unmapped_surcharge(const Blackboard& blackboard) {
   const Pose2 T_map_odom = blackboard.T_map_odom();
   const std::vector<Point> standing = in_map(T_map_odom, blackboard.obstacles().standing(kReach_m)),
                            moving = in_map(T_map_odom, blackboard.obstacles().moving(kReach_m));
-  const std::vector<Point> unmapped = blackboard.unmapped(), impasses = blackboard.impasses();
   const MotionOptions& motion = blackboard.motion.options();
   const double keep_m = motion.radius_m + motion.margin_m;
   FloorGrid::Surcharge prices = blackboard.tight;
   blackboard.floor.raise(prices, moving, keep_m + kBeside_m, kBeside);
-  blackboard.floor.raise(prices, unmapped, keep_m + kBeside_m, kBeside);
-  blackboard.floor.raise(prices, unmapped, keep_m + kSteering_m, kBlocked);
+  const auto bar = [&](const std::vector<Point>& points) {
+    blackboard.floor.raise(prices, points, keep_m + kBeside_m, kBeside);
+    blackboard.floor.raise(prices, points, keep_m + kSteering_m, kBlocked);
+  };
+  bar(blackboard.unmapped());
   blackboard.floor.raise(prices, standing, motion.radius_m, kBlocked);
   blackboard.floor.limit(prices, blackboard.passed(), kWheelTrack_m, kBeside);
-  blackboard.floor.raise(prices, impasses, keep_m + kBeside_m, kBeside);
-  blackboard.floor.raise(prices, impasses, keep_m + kSteering_m, kBlocked);
+  bar(blackboard.impasses());
   return prices;
 }
 

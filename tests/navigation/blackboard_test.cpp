@@ -12,10 +12,7 @@ namespace {
 /// A corridor of 2 m, y from 0 to 2, in which the legs of a chair leave 0.9 m.
 void stand_before_legs(MadeUpMoment& moment, double x, double now_s) {
   moment.queries.stand(Pose2(x, 1, 0), {Pose2(x, 1, 0)}, now_s);
-  for (const double y : {-0.45, 0.45}) {
-    const Point p = wide_laser().T_base_laser.inverse() * Point(12 - x, y);
-    moment.queries.scan.points.push_back({p, p.norm(), std::atan2(p.y(), p.x()), 0});
-  }
+  for (const double y : {0.55, 1.45}) moment.queries.also_see({12, y});
   moment.blackboard.look();
 }
 
@@ -71,10 +68,7 @@ TEST_CASE("where a robot has just been it can be again, however narrow it is") {
   const auto drive = [&](double from_m, double to_m, double began_s) {
     for (double x = from_m; x < to_m; x += 0.05) {
       moment.queries.stand(Pose2(x, 1.03, 0), {Pose2(x, 1.03, 0)}, began_s + x - from_m);
-      for (const double y : {0.66, 1.4}) {  // 0.74 m apart
-        const Point p = (Pose2(x, 1.03, 0) * wide_laser().T_base_laser).inverse() * Point(12, y);
-        moment.queries.scan.points.push_back({p, p.norm(), std::atan2(p.y(), p.x()), 0});
-      }
+      for (const double y : {0.66, 1.4}) moment.queries.also_see({12, y});  // 0.74 m apart
       moment.blackboard.look();
     }
   };
@@ -110,10 +104,7 @@ TEST_CASE("beside what comes and goes a robot waits, unless it is mapped: panes 
       Scan& scan = moment.queries.scan;
       const Pose2 T_map_laser = Pose2(10, 0.45, 0) * wide_laser().T_base_laser;
       std::erase_if(scan.points, [&](const ScanPoint& p) { return std::abs((T_map_laser * p.position).y()) < 0.1; });
-      for (double x = 10; k > 5 && x < 11.5; x += 0.05) {
-        const Point p = T_map_laser.inverse() * Point(x, 0);
-        scan.points.push_back({p, p.norm(), std::atan2(p.y(), p.x()), 0});
-      }
+      for (double x = 10; k > 5 && x < 11.5; x += 0.05) moment.queries.also_see({x, 0});
       moment.blackboard.look();
       drive.tick(moment.blackboard);
     }

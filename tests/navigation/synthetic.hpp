@@ -69,6 +69,12 @@ struct ToldQueries : LocalizationQueries {
       said.alternatives.push_back({HypothesisId(k), places[k], said.probability});
   }
 
+  /// Besides, something that is not on the map, where odometry is right. Frame `map`.
+  void also_see(const Point& p_map) {
+    const Point p = (odom * model.T_base_laser).inverse() * p_map;
+    scan.points.push_back({p, p.norm(), std::atan2(p.y(), p.x()), 0});
+  }
+
   MapView view;
   LaserModel model = wide_laser();
   PoseEstimate said;
