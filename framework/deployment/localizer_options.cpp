@@ -45,8 +45,6 @@ const Fields<SearchScheduleOptions>& fields_of(const SearchScheduleOptions&) {
       {"every_when_likely", &O::every_when_likely, "", 1, kMany,
        "chances that make one search while one place is likely"},
       {"likely_probability", &O::likely_probability, "", 0, 1, "a place with more than this is likely"},
-      {"places_per_chance", &O::places_per_chance, "", 0, kMany,
-       "a search that expects more places lets a further chance pass for each so many; 0: none"},
   };
   return all;
 }
@@ -55,8 +53,10 @@ const Fields<SearchOptions>& fields_of(const SearchOptions&) {
   using O = SearchOptions;
   static const Fields<O> all = {
       {"patterns", &O::patterns, "", 1, 1000, "patterns looked up per scan, fewest expected candidates first"},
-      {"lookup_limit", &O::lookup_limit, "", 1, kMany, "candidates per scan and template"},
-      {"places", &O::places, "", 0, kMany, "candidates per scan of all templates together; 0: any number"},
+      {"lookup_limit", &O::lookup_limit, "", 1, kMany, "candidates per search and template"},
+      {"places", &O::places, "", 0, kMany, "candidates per search of all templates together; 0: any number"},
+      {"places_per_scan", &O::places_per_scan, "", 0, kMany,
+       "places looked at per scan: a search that has more goes on at the next ones; 0: any number"},
       {"close_looks", &O::close_looks, "", 1, kMany, "candidates that are judged by all points of a thinned scan"},
       {"candidates", &O::candidates, "", 1, kMany, "candidates kept by likelihood-field score, one per place"},
       {"hypotheses", &O::hypotheses, "", 1, kMany, "candidates kept by the scorers"},

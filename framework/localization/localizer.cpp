@@ -11,8 +11,7 @@
 #include "localization/events/run_journal.hpp"
 #include "localization/scoring/observation.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
-#include "localization/search/global_search.hpp"
-#include "localization/search/search_schedule.hpp"
+#include "localization/search/map_search.hpp"
 #include "localization/tree/hypothesis_set.hpp"
 #include "sensor_health/sensor_monitors.hpp"
 
@@ -34,7 +33,7 @@ struct Localizer::State {
         hypotheses(parts.map, ensemble, parts.stages, journal),
         kidnapping(parts.stages.kidnapping, parts.stages.tracking.evidence_memory),
         rides(parts.map, parts.stages.rides),
-        schedule(parts.stages.schedule),
+        searches(search, parts.stages.schedule),
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
   void check_sensors(const Sample& sample);
@@ -50,7 +49,6 @@ struct Localizer::State {
   PoseEstimate with_place(PoseEstimate estimate) const;
   void watch();
   void settle();
-  bool time_to_search();
   int searched_every() const;
   void search_map(const Observation& observation, const Sample& sample);
   bool has_gathered_much() const;
@@ -70,7 +68,7 @@ struct Localizer::State {
   HypothesisSet hypotheses;
   KidnapDetector kidnapping;
   RideWatch rides;
-  SearchSchedule schedule;
+  MapSearch searches;
   StatusEstimator status;
   std::vector<Hypothesis> alive;  ///< what hypotheses() shows
 
@@ -79,7 +77,6 @@ struct Localizer::State {
   KeyframeId keyframe;              ///< the newest one
   Pose2 T_odom_base;                ///< at the newest keyframe
   double step_m = 0, turn_rad = 0;  ///< since the previous keyframe
-  std::optional<PoseHint> hint;     ///< for the next search
   bool rode = false;                ///< a lift may have carried the robot since it came to rest
   bool search_now = false;          ///< the robot may have been kidnapped, since this scan
   double sensor_s = 0;              ///< CPU time of the sensor check since the newest keyframe
@@ -116,7 +113,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.journal.keyframe(sample, s.keyframe, observation);
   s.track(observation, sample);  // map frame from here on
   s.watch();
-  if (s.time_to_search()) s.search_map(observation, sample);
+  s.search_map(observation, sample);
   s.grow();
   const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
   s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), best_nat);
@@ -149,13 +146,14 @@ void Localizer::State::forget_drive() {
   rides.reset();
   status.reset();
   started = false;
-  schedule.reset();
+  searches.restart();
 }
 
 bool Localizer::State::is_keyframe(const Sample& sample) {
-  const bool moved = moved_enough(sample.T_odom_base), sees_other = !moved && !hint && fits_no_more(sample);
+  const bool moved = moved_enough(sample.T_odom_base),
+             sees_other = !moved && !searches.has_hint() && fits_no_more(sample);
   rode = rides.may_have_ridden(sample, best_pose_at(sample.T_odom_base), sees_other);
-  return rode || hint || moved || sees_other;
+  return rode || searches.has_hint() || moved || sees_other;
 }
 
 bool Localizer::State::moved_enough(const Pose2& now) const {
@@ -206,6 +204,7 @@ void Localizer::State::track(const Observation& observation, const Sample& sampl
 void Localizer::State::carry() {
   hypotheses.carry([this](const Pose2& pose) { return rides.elsewhere(pose); }, local_map.T_local_base());
   local_map.keep_only({});
+  searches.abandon();
   retrospective.forget_until(keyframe);
 }
 
@@ -240,10 +239,6 @@ void Localizer::State::settle() {
   status.settle(hypotheses.settle(), parts.stages.kidnapping.prior_nat);
 }
 
-bool Localizer::State::time_to_search() {
-  return schedule.time_to_search(T_odom_base, hypotheses.alive().empty() || search_now || hint, searched_every());
-}
-
 /// How many chances to search make one search: the surer the robot is, the less there is to find.
 int Localizer::State::searched_every() const {
   if (status.localized()) return parts.stages.schedule.every_when_localized;
@@ -259,18 +254,18 @@ bool Localizer::State::has_gathered_much() const {
 }
 
 void Localizer::State::search_map(const Observation& observation, const Sample& sample) {
-  if (observation.points() < GlobalSearch::kFewestPoints) return;
-  const bool under_constrained = !has_gathered_much() || kidnapping.suspected();
-  GlobalSearch::Result found =
-      search.search({sample, observation, under_constrained, journal.listening(), std::exchange(hint, {})}, times);
-  for (const GlobalSearch::Result::Rejected& rejected : found.rejected)
-    journal.candidate_rejected(rejected.candidate, rejected.reason);
-  {
+  const MapSearch::Need need{.at_once = hypotheses.alive().empty() || search_now,
+                             .anew = search_now,
+                             .every = searched_every(),
+                             .under_constrained = !has_gathered_much() || kidnapping.suspected()};
+  const GlobalSearch::Scene scene{sample, observation, journal.listening()};
+  for (GlobalSearch::Result& found : searches.look(scene, T_odom_base, need, times)) {
+    for (const GlobalSearch::Result::Rejected& rejected : found.rejected)
+      journal.candidate_rejected(rejected.candidate, rejected.reason);
     StageClock clock(times.verify_s);
     hypotheses.spawn(std::move(found.candidates), observation, tempering_weight(), retrospective);
+    journal.searched(found.looked_up, found.places);
   }
-  schedule.searched(found.expected);
-  journal.searched(found.looked_up, found.places);
 }
 
 void Localizer::State::grow() {
@@ -298,14 +293,10 @@ PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) co
   return state_->with_place(state_->status.at(stamp_s, T_local_base));
 }
 
-void Localizer::hint(const PoseHint& hint) {
-  const bool is_finite = hint.T_map_base.position().allFinite() && std::isfinite(hint.T_map_base.heading_rad()) &&
-                         std::isfinite(hint.sigma_m) && std::isfinite(hint.sigma_rad);
-  if (is_finite) state_->hint = hint;
-}
+void Localizer::hint(const PoseHint& hint) { state_->searches.hint(hint); }
 
 void Localizer::reset() {
-  state_->hint.reset();
+  state_->searches.forget_hint();
   state_->sensors.clear();
   state_->forget_drive();
   state_->journal.reset();

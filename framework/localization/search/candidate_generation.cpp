@@ -16,14 +16,8 @@ constexpr int kFeaturesPerGeometry = 8;
 // Along a pattern's free direction: half of what alignment recovers from.
 constexpr double kSweepStep_m = 0.2;
 
-bool is_under_constrained(const PatternInstance& instance) { return instance.extent_max_m > instance.extent_min_m; }
-
-/// How much of a building a feature fixes; orders features of one kind.
-double weight_of(const Feature& feature) {
-  if (const auto* segment = std::get_if<Segment>(&feature.geometry))
-    return feature.support_m > 0 ? feature.support_m : segment->length_m();
-  return -anchor_of(feature.geometry).norm();  // nearer points are known better
-}
+/// Along its free direction, if it leaves one.
+bool sweeps(const PatternInstance& observed) { return observed.extent_max_m > observed.extent_min_m; }
 
 /// The `most` best features of each geometry.
 std::vector<SearchFeature> best_per_geometry(std::span<const SearchFeature> features, int most) {
@@ -38,12 +32,6 @@ std::vector<SearchFeature> best_per_geometry(std::span<const SearchFeature> feat
   return best;
 }
 
-double support_of(const PatternInstance& observed, std::span<const Feature> features) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int member : observed.members) least = std::min(least, weight_of(features[member]));
-  return least;
-}
-
 }  // namespace
 
 CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map,
@@ -52,73 +40,7 @@ CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map,
   MappedPatterns mapped = mapped_patterns(*map_, templates);
   mapped_ = std::move(mapped.features);
   for (std::size_t k = 0; k < templates.size(); ++k)
-    tables_.push_back({templates[k].name, templates[k].part, std::move(mapped.by_template[k])});
-}
-
-/// Observed patterns of one template that the map knows: well supported ones; of those, the ones that the index expects
-/// least often.
-std::vector<CandidateGenerator::Lookup> CandidateGenerator::shortlist(TemplateNumber pattern,
-                                                                      std::span<const Feature> features,
-                                                                      bool under_constrained) const {
-  const auto& [name, part, index] = table(pattern);
-  std::vector<Lookup> lookups;
-  for (PatternInstance& observed : find_patterns(*part, features))
-    if (is_under_constrained(observed) == under_constrained) lookups.push_back({pattern, std::move(observed), 0});
-  std::stable_sort(lookups.begin(), lookups.end(), [&](const Lookup& a, const Lookup& b) {
-    return support_of(a.observed, features) > support_of(b.observed, features);
-  });
-  const auto most =
-      static_cast<std::size_t>(under_constrained ? options_.under_constrained_patterns : options_.patterns);
-  if (lookups.size() > most) lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(most), lookups.end());
-  const auto limit = static_cast<std::size_t>(options_.lookup_limit);
-  for (Lookup& lookup : lookups) lookup.expected = index.count(lookup.observed, limit);
-  std::erase_if(lookups, [](const Lookup& lookup) { return lookup.expected == 0; });
-  keep_rarest(lookups, limit, 1, under_constrained);
-  return lookups;
-}
-
-void CandidateGenerator::keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest,
-                                     bool under_constrained) {
-  constexpr std::size_t kPlacesPerSweep = 3;
-  std::stable_sort(lookups.begin(), lookups.end(),
-                   [](const Lookup& a, const Lookup& b) { return a.expected < b.expected; });
-  std::size_t places = 0, kept = 0;
-  for (const Lookup& lookup : lookups) {
-    places += lookup.expected * (under_constrained ? kPlacesPerSweep : 1);
-    if (kept >= fewest && places > most_places) break;
-    ++kept;
-  }
-  lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(kept), lookups.end());
-}
-
-std::vector<CandidateGenerator::Lookup> CandidateGenerator::choose(std::span<const SearchFeature> best,
-                                                                   bool under_constrained) const {
-  constexpr std::size_t kFewest = 3;
-  std::vector<Feature> features;
-  for (const SearchFeature& each : best) features.push_back(each.feature);
-  std::vector<Lookup> chosen;
-  for (std::size_t k = 0; k < tables_.size(); ++k)
-    for (Lookup& lookup : shortlist(TemplateNumber(k), features, under_constrained))
-      chosen.push_back(std::move(lookup));
-  if (options_.places > 0) keep_rarest(chosen, static_cast<std::size_t>(options_.places), kFewest, under_constrained);
-  leave_out_parts(chosen);
-  return chosen;
-}
-
-/// A pattern that contains others says all that they say, and fewer places look like it: its parts are not looked up
-/// (Algorithm 3, Hendrikx 2023).
-void CandidateGenerator::leave_out_parts(std::vector<Lookup>& chosen) {
-  const auto is_part = [](const std::vector<int>& part, const std::vector<int>& whole) {
-    return part.size() < whole.size() && std::all_of(part.begin(), part.end(), [&](int member) {
-             return std::find(whole.begin(), whole.end(), member) != whole.end();
-           });
-  };
-  std::vector<std::vector<int>> wholes;
-  for (const Lookup& lookup : chosen) wholes.push_back(lookup.observed.members);
-  std::erase_if(chosen, [&](const Lookup& lookup) {
-    return std::any_of(wholes.begin(), wholes.end(),
-                       [&](const auto& whole) { return is_part(lookup.observed.members, whole); });
-  });
+    templates_.push_back({templates[k].name, templates[k].part, std::move(mapped.by_template[k])});
 }
 
 bool CandidateGenerator::nearer(const Place& a, const Place& b) { return a.likelihood_field > b.likelihood_field; }
@@ -131,7 +53,7 @@ void CandidateGenerator::keep_nearest(std::vector<Place>& places, std::size_t mo
 
 void CandidateGenerator::sweep(const PatternInstance& observed, const PatternTable& table, int mapped,
                                const Point& position, std::vector<Point>& positions) const {
-  if (!is_under_constrained(observed)) {
+  if (!sweeps(observed)) {
     positions.push_back(position);
     return;
   }
@@ -147,52 +69,67 @@ bool CandidateGenerator::is_in_region(const Point& position) const {
   return !options_.region || (position - options_.region->center).norm() <= options_.region->radius_m;
 }
 
-void CandidateGenerator::look_up(const Lookup& lookup, int number, const TellingPoints& points, BestShare& filter,
-                                 std::vector<Place>& places) const {
-  const PatternIndex& index = table(lookup).index;
+std::size_t CandidateGenerator::look_up_newest(Inquiry& inquiry, std::size_t most) const {
+  const PatternLookup& lookup = inquiry.lookups[inquiry.lookup];
+  const PatternTable& mapped = index_of(lookup).patterns();
   struct Way {
     Pose2 T_frame_base;  ///< how the observed frame may lie on the mapped one
     TellingPoints::First
         points;  ///< in axes of the mapped frame: a sine per mapped pattern would cost as much as the rest
   };
+  const TellingPoints::First points = inquiry.points[inquiry.lookup].first();
   const Pose2 T_frame_base = lookup.observed.frame.inverse(),
               turned_about = Pose2(0, 0, std::numbers::pi) * T_frame_base;
-  std::vector<Way> ways{{T_frame_base, turned(points.first(), T_frame_base)}};
-  if (lookup.observed.symmetric) ways.push_back({turned_about, turned(points.first(), turned_about)});
+  std::vector<Way> ways{{T_frame_base, turned(points, T_frame_base)}};
+  if (lookup.observed.symmetric) ways.push_back({turned_about, turned(points, turned_about)});
   std::vector<Point> positions;
+  std::size_t looked_at = 0;
   constexpr std::size_t kAhead = 16;
-  const std::vector<int> found = index.find(lookup.observed);
-  for (std::size_t f = 0; f < found.size(); ++f) {
-    const int k = found[f];
-    const Pose2& frame = index.patterns().frame(k);
-    if (f + kAhead < found.size()) index.patterns().prefetch(found[f + kAhead]);
+  for (; inquiry.next < inquiry.found.size() && looked_at < most; ++inquiry.next) {
+    const int k = inquiry.found[inquiry.next];
+    const Pose2& frame = mapped.frame(k);
+    if (inquiry.next + kAhead < inquiry.found.size()) mapped.prefetch(inquiry.found[inquiry.next + kAhead]);
     for (const Way& way : ways) {
       const double heading_rad = wrap_angle(frame.heading_rad() + way.T_frame_base.heading_rad());
       const TellingPoints::First on_map = turned(way.points, frame);
       positions.clear();
-      sweep(lookup.observed, index.patterns(), k, frame * way.T_frame_base.position(), positions);
+      sweep(lookup.observed, mapped, k, frame * way.T_frame_base.position(), positions);
+      looked_at += positions.size();
       for (const Point& position : positions) {
         if (!is_in_region(position)) continue;
-        const float likelihood_field = coarse_likelihood_field(on_map, *map_, position, filter.bar());
-        if (filter.passes(likelihood_field)) places.push_back({position, heading_rad, likelihood_field, number, k});
+        const float likelihood_field = coarse_likelihood_field(on_map, *map_, position, inquiry.filter.bar());
+        if (inquiry.filter.passes(likelihood_field))
+          inquiry.places.push_back({position, heading_rad, likelihood_field, static_cast<int>(inquiry.lookup), k});
       }
     }
   }
+  return looked_at;
 }
 
-void CandidateGenerator::look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points,
-                                      double slack_m) const {
+bool CandidateGenerator::look_up(Inquiry& inquiry, std::size_t most) const {
+  for (std::size_t looked_at = 0; inquiry.lookup < inquiry.lookups.size(); ++inquiry.lookup, inquiry.next = 0) {
+    if (!inquiry.points[inquiry.lookup].enough()) continue;
+    const PatternLookup& lookup = inquiry.lookups[inquiry.lookup];
+    if (inquiry.next == 0) inquiry.found = index_of(lookup).find(lookup.observed);
+    looked_at += look_up_newest(inquiry, most - looked_at);
+    if (looked_at >= most) return false;
+  }
+  return true;
+}
+
+void CandidateGenerator::look_closely(std::vector<Place>& places, Inquiry& inquiry, double slack_m) const {
   for (Place& place : places) {
-    points[place.lookup].turn_to(place.heading_rad);
-    place.likelihood_field = points[place.lookup].likelihood_field(*map_, place.position, slack_m);
+    TellingPoints& points = inquiry.points[place.lookup];
+    points.turn_to(place.heading_rad);
+    place.likelihood_field = points.likelihood_field(*map_, place.position, slack_m);
   }
 }
 
 std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const std::vector<Place>& places,
-                                                                           const std::vector<Lookup>& lookups) const {
+                                                                           const Inquiry& inquiry) const {
   std::vector<Place> all;
   for (const Place& place : places) {
-    const Pose2& frame = table(lookups[place.lookup]).index.patterns().frame(place.mapped);
+    const Pose2& frame = index_of(inquiry.lookups[place.lookup]).patterns().frame(place.mapped);
     const Point step = kSweepStep_m * unit_vector(frame.heading_rad());
     for (int steps = -1; steps <= 1; ++steps) {
       all.push_back(place);
@@ -202,30 +139,22 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const
   return all;
 }
 
-std::vector<CandidateGenerator::Place> CandidateGenerator::places_for(const std::vector<Lookup>& lookups,
-                                                                      std::span<const Point> coarse,
-                                                                      bool under_constrained) const {
+std::vector<CandidateGenerator::Place> CandidateGenerator::nearest_places(Inquiry& inquiry) const {
   constexpr std::size_t kSweepsLookedAt = 3000;
   const auto close_looks = static_cast<std::size_t>(options_.close_looks);
-  std::vector<TellingPoints> points;
-  std::vector<Place> places;
-  BestShare filter(close_looks, 30);
-  for (std::size_t k = 0; k < lookups.size(); ++k) {
-    points.emplace_back(lookups[k].observed, coarse);
-    if (points.back().enough()) look_up(lookups[k], static_cast<int>(k), points.back(), filter, places);
-  }
-  keep_nearest(places, under_constrained ? kSweepsLookedAt : close_looks);
-  look_closely(places, points, under_constrained ? kSweepStep_m / 2 : 0);
-  if (!under_constrained) return places;
+  std::vector<Place> places = std::move(inquiry.places);
+  keep_nearest(places, inquiry.under_constrained ? kSweepsLookedAt : close_looks);
+  look_closely(places, inquiry, inquiry.under_constrained ? kSweepStep_m / 2 : 0);
+  if (!inquiry.under_constrained) return places;
   keep_nearest(places, close_looks);
-  places = with_neighbours(places, lookups);
-  look_closely(places, points, 0);
+  places = with_neighbours(places, inquiry);
+  look_closely(places, inquiry, 0);
   return places;
 }
 
-std::vector<Association> CandidateGenerator::pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
+std::vector<Association> CandidateGenerator::pair_up(const PatternLookup& lookup, int mapped, const Pose2& T_map_base,
                                                      std::span<const SearchFeature> features) const {
-  const std::span<const int> members = table(lookup).index.patterns().members(mapped);
+  const std::span<const int> members = index_of(lookup).patterns().members(mapped);
   std::vector<Association> pairs;
   for (std::size_t slot = 0; slot < lookup.observed.members.size(); ++slot) {
     const SearchFeature& observed = features[lookup.observed.members[slot]];
@@ -239,23 +168,34 @@ std::vector<Association> CandidateGenerator::pair_up(const Lookup& lookup, int m
   return pairs;
 }
 
-CandidateGenerator::Proposal CandidateGenerator::propose(std::span<const SearchFeature> features,
-                                                         std::span<const Point> coarse, bool under_constrained) const {
+CandidateGenerator::Inquiry CandidateGenerator::ask(std::span<const SearchFeature> features,
+                                                    std::span<const Point> coarse, bool under_constrained) const {
+  Inquiry inquiry(static_cast<std::size_t>(options_.close_looks));
+  inquiry.under_constrained = under_constrained;
+  inquiry.features = best_per_geometry(features, kFeaturesPerGeometry);
+  std::vector<Feature> best;
+  for (const SearchFeature& each : inquiry.features) best.push_back(each.feature);
+  inquiry.lookups = choose_lookups(templates_, best, options_, under_constrained);
+  for (const PatternLookup& lookup : inquiry.lookups) inquiry.points.emplace_back(lookup.observed, coarse);
+  return inquiry;
+}
+
+CandidateGenerator::Proposal CandidateGenerator::propose(Inquiry inquiry) const {
   Proposal proposal;
-  const std::vector<SearchFeature> best = best_per_geometry(features, kFeaturesPerGeometry);
-  const std::vector<Lookup> lookups = choose(best, under_constrained);
-  for (const Lookup& lookup : lookups) {
+  for (const PatternLookup& lookup : inquiry.lookups) {
     proposal.looked_up.push_back({lookup.pattern, {}, lookup.expected});
-    for (int member : lookup.observed.members) proposal.looked_up.back().local_features.push_back(best[member].local);
+    for (int member : lookup.observed.members)
+      proposal.looked_up.back().local_features.push_back(inquiry.features[member].local);
   }
-  std::vector<Place> places = places_for(lookups, coarse, under_constrained);
+  std::vector<Place> places = nearest_places(inquiry);
   std::stable_sort(places.begin(), places.end(), nearer);
   std::vector<Pose2> poses;
   for (const Place& place : places) poses.emplace_back(place.position, place.heading_rad);
   for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.candidates)) {
     const Place& place = places[k];
-    const Lookup& lookup = lookups[place.lookup];
-    proposal.candidates.push_back({poses[k], lookup.pattern, pair_up(lookup, place.mapped, poses[k], best)});
+    const PatternLookup& lookup = inquiry.lookups[place.lookup];
+    proposal.candidates.push_back(
+        {poses[k], lookup.pattern, pair_up(lookup, place.mapped, poses[k], inquiry.features)});
   }
   return proposal;
 }

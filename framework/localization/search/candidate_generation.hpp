@@ -1,21 +1,17 @@
 #pragma once
 
 #include "localization/search/coarse_to_fine.hpp"
+#include "localization/search/pattern_lookup.hpp"
 #include "map/view/support_lines.hpp"
 
 #include <opal/common/named.hpp>
-#include <opal/localization/options/localizer_options.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/map/view/map_view.hpp>
-#include <opal/patterns/pattern_template.hpp>
-#include "patterns/pattern_index.hpp"
 
 #include <span>
 #include <vector>
 
 namespace opal {
-
-using TemplateNumber = Id<PatternTemplate>;  ///< position among the generator's templates
 
 /// A feature that patterns may be made of, with the local feature that it belongs to.
 struct SearchFeature {
@@ -36,34 +32,32 @@ class OPAL_EXPORT CandidateGenerator {
   CandidateGenerator(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
                      const SearchOptions& options);
 
-  /// @param coarse  a few dozen scan points, base_link, by which candidates are filtered.
+  /// What a scan asks the map, and which of the places that answer have passed so far.
+  class Inquiry;
+  /// @param features  that patterns may be made of.
+  /// @param coarse  a few dozen scan points, base_link, by which places are filtered.
   /// @param under_constrained   look up patterns with a free parameter (true), or those that fix the pose (false).
+  Inquiry ask(std::span<const SearchFeature> features, std::span<const Point> coarse, bool under_constrained) const;
+  /// Looks at further places of the map, each of them once: until there are no more, or `most` have been looked at.
+  /// @return true if there are no more.
+  bool look_up(Inquiry& inquiry, std::size_t most) const;
+
   /// What was looked up, for the event stream.
   struct LookedUp {
     TemplateNumber pattern = {};
     std::vector<LocalFeatureId> local_features;
-    std::size_t expected = 0;  ///< places that the index predicts
+    std::size_t expected = 0;  ///< mapped patterns that the index predicts
   };
   struct Proposal {
     std::vector<Candidate> candidates;  ///< the best, one per place, nearest first
     std::vector<LookedUp> looked_up;
   };
-  Proposal propose(std::span<const SearchFeature> features, std::span<const Point> coarse,
-                   bool under_constrained) const;
+  /// @param inquiry  of which all places have been looked at.
+  Proposal propose(Inquiry inquiry) const;
 
-  const std::string& pattern_name(TemplateNumber pattern) const { return table(pattern).name; }
+  const std::string& pattern_name(TemplateNumber pattern) const { return templates_[pattern.number()].name; }
 
  private:
-  struct Table {
-    std::string name;
-    std::shared_ptr<const PatternTemplate> part;
-    PatternIndex index;  ///< members are positions in mapped_
-  };
-  struct Lookup {
-    TemplateNumber pattern = {};
-    PatternInstance observed;
-    std::size_t expected = 0;
-  };
   struct Place {
     Point position;  ///< of base_link, map frame
     double heading_rad;
@@ -72,37 +66,44 @@ class OPAL_EXPORT CandidateGenerator {
     int mapped;
   };
 
-  const Table& table(TemplateNumber pattern) const { return tables_[pattern.number()]; }
-  const Table& table(const Lookup& lookup) const { return table(lookup.pattern); }
-  std::vector<Lookup> shortlist(TemplateNumber pattern, std::span<const Feature> features,
-                                bool under_constrained) const;
-  /// Those that are expected least often, as long as they have no more places together; the fewest in any case.
-  static void keep_rarest(std::vector<Lookup>& lookups, std::size_t most_places, std::size_t fewest,
-                          bool under_constrained);
-  static void leave_out_parts(std::vector<Lookup>& chosen);
-  std::vector<Lookup> choose(std::span<const SearchFeature> best, bool under_constrained) const;
+  const PatternIndex& index_of(const PatternLookup& lookup) const { return templates_[lookup.pattern.number()].index; }
   /// Poses by a few points in large cells; where a pattern sweeps, every third one.
-  void look_up(const Lookup& lookup, int number, const TellingPoints& points, BestShare& filter,
-               std::vector<Place>& places) const;
+  /// @return how many were looked at.
+  std::size_t look_up_newest(Inquiry& inquiry, std::size_t most) const;
   bool is_in_region(const Point& position) const;
   void sweep(const PatternInstance& observed, const PatternTable& table, int mapped, const Point& position,
              std::vector<Point>& positions) const;
-  /// Likelihood-field score by all points. @param points  of each lookup.
-  void look_closely(std::vector<Place>& places, std::vector<TellingPoints>& points, double slack_m) const;
+  /// Likelihood-field score by all points.
+  void look_closely(std::vector<Place>& places, Inquiry& inquiry, double slack_m) const;
   /// Each place, and those a step before and behind it along its sweep.
-  std::vector<Place> with_neighbours(const std::vector<Place>& places, const std::vector<Lookup>& lookups) const;
+  std::vector<Place> with_neighbours(const std::vector<Place>& places, const Inquiry& inquiry) const;
   static bool nearer(const Place& a, const Place& b);
   static void keep_nearest(std::vector<Place>& places, std::size_t most);
   /// From many places seen hastily to a few seen closely.
-  std::vector<Place> places_for(const std::vector<Lookup>& lookups, std::span<const Point> coarse,
-                                bool under_constrained) const;
-  std::vector<Association> pair_up(const Lookup& lookup, int mapped, const Pose2& T_map_base,
+  std::vector<Place> nearest_places(Inquiry& inquiry) const;
+  std::vector<Association> pair_up(const PatternLookup& lookup, int mapped, const Pose2& T_map_base,
                                    std::span<const SearchFeature> features) const;
 
   std::shared_ptr<const MapView> map_;
   SearchOptions options_;
   std::vector<MappedFeature> mapped_;
-  std::vector<Table> tables_;
+  std::vector<MappedTemplate> templates_;
+};
+
+class CandidateGenerator::Inquiry {
+  friend CandidateGenerator;
+  explicit Inquiry(std::size_t close_looks) : filter(close_looks, 30) {}
+
+  bool under_constrained = false;
+  std::vector<SearchFeature> features;  ///< the best ones
+  std::vector<PatternLookup> lookups;
+  std::vector<TellingPoints> points;  ///< of each lookup
+  BestShare filter;
+  std::vector<Place> places;  ///< that have passed
+
+  std::size_t lookup = 0;  ///< the newest
+  std::vector<int> found;  ///< by it
+  std::size_t next = 0;    ///< of these, to be looked at
 };
 
 /// The best candidates such that no two are within distance_m and angle_rad; at most `most`.

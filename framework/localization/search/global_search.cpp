@@ -5,6 +5,7 @@
 #include "localization/scoring/observation.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace opal {
 namespace {
@@ -21,6 +22,8 @@ std::vector<const Hypothesis*> pointers_to(const std::vector<Hypothesis>& hypoth
 
 bool better(const VerifiedCandidate& a, const VerifiedCandidate& b) { return a.nat > b.nat; }
 
+bool same(const Pose2& a, const Pose2& b) { return a.position() == b.position() && a.heading_rad() == b.heading_rad(); }
+
 /// The same place on the other storeys of the same building, going by their own frames.
 std::vector<Pose2> above_and_below(const SemanticMap& map, const Pose2& T_map_base) {
   std::vector<Pose2> places;
@@ -33,8 +36,7 @@ std::vector<Pose2> above_and_below(const SemanticMap& map, const Pose2& T_map_ba
 
 }  // namespace
 
-std::vector<SearchFeature> GlobalSearch::features_for(const Context& context) const {
-  const Observation& seen = context.observation;
+std::vector<SearchFeature> GlobalSearch::features_for(const Observation& seen) const {
   std::vector<SearchFeature> features;
   if (options_.from_stable) {
     const Pose2 T_base_local = seen.local_map.T_local_base().inverse();
@@ -63,14 +65,14 @@ Hypothesis GlobalSearch::aligned(Candidate& candidate, const Observation& observ
 }
 
 /// Best first, one per place.
-void GlobalSearch::keep_best(std::vector<VerifiedCandidate>& candidates, const Context& context, Result& result) const {
+void GlobalSearch::keep_best(std::vector<VerifiedCandidate>& candidates, const Scene& scene, Result& result) const {
   constexpr double kOnePlace_m = 0.2, kOnePlace_rad = 0.06;
   const auto keep = static_cast<std::size_t>(options_.hypotheses);
   std::stable_sort(candidates.begin(), candidates.end(), better);
   std::vector<Pose2> poses;
   for (const VerifiedCandidate& each : candidates) poses.push_back(each.candidate.T_map_base);
   const std::vector<std::size_t> chosen = distinct_places(poses, kOnePlace_m, kOnePlace_rad, keep);
-  if (context.keep_rejected && chosen.size() == keep)
+  if (scene.keep_rejected && chosen.size() == keep)
     for (std::size_t k = chosen.back() + 1; k < candidates.size(); ++k)
       result.rejected.push_back({candidates[k], std::to_string(keep) + " places score better"});
   std::vector<VerifiedCandidate> kept;
@@ -111,10 +113,10 @@ std::vector<Candidate> GlobalSearch::above_and_below_best(const std::vector<Veri
 }
 
 /// Returns only, and few of them.
-Observation GlobalSearch::with_few_points(const Context& context) {
-  const Observation& full = context.observation;
+Observation GlobalSearch::with_few_points(const Scene& scene) {
+  const Observation& full = scene.observation;
   Observation few{full.local_map, {}, full.features, full.feature_scans};
-  const std::vector<ThinnedScan> seen = thinned(context.sample, kFewSpacing_m, kCoarsePoints);
+  const std::vector<ThinnedScan> seen = thinned(scene.sample, kFewSpacing_m, kCoarsePoints);
   for (std::size_t k = 0; k < seen.size(); ++k)
     few.scans.push_back({.laser_position = full.scans[k].laser_position,
                          .points = seen[k].points,
@@ -124,17 +126,17 @@ Observation GlobalSearch::with_few_points(const Context& context) {
 }
 
 /// Coarse to fine: a few beams for all candidates, all beams for those that look good.
-std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> candidates, const Context& context,
+std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> candidates, const Scene& scene,
                                                       Result& result) const {
   constexpr double kCoarseSigma_m = 0.15, kFineSigma_m = 0.12;
-  const Observation& full = context.observation;
-  const Observation few = with_few_points(context);
+  const Observation& full = scene.observation;
+  const Observation few = with_few_points(scene);
   std::vector<Hypothesis> trials;
   for (Candidate& candidate : candidates) trials.push_back(aligned(candidate, few, kCoarseSigma_m));
   const std::vector<double> nats = ensemble_.decide_all(pointers_to(trials), few);
   std::vector<VerifiedCandidate> verified;
   for (std::size_t k = 0; k < nats.size(); ++k) verified.push_back({std::move(candidates[k]), nats[k]});
-  keep_best(verified, context, result);
+  keep_best(verified, scene, result);
   trials.clear();
   for (VerifiedCandidate& each : verified) trials.push_back(aligned(each.candidate, full, kFineSigma_m));
   std::vector<ScorerEnsemble::Verdict> verdicts = ensemble_.judge_all(pointers_to(trials), full);
@@ -142,45 +144,81 @@ std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> can
     verified[k].verdict = std::move(verdicts[k]);
     verified[k].nat = verified[k].verdict.nat;
   }
-  keep_best(verified, context, result);
+  keep_best(verified, scene, result);
   return verified;
 }
 
-GlobalSearch::Result GlobalSearch::search(const Context& context, StageTimes& times) const {
-  const std::vector<Point> coarse = thinned_points(context.sample, kCoarseSpacing_m, kCoarsePoints);
-  const std::vector<SearchFeature> features = features_for(context);
-  Result result;
-  for (const bool under_constrained : {false, true}) {
-    // They have many candidates each: they are looked up where those that fix the pose found nothing good.
-    const bool found_good =
-        !result.candidates.empty() && result.candidates.front().nat >= options_.under_constrained_below_nat;
-    if (under_constrained && (found_good || !context.under_constrained)) break;
-    CandidateGenerator::Proposal proposed;
-    {
-      StageClock clock(times.associate_s);
-      proposed = generator_.propose(features, coarse, under_constrained);
-    }
-    StageClock clock(times.verify_s);
-    result.places += proposed.candidates.size();
-    for (CandidateGenerator::LookedUp& pattern : proposed.looked_up) {
-      result.expected += pattern.expected;
-      result.looked_up.push_back(std::move(pattern));
-    }
-    for (VerifiedCandidate& each : verified(std::move(proposed.candidates), context, result))
-      result.candidates.push_back(std::move(each));
-  }
-  if (context.hint) {
-    StageClock clock(times.verify_s);
-    for (VerifiedCandidate& each : verified(candidates_near(*context.hint, coarse), context, result))
-      result.candidates.push_back(std::move(each));
-  }
-  keep_best(result.candidates, context, result);  // those that fix the pose and those that do not may be at one place
-  if (!map_->map().origin().storeys.empty()) {
-    StageClock clock(times.verify_s);
-    for (VerifiedCandidate& each : verified(above_and_below_best(result.candidates), context, result))
-      result.candidates.push_back(std::move(each));
-  }
+GlobalSearch::Ongoing GlobalSearch::begin(const Scene& scene, bool under_constrained, StageTimes& times) const {
+  const StageClock clock(times.associate_s);
+  std::vector<Point> coarse = thinned_points(scene.sample, kCoarseSpacing_m, kCoarsePoints);
+  std::vector<SearchFeature> features = features_for(scene.observation);
+  Ongoing search(generator_.ask(features, coarse, false));
+  search.T_local_base = scene.observation.local_map.T_local_base();
+  search.features = std::move(features);
+  search.coarse = std::move(coarse);
+  search.may_be_under_constrained = under_constrained;
+  return search;
+}
+
+bool GlobalSearch::look_up(Ongoing& search) const {
+  const auto most = options_.places_per_scan > 0 ? static_cast<std::size_t>(options_.places_per_scan)
+                                                 : std::numeric_limits<std::size_t>::max();
+  return generator_.look_up(search.inquiry, most);
+}
+
+/// They have many candidates each.
+bool GlobalSearch::ask_more(Ongoing& search, StageTimes& times) const {
+  const std::vector<VerifiedCandidate>& found = search.result.candidates;
+  const bool found_good = !found.empty() && found.front().nat >= options_.under_constrained_below_nat;
+  if (search.asks_under_constrained || !search.may_be_under_constrained || found_good) return false;
+  const StageClock clock(times.associate_s);
+  search.asks_under_constrained = true;
+  search.inquiry = generator_.ask(search.features, search.coarse, true);
+  return true;
+}
+
+/// The robot has driven on since the search began.
+void GlobalSearch::verify_proposal(Ongoing& search, const Scene& scene) const {
+  CandidateGenerator::Proposal proposed = generator_.propose(std::move(search.inquiry));
+  const Pose2 &T_local_begun = search.T_local_base, &T_local_base = scene.observation.local_map.T_local_base();
+  if (!same(T_local_begun, T_local_base))
+    for (Candidate& candidate : proposed.candidates)
+      candidate.T_map_base = candidate.T_map_base * (T_local_begun.inverse() * T_local_base);
+  search.result.places += proposed.candidates.size();
+  for (CandidateGenerator::LookedUp& pattern : proposed.looked_up)
+    search.result.looked_up.push_back(std::move(pattern));
+  add_verified(std::move(proposed.candidates), scene, search.result);
+}
+
+void GlobalSearch::add_verified(std::vector<Candidate> candidates, const Scene& scene, Result& result) const {
+  for (VerifiedCandidate& each : verified(std::move(candidates), scene, result))
+    result.candidates.push_back(std::move(each));
+}
+
+GlobalSearch::Result GlobalSearch::finished(Result result, const Scene& scene) const {
+  keep_best(result.candidates, scene, result);  // those that fix the pose and those that do not may be at one place
+  if (!map_->map().origin().storeys.empty()) add_verified(above_and_below_best(result.candidates), scene, result);
   return result;
+}
+
+std::optional<GlobalSearch::Result> GlobalSearch::go_on(Ongoing& search, const Scene& scene, StageTimes& times) const {
+  do {
+    {
+      const StageClock clock(times.associate_s);
+      if (!look_up(search)) return std::nullopt;
+    }
+    const StageClock clock(times.verify_s);
+    verify_proposal(search, scene);
+  } while (ask_more(search, times));
+  const StageClock clock(times.verify_s);
+  return finished(std::move(search.result), scene);
+}
+
+GlobalSearch::Result GlobalSearch::look_near(const PoseHint& hint, const Scene& scene, StageTimes& times) const {
+  const StageClock clock(times.verify_s);
+  Result result;
+  add_verified(candidates_near(hint, thinned_points(scene.sample, kCoarseSpacing_m, kCoarsePoints)), scene, result);
+  return finished(std::move(result), scene);
 }
 
 }  // namespace opal

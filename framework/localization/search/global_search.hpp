@@ -22,34 +22,44 @@ struct VerifiedCandidate {
 };
 
 /// Looks for places where the robot may be, over the whole map and without any pose: candidates by patterns, then
-/// verified by the newest scan, coarse to fine.
+/// verified by the newest scan, coarse to fine. A large map has more places than there is time for between two scans:
+/// a search goes on over as many scans as it takes.
 class OPAL_EXPORT GlobalSearch {
  public:
   GlobalSearch(std::shared_ptr<const MapView> map, std::vector<Named<PatternTemplate>> templates,
                const ScorerEnsemble& ensemble, const SearchOptions& options)
       : map_(map), ensemble_(ensemble), options_(options), generator_(std::move(map), std::move(templates), options) {}
 
-  /// What is known beside the scan.
-  struct Context {
-    const Sample& sample;               ///< the scans as they are
-    const Observation& observation;     ///< of these scans
-    bool under_constrained;             ///< patterns with a free parameter may be looked up, too
-    bool keep_rejected;                 ///< somebody wants to know
-    std::optional<PoseHint> hint = {};  ///< look here, too
+  /// The newest scans.
+  struct Scene {
+    const Sample& sample;            ///< as they are
+    const Observation& observation;  ///< of them
+    bool keep_rejected = false;      ///< somebody wants to know
   };
   struct Result {
     std::vector<VerifiedCandidate> candidates;  ///< best first, one per place
     std::vector<CandidateGenerator::LookedUp> looked_up;
-    std::size_t places = 0;    ///< that passed the first filter
-    std::size_t expected = 0;  ///< that the index predicted for all that was looked up
+    std::size_t places = 0;  ///< that passed the first filter
     struct Rejected {
       VerifiedCandidate candidate;
       std::string reason;
     };
     std::vector<Rejected> rejected;
   };
+
+  /// A search that has begun.
+  class Ongoing;
+  /// What is looked for is what these scans show.
+  /// @param under_constrained  patterns with a free parameter may be looked up, too.
+  /// @param times  associate_s grows.
+  Ongoing begin(const Scene& scene, bool under_constrained, StageTimes& times) const;
+  /// Looks at as many places as there is time for at a scan.
+  /// @param scene  the newest scans, by which candidates are verified; poses are the robot's there.
   /// @param times  associate_s and verify_s grow.
-  Result search(const Context& context, StageTimes& times) const;
+  /// @return what was found, once all places have been looked at; nothing before.
+  std::optional<Result> go_on(Ongoing& search, const Scene& scene, StageTimes& times) const;
+  /// Places about a hint, at once.
+  Result look_near(const PoseHint& hint, const Scene& scene, StageTimes& times) const;
 
   /// A scan with fewer points tells no place.
   static constexpr std::size_t kFewestPoints = 15;
@@ -60,19 +70,38 @@ class OPAL_EXPORT GlobalSearch {
   }
 
  private:
-  std::vector<SearchFeature> features_for(const Context& context) const;
+  std::vector<SearchFeature> features_for(const Observation& seen) const;
+  bool look_up(Ongoing& search) const;
+  /// The patterns with a free parameter, where those that fix the pose found nothing good.
+  bool ask_more(Ongoing& search, StageTimes& times) const;
+  void verify_proposal(Ongoing& search, const Scene& scene) const;
+  void add_verified(std::vector<Candidate> candidates, const Scene& scene, Result& result) const;
+  /// One candidate per place, and what is above and below them.
+  Result finished(Result result, const Scene& scene) const;
   std::vector<Candidate> candidates_near(const PoseHint& hint, std::span<const Point> coarse) const;
   std::vector<Candidate> above_and_below_best(const std::vector<VerifiedCandidate>& found) const;
-  std::vector<VerifiedCandidate> verified(std::vector<Candidate> candidates, const Context& context,
-                                          Result& result) const;
-  static Observation with_few_points(const Context& context);
+  std::vector<VerifiedCandidate> verified(std::vector<Candidate> candidates, const Scene& scene, Result& result) const;
+  static Observation with_few_points(const Scene& scene);
   Hypothesis aligned(Candidate& candidate, const Observation& observation, double sigma_m) const;
-  void keep_best(std::vector<VerifiedCandidate>& candidates, const Context& context, Result& result) const;
+  void keep_best(std::vector<VerifiedCandidate>& candidates, const Scene& scene, Result& result) const;
 
   std::shared_ptr<const MapView> map_;
   const ScorerEnsemble& ensemble_;
   SearchOptions options_;
   CandidateGenerator generator_;
+};
+
+class GlobalSearch::Ongoing {
+  friend GlobalSearch;
+  Ongoing(CandidateGenerator::Inquiry first) : inquiry(std::move(first)) {}
+
+  Pose2 T_local_base;                   ///< where it began
+  std::vector<SearchFeature> features;  ///< base_link frame, there
+  std::vector<Point> coarse;            ///< points, base_link frame, there
+  bool may_be_under_constrained = false;
+  CandidateGenerator::Inquiry inquiry;
+  bool asks_under_constrained = false;  ///< the inquiry does
+  Result result;                        ///< of inquiries before
 };
 
 }  // namespace opal

@@ -1,7 +1,5 @@
 #include "localization/search/search_schedule.hpp"
 
-#include <algorithm>
-
 namespace opal {
 
 bool SearchSchedule::is_chance(const Pose2& T_odom_base) const {
@@ -12,19 +10,14 @@ bool SearchSchedule::is_chance(const Pose2& T_odom_base) const {
 bool SearchSchedule::time_to_search(const Pose2& T_odom_base, bool at_once, int every) {
   if (!at_once && !is_chance(T_odom_base)) return false;
   T_odom_base_ = T_odom_base;
-  if (++chances_passed_ < (at_once ? every : std::max(every, 1 + chances_owed_))) return false;
+  if (++chances_passed_ < every) return false;
   chances_passed_ = 0;
   return true;
 }
 
-void SearchSchedule::searched(std::size_t expected_places) {
-  const auto per_chance = static_cast<std::size_t>(options_.places_per_chance);
-  chances_owed_ = per_chance > 0 ? static_cast<int>(expected_places / per_chance) : 0;
-}
-
 void SearchSchedule::reset() {
   T_odom_base_.reset();
-  chances_passed_ = chances_owed_ = 0;
+  chances_passed_ = 0;
 }
 
 }  // namespace opal

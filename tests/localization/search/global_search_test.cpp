@@ -1,6 +1,4 @@
-#include "localization/search/global_search.hpp"
-
-#include "tests/localization/synthetic_scene.hpp"
+#include "searching.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,37 +9,6 @@ using namespace opal;
 using namespace opal::synthetic;
 
 namespace {
-
-const Pose2 kTruth(6.5, 4.2, 0.4);
-
-Named<PatternTemplate> corners() { return {"corner", std::make_shared<CornerTemplate>()}; }
-Named<PatternTemplate> walls() { return {"wall", std::make_shared<WallTemplate>()}; }
-
-/// A search in a map, and a robot there.
-struct Searching {
-  explicit Searching(const Features& features = room(), const Pose2& T_map_base = kTruth,
-                     const SearchOptions& options = {}, std::vector<Named<PatternTemplate>> templates = {corners()})
-      : map(view_of(features)),
-        judges(map, {{"fit", fit_scorer(), true, 1}}),
-        robot(map, T_map_base),
-        search(map, std::move(templates), judges.ensemble, options) {}
-  GlobalSearch::Result find(bool under_constrained = true, bool keep_rejected = false) const {
-    return find(robot.observation(), under_constrained, keep_rejected);
-  }
-  GlobalSearch::Result find(const Observation& seen, bool under_constrained, bool keep_rejected = false) const {
-    StageTimes times;
-    return search.search({robot.sample(), seen, under_constrained, keep_rejected}, times);
-  }
-  std::shared_ptr<const MapView> map;
-  Judges judges;
-  Robot robot;
-  GlobalSearch search;
-};
-
-bool is_at(const VerifiedCandidate& found, const Pose2& pose, double within_m = 0.05, double within_rad = 0.02) {
-  return distance_m(found.candidate.T_map_base, pose) < within_m &&
-         angle_between_rad(found.candidate.T_map_base, pose) < within_rad;
-}
 
 /// Whether each of `some` is among `all`.
 bool all_among(const std::vector<VerifiedCandidate>& some, const Pose2& motion,

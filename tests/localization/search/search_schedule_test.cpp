@@ -10,7 +10,6 @@ SearchScheduleOptions schedule_options() {
   SearchScheduleOptions chosen;
   chosen.every_m = 0.5;
   chosen.every_rad = 1;
-  chosen.places_per_chance = 1000;
   return chosen;
 }
 
@@ -83,48 +82,9 @@ TEST_CASE("a search at once counts like any other: the next chance is as far awa
   CHECK(robot.step(0.2));
 }
 
-TEST_CASE("a search that had much to look at lets chances pass, once") {
-  Driving robot;
-  robot.step(0);
-  robot.schedule.searched(3500);  // three whole thousands
-  CHECK_FALSE(robot.step(0.6));
-  CHECK_FALSE(robot.step(0.6));
-  CHECK_FALSE(robot.step(0.6));
-  CHECK(robot.step(0.6));
-  robot.schedule.searched(10);
-  CHECK(robot.step(0.6));
-}
-
-TEST_CASE("what the last search cost does not hold up a search at once") {
-  Driving robot;
-  robot.step(0);
-  robot.schedule.searched(1000000);
-  CHECK_FALSE(robot.step(0.6));
-  CHECK(robot.step(0, 1, true));
-}
-
-TEST_CASE("chances to let pass and chances asked for do not add up: the more counts") {
-  Driving robot;
-  robot.step(0);
-  robot.schedule.searched(2000);
-  CHECK(robot.searches_in(6, 6) == 1);
-  robot.schedule.searched(9000);
-  CHECK(robot.searches_in(10, 6) == 1);
-}
-
-TEST_CASE("no place is too much where places cost no chance") {
-  SearchScheduleOptions free = schedule_options();
-  free.places_per_chance = 0;
-  Driving robot(free);
-  robot.step(0);
-  robot.schedule.searched(1000000);
-  CHECK(robot.step(0.6));
-}
-
 TEST_CASE("a schedule that is reset is a new one") {
   Driving robot;
   robot.step(0);
-  robot.schedule.searched(1000000);
   robot.step(0.6);
   robot.schedule.reset();
   CHECK(robot.step(0));

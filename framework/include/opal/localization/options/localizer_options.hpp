@@ -24,8 +24,6 @@ struct SearchScheduleOptions {
   int every_when_localized = 6;     ///< chances that make one search while localized, or
   int every_when_likely = 2;        ///< while a hypothesis has
   double likely_probability = 0.9;  ///< more than this
-  int places_per_chance = 1000;     ///< a search that expects more places lets a further chance pass for each so many:
-                                    ///< time per scan does not grow with the building; 0: it lets none pass
 };
 
 /// Where the search may look, if the robot's whereabouts are known roughly. Frame: `map`.
@@ -36,14 +34,16 @@ struct RegionPrior {
 
 /// Global search: which patterns are looked up, and how many candidates pass each coarse-to-fine filter.
 struct SearchOptions {
-  int patterns = 10;                   ///< looked up per scan, fewest expected candidates first
-  int lookup_limit = 2000;             ///< candidates per scan and template,
-  int places = 2000;                   ///< and of all templates together: patterns that are expected least often first,
-                                       ///< at least three of them; 0: any number
-  int close_looks = 200;               ///< of these, judged by all points of a thinned scan
-  int candidates = 30;                 ///< kept by likelihood-field score, one per place
-  int hypotheses = 12;                 ///< kept by the scorers
-  int under_constrained_patterns = 3;  ///< looked up per scan, of those with a free parameter
+  int patterns = 10;           ///< looked up per scan, fewest expected candidates first
+  int lookup_limit = 2000;     ///< candidates per scan and template,
+  int places = 2000;           ///< and of all templates together: patterns that are expected least often first,
+                               ///< at least three of them; 0: any number
+  int places_per_scan = 8000;  ///< looked at; a search that has more goes on at the next scans, so that time per
+                               ///< scan does not grow with the building; 0: any number
+  int close_looks = 200;       ///< of these, judged by all points of a thinned scan
+  int candidates = 30;         ///< kept by likelihood-field score, one per place
+  int hypotheses = 12;         ///< kept by the scorers
+  int under_constrained_patterns = 3;      ///< looked up per scan, of those with a free parameter
   double under_constrained_below_nat = 1;  ///< they are looked up if no candidate scores this
   double under_constrained_until_nat = 3;  ///< and only while no hypothesis has gathered this much
   bool from_stable = false;                ///< only stable local features may be looked up (Hendrikx 2023)

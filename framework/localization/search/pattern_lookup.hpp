@@ -1,0 +1,43 @@
+#pragma once
+
+#include "patterns/pattern_index.hpp"
+
+#include <opal/common/id.hpp>
+#include <opal/localization/options/localizer_options.hpp>
+#include <opal/patterns/pattern_template.hpp>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace opal {
+
+using TemplateNumber = Id<PatternTemplate>;  ///< position among the generator's templates
+
+/// A template, and what the map has of it.
+struct MappedTemplate {
+  std::string name;
+  std::shared_ptr<const PatternTemplate> part;
+  PatternIndex index;  ///< members are positions among the mapped features
+};
+
+/// An observed pattern that is looked up among mapped ones.
+struct PatternLookup {
+  TemplateNumber pattern = {};
+  PatternInstance observed;
+  std::size_t expected = 0;  ///< mapped patterns that the index predicts
+};
+
+/// What can be told of how much a feature fixes: the length of walls that is seen; nearer points are known better.
+double weight_of(const Feature& feature);
+
+/// The observed patterns that are worth looking up: those that the map has, in few places if possible. Parts of others
+/// are not among them.
+/// @param features  base_link frame; members of the lookups are positions in it.
+/// @param under_constrained  patterns with a free parameter (true), or those that fix the pose (false).
+OPAL_EXPORT std::vector<PatternLookup> choose_lookups(std::span<const MappedTemplate> templates,
+                                                      std::span<const Feature> features, const SearchOptions& options,
+                                                      bool under_constrained);
+
+}  // namespace opal
