@@ -1,5 +1,6 @@
 #include "patterns/mapped_patterns.hpp"
 
+#include "map/view/support_lines.hpp"
 #include "patterns/pattern_layer.hpp"
 
 namespace opal {
@@ -7,16 +8,18 @@ namespace {
 
 MappedPatterns patterns_of_layer(const MapView& map, const std::vector<Named<PatternTemplate>>& templates) {
   MappedPatterns mapped;
-  for (const MapFeatureNumber number : map.features())
-    mapped.features.push_back({{map.feature(number).type, map.feature(number).geometry}, {number}});
+  for (const MapFeatureNumber& number : map.features()) mapped.members.add({&number, 1});
   for (const auto& each : templates) mapped.by_template.emplace_back(layer_instances(map, each.name, *each.part));
   return mapped;
 }
 
 MappedPatterns all_patterns(const MapView& map, const std::vector<Named<PatternTemplate>>& templates) {
-  MappedPatterns mapped{mapped_features(map.map(), map.features()), {}};
+  MappedPatterns mapped;
   std::vector<Feature> features;
-  for (const MappedFeature& feature : mapped.features) features.push_back(feature.feature);
+  for (MappedFeature& member : mapped_features(map.map(), map.features())) {
+    mapped.members.add(member.numbers);
+    features.push_back(std::move(member.feature));
+  }
   for (const auto& each : templates) {
     PatternTable table;
     each_pattern(*each.part, features, [&table](const PatternInstance& pattern) { table.add(pattern); });

@@ -44,32 +44,54 @@ struct PatternIndex::Tree {
     dimensions = patterns.dimensions();
     order.resize(patterns.size());
     std::iota(order.begin(), order.end(), 0);
-    const std::vector<float> by_number = patterns.take_values();
-    build(by_number, 0, 0, order.size());
-    values.reserve(by_number.size());
-    for (int number : order)
-      values.insert(values.end(), &by_number[number * dimensions], &by_number[number * dimensions] + dimensions);
+    values = patterns.take_values();
+    Scratch scratch;
+    build(scratch, 0, 0, order.size());
   }
 
-  void build(const std::vector<float>& by_number, std::size_t node, std::size_t from, std::size_t to) {
+  /// What is needed to put a range into another order.
+  struct Scratch {
+    std::vector<std::pair<float, std::size_t>> keys;  ///< value and position
+    std::vector<int> order;
+    std::vector<float> values;
+  };
+
+  void build(Scratch& scratch, std::size_t node, std::size_t from, std::size_t to) {
     if (boxes.size() < (node + 1) * dimensions) boxes.resize((node + 1) * dimensions);
-    const std::size_t widest = enclose(by_number, node, from, to);
+    const std::size_t widest = enclose(node, from, to);
     if (to - from <= kBucket) return;
     const std::size_t middle = from + (to - from) / 2;
-    std::nth_element(order.begin() + from, order.begin() + middle, order.begin() + to, [&](int a, int b) {
-      return by_number[a * dimensions + widest] < by_number[b * dimensions + widest];
-    });
-    build(by_number, 2 * node + 1, from, middle);
-    build(by_number, 2 * node + 2, middle, to);
+    halve(scratch, from, middle, to, widest);
+    build(scratch, 2 * node + 1, from, middle);
+    build(scratch, 2 * node + 2, middle, to);
+  }
+
+  /// Puts the lower values of a dimension before the middle. Patterns are moved with their numbers: in a large map,
+  /// what is not side by side is far away.
+  void halve(Scratch& scratch, std::size_t from, std::size_t middle, std::size_t to, std::size_t dimension) {
+    scratch.keys.clear();
+    for (std::size_t k = from; k < to; ++k) scratch.keys.emplace_back(values[k * dimensions + dimension], k);
+    std::nth_element(scratch.keys.begin(), scratch.keys.begin() + static_cast<std::ptrdiff_t>(middle - from),
+                     scratch.keys.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    scratch.order.clear();
+    scratch.values.clear();
+    for (const auto& [value, k] : scratch.keys) {
+      scratch.order.push_back(order[k]);
+      const auto row = values.begin() + static_cast<std::ptrdiff_t>(k * dimensions);
+      scratch.values.insert(scratch.values.end(), row, row + static_cast<std::ptrdiff_t>(dimensions));
+    }
+    std::copy(scratch.order.begin(), scratch.order.end(), order.begin() + static_cast<std::ptrdiff_t>(from));
+    std::copy(scratch.values.begin(), scratch.values.end(),
+              values.begin() + static_cast<std::ptrdiff_t>(from * dimensions));
   }
 
   /// Sets the node's box. @return its widest dimension.
-  std::size_t enclose(const std::vector<float>& by_number, std::size_t node, std::size_t from, std::size_t to) {
+  std::size_t enclose(std::size_t node, std::size_t from, std::size_t to) {
     Interval* box = &boxes[node * dimensions];
     std::fill(box, box + dimensions, Interval{kInfinity, -kInfinity});
     for (std::size_t k = from; k < to; ++k)
       for (std::size_t d = 0; d < dimensions; ++d) {
-        const float value = by_number[order[k] * dimensions + d];
+        const float value = values[k * dimensions + d];
         box[d] = {std::min(box[d].low, value), std::max(box[d].high, value)};
       }
     const auto narrower = [](const Interval& a, const Interval& b) { return a.high - a.low < b.high - b.low; };

@@ -5,7 +5,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
-#include <limits>
+#include <array>
 
 namespace opal {
 namespace {
@@ -34,17 +34,15 @@ bool crosses(const Segment& a, const Segment& b) {
   return s >= 0 && s <= 1 && t >= 0 && t <= 1;
 }
 
-/// Shortest distance between two geometries; circles count as their centres, less the radius.
-double gap_m(const Geometry& a, const Geometry& b) {
+/// Whether two geometries are no farther apart than this; circles count as their centres, less the radius.
+bool within(double reach_m, const Geometry& a, const Geometry& b) {
   const auto* segment_a = std::get_if<Segment>(&a);
   const auto* segment_b = std::get_if<Segment>(&b);
   if (segment_a && segment_b)
-    return crosses(*segment_a, *segment_b)
-               ? 0.0
-               : std::min(std::min(distance_m(*segment_a, segment_b->begin), distance_m(*segment_a, segment_b->end)),
-                          std::min(distance_m(*segment_b, segment_a->begin), distance_m(*segment_b, segment_a->end)));
-  if (segment_b) return gap_m(b, a);
-  return distance_m(a, anchor_of(b));
+    return distance_m(*segment_a, segment_b->begin) <= reach_m || distance_m(*segment_a, segment_b->end) <= reach_m ||
+           distance_m(*segment_b, segment_a->begin) <= reach_m || distance_m(*segment_b, segment_a->end) <= reach_m ||
+           crosses(*segment_a, *segment_b);
+  return segment_b ? within(reach_m, b, a) : distance_m(a, anchor_of(b)) <= reach_m;
 }
 
 /// Fills the slots of a template one by one with features near all earlier ones.
@@ -53,10 +51,11 @@ class Enumeration {
   using Visit = std::function<void(PatternInstance&&)>;
   Enumeration(const PatternTemplate& pattern_template, std::span<const Feature> features, const Visit& visit)
       : template_(pattern_template), shape_(pattern_template.shape()), features_(features), visit_(visit) {
-    std::vector<Entry> entries;
+    std::array<std::vector<Entry>, kKinds> entries;
     for (std::size_t k = 0; k < features.size(); ++k)
-      entries.emplace_back(std::visit(Corners{}, features[k].geometry), static_cast<int>(k));
-    tree_ = decltype(tree_)(entries);
+      entries[features[k].geometry.index()].emplace_back(std::visit(Corners{}, features[k].geometry),
+                                                         static_cast<int>(k));
+    for (std::size_t kind = 0; kind < kKinds; ++kind) trees_[kind] = Tree(entries[kind]);
   }
 
   void run() {
@@ -64,31 +63,36 @@ class Enumeration {
   }
 
  private:
+  static constexpr std::size_t kKinds = std::variant_size_v<Geometry>;
+  using Tree = bg::index::rtree<Entry, bg::index::quadratic<16>>;
+
   void fill(int candidate) {
     if (kind_of(features_[candidate].geometry) != shape_.slots[chosen_.size()]) return;
     for (int earlier : chosen_)
       if (earlier == candidate ||
-          is_farther(earlier, candidate, earlier == chosen_.back() ? neighbour_m_ : shape_.reach_m))
+          !are_within(earlier == chosen_.back() ? neighbour_m_ : shape_.reach_m, earlier, candidate))
         return;
     chosen_.push_back(candidate);
     if (chosen_.size() == shape_.slots.size())
       offer();
     else
-      for (int next : around(chosen_.back(), neighbour_m_)) fill(next);
+      for (int next : around(chosen_.back(), neighbour_m_, shape_.slots[chosen_.size()])) fill(next);
     chosen_.pop_back();
   }
 
-  bool is_farther(int a, int b, double distance_m) const {
-    return gap_m(features_[a].geometry, features_[b].geometry) > distance_m;
+  bool are_within(double reach_m, int a, int b) const {
+    return within(reach_m, features_[a].geometry, features_[b].geometry);
   }
 
-  std::vector<int> around(int number, double r) const {
+  /// Of one kind, by number.
+  std::vector<int> around(int number, double r, GeometryKind kind) const {
     Box box = std::visit(Corners{}, features_[number].geometry);
     box = {{box.min_corner().get<0>() - r, box.min_corner().get<1>() - r},
            {box.max_corner().get<0>() + r, box.max_corner().get<1>() + r}};
     std::vector<int> numbers;
-    tree_.query(bg::index::intersects(box),
-                boost::make_function_output_iterator([&](const Entry& entry) { numbers.push_back(entry.second); }));
+    trees_[static_cast<std::size_t>(kind)].query(
+        bg::index::intersects(box),
+        boost::make_function_output_iterator([&](const Entry& entry) { numbers.push_back(entry.second); }));
     std::sort(numbers.begin(), numbers.end());
     return numbers;
   }
@@ -107,7 +111,7 @@ class Enumeration {
   const double neighbour_m_ = shape_.neighbour_reach_m > 0 ? shape_.neighbour_reach_m : shape_.reach_m;
   std::span<const Feature> features_;
   const Visit& visit_;
-  bg::index::rtree<Entry, bg::index::quadratic<16>> tree_;
+  std::array<Tree, kKinds> trees_;  ///< of the features of each kind
   std::vector<int> chosen_;
   std::vector<const Feature*> offered_;
 };

@@ -14,7 +14,7 @@ void PatternTable::add(const PatternInstance& pattern) {
   const bool is_extended = pattern.extent_min_m != 0 || pattern.extent_max_m != 0;
   if (is_extended && extents_m_.empty()) extents_m_.resize(frames_.size());
   if (is_extended || !extents_m_.empty()) extents_m_.push_back({pattern.extent_min_m, pattern.extent_max_m});
-  frames_.push_back(pattern.frame);
+  frames_.push_back({pattern.frame.x(), pattern.frame.y(), pattern.frame.heading_rad()});
   members_.insert(members_.end(), pattern.members.begin(), pattern.members.end());
   for (const Invariant& invariant : pattern.invariants) values_.push_back(static_cast<float>(invariant.value));
 }

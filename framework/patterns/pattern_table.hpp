@@ -19,7 +19,11 @@ class OPAL_EXPORT PatternTable {
   std::size_t size() const { return frames_.size(); }
   /// How many numbers describe a pattern; 0 while there is none.
   std::size_t dimensions() const { return dimensions_; }
-  const Pose2& frame(int number) const { return frames_[number]; }
+  Pose2 frame(int number) const {
+    const auto& [x_m, y_m, heading_rad] = frames_[number];
+    return {x_m, y_m, heading_rad};
+  }
+  double heading_rad(int number) const { return frames_[number][2]; }  ///< of the frame
   /// In slot order.
   std::span<const int> members(int number) const { return {&members_[number * slots_], slots_}; }
   /// From where to where it extends along the frame's x axis; zeros for patterns that fix the pose.
@@ -38,7 +42,7 @@ class OPAL_EXPORT PatternTable {
 
  private:
   std::size_t dimensions_ = 0, slots_ = 0;
-  std::vector<Pose2> frames_;
+  std::vector<std::array<double, 3>> frames_;     ///< x, y [m], heading [rad]
   std::vector<int> members_;                      ///< slots_ each
   std::vector<std::array<double, 2>> extents_m_;  ///< none while all are zero
   std::vector<float> values_;                     ///< dimensions_ each

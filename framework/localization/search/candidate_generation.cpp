@@ -1,7 +1,5 @@
 #include "localization/search/candidate_generation.hpp"
 
-#include "patterns/mapped_patterns.hpp"
-
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>
@@ -38,7 +36,7 @@ CandidateGenerator::CandidateGenerator(std::shared_ptr<const MapView> map,
                                        std::vector<Named<PatternTemplate>> templates, const SearchOptions& options)
     : map_(std::move(map)), options_(options) {
   MappedPatterns mapped = mapped_patterns(*map_, templates);
-  mapped_ = std::move(mapped.features);
+  members_ = std::move(mapped.members);
   for (std::size_t k = 0; k < templates.size(); ++k)
     templates_.push_back({templates[k].name, templates[k].part, std::move(mapped.by_template[k])});
 }
@@ -60,7 +58,7 @@ void CandidateGenerator::sweep(const PatternInstance& observed, const PatternTab
   const auto [begins_m, ends_m] = table.extent_m(mapped);
   const double from = begins_m - observed.extent_min_m - observed.overhang_m;
   const double to = ends_m - observed.extent_max_m + observed.overhang_m;
-  const Point along = unit_vector(table.frame(mapped).heading_rad());
+  const Point along = unit_vector(table.heading_rad(mapped));
   for (double u = std::min(from + kSweepStep_m, (from + to) / 2); u <= to + 1e-9; u += 3 * kSweepStep_m)
     positions.push_back(position + u * along);
 }
@@ -87,7 +85,7 @@ std::size_t CandidateGenerator::look_up_newest(Inquiry& inquiry, std::size_t mos
   constexpr std::size_t kAhead = 16;
   for (; inquiry.next < inquiry.found.size() && looked_at < most; ++inquiry.next) {
     const int k = inquiry.found[inquiry.next];
-    const Pose2& frame = mapped.frame(k);
+    const Pose2 frame = mapped.frame(k);
     if (inquiry.next + kAhead < inquiry.found.size()) mapped.prefetch(inquiry.found[inquiry.next + kAhead]);
     for (const Way& way : ways) {
       const double heading_rad = wrap_angle(frame.heading_rad() + way.T_frame_base.heading_rad());
@@ -129,7 +127,7 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::with_neighbours(const
                                                                            const Inquiry& inquiry) const {
   std::vector<Place> all;
   for (const Place& place : places) {
-    const Pose2& frame = index_of(inquiry.lookups[place.lookup]).patterns().frame(place.mapped);
+    const Pose2 frame = index_of(inquiry.lookups[place.lookup]).patterns().frame(place.mapped);
     const Point step = kSweepStep_m * unit_vector(frame.heading_rad());
     for (int steps = -1; steps <= 1; ++steps) {
       all.push_back(place);
@@ -158,7 +156,7 @@ std::vector<Association> CandidateGenerator::pair_up(const PatternLookup& lookup
   std::vector<Association> pairs;
   for (std::size_t slot = 0; slot < lookup.observed.members.size(); ++slot) {
     const SearchFeature& observed = features[lookup.observed.members[slot]];
-    const std::vector<MapFeatureNumber>& numbers = mapped_[members[slot]].numbers;
+    const std::span<const MapFeatureNumber> numbers = members_[members[slot]];
     const Point place = T_map_base * anchor_of(observed.feature.geometry);
     const auto nearer_one = [&](MapFeatureNumber a, MapFeatureNumber b) {
       return distance_m(map_->feature(a).geometry, place) < distance_m(map_->feature(b).geometry, place);

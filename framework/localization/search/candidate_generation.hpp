@@ -2,7 +2,7 @@
 
 #include "localization/search/coarse_to_fine.hpp"
 #include "localization/search/pattern_lookup.hpp"
-#include "map/view/support_lines.hpp"
+#include "patterns/mapped_patterns.hpp"
 
 #include <opal/common/named.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
@@ -86,7 +86,7 @@ class OPAL_EXPORT CandidateGenerator {
 
   std::shared_ptr<const MapView> map_;
   SearchOptions options_;
-  std::vector<MappedFeature> mapped_;
+  MemberNumbers members_;
   std::vector<MappedTemplate> templates_;
 };
 

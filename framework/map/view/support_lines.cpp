@@ -19,6 +19,7 @@ struct Line {
   Segment extent;
   double support_m = 0;
   std::vector<MapFeatureNumber> numbers;
+  bool is_new = true;  ///< has grown in the pass before, or there was none
 };
 
 /// Where `face` begins and ends along `line`, and how far aside of it, all [m].
@@ -32,21 +33,36 @@ Relation relate(const Segment& line, const Segment& face) {
           n.dot(face.end - line.begin)};
 }
 
-bool goes_on_in(const Segment& line, const Segment& face, const SupportLineOptions& options) {
-  const Relation r = relate(line, face);
-  return std::abs(r.aside_begin) <= options.offset_m && std::abs(r.aside_end) <= options.offset_m &&
-         r.begin <= line.length_m() + options.gap_m && r.end >= -options.gap_m;
-}
+/// A line that asks many faces whether they go on in it.
+class Asking {
+ public:
+  Asking(const Segment& line, const SupportLineOptions& options)
+      : options_(options),
+        begin_(line.begin),
+        u_(line.direction()),
+        n_(line.normal()),
+        length_m_(line.length_m()),
+        heading_rad_(line.heading_rad()) {}
 
-bool same_heading(const Segment& line, const Segment& face, const SupportLineOptions& options) {
-  // The heading of a short face is known only to a few centimetres over its length.
-  const double angle = std::max(options.angle_rad, std::min(0.35, 0.04 / face.length_m()));
-  return std::abs(wrap_angle(line.heading_rad() - face.heading_rad())) <= angle;
-}
+  bool collinear(const Segment& face) const { return goes_on_in(face) && same_heading(face); }
 
-bool collinear(const Segment& line, const Segment& face, const SupportLineOptions& options) {
-  return goes_on_in(line, face, options) && same_heading(line, face, options);
-}
+ private:
+  bool goes_on_in(const Segment& face) const {
+    const Point to_begin = face.begin - begin_, to_end = face.end - begin_;
+    return std::abs(n_.dot(to_begin)) <= options_.offset_m && std::abs(n_.dot(to_end)) <= options_.offset_m &&
+           u_.dot(to_begin) <= length_m_ + options_.gap_m && u_.dot(to_end) >= -options_.gap_m;
+  }
+
+  bool same_heading(const Segment& face) const {
+    // The heading of a short face is known only to a few centimetres over its length.
+    const double angle = std::max(options_.angle_rad, std::min(0.35, 0.04 / face.length_m()));
+    return std::abs(wrap_angle(heading_rad_ - face.heading_rad())) <= angle;
+  }
+
+  const SupportLineOptions& options_;
+  Point begin_, u_, n_;
+  double length_m_, heading_rad_;
+};
 
 void absorb(Line& line, const Line& face) {
   const Relation r = relate(line.extent, face.extent);
@@ -115,32 +131,44 @@ class Continuations {
 std::size_t next_collinear(const Segment& line, const std::vector<std::size_t>& continuations,
                            const std::vector<Line>& lines, const std::vector<bool>& gone, std::size_t after,
                            const SupportLineOptions& options) {
+  const Asking asking(line, options);
   for (auto b = std::upper_bound(continuations.begin(), continuations.end(), after); b != continuations.end(); ++b)
-    if (!gone[*b] && collinear(line, lines[*b].extent, options)) return *b;
+    if (!gone[*b] && asking.collinear(lines[*b].extent)) return *b;
   return lines.size();
 }
 
-/// One pass: longer lines absorb shorter ones. True if any was absorbed.
+/// The boxes of lines, or of those that are new.
+FaceTree tree_of(const std::vector<Line>& lines, bool only_new) {
+  std::vector<NumberedBox> entries;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (lines[k].is_new || !only_new) entries.emplace_back(box_around(lines[k].extent, 0), k);
+  return FaceTree(entries);
+}
+
+/// One pass: longer lines absorb shorter ones. Two lines of which neither is new did not go on in each other in the
+/// pass before. True if any was absorbed.
 bool absorb_once(std::vector<Line>& lines, const SupportLineOptions& options) {
   std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.support_m > b.support_m; });
-  std::vector<NumberedBox> entries;
-  for (std::size_t k = 0; k < lines.size(); ++k) entries.emplace_back(box_around(lines[k].extent, 0), k);
-  const FaceTree tree(entries);
-  std::vector<bool> gone(lines.size(), false);
+  const FaceTree all = tree_of(lines, false), fresh = tree_of(lines, true);
+  std::vector<bool> gone(lines.size(), false), grown(lines.size(), false);
   bool any = false;
   for (std::size_t a = 0; a < lines.size(); ++a) {
     if (gone[a]) continue;
-    Continuations continuations(tree, options);
+    Continuations among_all(all, options), among_fresh(fresh, options);
     const Segment& line = lines[a].extent;
-    for (std::size_t b = a;
-         (b = next_collinear(line, continuations.of(line), lines, gone, b, options)) < lines.size();) {
+    for (std::size_t b = a;;) {
+      Continuations& continuations = lines[a].is_new || grown[a] ? among_all : among_fresh;
+      b = next_collinear(line, continuations.of(line), lines, gone, b, options);
+      if (b == lines.size()) break;
       absorb(lines[a], lines[b]);
-      gone[b] = any = true;
+      gone[b] = grown[a] = any = true;
     }
   }
   std::vector<Line> kept;
-  for (std::size_t k = 0; k < lines.size(); ++k)
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    lines[k].is_new = grown[k];
     if (!gone[k]) kept.push_back(std::move(lines[k]));
+  }
   lines = std::move(kept);
   return any;
 }
