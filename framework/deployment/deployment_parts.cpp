@@ -1,5 +1,6 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
+#include "deployment/cache_folder.hpp"
 #include "deployment/class_parts.hpp"
 #include "deployment/pipeline_plan.hpp"
 #include "deployment/types_made.hpp"
@@ -195,7 +196,8 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& p
   const CalledFor called = called_for(deployment, registry, *map);
 
   LocalizerParts parts;
-  parts.map = std::make_shared<const MapView>(std::move(map), deployment.lasers.front().id);
+  parts.map = std::make_shared<const MapView>(std::move(map), deployment.lasers.front().id,
+                                              cache_folder("OPAL_PREPARED_CACHE", "prepared").string());
   parts.lasers = deployment.lasers;
   parts.odometry = deployment.odometry;
   parts.keyframes = deployment.keyframes;

@@ -5,9 +5,9 @@
 #include "common/text_file.hpp"
 #include "common/utc_time.hpp"
 #include "common/whole_file.hpp"
+#include "deployment/cache_folder.hpp"
 
 #include <cctype>
-#include <cstdlib>
 
 namespace {
 
@@ -24,15 +24,6 @@ std::string as_file_name(const std::string& text) {
   return name;
 }
 
-fs::path usual_folder() {
-  if (const char* folder = std::getenv("OPAL_MAP_CACHE")) return folder;
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
-    return fs::path(cache) / "opal" / "maps";
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
-    return fs::path(home) / ".cache" / "opal" / "maps";
-  return {};
-}
-
 json to_json(const opal::StoredVersion& version) {
   return {{"building", version.building},   {"version", version.version},   {"pushed_at", version.pushed_at},
           {"pushed_by", version.pushed_by}, {"message", version.message},   {"map_name", version.map_name},
@@ -47,7 +38,7 @@ opal::StoredVersion version_of(const json& object) {
 
 }  // namespace
 
-MapCache MapCache::usual() { return MapCache(usual_folder()); }
+MapCache MapCache::usual() { return MapCache(opal::cache_folder("OPAL_MAP_CACHE", "maps")); }
 
 fs::path MapCache::file_of(const std::string& where, const opal::StoreSource& source) const {
   const std::string version = source.version > 0 ? std::to_string(source.version) : "newest";

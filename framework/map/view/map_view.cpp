@@ -2,6 +2,7 @@
 
 #include "map/view/support_lines.hpp"
 #include "map/view/surface_grid.hpp"
+#include "map/view/tile_cache.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -54,11 +55,17 @@ Extent bounds_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& nu
   return all;
 }
 
-std::vector<SurfaceGrid::NumberedShape> shapes_of(const SemanticMap& map,
-                                                  const std::vector<MapFeatureNumber>& numbers) {
-  std::vector<SurfaceGrid::NumberedShape> shapes;
+std::vector<NumberedShape> shapes_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& numbers) {
+  std::vector<NumberedShape> shapes;
   for (MapFeatureNumber number : numbers) shapes.emplace_back(number, map.feature(number).geometry);
   return shapes;
+}
+
+SurfaceGrid grid_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& numbers, const Extent& bounds,
+                    const std::string& kept_in) {
+  const TileLayout layout = TileLayout::around(bounds.low, bounds.high);
+  const auto features = static_cast<int>(map.features().size());
+  return {layout, TileCache(kept_in).tiles_of(layout, shapes_of(map, numbers), features)};
 }
 
 constexpr int kMostSlack_cm = 50;
@@ -131,10 +138,10 @@ double meets_circle(const Ray& ray, const Surface& circle) {
 }  // namespace
 
 struct MapView::Index {
-  Index(const SemanticMap& map, const std::string& sensor)
+  Index(const SemanticMap& map, const std::string& sensor, const std::string& kept_in)
       : numbers(features_of(map, sensor)),
         bounds(bounds_of(map, numbers)),
-        surfaces(bounds.low, bounds.high, shapes_of(map, numbers)) {
+        surfaces(grid_of(map, numbers, bounds, kept_in)) {
     std::vector<Entry> entries;
     by_number.resize(map.features().size());
     for (MapFeatureNumber number : numbers) {
@@ -177,8 +184,8 @@ struct MapView::Index {
   std::array<float, kMostSlack_cm + 256> likelihood_field = likelihood_field_by_cm();
 };
 
-MapView::MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor)
-    : map_(std::move(map)), index_(std::make_unique<const Index>(*map_, sensor)) {}
+MapView::MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor, const std::string& kept_in)
+    : map_(std::move(map)), index_(std::make_unique<const Index>(*map_, sensor, kept_in)) {}
 MapView::~MapView() = default;
 
 const SemanticMap& MapView::map() const { return *map_; }

@@ -20,7 +20,7 @@ STOREY = re.compile(r"^'(?P<name>.*)' +level", re.MULTILINE)
 
 def short(why):
     """A reason without what differs from drive to drive, and without folders of this machine."""
-    return re.sub(r"(^|\s)/\S*/", r"\1", re.sub(r"told \d+ places", "told several places", why)).replace("|", "/")
+    return re.sub(r"(^|\s)(\.\.)?/\S*/", r"\1", re.sub(r"told \d+ places", "told several places", why)).replace("|", "/")
 
 
 def drive_cells(runs):

@@ -38,8 +38,10 @@ struct Surface {
 /// shared. Frame: `map`.
 class OPAL_EXPORT MapView {
  public:
+  /// @param kept_in  folder in which what is prepared of a large map is kept for the next time: it is mapped into
+  ///                 memory then, and what nobody looks at takes none. Empty: it is in memory, and kept nowhere.
   /// @throws ConfigError if the map holds nothing that this sensor can perceive.
-  MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor);
+  MapView(std::shared_ptr<const SemanticMap> map, const std::string& sensor, const std::string& kept_in = {});
   ~MapView();
   MapView(const MapView&) = delete;
   MapView& operator=(const MapView&) = delete;
