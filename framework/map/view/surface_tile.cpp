@@ -5,8 +5,6 @@
 namespace opal {
 namespace {
 
-constexpr double kTile_m = SurfaceTile::kCell_m * SurfaceTile::kSide;
-
 /// Opposite faces must fall into different layers though they are never exactly antiparallel, so the border between
 /// the layers lies at headings that walls of a map seldom have.
 int layer_of(const Segment& segment) {
@@ -54,8 +52,8 @@ AxisRange y_near(const Geometry& shape) {
 
 TileSpan tiles_of(const AxisRange& range, double grid_low) {
   if (range.high < range.low) return {};
-  return {static_cast<int>(std::floor((range.low - grid_low) / kTile_m)),
-          static_cast<int>(std::floor((range.high - grid_low) / kTile_m))};
+  return {static_cast<int>(std::floor((range.low - grid_low) / SurfaceTile::kTile_m)),
+          static_cast<int>(std::floor((range.high - grid_low) / SurfaceTile::kTile_m))};
 }
 
 /// The cells of a tile that a range touches, by their numbers in the grid.
@@ -80,8 +78,8 @@ TileSpan tile_columns_near(const Geometry& shape, const Point& grid_corner, int 
   if (const auto* c = std::get_if<Circle>(&shape)) return tiles_of(range_about(c->center.x(), *c), grid_corner.x());
   const auto* s = std::get_if<Segment>(&shape);
   if (s == nullptr) return {};
-  const double y_low = grid_corner.y() + row * kTile_m;
-  const Part part = part_near(*s, s->direction(), y_low, y_low + kTile_m);
+  const double y_low = grid_corner.y() + row * SurfaceTile::kTile_m;
+  const Part part = part_near(*s, s->direction(), y_low, y_low + SurfaceTile::kTile_m);
   return part.from > part.to ? TileSpan{} : tiles_of(x_near(*s, s->direction(), part), grid_corner.x());
 }
 

@@ -27,6 +27,7 @@ class SurfaceTile {
   static constexpr std::uint8_t kFar_cm = 255;
   static constexpr int kLayers = NearestBlock::kLayers;
   static constexpr int kSide = 64, kCells = kSide * kSide;
+  static constexpr double kTile_m = kCell_m * kSide;
   static constexpr unsigned kBlocks = kCells / NearestBlock::kCells;
   using Distances = std::array<std::uint8_t, kCells>;
 

@@ -103,12 +103,11 @@ class Painting {
 }  // namespace
 
 TileLayout TileLayout::around(const Point& low, const Point& high) {
-  constexpr double kMargin_m = SurfaceTile::kCap_m + SurfaceTile::kCell_m,
-                   kTile_m = SurfaceTile::kCell_m * SurfaceTile::kSide;
+  constexpr double kMargin_m = SurfaceTile::kCap_m + SurfaceTile::kCell_m;
   TileLayout layout{low - Point::Constant(kMargin_m), 0, 0};
   const Point size = high - layout.low + Point::Constant(kMargin_m);
-  layout.columns = static_cast<int>(size.x() / kTile_m) + 1;
-  layout.rows = static_cast<int>(size.y() / kTile_m) + 1;
+  layout.columns = static_cast<int>(size.x() / SurfaceTile::kTile_m) + 1;
+  layout.rows = static_cast<int>(size.y() / SurfaceTile::kTile_m) + 1;
   return layout;
 }
 

@@ -36,7 +36,7 @@ void TileCache::forget_old() const {
 
 SurfaceTiles TileCache::tiles_of(const TileLayout& layout, const std::vector<NumberedShape>& shapes,
                                  int features) const {
-  if (folder_.empty() || shapes.size() < kLargeMap) return painted(layout, shapes);
+  if (folder_.empty() || shapes.size() < from_) return painted(layout, shapes);
   const std::string digest = digest_of(layout, shapes);
   const fs::path file = folder_ / (digest + kEnding);
   if (std::optional<SurfaceTiles> kept = read_tiles(file, digest, layout, features)) {

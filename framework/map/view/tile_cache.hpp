@@ -11,15 +11,17 @@ namespace opal {
 /// program, has another file. Two programs may make the same file at once.
 class OPAL_EXPORT TileCache {
  public:
+  /// The tiles of smaller maps are painted sooner than a file is opened and checked.
+  static constexpr std::size_t kLargeMap = 10000;
+
   /// @param folder  made when needed; empty: nothing is kept.
-  explicit TileCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// @param from  so many shapes on, tiles are kept.
+  explicit TileCache(std::filesystem::path folder, std::size_t from = kLargeMap)
+      : folder_(std::move(folder)), from_(from) {}
 
   /// Painted, or as a file has them. What cannot be kept is painted, and a warning says so.
   /// @param features  every number of a shape is less.
   SurfaceTiles tiles_of(const TileLayout& layout, const std::vector<NumberedShape>& shapes, int features) const;
-
-  /// The tiles of smaller maps are painted sooner than a file is opened and checked.
-  static constexpr std::size_t kLargeMap = 10000;
 
  private:
   void forget_old() const;
@@ -28,6 +30,7 @@ class OPAL_EXPORT TileCache {
                    const SurfaceTiles& tiles) const;
 
   std::filesystem::path folder_;
+  std::size_t from_;
 };
 
 }  // namespace opal
