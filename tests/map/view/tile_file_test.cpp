@@ -232,10 +232,8 @@ TEST_CASE("files that nobody has used for a month go away, others stay") {
 TEST_CASE("a view of a large map answers the same from a file") {
   const TemporaryFolder folder;
   std::vector<Geometry> geometries;
-  for (std::size_t k = 0; k < TileCache::kLargeMap; ++k) {
-    const Point begin(0.2 * static_cast<double>(k % 100), 0.2 * static_cast<double>(k / 100));
-    geometries.push_back(Segment{begin, begin + Point(0.05, 0.02)});
-  }
+  for (double x = 0; geometries.size() < TileCache::kLargeMap; x += 0.2)
+    for (double y = 0; y < 20; y += 0.2) geometries.push_back(Segment{{x, y}, {x + 0.05, y + 0.02}});
   const auto map = map_of(geometries);
   const MapView painted(map, "PlanarLidar2D");
   CHECK(files_in(folder.path()).empty());
