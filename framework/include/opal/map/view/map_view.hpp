@@ -38,6 +38,8 @@ struct Surface {
 /// shared. Frame: `map`.
 class OPAL_EXPORT MapView {
  public:
+  /// @param map      as a whole; other sensors' features included.
+  /// @param sensor   id of the sensor.
   /// @param kept_in  folder in which what is prepared of a large map is kept for the next time: it is mapped into
   ///                 memory then, and what nobody looks at takes none. Empty: it is in memory, and kept nowhere.
   /// @throws ConfigError if the map holds nothing that this sensor can perceive.
