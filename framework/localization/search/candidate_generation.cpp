@@ -14,9 +14,6 @@ constexpr int kFeaturesPerGeometry = 8;
 // Along a pattern's free direction: half of what alignment recovers from.
 constexpr double kSweepStep_m = 0.2;
 
-/// Along its free direction, if it leaves one.
-bool sweeps(const PatternInstance& observed) { return observed.extent_max_m > observed.extent_min_m; }
-
 /// The `most` best features of each geometry.
 std::vector<SearchFeature> best_per_geometry(std::span<const SearchFeature> features, int most) {
   std::vector<SearchFeature> sorted(features.begin(), features.end());
@@ -51,7 +48,7 @@ void CandidateGenerator::keep_nearest(std::vector<Place>& places, std::size_t mo
 
 void CandidateGenerator::sweep(const PatternInstance& observed, const PatternTable& table, int mapped,
                                const Point& position, std::vector<Point>& positions) const {
-  if (!sweeps(observed)) {
+  if (!is_under_constrained(observed)) {
     positions.push_back(position);
     return;
   }

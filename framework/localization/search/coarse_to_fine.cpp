@@ -1,5 +1,7 @@
 #include "localization/search/coarse_to_fine.hpp"
 
+#include "localization/search/pattern_lookup.hpp"
+
 #include <algorithm>
 
 namespace opal {
@@ -17,12 +19,12 @@ bool BestShare::passes(float value) {
 TellingPoints::TellingPoints(const PatternInstance& observed, std::span<const Point> points) {
   constexpr double kOnPattern_m = 0.3;
   constexpr std::size_t kStride = 5;
-  const bool is_under_constrained = observed.extent_max_m > observed.extent_min_m;
+  const bool may_sweep = is_under_constrained(observed);
   const Pose2 T_frame_base = observed.frame.inverse();
   std::vector<Point> on_pattern;
   for (std::size_t from = 0; from < kStride; ++from)
     for (std::size_t k = from; k < points.size(); k += kStride) {
-      const bool sweeps = is_under_constrained && std::abs((T_frame_base * points[k]).y()) < kOnPattern_m;
+      const bool sweeps = may_sweep && std::abs((T_frame_base * points[k]).y()) < kOnPattern_m;
       (sweeps ? on_pattern : points_).push_back(points[k]);
     }
   points_.insert(points_.end(), on_pattern.begin(), on_pattern.end());

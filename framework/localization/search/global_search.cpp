@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -156,7 +157,7 @@ GlobalSearch::Ongoing GlobalSearch::begin(const Scene& scene, bool under_constra
   search.T_local_base = scene.observation.local_map.T_local_base();
   search.features = std::move(features);
   search.coarse = std::move(coarse);
-  search.may_be_under_constrained = under_constrained;
+  search.may_ask_more = under_constrained;
   return search;
 }
 
@@ -170,9 +171,8 @@ bool GlobalSearch::look_up(Ongoing& search) const {
 bool GlobalSearch::ask_more(Ongoing& search, StageTimes& times) const {
   const std::vector<VerifiedCandidate>& found = search.result.candidates;
   const bool found_good = !found.empty() && found.front().nat >= options_.under_constrained_below_nat;
-  if (search.asks_under_constrained || !search.may_be_under_constrained || found_good) return false;
+  if (!std::exchange(search.may_ask_more, false) || found_good) return false;
   const StageClock clock(times.associate_s);
-  search.asks_under_constrained = true;
   search.inquiry = generator_.ask(search.features, search.coarse, true);
   return true;
 }

@@ -98,10 +98,9 @@ class GlobalSearch::Ongoing {
   Pose2 T_local_base;                   ///< where it began
   std::vector<SearchFeature> features;  ///< base_link frame, there
   std::vector<Point> coarse;            ///< points, base_link frame, there
-  bool may_be_under_constrained = false;
   CandidateGenerator::Inquiry inquiry;
-  bool asks_under_constrained = false;  ///< the inquiry does
-  Result result;                        ///< of inquiries before
+  bool may_ask_more = false;  ///< for patterns with a free parameter, after this inquiry
+  Result result;              ///< of inquiries before
 };
 
 }  // namespace opal

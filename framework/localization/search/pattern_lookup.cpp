@@ -6,8 +6,6 @@
 namespace opal {
 namespace {
 
-bool is_under_constrained(const PatternInstance& instance) { return instance.extent_max_m > instance.extent_min_m; }
-
 double support_of(const PatternInstance& observed, std::span<const Feature> features) {
   double least = std::numeric_limits<double>::infinity();
   for (int member : observed.members) least = std::min(least, weight_of(features[member]));

@@ -29,6 +29,9 @@ struct PatternLookup {
   std::size_t expected = 0;  ///< mapped patterns that the index predicts
 };
 
+/// A pattern that leaves something free: it may be anywhere along its frame's x axis.
+inline bool is_under_constrained(const PatternInstance& pattern) { return pattern.extent_max_m > pattern.extent_min_m; }
+
 /// What can be told of how much a feature fixes: the length of walls that is seen; nearer points are known better.
 double weight_of(const Feature& feature);
 

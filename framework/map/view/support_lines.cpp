@@ -27,30 +27,35 @@ struct Relation {
   double begin, end, aside_begin, aside_end;
 };
 
-Relation relate(const Segment& line, const Segment& face) {
-  const Point u = line.direction(), n = line.normal();
-  return {u.dot(face.begin - line.begin), u.dot(face.end - line.begin), n.dot(face.begin - line.begin),
-          n.dot(face.end - line.begin)};
-}
+/// A line to which many faces are related.
+class LineFrame {
+ public:
+  explicit LineFrame(const Segment& line) : begin_(line.begin), u_(line.direction()), n_(line.normal()) {}
+
+  Relation of(const Segment& face) const {
+    const Point to_begin = face.begin - begin_, to_end = face.end - begin_;
+    return {u_.dot(to_begin), u_.dot(to_end), n_.dot(to_begin), n_.dot(to_end)};
+  }
+
+ private:
+  Point begin_, u_, n_;
+};
+
+Relation relate(const Segment& line, const Segment& face) { return LineFrame(line).of(face); }
 
 /// A line that asks many faces whether they go on in it.
 class Asking {
  public:
   Asking(const Segment& line, const SupportLineOptions& options)
-      : options_(options),
-        begin_(line.begin),
-        u_(line.direction()),
-        n_(line.normal()),
-        length_m_(line.length_m()),
-        heading_rad_(line.heading_rad()) {}
+      : options_(options), frame_(line), length_m_(line.length_m()), heading_rad_(line.heading_rad()) {}
 
   bool collinear(const Segment& face) const { return goes_on_in(face) && same_heading(face); }
 
  private:
   bool goes_on_in(const Segment& face) const {
-    const Point to_begin = face.begin - begin_, to_end = face.end - begin_;
-    return std::abs(n_.dot(to_begin)) <= options_.offset_m && std::abs(n_.dot(to_end)) <= options_.offset_m &&
-           u_.dot(to_begin) <= length_m_ + options_.gap_m && u_.dot(to_end) >= -options_.gap_m;
+    const Relation r = frame_.of(face);
+    return std::abs(r.aside_begin) <= options_.offset_m && std::abs(r.aside_end) <= options_.offset_m &&
+           r.begin <= length_m_ + options_.gap_m && r.end >= -options_.gap_m;
   }
 
   bool same_heading(const Segment& face) const {
@@ -60,7 +65,7 @@ class Asking {
   }
 
   const SupportLineOptions& options_;
-  Point begin_, u_, n_;
+  LineFrame frame_;
   double length_m_, heading_rad_;
 };
 

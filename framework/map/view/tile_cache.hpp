@@ -7,8 +7,8 @@
 
 namespace opal {
 
-/// Keeps the tiles of large maps in files, one for each map. They are looked up by content: another map, or another
-/// program, has another file. Two programs may make the same file at once.
+/// Keeps the tiles of large maps in files, one for each map. They are looked up by content: another map has another
+/// file, and so has a program that paints in another way. Two programs may make the same file at once.
 class OPAL_EXPORT TileCache {
  public:
   /// The tiles of smaller maps are painted sooner than a file is opened and checked.

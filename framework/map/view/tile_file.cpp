@@ -15,6 +15,8 @@ namespace {
 namespace bip = boost::interprocess;
 
 constexpr std::size_t kSections = 6, kAlignment = 4096;
+// To be raised when the same shapes are painted in another way: files of before then belong to no map.
+constexpr int kPaintedAs = 1;
 
 /// The first bytes of the file.
 struct Header {
@@ -103,6 +105,7 @@ std::string digest_of(const TileLayout& layout, const std::vector<NumberedShape>
     const std::array<double, sizeof...(values)> numbers{static_cast<double>(values)...};
     digest.add(bytes_of(std::span<const double>(numbers)));
   };
+  add(kPaintedAs, SurfaceTile::kCell_m, SurfaceTile::kReach_m, SurfaceTile::kCap_m, SurfaceTiles::kCoarse);
   add(layout.low.x(), layout.low.y(), layout.columns, layout.rows);
   for (const auto& [number, shape] : shapes) {
     add(number.number(), shape.index());

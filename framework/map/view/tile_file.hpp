@@ -8,7 +8,7 @@
 
 namespace opal {
 
-/// What the tiles of a map depend on: layout, shapes and their numbers, as 64 hexadecimal digits.
+/// What the tiles of a map depend on: how they are painted, layout, shapes and their numbers, as 64 hexadecimal digits.
 OPAL_EXPORT std::string digest_of(const TileLayout& layout, const std::vector<NumberedShape>& shapes);
 
 /// A file that is mapped into memory where it is read: what nobody looks at takes none. It is of this kind of machine.

@@ -46,6 +46,18 @@ Painted some_walls(unsigned seed = 1) {
 /// A cache for which some walls are many.
 TileCache cache_in(const std::string& folder) { return TileCache(folder, 50); }
 
+/// The tiles of a map in a file.
+struct Written {
+  Written() {
+    write_tiles(file, map.digest, map.layout, map.painted());
+    whole = content_of(file);
+  }
+  TemporaryFolder folder;
+  Painted map = some_walls();
+  fs::path file = folder.path_of("map.tiles");
+  std::string whole;  ///< its bytes
+};
+
 template <class T>
 bool same(const ReadOnlyArray<T>& a, const ReadOnlyArray<T>& b) {
   return a.size() == b.size() && std::memcmp(a.values().data(), b.values().data(), a.values().size_bytes()) == 0;
@@ -125,35 +137,31 @@ TEST_CASE("a file that is not there, or of another map, gives nothing") {
 }
 
 TEST_CASE("a file that is cut or grown gives nothing") {
-  const TemporaryFolder folder;
-  const Painted map = some_walls();
-  const fs::path file = folder.path_of("map.tiles");
-  write_tiles(file, map.digest, map.layout, map.painted());
-  const std::string whole = content_of(file);
+  const Written written;
+  const Painted& map = written.map;
+  const std::string& whole = written.whole;
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{100}, std::size_t{4096}, whole.size() / 2,
                                  whole.size() - 4096, whole.size() - 1}) {
     CAPTURE(size);
-    write_bytes(file, whole.substr(0, size));
-    CHECK_FALSE(map.read(file));
+    write_bytes(written.file, whole.substr(0, size));
+    CHECK_FALSE(map.read(written.file));
   }
-  write_bytes(file, whole + std::string(4096, '\0'));
-  CHECK_FALSE(map.read(file));
+  write_bytes(written.file, whole + std::string(4096, '\0'));
+  CHECK_FALSE(map.read(written.file));
 }
 
 TEST_CASE("a file with wrong bytes gives nothing, or tiles that lead nowhere outside") {
-  const TemporaryFolder folder;
-  const Painted map = some_walls();
-  const fs::path file = folder.path_of("map.tiles");
-  write_tiles(file, map.digest, map.layout, map.painted());
-  const std::string whole = content_of(file);
+  const Written written;
+  const Painted& map = written.map;
+  const std::string& whole = written.whole;
   std::mt19937 random(5);
   int refused = 0;
   for (int k = 0; k < 30; ++k) {
     std::string wrong = whole;
     const std::size_t most = k % 2 == 0 ? 200 : whole.size();  // half of them in the header
     for (int change = 0; change < 3; ++change) wrong[random() % most] = static_cast<char>(random());
-    write_bytes(file, wrong);
-    if (const auto read = map.read(file))
+    write_bytes(written.file, wrong);
+    if (const auto read = map.read(written.file))
       ask_everywhere(map, *read);
     else
       ++refused;

@@ -66,9 +66,7 @@ TEST_CASE("a search that is spread over scans makes way for no other, and the ro
   LocalizerParts parts = site.parts();
   spread(parts.stages);
   Localizer localizer(std::move(parts));
-  std::optional<PoseEstimate> last;
-  for (const Sample& sample : site.samples)
-    if (auto estimate = localizer.update(sample)) last = std::move(estimate);
-  REQUIRE(last);
-  CHECK(last->status == Status::localized);
+  const std::vector<ReplayedScan> scans = replay(localizer, site.samples);
+  REQUIRE_FALSE(scans.empty());
+  CHECK(scans.back().estimate.status == Status::localized);
 }

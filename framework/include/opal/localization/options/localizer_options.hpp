@@ -35,9 +35,9 @@ struct RegionPrior {
 /// Global search: which patterns are looked up, and how many candidates pass each coarse-to-fine filter.
 struct SearchOptions {
   int patterns = 10;           ///< looked up per scan, fewest expected candidates first
-  int lookup_limit = 2000;     ///< candidates per scan and template,
+  int lookup_limit = 2000;     ///< candidates per search and template,
   int places = 2000;           ///< and of all templates together: patterns that are expected least often first,
-                               ///< at least three of them; 0: any number
+                               ///< three of them if that is at most five times as many; 0: any number
   int places_per_scan = 8000;  ///< looked at; a search that has more goes on at the next scans, so that time per
                                ///< scan does not grow with the building; 0: any number
   int close_looks = 200;       ///< of these, judged by all points of a thinned scan
