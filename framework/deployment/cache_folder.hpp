@@ -11,4 +11,7 @@ namespace opal {
 /// opal/NAME in XDG_CACHE_HOME, or in ~/.cache. Empty if there is no home either.
 OPAL_EXPORT std::filesystem::path cache_folder(const char* variable, const std::string& name);
 
+/// The same for what cannot be made again: opal/NAME in XDG_STATE_HOME, or in ~/.local/state.
+OPAL_EXPORT std::filesystem::path state_folder(const char* variable, const std::string& name);
+
 }  // namespace opal

@@ -1,7 +1,6 @@
 #include "session/session.hpp"
 
 #include "session/overlays.hpp"
-#include "session/stored_maps.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/plugin/plugin_description.hpp>
@@ -96,19 +95,26 @@ opal::MapImport import_map(const opal::PluginRegistry& registry, const std::stri
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source) {
-  if (const auto stored = opal::read_store_source(source)) return load_stored_map(registry, *stored);
+  if (const auto stored = opal::read_store_source(source)) return load_stored_map(registry, *stored).map;
   return is_map_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;
+}
+
+VersionedMap load_versioned_map(const opal::PluginRegistry& plugins, const opal::Deployment& deployment) {
+  const std::string& source = deployment.map;
+  const opal::PluginRegistry registry = opal::trusted_by(deployment, plugins);
+  if (const auto stored = opal::read_store_source(source)) {
+    const VersionedMap loaded = load_stored_map(registry, *stored);
+    return {with_overlays(loaded.map, deployment.overlays), loaded.version};
+  }
+  if (is_map_document(source)) return {with_overlays(load_map(registry, source), deployment.overlays), {}};
+  const std::string& importer = importer_of(registry, source).info.name;
+  const opal::MapImport imported = import_map(registry, source, opal::importer_options(deployment, registry, importer));
+  return {with_overlays(imported.map, deployment.overlays), {}};
 }
 
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& plugins,
                                                   const opal::Deployment& deployment) {
-  const std::string& source = deployment.map;
-  const opal::PluginRegistry registry = opal::trusted_by(deployment, plugins);
-  if (is_map_document(source) || opal::read_store_source(source))
-    return with_overlays(load_map(registry, source), deployment.overlays);
-  const std::string& importer = importer_of(registry, source).info.name;
-  const opal::MapImport imported = import_map(registry, source, opal::importer_options(deployment, registry, importer));
-  return with_overlays(imported.map, deployment.overlays);
+  return load_versioned_map(plugins, deployment).map;
 }
 
 nlohmann::json import_options(const opal::MapDamage& damage) {

@@ -5,6 +5,7 @@
 #include <opal/plugin/plugin_registry.hpp>
 #include <opal/sensing/log_source.hpp>
 #include "map_tools/map_damage.hpp"
+#include "session/stored_maps.hpp"
 
 #include <memory>
 #include <string>
@@ -39,6 +40,9 @@ std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& re
 /// importers.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry,
                                                   const opal::Deployment& deployment);
+
+/// The same, with the version that it is of the map store. Overlays are not part of a version.
+VersionedMap load_versioned_map(const opal::PluginRegistry& registry, const opal::Deployment& deployment);
 
 /// What `thick_m` of a damage asks of the grid importer.
 nlohmann::json import_options(const opal::MapDamage& damage);

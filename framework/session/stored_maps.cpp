@@ -81,11 +81,11 @@ std::shared_ptr<const opal::MapStore> map_store(const opal::PluginRegistry& regi
   return registry.make<opal::MapStore>(map_store_type(registry));
 }
 
-std::shared_ptr<const opal::SemanticMap> load_stored_map(const opal::PluginRegistry& registry,
-                                                         const opal::StoreSource& source) {
+VersionedMap load_stored_map(const opal::PluginRegistry& registry, const opal::StoreSource& source) {
   const auto store = map_store(registry);
   const opal::StoredMap stored = pull_or_find(*store, MapCache::usual(), source);
-  return opal::SemanticMap::parse(stored.document, opal::text_of({stored.version.building, stored.version.version}));
+  const opal::StoreSource version{stored.version.building, stored.version.version};
+  return {opal::SemanticMap::parse(stored.document, opal::text_of(version)), version};
 }
 
 std::string described(const opal::StoredVersion& version) {

@@ -18,24 +18,25 @@ constexpr double kLeastOffsetSigma_m = 0.02;  // what the measurements of one fa
 /// One problem: variables and factors, in a frame at the oldest pose, so that numbers stay small.
 class Problem {
  public:
-  Problem(const MapView& map, const PoseTrackerOptions& options, const Point& origin)
-      : map_(map), options_(options), origin_(origin), measured_loss_(options.robust_scale) {}
+  /// @param most_variables  that will be added: poses and offsets.
+  Problem(const MapView& map, const PoseTrackerOptions& options, const Point& origin, std::size_t most_variables)
+      : map_(map), options_(options), origin_(origin), measured_loss_(options.robust_scale) {
+    variables_.reserve(most_variables);
+  }
 
   /// @param doubt  factor on the variance of its motion.
   void add_pose(const TrackedKeyframe& keyframe, double doubt) {
-    poses_.push_back(
-        std::make_unique<Variable>(Variable{keyframe.T_map_base.x() - origin_.x(),
-                                            keyframe.T_map_base.y() - origin_.y(), keyframe.T_map_base.heading_rad()}));
-    problem_.AddParameterBlock(poses_.back()->data(), 3);
+    const Point at = keyframe.T_map_base.position() - origin_;
+    poses_.push_back(new_variable({at.x(), at.y(), keyframe.T_map_base.heading_rad()}));
+    problem_.AddParameterBlock(poses_.back(), 3);
     if (poses_.size() < 2) return;
     const RelativePose motion{{}, {}, keyframe.T_before_now, doubt * keyframe.motion_covariance};
-    problem_.AddResidualBlock(new MotionFactor(motion), nullptr, poses_[poses_.size() - 2]->data(),
-                              poses_.back()->data());
+    problem_.AddResidualBlock(new MotionFactor(motion), nullptr, poses_[poses_.size() - 2], poses_.back());
   }
 
   void add_prior(const PosePrior& prior) {
     const Pose2 local(Point(prior.T_map_base.position() - origin_), prior.T_map_base.heading_rad());
-    problem_.AddResidualBlock(new PosePriorFactor(local, prior.covariance), nullptr, poses_.front()->data());
+    problem_.AddResidualBlock(new PosePriorFactor(local, prior.covariance), nullptr, poses_.front());
   }
 
   /// From the newest pose.
@@ -43,10 +44,10 @@ class Problem {
     double* offset = offset_of(measured.feature, memory, epoch);
     if (const auto* face = std::get_if<Segment>(&map_.feature(measured.feature).geometry)) {
       const Segment local{face->begin - origin_, face->end - origin_};
-      problem_.AddResidualBlock(new MappedFaceFactor(measured, local), &measured_loss_, poses_.back()->data(), offset);
+      problem_.AddResidualBlock(new MappedFaceFactor(measured, local), &measured_loss_, poses_.back(), offset);
     } else {
       const Point at = anchor_of(map_.feature(measured.feature).geometry) - origin_;
-      problem_.AddResidualBlock(new MappedPointFactor(measured, at), &measured_loss_, poses_.back()->data(), offset);
+      problem_.AddResidualBlock(new MappedPointFactor(measured, at), &measured_loss_, poses_.back(), offset);
     }
   }
 
@@ -55,8 +56,8 @@ class Problem {
     solver.linear_solver_type = batch ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_SCHUR;
     if (!batch && !offsets_.empty()) {
       solver.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-      for (auto& [key, offset] : offsets_) solver.linear_solver_ordering->AddElementToGroup(offset->data(), 0);
-      for (auto& pose : poses_) solver.linear_solver_ordering->AddElementToGroup(pose->data(), 1);
+      for (auto& [key, offset] : offsets_) solver.linear_solver_ordering->AddElementToGroup(offset, 0);
+      for (double* pose : poses_) solver.linear_solver_ordering->AddElementToGroup(pose, 1);
     }
     solver.max_num_iterations = batch ? kBatchIterations : kStepIterations;
     solver.function_tolerance = batch ? 1e-6 : 1e-4;
@@ -70,15 +71,15 @@ class Problem {
   SolvedTrack solution() const {
     SolvedTrack track;
     track.usable = true;
-    for (const auto& pose : poses_) {
-      track.T_map_base.emplace_back(Point((*pose)[0] + origin_.x(), (*pose)[1] + origin_.y()), (*pose)[2]);
-      track.usable = track.usable && track.T_map_base.back().position().allFinite() && std::isfinite((*pose)[2]);
+    for (const double* pose : poses_) {
+      track.T_map_base.emplace_back(Point(pose[0] + origin_.x(), pose[1] + origin_.y()), pose[2]);
+      track.usable = track.usable && track.T_map_base.back().position().allFinite() && std::isfinite(pose[2]);
     }
     std::map<MapFeatureNumber, double> epochs;
     for (const auto& [key, offset] : offsets_) {
       SolvedOffset& solved = track.offsets[key.first];
       const double n = ++epochs[key.first];
-      solved.moved += (moved_by(key.first, *offset) - solved.moved) / n;
+      solved.moved += (moved_by(key.first, offset) - solved.moved) / n;
     }
     return track;
   }
@@ -86,8 +87,8 @@ class Problem {
   /// First-order covariances around the solution.
   void add_covariances(SolvedTrack& track) {
     ceres::Problem::EvaluateOptions order;
-    for (auto& pose : poses_) order.parameter_blocks.push_back(pose->data());
-    for (auto& [key, offset] : offsets_) order.parameter_blocks.push_back(offset->data());
+    for (double* pose : poses_) order.parameter_blocks.push_back(pose);
+    for (auto& [key, offset] : offsets_) order.parameter_blocks.push_back(offset);
     ceres::CRSMatrix J;
     problem_.Evaluate(order, nullptr, nullptr, nullptr, &J);
     Eigen::MatrixXd H = 1e-9 * Eigen::MatrixXd::Identity(J.num_cols, J.num_cols);
@@ -111,39 +112,42 @@ class Problem {
   }
   int size_of(MapFeatureNumber feature) const { return is_face(feature) ? 1 : 2; }
 
-  Point moved_by(MapFeatureNumber feature, const std::array<double, 2>& offset) const {
+  double* new_variable(const Variable& start) {
+    variables_.push_back(start);
+    return variables_.back().data();
+  }
+
+  Point moved_by(MapFeatureNumber feature, const double* offset) const {
     if (const auto* face = std::get_if<Segment>(&map_.feature(feature).geometry)) return offset[0] * face->normal();
     return {offset[0], offset[1]};
   }
 
   /// The variable of a feature's offset at the newest pose; new ones begin with what is known.
   double* offset_of(MapFeatureNumber feature, const OffsetMemories& memory, int epoch) {
-    auto& offset = offsets_[{feature, epoch}];
-    if (offset) return offset->data();
-    offset = std::make_unique<std::array<double, 2>>();
-    offset->fill(0);
+    double*& offset = offsets_[{feature, epoch}];
+    if (offset) return offset;
+    offset = new_variable({0, 0, 0});
     const bool known = !memory.empty() && memory[feature].sigma_m > 0;
     const Point mean = known ? memory[feature].moved : Point(Point::Zero());
     const double sigma_m = known ? memory[feature].sigma_m : 0;
     if (const auto* face = std::get_if<Segment>(&map_.feature(feature).geometry))
-      add_offset<1>(feature, *offset, Eigen::Matrix<double, 1, 1>(mean.dot(face->normal())), sigma_m);
+      add_offset<1>(feature, offset, Eigen::Matrix<double, 1, 1>(mean.dot(face->normal())), sigma_m);
     else
-      add_offset<2>(feature, *offset, mean, sigma_m);
+      add_offset<2>(feature, offset, mean, sigma_m);
     link_to_epoch_before(feature, epoch);
-    return offset->data();
+    return offset;
   }
 
   /// Small or, at a price that hardly grows, large; and as remembered, if it is.
   template <int N>
-  void add_offset(MapFeatureNumber feature, std::array<double, 2>& offset, const Eigen::Matrix<double, N, 1>& mean,
-                  double sigma_m) {
+  void add_offset(MapFeatureNumber feature, double* offset, const Eigen::Matrix<double, N, 1>& mean, double sigma_m) {
     using Mean = Eigen::Matrix<double, N, 1>;
     const double scale = std::max(options_.offset_scale_m, map_.feature(feature).position_sigma_m);
-    problem_.AddParameterBlock(offset.data(), N);
-    problem_.AddResidualBlock(new OffsetFactor<N>(Mean::Zero(), scale), &offset_loss_, offset.data());
+    problem_.AddParameterBlock(offset, N);
+    problem_.AddResidualBlock(new OffsetFactor<N>(Mean::Zero(), scale), &offset_loss_, offset);
     if (sigma_m == 0) return;
-    std::copy_n(mean.data(), N, offset.data());
-    problem_.AddResidualBlock(new OffsetFactor<N>(mean, sigma_m), nullptr, offset.data());
+    std::copy_n(mean.data(), N, offset);
+    problem_.AddResidualBlock(new OffsetFactor<N>(mean, sigma_m), nullptr, offset);
   }
 
   /// Offsets change slowly over a batch: what all measurements of a face have in common (the laser's range, how
@@ -153,14 +157,13 @@ class Problem {
     if (now == offsets_.begin()) return;
     const auto before = std::prev(now);
     if (before->first.first != feature) return;
-    now->second->front() = before->second->front();
-    now->second->back() = before->second->back();
+    std::copy_n(before->second, size_of(feature), now->second);
     if (is_face(feature))
-      problem_.AddResidualBlock(new OffsetLinkFactor<1>(options_.offset_memory_m), nullptr, before->second->data(),
-                                now->second->data());
+      problem_.AddResidualBlock(new OffsetLinkFactor<1>(options_.offset_memory_m), nullptr, before->second,
+                                now->second);
     else
-      problem_.AddResidualBlock(new OffsetLinkFactor<2>(options_.offset_memory_m), nullptr, before->second->data(),
-                                now->second->data());
+      problem_.AddResidualBlock(new OffsetLinkFactor<2>(options_.offset_memory_m), nullptr, before->second,
+                                now->second);
   }
 
   static ceres::Problem::Options borrow_losses() {
@@ -172,19 +175,25 @@ class Problem {
   const MapView& map_;
   const PoseTrackerOptions& options_;
   Point origin_;
-  std::vector<std::unique_ptr<Variable>> poses_;
-  std::map<std::pair<MapFeatureNumber, int>, std::unique_ptr<std::array<double, 2>>>
-      offsets_;  ///< by feature and epoch
+  /// Never reallocated. The solver orders variables by address: side by side, they are in the same order in every run,
+  /// and the last digits are, too.
+  std::vector<Variable> variables_;
+  std::vector<double*> poses_;
+  std::map<std::pair<MapFeatureNumber, int>, double*> offsets_;  ///< by feature and epoch
   ceres::CauchyLoss measured_loss_, offset_loss_{1};
   ceres::Problem problem_{borrow_losses()};
 };
+
+std::size_t variables_of(const TrackedKeyframe& keyframe) { return 1 + keyframe.measurements.size(); }
 
 }  // namespace
 
 SolvedTrack TrackingGraph::solve(std::span<const TrackedKeyframe* const> poses, const PosePrior& oldest,
                                  const OffsetMemories& memory) const {
   if (poses.empty()) return {};
-  Problem problem(map_, options_, poses.front()->T_map_base.position());
+  std::size_t variables = 0;
+  for (const TrackedKeyframe* keyframe : poses) variables += variables_of(*keyframe);
+  Problem problem(map_, options_, poses.front()->T_map_base.position(), variables);
   for (const TrackedKeyframe* keyframe : poses) {
     problem.add_pose(*keyframe, 1);
     for (const MapMeasurement& measured : keyframe->measurements) problem.add_measurement(measured, memory, 0);
@@ -198,7 +207,9 @@ SolvedTrack TrackingGraph::solve(std::span<const TrackedKeyframe* const> poses, 
 
 SolvedTrack TrackingGraph::solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest) const {
   if (poses.empty()) return {};
-  Problem problem(map_, options_, poses.front().T_map_base.position());
+  std::size_t variables = 0;
+  for (const TrackedKeyframe& keyframe : poses) variables += variables_of(keyframe);
+  Problem problem(map_, options_, poses.front().T_map_base.position(), variables);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     problem.add_pose(poses[k], kBatchDoubt);
     for (const MapMeasurement& measured : poses[k].measurements)

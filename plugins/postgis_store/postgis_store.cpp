@@ -3,6 +3,7 @@
 #include "feature_rows.hpp"
 #include "graph_rows.hpp"
 #include "schema.hpp"
+#include "versions.hpp"
 
 #include <fmt/format.h>
 
@@ -14,69 +15,6 @@ namespace opal::postgis_store {
 namespace {
 
 using nlohmann::json;
-
-std::string quoted(const std::string& text) { return "'" + text + "'"; }
-
-void expect_name(const std::string& what, const std::string& name) {
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  if (name.empty()) throw StoreError(what + " without a name, expected one");
-  if (std::any_of(name.begin(), name.end(), is_control))
-    throw StoreError(what + " with control characters in its name, expected none");
-}
-
-void expect_version(int version) {
-  if (version < 0)
-    throw StoreError(fmt::format("version {}, expected a number from 1 on, or 0 for the newest", version));
-}
-
-/// Texts of PostgreSQL end at a character zero, which JSON writes as \u0000.
-void expect_storable(const std::string& text, const std::string& what) {
-  if (text.find('\0') != std::string::npos || text.find("\\u0000") != std::string::npos)
-    throw StoreError(what + " holds the character U+0000, which PostgreSQL cannot store");
-}
-
-// Versions -----------------------------------------------------------------------------------------------------------
-
-const std::string kVersionColumns =
-    "building, version, to_char(pushed_at AT TIME ZONE 'UTC', 'YYYY-MM-DD\"T\"HH24:MI:SS\"Z\"'), pushed_by, message, "
-    "map_name, objects, features, patterns";
-
-StoredVersion version_of(const Row& row) {
-  return {row.at(0),
-          std::stoi(row.at(1)),
-          row.at(2),
-          row.at(3),
-          row.at(4),
-          row.at(5),
-          std::stoi(row.at(6)),
-          std::stoi(row.at(7)),
-          std::stoi(row.at(8))};
-}
-
-struct FoundVersion {
-  std::string map;  ///< id in the database
-  StoredVersion version;
-};
-
-std::string existing_versions(Session& session, const std::string& building) {
-  std::string numbers;
-  for (const Row& row :
-       session.ask("SELECT version FROM opal.versions WHERE building = $1 ORDER BY version", {building}))
-    numbers += (numbers.empty() ? "" : ", ") + row[0];
-  return numbers;
-}
-
-FoundVersion find_version(Session& session, const std::string& where, const std::string& building, int version) {
-  const auto rows = session.ask("SELECT " + kVersionColumns +
-                                    ", map FROM opal.versions WHERE building = $1 AND "
-                                    "(version = $2::integer OR $2::integer = 0 AND is_newest)",
-                                {building, std::to_string(version)});
-  if (!rows.empty()) return {rows[0].back(), version_of(rows[0])};
-  const std::string numbers = existing_versions(session, building);
-  if (numbers.empty()) throw StoreError(where + ": has no map of building " + quoted(building));
-  throw StoreError(
-      fmt::format("{}: has no version {} of building {}; there is: {}", where, version, quoted(building), numbers));
-}
 
 // Push ---------------------------------------------------------------------------------------------------------------
 
@@ -159,7 +97,7 @@ void add_features(Session& session, const std::string& map_id, const SemanticMap
   });
 }
 
-void expect_storable(const GraphRows& graph, const MapPush& request) {
+void expect_push_storable(const GraphRows& graph, const MapPush& request) {
   expect_storable(request.message, "the message");
   expect_storable(graph.context, "the map's context");
   for (const std::string& node : graph.nodes) expect_storable(node, "node " + node.substr(0, 120) + " of the map");
@@ -208,7 +146,7 @@ std::string number(double value) { return json(value).dump(); }
 StoredVersion PostgisStore::push(const SemanticMap& map, const MapPush& request) const {
   expect_name("building", request.building);
   const GraphRows graph = graph_rows(map);
-  expect_storable(graph, request);
+  expect_push_storable(graph, request);
   StoredVersion pushed;
   server_.transact([&](Session& session) {
     bring_up_to_date(session, where());
@@ -216,7 +154,7 @@ StoredVersion PostgisStore::push(const SemanticMap& map, const MapPush& request)
     add_graph(session, map_id, graph.nodes);
     add_features(session, map_id, map);
     pushed = version_of(
-        session.ask("SELECT " + kVersionColumns + " FROM opal.versions WHERE map = $1::bigint", {map_id}).at(0));
+        session.ask("SELECT " + version_columns() + " FROM opal.versions WHERE map = $1::bigint", {map_id}).at(0));
   });
   return pushed;
 }
@@ -238,7 +176,7 @@ std::vector<StoredVersion> PostgisStore::list(const std::string& building) const
   server_.read([&](Session& session) {
     require_schema(session, where());
     const std::string sql =
-        "SELECT " + kVersionColumns +
+        "SELECT " + version_columns() +
         " FROM opal.versions WHERE building = $1 OR $1 = '' ORDER BY building COLLATE \"C\", version";
     for (const Row& row : session.ask(sql, {building})) versions.push_back(version_of(row));
   });

@@ -8,7 +8,7 @@ namespace opal::postgis_store {
 namespace {
 
 /// Number k leads from version k to k + 1.
-const char* const kMigrations[] = {kSchema1};
+const char* const kMigrations[] = {kSchema1, kSchema2};
 static_assert(sizeof kMigrations / sizeof *kMigrations == kSchemaVersion);
 
 /// Of pushes that come first at the same time, one makes the tables. Any number will do that others do not use.
@@ -27,15 +27,15 @@ int version_in(Session& session) {
 
 }  // namespace
 
-void require_schema(Session& session, const std::string& where) {
+void require_schema(Session& session, const std::string& where, int least) {
   const int version = version_in(session);
   if (version > kSchemaVersion) refuse_newer(where, version);
   if (version == 0) throw StoreError(where + ": holds no map store yet; the first opal map push makes it");
-  if (version < kSchemaVersion)
+  if (version < least)
     throw StoreError(
-        fmt::format("{}: the map store has schema version {}, this program needs {}; the next opal map push, by the "
-                    "role that made it, brings it there",
-                    where, version, kSchemaVersion));
+        fmt::format("{}: the map store has schema version {}, this needs {}; the next opal map push, by the role that "
+                    "made it, brings it there",
+                    where, version, least));
 }
 
 void bring_up_to_date(Session& session, const std::string& where) {

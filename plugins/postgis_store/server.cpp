@@ -55,9 +55,9 @@ class PqxxSession final : public Session {
   Transaction& transaction_;
 };
 
-/// The server ended the session (57P..), or the way to it did (08...).
+/// The server ended the session (57P..), or the way to it did (08...); or libpq itself speaks, because no server does.
 bool is_end_of_session(const std::string& sqlstate) {
-  return sqlstate.starts_with("08") || sqlstate.starts_with("57P") || sqlstate == "25P03";
+  return sqlstate.empty() || sqlstate.starts_with("08") || sqlstate.starts_with("57P") || sqlstate == "25P03";
 }
 
 std::string libpq_default(const std::string& keyword) {

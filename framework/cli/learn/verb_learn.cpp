@@ -3,6 +3,7 @@
 #include "cli/options/verbs.hpp"
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
+#include "fleet/fleet_evidence.hpp"
 #include "learning/deviation_list.hpp"
 #include "session/session.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 struct LearnOptions {
   DriveInputs inputs;
   std::string out, evidence, csv, png, svg;
+  bool is_pushed = false;
   double least_probability = opal::kLeastProbability;
 };
 
@@ -53,21 +55,61 @@ void print(const opal::Learned& learned, double least_probability) {
   std::printf("%zu objects stand where the map says; of %zu nothing is known\n", learned.sound, learned.unseen);
 }
 
+void write_overlay(const opal::SemanticMap& map, const opal::Learned& learned, const std::string& sensor,
+                   const LearnOptions& options) {
+  if (options.out.empty()) return;
+  opal::write_text(options.out, opal::overlay_of(map, learned, sensor, options.least_probability).dump(1) + '\n');
+  std::cout << "written: " << options.out << '\n';
+}
+
+/// What cannot be pushed is found out before hours of logs are played.
+void expect_pushable(const LearnOptions& options, const opal::Deployment& deployment) {
+  if (options.out.empty() && !options.is_pushed)
+    throw CLI::ValidationError("-o is missing, expected an overlay to write (.jsonld), or --push");
+  if (!options.is_pushed) return;
+  if (!opal::read_store_source(deployment.map))
+    throw CLI::ValidationError("--push with the map " + deployment.map + ", expected store:BUILDING");
+  if (!deployment.overlays.empty())
+    throw CLI::ValidationError("--push with overlays: drives would tell of another map than the store has");
+}
+
+/// @return whether the store has it. Otherwise it waits on this machine, for the next time.
+bool push(const opal::PluginRegistry& registry, const opal::StoreSource& version,
+          const std::vector<opal::DriveEvidence>& drives) {
+  const auto store = map_store(registry);
+  const opal::EvidenceOutbox outbox = opal::EvidenceOutbox::usual();
+  for (const opal::DriveEvidence& drive : drives)
+    if (!drive.visits.empty()) outbox.keep(store->where(), version, opal::to_json(drive).dump());
+  try {
+    const opal::SentEvidence sent = opal::send_waiting(*store, outbox);
+    std::printf("pushed: %zu drives, of which %d are new, to %s\n", sent.confirmed, sent.added, store->where().c_str());
+    for (const std::string& refusal : sent.refused) std::cerr << "opal: not pushed: " << refusal << '\n';
+    return sent.refused.empty();
+  } catch (const opal::StoreUnreachable& error) {
+    std::cerr << "opal: not pushed: " << error.what() << "\nopal: the drives wait in " << outbox.folder().string()
+              << "; the next opal learn --push sends them\n";
+    return false;
+  }
+}
+
 int learn(const LearnOptions& options) {
   const opal::Deployment deployment = options.inputs.run.deployment();
+  expect_pushable(options, deployment);
   const opal::PluginRegistry registry = load_plugins(deployment);
-  const auto map = load_map(registry, deployment);
-  const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, map);
+  const VersionedMap loaded = load_versioned_map(registry, deployment);
+  const auto& map = loaded.map;
+  const bool has_drives = !options.inputs.files.empty();
+  bool is_sent = !options.is_pushed || has_drives || push(registry, *loaded.version, {});
+  const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, loaded);
   const opal::Learned learned = opal::learned_from(*map, drives);
   print(learned, options.least_probability);
-  const std::string sensor = deployment.lasers.front().id;
-  opal::write_text(options.out, opal::overlay_of(*map, learned, sensor, options.least_probability).dump(1) + '\n');
-  std::cout << "written: " << options.out << '\n';
+  write_overlay(*map, learned, deployment.lasers.front().id, options);
   if (!options.evidence.empty()) write_evidence(drives, options.evidence);
   if (!options.csv.empty()) opal::write_text(options.csv, opal::deviation_csv(*map, learned));
   draw(map, learned, options);
+  if (options.is_pushed && has_drives) is_sent = push(registry, *loaded.version, drives);
   const bool any = std::any_of(drives.begin(), drives.end(), [](const auto& drive) { return !drive.visits.empty(); });
-  return any ? kDone : kNo;
+  return any && is_sent ? kDone : kNo;
 }
 
 }  // namespace
@@ -77,7 +119,9 @@ void opal::add_learn_verb(CLI::App& app, int& exit_code) {
   CLI::App* verb =
       app.add_subcommand("learn", "the building as built: what drives say that the map has wrong, as an overlay");
   options->inputs.add_to(*verb);
-  verb->add_option("-o,--out", options->out, "overlay to write (.jsonld)")->required();
+  verb->add_option("-o,--out", options->out, "overlay to write (.jsonld)");
+  verb->add_flag("--push", options->is_pushed,
+                 "tell the map store what the drives say of store:BUILDING, for all robots together");
   verb->add_option("--least", options->least_probability, "changes that are less probable are told, not written")
       ->check(CLI::Range(0.5, 1.0))
       ->capture_default_str();

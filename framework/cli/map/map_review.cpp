@@ -42,8 +42,9 @@ opal::ReviewMatter matter_of(const ReviewOptions& options) {
   const opal::Deployment deployment = options.inputs.run.deployment();
   const opal::PluginRegistry registry = load_plugins(deployment);
   opal::ReviewMatter matter;
-  matter.map = load_map(registry, deployment);
-  const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, matter.map);
+  const VersionedMap loaded = load_versioned_map(registry, deployment);
+  matter.map = loaded.map;
+  const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, loaded);
   matter.learned = opal::learned_from(*matter.map, drives);
   matter.sensor = deployment.lasers.front().id;
   matter.map_digest = opal::sha256_of(matter.map->to_json_ld().dump());

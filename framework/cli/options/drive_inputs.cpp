@@ -1,12 +1,15 @@
 #include "cli/options/drive_inputs.hpp"
 
 #include "benchmark/runs/recorded_log.hpp"
+#include "fleet/fleet_evidence.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include <opal/sensing/replay.hpp>
 
+#include <cstdio>
 #include <filesystem>
+#include <iostream>
 
 namespace {
 
@@ -37,13 +40,25 @@ std::vector<opal::DriveEvidence> watched(const LogRunOptions& options, const opa
   return drives;
 }
 
+std::vector<opal::DriveEvidence> pushed_by_robots(const opal::PluginRegistry& registry, const VersionedMap& map) {
+  if (!map.version)
+    throw opal::ConfigError("LOG is missing: without a recorded log or evidence (.json), MAP must be store:BUILDING");
+  const auto store = map_store(registry);
+  opal::FleetEvidence evidence = opal::evidence_in(*store, *map.version, map.map->name());
+  for (const std::string& refusal : evidence.refused) std::cerr << "opal: left out: " << refusal << '\n';
+  std::printf("%zu drives about %s, from %s\n", evidence.drives.size(), opal::text_of(*map.version).c_str(),
+              store->where().c_str());
+  return std::move(evidence.drives);
+}
+
 bool is_evidence(const std::string& file) { return fs::path(file).extension() == ".json"; }
 
 }  // namespace
 
 void DriveInputs::add_to(CLI::App& verb) {
   verb.add_option("MAP", run.map, "map document, or a source to import")->required();
-  verb.add_option("LOG", files, "recorded logs, and evidence of drives (.json)")->required();
+  verb.add_option("LOG", files,
+                  "recorded logs, and evidence of drives (.json); none: what robots have pushed about store:BUILDING");
   run.config = "default";
   verb.add_option("--config", run.config, "deployment document, or the name of one that ships")->capture_default_str();
   verb.add_option("--info", run.info, "SITE.info.json that describes the laser; overrides the deployment's");
@@ -52,7 +67,9 @@ void DriveInputs::add_to(CLI::App& verb) {
 }
 
 std::vector<opal::DriveEvidence> DriveInputs::drives(const opal::PluginRegistry& registry,
-                                                     const std::shared_ptr<const opal::SemanticMap>& map) const {
+                                                     const VersionedMap& loaded) const {
+  if (files.empty()) return pushed_by_robots(registry, loaded);
+  const auto& map = loaded.map;
   std::vector<opal::DriveEvidence> drives;
   for (const std::string& file : files) {
     if (is_evidence(file)) {

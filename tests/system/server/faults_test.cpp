@@ -2,6 +2,7 @@
 #include "made_maps.hpp"
 #include "plugins/postgis_store/server.hpp"
 #include "program.hpp"
+#include "setting.hpp"
 #include "test_server.hpp"
 #include "tests/kit/file_content.hpp"
 
@@ -22,22 +23,6 @@ using Catch::Contains;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// An environment variable, as it was afterwards.
-class Setting {
- public:
-  Setting(const std::string& name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name.c_str())) before_ = before;
-    setenv(name.c_str(), value.c_str(), 1);
-  }
-  ~Setting() { before_ ? setenv(name_.c_str(), before_->c_str(), 1) : unsetenv(name_.c_str()); }
-  Setting(const Setting&) = delete;
-  Setting& operator=(const Setting&) = delete;
-
- private:
-  std::string name_;
-  std::optional<std::string> before_;
-};
 
 void run_sql(const std::string& sql) {
   postgis_store::Server({}).transact([&](postgis_store::Session& session) { session.run(sql); });
@@ -154,7 +139,7 @@ TEST_CASE("a database without a map store, or with one of another time, is refus
   store()->push(*malaga(), {"hall"});
   run_sql("INSERT INTO opal.schema_version (version) VALUES (99)");
   CHECK_THROWS_WITH(store()->pull("hall", 0),
-                    Contains("schema version 99, this program knows up to 1; use a newer Opal"));
+                    Contains("schema version 99, this program knows up to 2; use a newer Opal"));
   CHECK_THROWS_WITH(store()->push(*malaga(), {"hall"}), Contains("schema version 99"));
   run_sql("DELETE FROM opal.schema_version WHERE version = 99");
   CHECK(store()->list("hall").size() == 1);

@@ -118,3 +118,16 @@ TEST_CASE("SQL sees the whole graph") {
   CHECK(column(of_newest("shape FROM opal.features"), 0) ==
         std::set<std::string>{"circle", "corner", "point", "segment"});
 }
+
+TEST_CASE("the walls that robots have seen elsewhere, from what their drives say") {
+  store()->push(*example_room(), {"example"});
+  const auto drive = [](const std::string& verdict, double offset_m) {
+    const nlohmann::json object{{"object", "south_wall"}, {"verdict", verdict}, {"offset_m", offset_m}};
+    return nlohmann::json{{"visits", {{{"objects", {object}}}}}}.dump();
+  };
+  const int newest = store()->pull("example", 0).version.version;
+  store()->add_evidence("example", newest, {drive("moved", 0.2), drive("moved", 0.3), drive("as mapped", 0)});
+  const Rows rows = rows_of_answer(example_with("opal.drive_evidence e"));
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0] == postgis_store::Row{"south_wall", "2", "0.25"});
+}

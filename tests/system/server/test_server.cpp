@@ -103,7 +103,7 @@ pid_t TestServer::run(const std::vector<std::string>& arguments) const {
 void TestServer::start() {
   postgres_ =
       run({(programs_ / "postgres").string(), "-D", (folder() / "data").string(), "-k", folder().string(), "-p",
-           std::to_string(port_), "-c", "listen_addresses=127.0.0.1", "-c", "fsync=off", "-c", "max_connections=40"});
+           std::to_string(port_), "-c", "listen_addresses=127.0.0.1", "-c", "fsync=off", "-c", "max_connections=150"});
   for (int k = 0; k < 600 && !is_ready(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   if (!is_ready()) throw std::runtime_error("the server does not start; see " + (folder() / "log").string());
 }

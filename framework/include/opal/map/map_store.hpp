@@ -68,6 +68,13 @@ struct NearQuery {
   double radius_m = 0;           ///< features with some point this near are found
 };
 
+/// What one drive says of a map, as the store has it. The store keeps the document and does not read it.
+struct StoredEvidence {
+  std::string added_at;  ///< UTC, by the store's clock: "2026-11-21T14:02:11Z"
+  std::string added_by;  ///< the role that added it
+  std::string document;  ///< JSON, UTF-8: equal to what was added but for its layout
+};
+
 /// One answer to a NearQuery.
 struct NearFeature {
   MapFeatureNumber number = {};  ///< in the stored map
@@ -101,6 +108,16 @@ class OPAL_EXPORT MapStore {
   virtual std::vector<StoredVersion> list(const std::string& building) const = 0;
   /// In order of number; the same features as MapView::within finds. @throws StoreError as `pull` does.
   virtual std::vector<NearFeature> features_near(const NearQuery& query) const = 0;
+  /// Adds what drives say of one version of a map: all of it or nothing. A document that is there already counts once,
+  /// so that whoever does not know whether it has arrived adds it again.
+  /// @param version  that the drives were compared with, from 1 on.
+  /// @param documents  JSON, a drive each.
+  /// @return how many of them are new. @throws StoreError as `pull` does, and for what is no JSON.
+  virtual int add_evidence(const std::string& building, int version,
+                           const std::vector<std::string>& documents) const = 0;
+  /// All that drives say of one version, in an order that does not depend on when it arrived.
+  /// @param version  0: the newest. @throws StoreError as `pull` does.
+  virtual std::vector<StoredEvidence> evidence(const std::string& building, int version) const = 0;
 };
 
 }  // namespace opal
