@@ -13,9 +13,12 @@
 #include "benchmark/experiments/kit/in_parallel.hpp"
 #include "benchmark/experiments/storeys/storey_report.hpp"
 
+#include "common/whole_file.hpp"
 #include "output/output_folder.hpp"
 
 #include <opal/common/error.hpp>
+
+#include <fmt/format.h>
 
 #include <iostream>
 #include <mutex>
@@ -27,6 +30,7 @@ namespace experiments = opal::experiments;
 
 struct StoreysVerbOptions : WorldOptions {
   std::string map, config = "default", out;
+  bool has_recordings = false;
   opal::simulation::RideDriveOptions ride;
   int drives = 40, rides = 40, jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t first_seed = 1;
@@ -50,7 +54,11 @@ std::vector<Trip> trips_of(const opal::SemanticMap& map) {
 class StoreyRuns {
  public:
   StoreyRuns(const StoreysVerbOptions& options, const opal::LocalizerParts& parts)
-      : options_(options), parts_(parts), trips_(trips_of(parts.map->map())) {
+      : options_(options), parts_(parts), world_{parts, options.world}, trips_(trips_of(parts.map->map())) {
+    if (options.has_recordings)
+      world_.keep = [&options](const opal::simulation::Recording& recording, std::uint64_t seed) {
+        write_recording(recording, fmt::format("{}/recordings/{:05}", options.out, seed));
+      };
     if (storeys().empty())
       throw opal::MapError(options.map + ": holds no storeys, expected some (opal map stack, opal map import --all)");
     if (options.rides > 0 && trips_.empty())
@@ -75,11 +83,10 @@ class StoreyRuns {
     const auto drives = static_cast<std::size_t>(options_.drives);
     const std::uint64_t seed = options_.first_seed + k;
     if (k < drives) {
-      runs_[k] = experiments::run_storey_drive(parts_, options_.world, storeys()[k % storeys().size()].id,
-                                               options_.ride.drive, seed);
+      runs_[k] = experiments::run_storey_drive(world_, storeys()[k % storeys().size()].id, options_.ride.drive, seed);
     } else {
       const Trip& trip = trips_[(k - drives) % trips_.size()];
-      runs_[k] = experiments::run_ride(parts_, options_.world, *trip.lift, trip.from, trip.to, options_.ride, seed);
+      runs_[k] = experiments::run_ride(world_, *trip.lift, trip.from, trip.to, options_.ride, seed);
     }
     const std::lock_guard lock(counting_);
     bar_.show(++finished_ / static_cast<double>(runs_.size()));
@@ -87,6 +94,7 @@ class StoreyRuns {
 
   const StoreysVerbOptions& options_;
   const opal::LocalizerParts& parts_;
+  experiments::StoreyWorld world_;
   std::vector<Trip> trips_;
   std::vector<std::optional<experiments::StoreyRun>> runs_;
   ProgressBar bar_;
@@ -96,7 +104,9 @@ class StoreyRuns {
 
 int storeys(StoreysVerbOptions options) {
   const StopSignals signals;  // before other threads
-  opal::OutputFolder folder(options.out, "opal experiment storeys", drive_products());
+  std::vector<std::string> products = drive_products();
+  products.push_back("recordings");
+  opal::OutputFolder folder(options.out, "opal experiment storeys", products);
   opal::Deployment deployment = opal::read_deployment(config_file(options.config));
   const opal::PluginRegistry registry = load_plugins(deployment);
   options.take_laser(deployment);
@@ -104,6 +114,7 @@ int storeys(StoreysVerbOptions options) {
   deployment.lasers.insert(deployment.lasers.end(), options.world.more_lasers.begin(), options.world.more_lasers.end());
   options.ride.drive.drives = 1;
   const opal::LocalizerParts parts = build_parts(deployment, registry, load_map(registry, options.map));
+  if (options.has_recordings) opal::make_folder(options.out + "/recordings");
   const std::vector<experiments::StoreyRun> runs = StoreyRuns(options, parts).run(signals.token());
   const opal::Table table = storey_table(runs);
   std::cout << markdown_of(table);
@@ -131,6 +142,7 @@ void add_experiment_storeys(CLI::App& experiment, int& exit_code) {
   add_number(*verb, "--closed", o->ride.closed_s, 0.0, 1000.0, "how long the door of the lift is closed [s]");
   verb->add_flag("--shafts-mapped", o->ride.is_shaft_mapped,
                  "the map has the walls of the lifts; else a cabin is put there that it does not have");
+  verb->add_flag("--recordings", o->has_recordings, "also write each drive as a recorded log with its truth");
   add_number(*verb, "--jobs", o->jobs, 1, 1000, "at the same time; results do not depend on it");
   verb->add_option("--seed", o->first_seed, "of the first drive")->capture_default_str();
   o->add_to(*verb);

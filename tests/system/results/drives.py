@@ -11,6 +11,7 @@ import sys
 import faults
 import integrity
 import mutants
+import storeys
 
 KINDS = ("office", "hall", "warehouse", "corridor")
 SEEDS = (1, 2, 3)  # of the buildings
@@ -57,7 +58,7 @@ class Drives:
         """Of tables, by name."""
         return {"drives": self.buildings_table, "drives-models": self.models_table,
                 "faults": lambda: faults.faults_table(self.options), "integrity": lambda: integrity.integrity_table(self.options),
-                "mutants": lambda: mutants.mutants_table(self.options)}
+                "mutants": lambda: mutants.mutants_table(self.options), "storeys": lambda: storeys.storeys_table(self.options)}
 
     def _opal(self, *words):
         return subprocess.run([str(self.opal), *map(str, words)], capture_output=True, text=True, check=False)

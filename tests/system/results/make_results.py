@@ -3,7 +3,7 @@
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
 A name is a table (full, stages, calibration, damage, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives, drives-models,
-faults, integrity, mutants, redrawn, furnished, campus) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
+faults, integrity, mutants, redrawn, furnished, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
 only the rows of that kind are made.
 """
 
@@ -38,7 +38,7 @@ JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies"
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = {"detect": "detect", "local_map": "local map", "track": "track", "associate": "associate", "verify": "verify"}
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models", "faults", "integrity", "mutants", "redrawn", "furnished", "campus")  # make their runs themselves
+DRIVEN = ("drives", "drives-models", "faults", "integrity", "mutants", "redrawn", "furnished", "campus", "storeys")  # make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS, CUT_SEEDS = range(1, 21), range(1, 5)
 KIDNAPPING_OPTION, KIDNAPPING_FILE = "--kidnap", "kidnappings.csv"
@@ -358,6 +358,8 @@ def parse(arguments):
                         help="folder of SITE.queries.json, SITE.gt.csv and the recordings")
     parser.add_argument("--models-folder", type=pathlib.Path, default=pathlib.Path("../shared/data/ifc"),
                         help="folder of building models, *.ifc")
+    parser.add_argument("--plans-folder", type=pathlib.Path, default=pathlib.Path("../shared/data/plans"),
+                        help="folder of plans of several storeys")
     parser.add_argument("--sites", nargs="+", choices=SITES, help="only these; sums over all sites then stay as they are")
     parser.add_argument("--page", type=pathlib.Path, default=pathlib.Path("docs/results.md"))
     parser.add_argument("-o", "--out", type=pathlib.Path, default=pathlib.Path("out/results"), help="folder for the runs")

@@ -27,6 +27,27 @@ std::string median_localized(const std::vector<StoreyRun>& runs) {
   return median_m ? fmt::format("{:.1f}", *median_m) : "";
 }
 
+/// A wall that is not where the map has it may be an error of the map: so few say nothing.
+constexpr double kAlike = 0.03;
+
+template <class Test>
+std::vector<StoreyRun> those(const std::vector<StoreyRun>& runs, Test test) {
+  std::vector<StoreyRun> chosen;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(chosen), test);
+  return chosen;
+}
+
+std::vector<Cell> row_of(const std::string& name, const std::vector<StoreyRun>& runs) {
+  return {name,
+          std::to_string(runs.size()),
+          count_of(runs, [](const StoreyRun& run) { return run.is_right; }),
+          count_of(runs, [](const StoreyRun& run) { return run.wrong > 0; }),
+          count_of(runs, [](const StoreyRun& run) { return run.wrong_storey > 0; }),
+          count_of(runs, [](const StoreyRun& run) { return is_soon(run.right_from_m); }),
+          count_of(runs, [](const StoreyRun& run) { return is_soon(run.localized_from_m); }),
+          median_localized(runs)};
+}
+
 std::string written(const std::optional<double>& metres) { return metres ? fmt::format("{:.2f}", *metres) : ""; }
 
 }  // namespace
@@ -42,17 +63,14 @@ Table storey_table(const std::vector<StoreyRun>& runs) {
                    {"localized after 10 m"},
                    {"localized after, median", "m"}};
   for (const bool is_ride : {false, true}) {
-    std::vector<StoreyRun> these;
-    std::copy_if(runs.begin(), runs.end(), std::back_inserter(these),
-                 [&](const StoreyRun& run) { return run.is_ride == is_ride; });
+    const auto these = those(runs, [&](const StoreyRun& run) { return run.is_ride == is_ride; });
     if (these.empty()) continue;
-    table.rows.push_back({is_ride ? "rides" : "drives", std::to_string(these.size()),
-                          count_of(these, [](const StoreyRun& run) { return run.is_right; }),
-                          count_of(these, [](const StoreyRun& run) { return run.wrong > 0; }),
-                          count_of(these, [](const StoreyRun& run) { return run.wrong_storey > 0; }),
-                          count_of(these, [](const StoreyRun& run) { return is_soon(run.right_from_m); }),
-                          count_of(these, [](const StoreyRun& run) { return is_soon(run.localized_from_m); }),
-                          median_localized(these)});
+    table.rows.push_back(row_of(is_ride ? "rides" : "drives", these));
+    const auto is_alike = [](const StoreyRun& run) { return run.difference < kAlike; };
+    table.rows.push_back(
+        row_of(fmt::format("... fewer than {:.0f} % of beams tell the storey", 100 * kAlike), those(these, is_alike)));
+    table.rows.push_back(
+        row_of("... more tell it", those(these, [&](const StoreyRun& run) { return !is_alike(run); })));
   }
   return table;
 }
@@ -61,14 +79,15 @@ Table storey_rows(const std::vector<StoreyRun>& runs) {
   Table table;
   table.columns = {{"kind", "", false},  {"seed"},         {"from", "", false},  {"to", "", false}, {"lift", "", false},
                    {"localized_before"}, {"right_from_m"}, {"localized_from_m"}, {"right"},         {"right_storey"},
-                   {"answers"},          {"wrong"},        {"wrong_storey"},     {"wrong_at_m"},    {"driven_m"}};
+                   {"answers"},          {"wrong"},        {"wrong_storey"},     {"wrong_at_m"},    {"driven_m"},
+                   {"difference"}};
   for (const StoreyRun& run : runs)
     table.rows.push_back({run.is_ride ? "ride" : "drive", std::to_string(run.seed), run.from, run.to, run.lift,
                           run.localized_before ? "1" : "0", written(run.right_from_m), written(run.localized_from_m),
                           run.is_right ? "1" : "0", run.is_storey ? "1" : "0", std::to_string(run.answers),
                           std::to_string(run.wrong), std::to_string(run.wrong_storey),
                           run.wrong > 0 ? fmt::format("{:.2f}", run.wrong_at_m) : "",
-                          fmt::format("{:.1f}", run.driven_m)});
+                          fmt::format("{:.1f}", run.driven_m), fmt::format("{:.3f}", run.difference)});
   return table;
 }
 

@@ -1,6 +1,7 @@
 #include "benchmark/experiments/storeys/storey_run.hpp"
 
 #include "benchmark/experiments/kit/recorded_way.hpp"
+#include "benchmark/experiments/storeys/storey_difference.hpp"
 #include "evaluation/pose_tolerance.hpp"
 #include "live/live_core.hpp"
 #include "map_tools/map_stack.hpp"
@@ -54,29 +55,40 @@ void play(const LocalizerParts& parts, const simulation::Recording& recording,
     core.take(arrival.record, arrival.at_s, arrival.at_s, see);
 }
 
+/// @param from_s  what is driven before does not count.
+double difference(const LocalizerParts& parts, const simulation::Recording& recording, double from_s) {
+  std::vector<Pose2> poses;
+  for (const simulation::RecordedScan& scan : recording.scans)
+    if (scan.scan.stamp_s > from_s) poses.push_back(scan.T_map_base);
+  return storey_difference(*parts.map, poses, recording.laser);
+}
+
 }  // namespace
 
-StoreyRun run_storey_drive(const LocalizerParts& parts, const simulation::SimulationOptions& world,
-                           const std::string& storey, const simulation::DriveOptions& drive, std::uint64_t seed) {
-  const SemanticMap& map = parts.map->map();
-  simulation::Simulation simulation(storey_of_map(map, storey), world, seed);
+StoreyRun run_storey_drive(const StoreyWorld& world, const std::string& storey, const simulation::DriveOptions& drive,
+                           std::uint64_t seed) {
+  const SemanticMap& map = world.parts.map->map();
+  simulation::Simulation simulation(storey_of_map(map, storey), world.world, seed);
   const simulation::Recording recording = record(simulation, drive, simulation::Random(seed).branch());
+  if (world.keep) world.keep(recording, seed);
   StoreyRun run;
   run.seed = seed;
   run.from = run.to = storey;
   const RecordedWay way(recording);
   Watch watch(map, way, -1, run);
-  play(parts, recording, [&](const LiveAnswer& answer) { watch.see(answer); });
+  play(world.parts, recording, [&](const LiveAnswer& answer) { watch.see(answer); });
   run.driven_m = way.all_m();
+  run.difference = difference(world.parts, recording, -1);
   return run;
 }
 
-std::optional<StoreyRun> run_ride(const LocalizerParts& parts, const simulation::SimulationOptions& world,
-                                  const MapConnection& lift, const std::string& from, const std::string& to,
-                                  const simulation::RideDriveOptions& options, std::uint64_t seed) {
-  const SemanticMap& map = parts.map->map();
-  const auto made = simulation::record_ride(map, world, lift, from, to, options, seed);
+std::optional<StoreyRun> run_ride(const StoreyWorld& world, const MapConnection& lift, const std::string& from,
+                                  const std::string& to, const simulation::RideDriveOptions& options,
+                                  std::uint64_t seed) {
+  const SemanticMap& map = world.parts.map->map();
+  const auto made = simulation::record_ride(map, world.world, lift, from, to, options, seed);
   if (!made) return std::nullopt;
+  if (world.keep) world.keep(made->recording, seed);
   StoreyRun run;
   run.is_ride = true;
   run.seed = seed;
@@ -85,11 +97,12 @@ std::optional<StoreyRun> run_ride(const LocalizerParts& parts, const simulation:
   run.lift = lift.id;
   const RecordedWay way(made->recording, made->ride.leaves_s);
   Watch watch(map, way, made->ride.leaves_s, run);
-  play(parts, made->recording, [&](const LiveAnswer& answer) {
+  play(world.parts, made->recording, [&](const LiveAnswer& answer) {
     watch.see(answer);
     if (answer.stamp_s <= made->ride.stands_s) run.localized_before = run.is_right;
   });
   run.driven_m = way.all_m();
+  run.difference = difference(world.parts, made->recording, made->ride.leaves_s);
   return run;
 }
 

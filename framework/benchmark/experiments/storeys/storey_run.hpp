@@ -4,6 +4,7 @@
 
 #include <opal/localization/localizer.hpp>
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -28,16 +29,24 @@ struct StoreyRun {
   int wrong_storey = 0;                                          ///< of these, on another storey
   double wrong_at_m = std::numeric_limits<double>::quiet_NaN();  ///< where the first of these was
   double driven_m = 0;
+  double difference = 1;  ///< of the storey that is most like it: share of beams that end elsewhere there
+};
+
+/// What the drives of an experiment have in common.
+struct StoreyWorld {
+  const LocalizerParts& parts;  ///< of the localizer; its map holds storeys
+  const simulation::SimulationOptions& world;
+  /// Gets each drive as it was recorded, if it is set; from the threads in which drives run.
+  std::function<void(const simulation::Recording&, std::uint64_t seed)> keep = {};
 };
 
 /// A drive about one storey from an unknown place on an unknown storey.
-/// @param parts  of the localizer; its map holds storeys.
-StoreyRun run_storey_drive(const LocalizerParts& parts, const simulation::SimulationOptions& world,
-                           const std::string& storey, const simulation::DriveOptions& drive, std::uint64_t seed);
+StoreyRun run_storey_drive(const StoreyWorld& world, const std::string& storey, const simulation::DriveOptions& drive,
+                           std::uint64_t seed);
 
 /// A ride in a lift; none if the lift cannot be reached.
-std::optional<StoreyRun> run_ride(const LocalizerParts& parts, const simulation::SimulationOptions& world,
-                                  const MapConnection& lift, const std::string& from, const std::string& to,
-                                  const simulation::RideDriveOptions& options, std::uint64_t seed);
+std::optional<StoreyRun> run_ride(const StoreyWorld& world, const MapConnection& lift, const std::string& from,
+                                  const std::string& to, const simulation::RideDriveOptions& options,
+                                  std::uint64_t seed);
 
 }  // namespace opal::experiments
