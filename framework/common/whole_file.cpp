@@ -22,6 +22,18 @@ std::string target_of(const std::string& path) {
   return ignored ? path : target.string();
 }
 
+/// After this the name of a file is on the disk, and not only its content. Folders that cannot be opened or that their
+/// file system does not sync are left to it.
+/// @return the cause of a failure, or 0.
+int sync_folder_of(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  const int opened = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return errno == EACCES ? 0 : errno;
+  const int cause = fsync(opened) == 0 || errno == EINVAL ? 0 : errno;
+  close(opened);
+  return cause;
+}
+
 }  // namespace
 
 WholeFile::WholeFile(const std::string& path) : path_(path), target_(target_of(path)) {
@@ -69,8 +81,10 @@ void WholeFile::finish() {
   const int closed = close(file_);
   file_ = -1;
   if (closed != 0) fail(errno);
-  if (!draft_.empty() && std::rename(draft_.c_str(), target_.c_str()) != 0) fail(errno);
+  if (draft_.empty()) return;
+  if (std::rename(draft_.c_str(), target_.c_str()) != 0) fail(errno);
   draft_.clear();
+  if (const int cause = sync_folder_of(target_)) fail(cause);
 }
 
 void make_folder(const std::string& path) {

@@ -3,8 +3,11 @@
 import collections
 import json
 import math
+import os
+import random
 import socket
 import subprocess
+import threading
 import time
 import unittest
 
@@ -143,6 +146,33 @@ class TwoLasers(ADriveChecks):
     def scans_in_log(self):
         lines = subprocess.run(["gzip", "-dc", "runs/two.log.gz"], cwd=self.folder, stdout=subprocess.PIPE, check=True).stdout
         return collections.Counter(line.split()[0].decode() for line in lines.splitlines())
+
+
+class AKilledRecorder(ADriveChecks):
+    """kill -9 at random moments; OPAL_KILLS says how often."""
+
+    def killed_at_s(self, after_s):
+        """Records a robot that drives on. @return when the recorder was killed, by this machine's clock"""
+        node = self.start("ros2", "malaga", "--map", MALAGA / "malaga-demo.map.yaml", "--record", "drive.mcap")
+        moments = []
+        def kill():
+            node.kill()
+            moments.append(time.time())
+        timer = threading.Timer(after_s, kill)
+        timer.start()
+        self.play(1, "tf", "reliable")
+        timer.join()
+        node.communicate(timeout=PATIENCE_S)
+        return moments[0]
+
+    def test_a_recording_holds_all_but_the_last_second_and_a_half(self):
+        drawn = random.Random(1)
+        for _ in range(int(os.environ.get("OPAL_KILLS", "2"))):
+            killed_s = self.killed_at_s(drawn.uniform(3, 9))
+            info = subprocess.run([PROGRAM, "info", "drive.mcap", "--json"], cwd=self.folder, capture_output=True, text=True, check=True)
+            self.assertIn("without a footer", info.stdout + info.stderr)
+            self.assertGreater(json.loads(info.stdout)["last_s"], killed_s - 1.5, info.stdout)
+            self.assertGreater(self.messages_in("drive.mcap")["/scan"], 0)
 
 
 class ALook(Bench):

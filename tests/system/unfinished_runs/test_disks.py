@@ -1,8 +1,11 @@
 """Disks that are full or cannot be written."""
 
 import contextlib
+import fcntl
+import os
 import resource
 import signal
+import struct
 import subprocess
 
 from runs import CONFIG, CORRIDOR, MALAGA, PATIENCE_S, RunTest, program
@@ -86,3 +89,63 @@ class Disk(RunTest):
         self.run_to_its_end(*IMPORT, "link.jsonld")
         self.assertTrue((self.folder / "link.jsonld").is_symlink())
         self.assertIn("@context", (self.folder / "real.jsonld").read_text())
+
+
+class VanishedShare(RunTest):
+    """A file system that answers everything with an error from some moment on, as a share does whose server has gone."""
+    SHUTDOWN, WITHOUT_A_WORD = 0x8004587D, struct.pack("I", 2)  # EXT4_IOC_SHUTDOWN, EXT4_GOING_FLAGS_NOLOGFLUSH
+
+    def setUp(self):
+        super().setUp()
+        self.image, self.share = self.folder / "image", self.folder / "share"
+        self.share.mkdir()
+        with open(self.image, "wb") as file:
+            file.truncate(16 << 20)
+        subprocess.run(["mkfs.ext4", "-q", str(self.image)], check=True)
+        self.mount()
+        self.addCleanup(self.unmount)
+
+    def mount(self):
+        made = subprocess.run(["mount", "-o", "loop", str(self.image), str(self.share)], capture_output=True, text=True)
+        if made.returncode != 0:
+            self.skipTest("no right to mount a file system: " + made.stderr.strip())
+
+    def unmount(self):
+        if os.path.ismount(self.share):
+            subprocess.run(["umount", str(self.share)], check=True)
+
+    def vanish(self):
+        share = os.open(self.share, os.O_RDONLY)
+        fcntl.ioctl(share, self.SHUTDOWN, self.WITHOUT_A_WORD)
+        os.close(share)
+
+    def come_back(self):
+        self.unmount()
+        self.mount()
+
+    def test_a_run_on_a_share_that_vanishes_ends_and_says_why(self):
+        process = self.start(*self.long_localize("share/out"))
+        self.wait_until("it is in the middle", lambda: self.starts_of("share/out") > 3, process)
+        self.vanish()
+        _, errors = process.communicate(timeout=PATIENCE_S)
+        self.assertEqual(process.returncode, 4, errors)
+        self.assertIn("cannot be written: Input/output error", errors)
+        self.assertIn("share/out/", errors)
+
+    def test_what_was_told_as_written_is_there_when_the_share_comes_back(self):
+        self.run_to_its_end(*IMPORT, "share/map.jsonld")
+        written = (self.share / "map.jsonld").read_bytes()
+        self.vanish()
+        said = self.run_to_its_end(*IMPORT, "share/map.jsonld", expected=4)
+        self.assertIn("share/map.jsonld: cannot be written: Input/output error", said.stderr)
+        self.come_back()
+        self.assertEqual((self.share / "map.jsonld").read_bytes(), written)
+
+    def test_caches_on_a_share_that_has_vanished_stop_no_robot(self):
+        self.vanish()
+        for variable in ("OPAL_PREPARED_CACHE", "OPAL_MAP_CACHE"):
+            os.environ[variable] = str(self.share / "cache")
+            self.addCleanup(os.environ.pop, variable)
+        self.run_to_its_end("map", "join", CORRIDOR + ".map.yaml", "--copies", "80", "-o", "large.jsonld")
+        said = self.run_to_its_end("localize", CONFIG, CORRIDOR + ".log.gz", "--map", "large.jsonld", "-o", "out")
+        self.assertIn("written to out", said.stdout)

@@ -1,7 +1,7 @@
 """kill -9 at a random moment: what a program has told as written is there and whole, what it replaces stays until then, and the
 next run does its work.
 
-OPAL_KILLS says how often each program is killed (3 in the suite; 170 give a thousand kills, in a quarter of an hour).
+OPAL_KILLS says how often each program is killed (3 in the suite; 125 give a thousand kills, in half an hour).
 """
 
 import json
@@ -70,6 +70,33 @@ class Killed(RunTest):
         self.run_to_its_end("map", "import", CORRIDOR + ".map.yaml", "-o", "corridor.jsonld")
         names = [f"place.{kind}" for kind in ("log.gz", "gt.csv", "info.json", "queries.json", "map.jsonld")]
         self.kill_often(["simulate", "corridor.jsonld", "-o", "place", "--distance", "4"], names)
+
+    def test_what_was_learned_is_whole(self):
+        self.run_to_its_end("map", "import", CORRIDOR + ".map.yaml", "-o", "corridor.jsonld")
+        self.kill_often(["learn", "corridor.jsonld", CORRIDOR + ".log.gz", "--config", CONFIG, "-o", "learned.jsonld", "--evidence",
+                         "evidence.json"], ["learned.jsonld", "evidence.json"])
+
+    def test_a_large_map_is_prepared_whole_or_once_more(self):
+        """The file that is mapped into memory: what a killed program leaves never changes an answer."""
+        self.run_to_its_end("map", "join", CORRIDOR + ".map.yaml", "--copies", "80", "-o", "large.jsonld")
+        words = ["localize", CONFIG, CORRIDOR + ".log.gz", "--map", "large.jsonld", "-o", "out"]
+        os.environ["OPAL_PREPARED_CACHE"] = str(self.folder / "prepared")
+        self.addCleanup(os.environ.pop, "OPAL_PREPARED_CACHE")
+        takes_s = self.timed(words)
+        new, prepared = self.contents(["out/results.csv"]), self.prepared()
+        self.assertEqual(len(prepared), 1, "the map is too small to be prepared")
+        for _ in range(KILLS):
+            for file in (self.folder / "prepared").iterdir():
+                file.unlink()
+            self.kill_once(words, 0.8 * takes_s)
+            self.assertIn(self.prepared(), ({}, prepared))
+            self.run_to_its_end(*words)
+            self.assertEqual(self.contents(["out/results.csv"]), new)
+            self.assertEqual(self.prepared(), prepared)
+
+    def prepared(self):
+        """Files that another program would open."""
+        return {file.name: file.read_bytes() for file in (self.folder / "prepared").glob("*") if file.suffix != ".part"}
 
     def expect_marked_or_whole(self, names, new):
         """A run that was killed is marked in its folder, or its results are whole."""
