@@ -6,6 +6,8 @@
 #include <opal/sensing/lines/line_extraction.hpp>
 #include <opal/sensing/scan_chains.hpp>
 
+#include <utility>
+
 namespace opal {
 namespace {
 
@@ -110,6 +112,13 @@ struct DriveObserver::State {
     if (is_sound) evidence.visits.push_back(evidence_of(*stretch, parts.map->map()));
     stretch.reset();
   }
+
+  DriveEvidence said_by(const std::string& drive) {
+    DriveEvidence said = std::exchange(evidence, {});
+    said.drive = drive;
+    said.map = parts.map->map().name();
+    return said;
+  }
 };
 
 DriveObserver::DriveObserver(const LocalizerParts& parts) : state_(std::make_unique<State>(parts)) {}
@@ -125,11 +134,14 @@ void DriveObserver::update(const Sample& sample) {
   if (state_->stretch->tracker.last().lost || state_->stretch->driven_m > kVisit_m) state_->end();
 }
 
+std::optional<DriveEvidence> DriveObserver::take(const std::string& drive) {
+  if (state_->evidence.visits.empty()) return std::nullopt;
+  return state_->said_by(drive);
+}
+
 DriveEvidence DriveObserver::finish(const std::string& drive) {
   state_->end();
-  state_->evidence.drive = drive;
-  state_->evidence.map = state_->parts.map->map().name();
-  return std::move(state_->evidence);
+  return state_->said_by(drive);
 }
 
 DriveEvidence observed_drive(const LocalizerParts& parts, Replay& replay, const std::string& drive) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ class DriveObserver {
 
   /// In time order.
   void update(const Sample& sample);
+  /// What has been said since this was last asked; nothing if no visit has ended since then.
+  std::optional<DriveEvidence> take(const std::string& drive);
   /// What the drive has said. The observer must not be used afterwards.
   DriveEvidence finish(const std::string& drive);
 

@@ -40,11 +40,12 @@ recording::RosStream stream_of(const NodeOptions& options) {
 }  // namespace
 
 RobotNode::RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map, MakeParts make_parts,
-                     EventSink* events)
+                     EventSink* events, RecordListener heard)
     : options_(std::move(options)),
       map_(std::move(map)),
       make_parts_(std::move(make_parts)),
       events_(events),
+      heard_(std::move(heard)),
       memory_(options_.state_file, map_->name()),
       participant_(options_.range),
       incoming_(participant_),
@@ -112,11 +113,16 @@ void RobotNode::drain() {
     record(next->message);
     if (!next->record) continue;
     if (live_)
-      live_->take(std::move(*next->record), now_s());
+      localize(std::move(*next->record), now_s());
     else
       before_.push_back(std::move(*next->record));
   }
   if (!live_ && stream_.is_open()) begin();
+}
+
+void RobotNode::localize(LogRecord record, double now_s) {
+  if (heard_) heard_(record);
+  live_->take(std::move(record), now_s);
 }
 
 void RobotNode::record(const recording::ReceivedMessage& message) {
@@ -148,7 +154,7 @@ void RobotNode::begin() {
     std::cerr << "ros2: the pose of the last run is taken as a hint\n";
   }
   if (early_hint_) live_->hint(early_hint_->T_map_base, early_hint_->sigma_m, early_hint_->sigma_rad);
-  for (LogRecord& record : before_) live_->take(std::move(record));
+  for (LogRecord& record : before_) localize(std::move(record), std::numeric_limits<double>::quiet_NaN());
   before_.clear();
   announcer_ = std::jthread([this](const std::stop_token& stop) { announce(stop); });
   std::cerr << "ros2: localizing\n";

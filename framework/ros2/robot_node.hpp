@@ -38,11 +38,16 @@ struct NodeOptions {
 /// What is localized with, once it is known what the lasers are.
 using MakeParts = std::function<LocalizerParts(std::span<const LogRecord>)>;
 
+/// Gets every record that is localized with, from the thread that runs the node; whoever listens must not take long.
+using RecordListener = std::function<void(const LogRecord&)>;
+
 /// Localizes a running robot until it is asked to stop.
 class RobotNode {
  public:
-  /// @param events  may be null. @throws Error if DDS cannot be started, WriteError if a file cannot be written.
-  RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map, MakeParts make_parts, EventSink* events);
+  /// @param events  may be null. @param heard  may be empty.
+  /// @throws Error if DDS cannot be started, WriteError if a file cannot be written.
+  RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map, MakeParts make_parts, EventSink* events,
+            RecordListener heard = {});
   ~RobotNode();
 
   /// @throws what `make_parts` throws, if the robot's lasers do not fit the deployment.
@@ -59,6 +64,7 @@ class RobotNode {
   void record(const recording::ReceivedMessage& message);
   void publish_map();
   void begin();
+  void localize(LogRecord record, double now_s);
   void fall_back_to_odometry_topic();
   void announce(const std::stop_token& stop);
   void look_around();
@@ -71,6 +77,7 @@ class RobotNode {
   std::shared_ptr<const SemanticMap> map_;
   MakeParts make_parts_;
   EventSink* events_;
+  RecordListener heard_;
   PoseMemory memory_;
   Participant participant_;
   Incoming incoming_;

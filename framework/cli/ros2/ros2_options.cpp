@@ -71,6 +71,9 @@ void Ros2Options::add_network(CLI::App& verb) {
 void Ros2Options::add_running(CLI::App& verb) {
   verb.add_option("--record", rest.record_file, "MCAP file to keep in what is received, as it was");
   verb.add_option("--state", rest.state_file, "file to keep the last good pose in, a hint for the next start");
+  verb.add_option("--evidence", learning.evidence,
+                  "file (.json) to write after each visit: what the drive says of the map, for opal learn");
+  verb.add_flag("--push", learning.is_pushed, "tell the map store the same of store:BUILDING, for all robots together");
   verb.add_flag("--check", check, "look at the robot, say what is there and what is missing, and publish nothing");
   verb.add_option("--seconds", check_s, "with --check: how long")
       ->capture_default_str()

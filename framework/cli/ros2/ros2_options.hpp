@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opal/deployment/deployment.hpp>
+#include "cli/ros2/learning_robot.hpp"
 #include "ros2/robot_node.hpp"
 #include "viewer/serving/live_server.hpp"
 
@@ -24,6 +25,7 @@ struct Ros2Options {
   unsigned domain = 0;
   bool has_domain = false;
   std::string reach;
+  LearningOptions learning;
   ros2::NodeOptions rest;  ///< frames, files and what else goes to the node as it is
 
   void add_to(CLI::App& verb);

@@ -2,6 +2,7 @@
 #include "cli/info/deployment_lines.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
+#include "cli/ros2/learning_robot.hpp"
 #include "cli/ros2/ros2_options.hpp"
 #include "cli/terminal/live_view.hpp"
 #include "cli/terminal/stop_signals.hpp"
@@ -30,16 +31,23 @@ std::string environment_value(const char* name) {
 class RobotParts {
  public:
   RobotParts(const opal::PluginRegistry& plugins, opal::Deployment deployment, std::string config,
-             opal::EventSink* events)
+             opal::EventSink* events, const LearningOptions& learning)
       : plugins_(plugins), deployment_(std::move(deployment)), config_(std::move(config)), events_(events) {
     opal::check_parts(deployment_, plugins_);
-    map_ = load_map(plugins_, deployment_);
+    const VersionedMap loaded = load_versioned_map(plugins_, deployment_);
+    map_ = loaded.map;
+    if (learning.any()) learning_.emplace(learning, plugins_, loaded, !deployment_.overlays.empty());
     if (!takes_geometry_from_log(deployment_))
       opal::build_parts(deployment_, plugins_, map_);  // wrong options show now
   }
 
   const std::shared_ptr<const opal::SemanticMap>& map() const { return map_; }
-  opal::LocalizerParts make(std::span<const opal::LogRecord> records) const {
+  /// Nobody listens if nothing is learned.
+  opal::ros2::RecordListener listener() {
+    if (!learning_) return {};
+    return [this](const opal::LogRecord& record) { learning_->take(record); };
+  }
+  opal::LocalizerParts make(std::span<const opal::LogRecord> records) {
     opal::Deployment fitted = deployment_;
     fitted.lasers = opal::lasers_of_log(records, deployment_.lasers, "the robot", config_ + ": /sensor");
     opal::LocalizerParts parts = opal::build_parts(fitted, plugins_, map_);
@@ -48,6 +56,7 @@ class RobotParts {
       events_->write(opal::map_event(*parts.map));
       events_->write(opal::start_event("robot"));
     }
+    if (learning_) learning_->begin(parts);
     return parts;
   }
 
@@ -57,6 +66,7 @@ class RobotParts {
   std::string config_;
   opal::EventSink* events_;
   std::shared_ptr<const opal::SemanticMap> map_;
+  std::optional<LearningRobot> learning_;
 };
 
 int localize_robot(const opal::Ros2Options& options) {
@@ -66,12 +76,12 @@ int localize_robot(const opal::Ros2Options& options) {
   std::optional<LiveView> page;
   if (options.serve) page.emplace(options.port, signals.token());
   opal::EventSink* const events = page ? &page->events() : nullptr;
-  const RobotParts parts(plugins, deployment, options.config, events);
+  RobotParts parts(plugins, deployment, options.config, events, options.learning);
   opal::ros2::ServiceNotice notice(environment_value("NOTIFY_SOCKET"));
   const opal::ros2::NodeOptions node_options = options.node(deployment);
   std::cerr << "ros2: " << words_of(node_options.range) << '\n';
   opal::ros2::RobotNode node(
-      node_options, parts.map(), [&](auto records) { return parts.make(records); }, events);
+      node_options, parts.map(), [&](auto records) { return parts.make(records); }, events, parts.listener());
   node.run(signals.token(), notice);
   return kDone;
 }

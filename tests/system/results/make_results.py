@@ -357,9 +357,7 @@ def parse(arguments):
     parser.add_argument("--sites-folder", type=pathlib.Path, default=pathlib.Path("../shared/data/sites"),
                         help="folder of SITE.queries.json, SITE.gt.csv and the recordings")
     parser.add_argument("--models-folder", type=pathlib.Path, default=pathlib.Path("../shared/data/ifc"),
-                        help="folder of building models, *.ifc")
-    parser.add_argument("--plans-folder", type=pathlib.Path, default=pathlib.Path("../shared/data/plans"),
-                        help="folder of plans of several storeys")
+                        help="folder of building models, *.ifc; plans of several storeys are in plans beside it")
     parser.add_argument("--sites", nargs="+", choices=SITES, help="only these; sums over all sites then stay as they are")
     parser.add_argument("--page", type=pathlib.Path, default=pathlib.Path("docs/results.md"))
     parser.add_argument("-o", "--out", type=pathlib.Path, default=pathlib.Path("out/results"), help="folder for the runs")

@@ -20,6 +20,10 @@ BUILDINGS = {  # the row's label in docs/results.md: plans, and a lift that they
 }
 
 
+def plans_of(options):
+    return options.models_folder.parent / "plans"
+
+
 def connections(plans, place):
     landings = [{"@type": "Landing", "on_storey": plan.stem, "x": place[0], "y": place[1]} for plan in plans]
     return {"@context": "urn:opal:v1", "@graph": [{**LIFT, "landings": landings}]}
@@ -27,7 +31,7 @@ def connections(plans, place):
 
 def stacked(options, folder, pattern, lift):
     """The storeys as one map; nothing if the plans are not there."""
-    plans = sorted(options.plans_folder.glob(pattern))
+    plans = sorted(plans_of(options).glob(pattern))
     if not plans:
         return None
     folder.mkdir(parents=True, exist_ok=True)
@@ -87,7 +91,7 @@ def storeys_table(options):
     for label, (pattern, lift) in BUILDINGS.items():
         folder = (options.out / "storeys" / pattern.split("_")[0]).resolve()
         if stacked(options, folder, pattern, lift) is None:
-            print(f"no plans {pattern} in {options.plans_folder}: storeys skipped", file=sys.stderr)
+            print(f"no plans {pattern} in {plans_of(options)}: storeys skipped", file=sys.stderr)
             continue
         made.update(by_likeness(label, rows_of(options, folder / "drives", "--drives", DRIVES, "--distance", 60, "--rides", 0)))
         made[f"{label}: with disambiguate"] = disambiguating(options, folder / "disambiguate")

@@ -79,6 +79,15 @@ class ADrive(ADriveChecks):
         self.assertEqual(width * height, cells)
         self.assertGreater(occupied, 1000)
 
+    def test_what_a_drive_says_of_the_map_is_kept_while_it_is_driven(self):
+        self.drive(2, "tf", "reliable", "--evidence", "evidence.json")
+        drives = json.loads((self.folder / "evidence.json").read_text())
+        self.assertEqual([drive["drive"].split(", ")[-1] for drive in drives], ["visit 1"])
+        self.assertGreater(drives[0]["learned_m"], 1)
+        learned = subprocess.run([PROGRAM, "learn", MALAGA / "malaga-demo.map.yaml", "evidence.json", "-o", "learned.jsonld"], cwd=self.folder,
+                                 stdout=subprocess.PIPE, text=True, check=True)
+        self.assertRegex(learned.stdout, r"[1-9]\d* objects stand where the map says")
+
     def test_odometry_is_taken_from_its_topic_if_there_are_no_transforms_and_best_effort_is_read(self):
         heard, errors = self.drive(3, "odometry", "best_effort")
         self.assertIn("odometry is taken from /odom", errors)

@@ -76,8 +76,8 @@ TEST_CASE("a push that is killed at any moment is a whole version or none, and w
 TEST_CASE("a drive whose push is killed at any moment is in the store once, or waits") {
   const TemporaryFolder folder;
   const Setting outbox("OPAL_OUTBOX", folder.path_of("outbox")), cache("OPAL_MAP_CACHE", folder.path_of("cache"));
-  REQUIRE(opal_run({"map", "push", OPAL_SOURCE_DIR "/maps/malaga/malaga-demo.map.yaml", "--building", "driven"}).exit_code ==
-          0);
+  REQUIRE(opal_run({"map", "push", OPAL_SOURCE_DIR "/maps/malaga/malaga-demo.map.yaml", "--building", "driven"})
+              .exit_code == 0);
   const std::string log = OPAL_SOURCE_DIR "/maps/malaga/malaga-demo.log.gz", made = folder.path_of("made.json");
   const std::string config = OPAL_SOURCE_DIR "/configs/malaga.jsonld";
   REQUIRE(

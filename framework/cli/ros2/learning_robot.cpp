@@ -1,0 +1,67 @@
+#include "cli/ros2/learning_robot.hpp"
+
+#include "common/text_file.hpp"
+#include "common/utc_time.hpp"
+#include "fleet/fleet_evidence.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <unistd.h>
+
+#include <array>
+#include <iostream>
+
+namespace {
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "a robot";
+}
+
+}  // namespace
+
+LearningRobot::LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins,
+                             const VersionedMap& map, bool has_overlays)
+    : options_(options) {
+  if (!options.is_pushed) return;
+  if (!map.version) throw opal::ConfigError("--push with a map that is in no map store, expected store:BUILDING");
+  if (has_overlays)
+    throw opal::ConfigError("--push with overlays: drives would tell of another map than the store has");
+  store_ = map_store(plugins);
+  version_ = *map.version;
+  outbox_ = opal::EvidenceOutbox::usual();
+}
+
+LearningRobot::~LearningRobot() { ends_ = true; }
+
+void LearningRobot::begin(const opal::LocalizerParts& parts) {
+  observer_ = std::make_unique<opal::LiveObserver>(parts, host_name() + " " + opal::now_utc(),
+                                                   [this](const opal::DriveEvidence& evidence) { keep(evidence); });
+}
+
+void LearningRobot::take(const opal::LogRecord& record) {
+  if (observer_) observer_->take(record);
+}
+
+void LearningRobot::keep(const opal::DriveEvidence& evidence) {
+  const nlohmann::ordered_json document = to_json(evidence);
+  try {
+    if (!options_.evidence.empty()) {
+      said_.push_back(document);
+      opal::write_text(options_.evidence, said_.dump(1) + '\n');
+    }
+    if (outbox_) outbox_->keep(store_->where(), version_, document.dump());
+  } catch (const opal::Error& error) {
+    std::cerr << "ros2: " << error.what() << ": what this visit has taught is lost\n";
+  }
+  if (store_ && !ends_) send();
+}
+
+void LearningRobot::send() {
+  try {
+    for (const std::string& refusal : opal::send_waiting(*store_, *outbox_).refused)
+      std::cerr << "ros2: not pushed: " << refusal << '\n';
+  } catch (const opal::Error& error) {  // it waits
+    std::cerr << "ros2: not pushed yet: " << error.what() << '\n';
+  }
+}

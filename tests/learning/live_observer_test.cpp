@@ -1,0 +1,64 @@
+#include "learning/live_observer.hpp"
+
+#include "tests/live/live_robot.hpp"
+
+#include <opal/sensing/scan_pairing.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <mutex>
+
+using namespace opal;
+
+namespace {
+
+const LiveRobot& robot() {
+  static const LiveRobot one;
+  return one;
+}
+
+/// What the visits of a drive say, one after the other.
+std::vector<nlohmann::ordered_json> learned_live(std::size_t most_queued) {
+  std::mutex mutex;
+  std::vector<nlohmann::ordered_json> said;
+  {
+    LiveObserver observer(
+        robot().parts(), "a drive",
+        [&](const DriveEvidence& evidence) {
+          const std::lock_guard lock(mutex);
+          said.push_back(to_json(evidence));
+        },
+        most_queued);
+    for (const simulation::Arrival& arrival : robot().arrivals) observer.take(arrival.record);
+    REQUIRE(observer.drain(120));
+  }
+  return said;
+}
+
+/// The same without a thread, all at the end.
+DriveEvidence learned_at_once() {
+  ScanPairing pairing(robot().parts().lasers);
+  DriveObserver observer(robot().parts());
+  for (const simulation::Arrival& arrival : robot().arrivals) {
+    pairing.take(arrival.record);
+    while (const auto sample = pairing.next()) observer.update(*sample);
+  }
+  return observer.finish("a drive");
+}
+
+}  // namespace
+
+TEST_CASE("what is learned while a robot drives is what its recording teaches, visit by visit") {
+  const DriveEvidence whole = learned_at_once();
+  REQUIRE_FALSE(whole.visits.empty());
+  const auto live = learned_live(100'000);
+  REQUIRE(live.size() == whole.visits.size());
+  for (std::size_t k = 0; k < live.size(); ++k) {
+    CHECK(live[k]["drive"] == "a drive, visit " + std::to_string(k + 1));
+    CHECK(live[k]["visits"] == nlohmann::ordered_json::array({to_json(whole)["visits"][k]}));
+  }
+}
+
+TEST_CASE("an observer that cannot keep up drops the oldest records and goes on") {
+  CHECK(learned_live(10).size() <= learned_at_once().visits.size());
+}
