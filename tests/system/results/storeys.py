@@ -7,8 +7,8 @@ import sys
 
 from redrawn import run
 
-DRIVES, RIDES = 200, 140
-DISAMBIGUATING = 40
+DRIVES, RIDES = 100, 70
+DISAMBIGUATING = 20
 ALIKE = 0.03  # share of beams: with fewer that end elsewhere, a storey can hardly be told from another one
 SOON_M = 10
 ROBOT = ["--robot-radius", 0.25]

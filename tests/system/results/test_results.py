@@ -16,6 +16,7 @@ import integrity
 import judge
 import make_results
 import mutants
+import storeys
 import tables
 
 HEADER = "query_id,timestamp,x,y,theta,localized_flag,probability,none,status\n"
@@ -284,10 +285,13 @@ class Page(unittest.TestCase):
         fault_rows = [{"localized_before": "1", "recovered_after_s": "2.5", "wrong_s": "0", "named": "1"}]
         stratum = {"aspect": "map", "value": "redrawn", "drives": 3, "false_drives": 1, "false_share_95": [0, 0.7], "localized_drives": 2,
                    "localized_after_m": {"median": 4.5, "95 %": None}}
+        storey_row = {"right": "1", "wrong": "0", "right_from_m": "3.0", "localized_from_m": "", "difference": "0.2"}
+        label = next(iter(storeys.BUILDINGS))
         driven = types.SimpleNamespace(makers=lambda: {
             "drives": lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
             "drives-models": lambda: {"Duplex, Level 1": cells}, "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
             "integrity": lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)},
+            "storeys": lambda: storeys.by_likeness(label, [storey_row]),
             "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
         row = (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict]))
         self.enterContext(unittest.mock.patch("campus.row_of", return_value=row))
