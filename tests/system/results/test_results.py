@@ -266,8 +266,7 @@ class Page(unittest.TestCase):
     """docs/results.md has a row and a column for everything that the command makes."""
 
     def test_every_table_is_marked_and_takes_its_cells(self):
-        root = pathlib.Path(__file__).resolve().parents[3]
-        page = (root / "docs/results.md").read_text()
+        page = (pathlib.Path(__file__).resolve().parents[3] / "docs/results.md").read_text()
         sums = judge.Kidnappings(1, 1, 1, 0.0, 1, 1, 1)
         summary = {**dict.fromkeys(("cpu_ms_median", "cpu_ms_mean", "cpu_ms_p99", "hypotheses_mean", "peak_rss_mb",
                                     "localizer_mb", "import_s", "updates"), 1.0),
@@ -280,21 +279,18 @@ class Page(unittest.TestCase):
             kidnappings=lambda *_: dict.fromkeys(make_results.SITES, sums), all_kidnappings=lambda *_: sums)
         selection = make_results.Selection([])
         selection.kinds.pop("calibration")  # runs a program
-        runs = [{"reached": True, "driven_m": 2.0, "localized_after_m": 1.0, "collisions": [], "why": None}]
-        cells = drives.drive_cells(runs)
+        cells = drives.drive_cells([{"reached": True, "driven_m": 2.0, "localized_after_m": 1.0, "collisions": [], "why": None}])
         fault_rows = [{"localized_before": "1", "recovered_after_s": "2.5", "wrong_s": "0", "named": "1"}]
         stratum = {"aspect": "map", "value": "redrawn", "drives": 3, "false_drives": 1, "false_share_95": [0, 0.7], "localized_drives": 2,
                    "localized_after_m": {"median": 4.5, "95 %": None}}
-        storey_row = {"right": "1", "wrong": "0", "right_from_m": "3.0", "localized_from_m": "", "difference": "0.2"}
-        label = next(iter(storeys.BUILDINGS))
+        storey = {"right": "1", "wrong": "0", "right_from_m": "3.0", "localized_from_m": "", "difference": "0.2"}
         driven = types.SimpleNamespace(makers=lambda: {
             "drives": lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
             "drives-models": lambda: {"Duplex, Level 1": cells}, "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
             "integrity": lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)},
-            "storeys": lambda: storeys.by_likeness(label, [storey_row]),
+            "storeys": lambda: storeys.by_likeness(next(iter(storeys.BUILDINGS)), [storey]),
             "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
-        row = (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict]))
-        self.enterContext(unittest.mock.patch("campus.row_of", return_value=row))
+        self.enterContext(unittest.mock.patch("campus.row_of", return_value=(dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict]))))
         for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):
             tables.rewritten(page, make_results.make_tables(bench, driven, selection, seeds, page))
         self.assertTrue(tables.table_in(page, "calibration"))
