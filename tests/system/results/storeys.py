@@ -1,4 +1,4 @@
-"""Robots on storeys that they are not told, and in lifts: `opal experiment storeys` and `opal drive` on buildings of several storeys."""
+"""Robots on storeys that they are not told, and in lifts: `opal experiment storeys` on buildings of several storeys."""
 
 import csv
 import json
@@ -8,7 +8,6 @@ import sys
 from redrawn import run
 
 DRIVES, RIDES = 100, 70
-DISAMBIGUATING = 20
 ALIKE = 0.03  # share of beams: with fewer that end elsewhere, a storey can hardly be told from another one
 SOON_M = 10
 ROBOT = ["--robot-radius", 0.25]
@@ -72,20 +71,6 @@ def by_likeness(label, rows):
     return {label: cells_of(rows), f"{label}: another storey looks the same": cells_of(alike), f"{label}: it does not": cells_of(told)}
 
 
-def disambiguating(options, folder):
-    """Robots that drive to where the storeys differ, instead of about."""
-    kept = folder / "summary.json"
-    if not (options.reuse and kept.exists()):
-        folder.mkdir(parents=True, exist_ok=True)
-        run(options.opal.resolve(), "drive", "default", folder.parent / "map.jsonld", "--runs", DISAMBIGUATING, "--most", 300, "-o", folder, *ROBOT)
-    runs = json.loads(kept.read_text())["runs"]
-    after = [one["localized_after_m"] for one in runs if one["localized_after_m"] is not None]
-    return {"drives": str(len(runs)), "right storey and place at the end, localized": "",
-            "with a false positive": str(sum(one["falsely_localized_scans"] > 0 for one in runs)),
-            "best hypothesis right within 10 m": "", "localized within 10 m": str(sum(metres <= SOON_M for metres in after)),
-            "median m until localized": f"{statistics.median(after):.1f}" if after else ""}
-
-
 def storeys_table(options):
     made = {}
     for label, (pattern, lift) in BUILDINGS.items():
@@ -94,7 +79,6 @@ def storeys_table(options):
             print(f"no plans {pattern} in {plans_of(options)}: storeys skipped", file=sys.stderr)
             continue
         made.update(by_likeness(label, rows_of(options, folder / "drives", "--drives", DRIVES, "--distance", 60, "--rides", 0)))
-        made[f"{label}: with disambiguate"] = disambiguating(options, folder / "disambiguate")
         rides = rows_of(options, folder / "rides", "--drives", 0, "--rides", RIDES, "--seed", 21, *RIDE)
         made.update(by_likeness(f"rides, {label}", rides))
         print(f"{label}: done", file=sys.stderr, flush=True)
