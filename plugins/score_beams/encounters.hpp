@@ -1,7 +1,6 @@
 #pragma once
 
 #include "face_ends.hpp"
-#include "hit_chance.hpp"
 
 #include <opal/local_map/local_map_ids.hpp>
 #include <opal/localization/scoring/scorer_memory.hpp>
@@ -58,7 +57,6 @@ struct Encounters final : opal::ScorerMemory {
   AmountsBy<opal::MapObjectNumber> objects_passed;  ///< beams that passed through it
 
   std::shared_ptr<const FaceEnds> face_ends;  ///< of the map; null in what one scan adds
-  std::shared_ptr<const HitChance> chance;    ///< the same
 
   std::unique_ptr<opal::ScorerMemory> copy() const override { return std::make_unique<Encounters>(*this); }
   void fade(double keep);

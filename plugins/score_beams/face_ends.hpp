@@ -1,7 +1,5 @@
 #pragma once
 
-#include "map_cells.hpp"
-
 #include <opal/map/view/map_view.hpp>
 
 #include <cstdint>
@@ -51,7 +49,13 @@ class FaceEnds {
   FaceEnd nearest(const Point& p, const Point& direction, Tip tip, const EndGate& gate) const;
 
  private:
-  MapCells cells_;
+  int column_of(double x_m) const;
+  int row_of(double y_m) const;
+  std::size_t cell_of(const Point& p) const;
+
+  Point low_ = Point::Zero();  ///< corner of the first cell
+  double cell_m_ = 0;
+  int columns_ = 0, rows_ = 0;
   std::vector<End> ends_;             ///< those of one cell together
   std::vector<std::uint32_t> first_;  ///< by cell, row after row, and one more: of its ends in ends_
 };

@@ -13,4 +13,4 @@ void register_types(opal::Registrar& registrar) {
 
 }  // namespace
 
-OPAL_PLUGIN("score_beams", "0.7.0", register_types)
+OPAL_PLUGIN("score_beams", "0.6.0", register_types)

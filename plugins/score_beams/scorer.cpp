@@ -1,8 +1,6 @@
 #include "scorer.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 using opal::Point;
 
@@ -17,18 +15,12 @@ double worth(double amount, double enough) { return amount / (1 + amount / enoug
 struct BeamScorer::Tally {
   SumsBy<opal::EvidenceCell> matched;        ///< beams that end on a mapped surface
   SumsBy<opal::WallLineNumber> lines;        ///< the same, with those beyond an absent object
-  SumsBy<opal::WallLineNumber> surprises;    ///< the same, each by how surprising it is to end there
   SumsBy<FaceEndNumber> ends;                ///< ends of faces that were seen where the map has one
   SumsBy<opal::WallLineNumber> ended_lines;  ///< what these sightings are worth, by the mapped face's line
   SumsBy<opal::MapObjectNumber> ended;       ///< beams that end on a mapped surface of it
   SumsBy<opal::MapObjectNumber> passed;      ///< beams that pass through it
   int beams = 0;
   double hits = 0, hits_behind = 0, other_side = 0, early = 0, throughs = 0, free_throughs = 0;
-
-  void add_to_line(opal::WallLineNumber line, double beam, double surprise) {
-    lines.add(line, beam);
-    surprises.add(line, surprise * beam);
-  }
 };
 
 BeamScorer::BeamScorer(const nlohmann::json& options)
@@ -62,13 +54,13 @@ double BeamScorer::likelihood_field(double distance_m, double range_m) const {
 }
 
 void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end,
-                              opal::EvidenceCell evidence_cell, const Encounters& before, Tally& tally) const {
+                              opal::EvidenceCell evidence_cell, Tally& tally) const {
   constexpr double kLeast = 0.05, kStepBack_m = 0.02, kCrossed_m = 0.1;
   const double range = (end - eye).norm();
   const opal::MapFeatureNumber nearest = map.nearest_facing(end, end - eye);
   const double hit = nearest.exists() ? likelihood_field(map.surface(nearest).distance_m(end), range) : 0;
   ++tally.beams;
-  if (hit > kLeast) tally.add_to_line(map.surface(nearest).line, hit, before.chance->surprise(end));
+  if (hit > kLeast) tally.lines.add(map.surface(nearest).line, hit);
   const auto wall = map.first_crossing(eye, end, margin_at(range));
   if (wall.feature.exists()) {
     constexpr double kExcused = 0.7;  // what lies behind a surface that is not there may well be mapped, too
@@ -91,7 +83,7 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
   else if (next.range_m < other_side_m_) {
     tally.other_side += 1 - hit;
     tally.matched.add(evidence_cell, 1 - hit);
-    tally.add_to_line(map.surface(next.feature).line, 1 - hit, before.chance->surprise(end));
+    tally.lines.add(map.surface(next.feature).line, 1 - hit);
   }
 }
 
@@ -104,15 +96,14 @@ void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_b
   for (const Tip tip : {Tip::begin, Tip::end}) {
     const bool at_begin = tip == Tip::begin;
     if (!seen.true_end[at_begin ? 0 : 1]) continue;
-    const Point end = T_map_base * (at_begin ? face->begin : face->end);
-    const FaceEnd met = before.face_ends->nearest(end, T_map_base.rotate(face->direction()), tip, end_gate_);
+    const FaceEnd met = before.face_ends->nearest(T_map_base * (at_begin ? face->begin : face->end),
+                                                  T_map_base.rotate(face->direction()), tip, end_gate_);
     if (!met.face.exists()) continue;
     const double known = before.ends_met.of(met.number()) + tally.ends.of(met.number()),
                  fresh = std::exp(-2 * met.gates * met.gates);
     tally.ends.add(met.number(), fresh);
-    tally.ended_lines.add(
-        map.surface(met.face).line,
-        before.chance->surprise(end) * (worth(known + fresh, enough_sightings_) - worth(known, enough_sightings_)));
+    tally.ended_lines.add(map.surface(met.face).line,
+                          worth(known + fresh, enough_sightings_) - worth(known, enough_sightings_));
   }
 }
 
@@ -132,17 +123,6 @@ double BeamScorer::news(const SumsBy<Thing>& beams, double each, double enough, 
     const double known = before.of(thing), fresh = each * count;
     total += worth(known + fresh, enough) - worth(known, enough);
     now.add(thing, fresh);
-  });
-  return total;
-}
-
-double BeamScorer::line_news(const Tally& tally, double each, const Encounters& before, Encounters& now) const {
-  double total = 0;
-  tally.lines.each([&](opal::WallLineNumber line, double count) {
-    const double known = before.lines_met.of(line), fresh = each * count;
-    const double surprise = count > 0 ? tally.surprises.of(line) / count : 1;
-    total += surprise * (worth(known + fresh, enough_) - worth(known, enough_));
-    now.lines_met.add(line, fresh);
   });
   return total;
 }
@@ -175,7 +155,7 @@ BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const 
     if (scan.evidence_cells.empty()) as_now = observation.local_map.evidence_cells(scan.points);
     const std::vector<opal::EvidenceCell>& evidence_cells = scan.evidence_cells.empty() ? as_now : scan.evidence_cells;
     for (std::size_t k = 0; k < scan.points.size(); ++k)
-      judge_return(map, eye, T_map_base * scan.points[k], evidence_cells[k], before, tally);
+      judge_return(map, eye, T_map_base * scan.points[k], evidence_cells[k], tally);
     for (double bearing : scan.free_bearings_rad)
       judge_free(map, eye, bearing + T_map_base.heading_rad(), scan.range_max_m, tally);
   }
@@ -187,8 +167,6 @@ BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const 
 std::unique_ptr<opal::ScorerMemory> BeamScorer::new_memory(const opal::MapView& map) const {
   auto nothing_met = std::make_unique<Encounters>();
   nothing_met->face_ends = std::make_shared<const FaceEnds>(end_ > 0 ? FaceEnds::of(map) : FaceEnds());
-  const double field_width_m = std::sqrt(2 * std::numbers::pi) * sigma_m_;
-  nothing_met->chance = std::make_shared<const HitChance>(map, field_width_m);
   return nothing_met;
 }
 
@@ -210,7 +188,7 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const auto seen = std::make_shared<Encounters>();
   Encounters& now = *seen;
   const double matched = news(tally.matched, each, enough_, before.cells_met, now.cells_met);
-  const double lines = line_news(tally, each, before, now);
+  const double lines = news(tally.lines, each, enough_, before.lines_met, now.lines_met);
   const double ends = news(tally.ended_lines, 1, enough_ends_, before.lines_ended, now.lines_ended);
   const double passed = news(tally.passed, each, enough_, before.objects_passed, now.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;

@@ -15,13 +15,12 @@
 ///
 ///   nat = match * sum over evidence cells of w(b0 + b) - w(b0)     b: beams that end there on a surface, or on its
 ///   wall's other side
-///       + line * sum over mapped lines of s (w(b0 + b) - w(b0))  b: beams that end on one of its faces, or on their
-///       wall's other side; s: how surprising that is where they end (HitChance), 1 in rooms between walls
+///       + line * sum over mapped lines of w(b0 + b) - w(b0)    b: beams that end on one of its faces, or on their
+///       wall's other side
 ///       + end * sum over mapped lines of v(e0 + e) - v(e0)     e: ends of its faces that were seen, each as s(a0 + a)
 ///       - s(a0)
 ///             a: sum of exp(-2 d^2) over sightings at a distance of d in semi-axes of the gate, a0: the same before;
-///             s(a) = a / (1 + a / enough sightings), times how surprising an end is there;
-///             v(e) = e / (1 + e / enough ends)
+///             s(a) = a / (1 + a / enough sightings), v(e) = e / (1 + e / enough ends)
 ///       + hit * share of beams that end on a surface
 ///       - early * share of beams that end before a surface that lies ahead of them
 ///       - absent * sum over objects of w(b0 + b) - w(b0)     b: beams that pass through it
@@ -56,10 +55,8 @@ class BeamScorer final : public opal::HypothesisScorer {
   template <class Thing>
   static double news(const SumsBy<Thing>& beams, double each, double enough, const AmountsBy<Thing>& before,
                      AmountsBy<Thing>& now);
-  /// The same for lines, each by how surprising its beams are; adds them to `now`.
-  double line_news(const Tally& tally, double each, const Encounters& before, Encounters& now) const;
   void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end,
-                    opal::EvidenceCell evidence_cell, const Encounters& before, Tally& tally) const;
+                    opal::EvidenceCell evidence_cell, Tally& tally) const;
   void judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
                   const Encounters& before, Tally& tally) const;
   void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,
