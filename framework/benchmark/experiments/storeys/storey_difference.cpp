@@ -21,7 +21,7 @@ std::vector<Pose2> poses_apart(std::span<const Pose2> poses) {
 
 /// Range of a beam among what is mapped.
 double mapped_range_m(const MapView& map, const Pose2& T_map_laser, double bearing_rad, double most_m) {
-  const Point eye = T_map_laser.position();
+  const Point& eye = T_map_laser.position();
   const auto wall = map.first_crossing(eye, eye + most_m * unit_vector(T_map_laser.heading_rad() + bearing_rad), 0);
   return wall.feature.exists() ? wall.range_m : most_m;
 }
