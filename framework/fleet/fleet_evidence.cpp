@@ -42,6 +42,12 @@ FleetEvidence evidence_in(const MapStore& store, const StoreSource& version, con
   return evidence;
 }
 
+std::string objection_to_push(const Deployment& deployment) {
+  if (!read_store_source(deployment.map)) return "--push with the map " + deployment.map + ", expected store:BUILDING";
+  if (deployment.overlays.empty()) return "";
+  return "--push with overlays: drives would tell of another map than the store has";
+}
+
 SentEvidence send_waiting(const MapStore& store, const EvidenceOutbox& outbox) {
   std::map<Version, std::vector<EvidenceOutbox::Entry>> by_version;
   for (EvidenceOutbox::Entry& entry : outbox.waiting_for(store.where()))

@@ -3,6 +3,7 @@
 #include "fleet/evidence_outbox.hpp"
 #include "learning/drive_evidence.hpp"
 
+#include <opal/deployment/deployment.hpp>
 #include <opal/map/map_store.hpp>
 
 #include <string>
@@ -20,6 +21,9 @@ struct FleetEvidence {
 /// @param map_name  name of the map that drives must tell of.
 /// @throws StoreError as the store does.
 FleetEvidence evidence_in(const MapStore& store, const StoreSource& version, const std::string& map_name);
+
+/// Why what drives say of a deployment's map cannot go to a map store (`--push`); empty: it can.
+std::string objection_to_push(const Deployment& deployment);
 
 /// What came of sending.
 struct SentEvidence {

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <utility>
@@ -38,10 +37,8 @@ void PoseMemory::keep(const Pose2& T_map_base, double now_s) {
   kept_s_ = now_s;
   const nlohmann::ordered_json kept{
       {"map", map_}, {"x_m", T_map_base.x()}, {"y_m", T_map_base.y()}, {"heading_rad", T_map_base.heading_rad()}};
-  const std::string other = path_ + ".new";
   try {
-    write_text(other, kept.dump(2) + '\n');
-    std::filesystem::rename(other, path_);
+    write_text(path_, kept.dump(2) + '\n');
   } catch (const std::exception& error) {  // localization goes on without it
     std::cerr << error.what() << ": the pose is not kept any more\n";
     path_.clear();

@@ -66,11 +66,8 @@ void write_overlay(const opal::SemanticMap& map, const opal::Learned& learned, c
 void expect_pushable(const LearnOptions& options, const opal::Deployment& deployment) {
   if (options.out.empty() && !options.is_pushed)
     throw CLI::ValidationError("-o is missing, expected an overlay to write (.jsonld), or --push");
-  if (!options.is_pushed) return;
-  if (!opal::read_store_source(deployment.map))
-    throw CLI::ValidationError("--push with the map " + deployment.map + ", expected store:BUILDING");
-  if (!deployment.overlays.empty())
-    throw CLI::ValidationError("--push with overlays: drives would tell of another map than the store has");
+  const std::string objection = options.is_pushed ? opal::objection_to_push(deployment) : "";
+  if (!objection.empty()) throw CLI::ValidationError(objection);
 }
 
 /// @return whether the store has it. Otherwise it waits on this machine, for the next time.

@@ -21,14 +21,11 @@ std::string host_name() {
 }  // namespace
 
 LearningRobot::LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins,
-                             const VersionedMap& map, bool has_overlays)
+                             const VersionedMap& map)
     : options_(options) {
   if (!options.is_pushed) return;
-  if (!map.version) throw opal::ConfigError("--push with a map that is in no map store, expected store:BUILDING");
-  if (has_overlays)
-    throw opal::ConfigError("--push with overlays: drives would tell of another map than the store has");
   store_ = map_store(plugins);
-  version_ = *map.version;
+  version_ = map.version.value();
   outbox_ = opal::EvidenceOutbox::usual();
 }
 

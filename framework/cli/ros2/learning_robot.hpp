@@ -22,10 +22,8 @@ struct LearningOptions {
 /// the robot is localized all the same.
 class LearningRobot {
  public:
-  /// @param map  that the robot is localized on.
-  /// @throws opal::ConfigError if evidence shall be pushed about a map that is in no store, or with overlays.
-  LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins, const VersionedMap& map,
-                bool has_overlays);
+  /// @param map  that the robot is localized on; if evidence shall be pushed, a version of a map store.
+  LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins, const VersionedMap& map);
   /// Ends the visit. It is kept, and sent by the next program that pushes: nobody waits for a server now.
   ~LearningRobot();
   LearningRobot(const LearningRobot&) = delete;

@@ -6,6 +6,7 @@
 #include "cli/ros2/ros2_options.hpp"
 #include "cli/terminal/live_view.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "fleet/fleet_evidence.hpp"
 #include "ros2/robot_check.hpp"
 #include "ros2/robot_node.hpp"
 #include "session/session.hpp"
@@ -34,9 +35,11 @@ class RobotParts {
              opal::EventSink* events, const LearningOptions& learning)
       : plugins_(plugins), deployment_(std::move(deployment)), config_(std::move(config)), events_(events) {
     opal::check_parts(deployment_, plugins_);
+    const std::string objection = learning.is_pushed ? opal::objection_to_push(deployment_) : "";
+    if (!objection.empty()) throw opal::ConfigError(objection);
     const VersionedMap loaded = load_versioned_map(plugins_, deployment_);
     map_ = loaded.map;
-    if (learning.any()) learning_.emplace(learning, plugins_, loaded, !deployment_.overlays.empty());
+    if (learning.any()) learning_.emplace(learning, plugins_, loaded);
     if (!takes_geometry_from_log(deployment_))
       opal::build_parts(deployment_, plugins_, map_);  // wrong options show now
   }

@@ -4,6 +4,7 @@ import contextlib
 import fcntl
 import os
 import resource
+import shutil
 import signal
 import struct
 import subprocess
@@ -97,6 +98,8 @@ class VanishedShare(RunTest):
 
     def setUp(self):
         super().setUp()
+        if shutil.which("mkfs.ext4") is None:
+            self.skipTest("mkfs.ext4 is not found (Debian: e2fsprogs)")
         self.image, self.share = self.folder / "image", self.folder / "share"
         self.share.mkdir()
         with open(self.image, "wb") as file:

@@ -43,12 +43,9 @@ double difference(const MapView& map, const Pose2& T_map_laser, const Pose2& oth
 double storey_difference(const MapView& map, std::span<const Pose2> T_map_base, const LaserModel& laser) {
   const std::vector<Pose2> poses = poses_apart(T_map_base);
   if (poses.empty()) return 1;
-  const auto& storeys = map.map().origin().storeys;
-  const auto driven = std::find_if(storeys.begin(), storeys.end(), [&](const MapStorey& storey) {
-    return storey.id == place_in_building(map.map(), poses.front()).storey;
-  });
+  const MapStorey* const driven = storey_at(map.map(), poses.front().position());
   double least = 1;
-  for (const MapStorey& other : storeys) {
+  for (const MapStorey& other : map.map().origin().storeys) {
     if (other.id == driven->id) continue;
     double sum = 0;
     for (const Pose2& pose : poses)
