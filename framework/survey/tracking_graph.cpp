@@ -59,6 +59,7 @@ class Problem {
       for (auto& [key, offset] : offsets_) solver.linear_solver_ordering->AddElementToGroup(offset, 0);
       for (double* pose : poses_) solver.linear_solver_ordering->AddElementToGroup(pose, 1);
     }
+    solver.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;  // in this thread alone: SuiteSparse starts others
     solver.max_num_iterations = batch ? kBatchIterations : kStepIterations;
     solver.function_tolerance = batch ? 1e-6 : 1e-4;
     solver.num_threads = 1;
