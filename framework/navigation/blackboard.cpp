@@ -111,9 +111,12 @@ void Blackboard::bar(const Point& p_map, bool for_long) {
 }
 
 bool Blackboard::try_again(std::span<const Point> way_map) {
+  constexpr double kCloser_m = 0.05;  // a robot that turns back begins beside what it turns back from
   const double keep_m = motion.options().radius_m + motion.options().margin_m;
   const auto is_on_way = [&](const Impasse& impasse) {
-    return now_s() < impasse.until_s && nearest_on_path(way_map, impasse.p_map).off_m < keep_m;
+    const double off_m = nearest_on_path(way_map, impasse.p_map).off_m;
+    const bool leads_there = off_m < (way_map.front() - impasse.p_map).norm() - kCloser_m;
+    return now_s() < impasse.until_s && off_m < keep_m && leads_there;
   };
   bool any = false;
   for (Impasse& impasse : impasses_) {

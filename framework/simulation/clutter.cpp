@@ -113,9 +113,10 @@ std::vector<Solid> building_solids(const SemanticMap& map, double doors_open_sha
   for (const MapObject& object : map.objects()) {
     const bool is_door = object.type == "opal:Door";
     const std::vector<Segment> outline = is_door ? unperceived(map, object) : std::vector<Segment>();
-    const bool open = is_door && random.chance(doors_open_share);
-    const Leaf leaf(outline, open && !(stays_shut && stays_shut(object)), walls, random);
-    for (const Segment& piece : outline) solids.push_back({leaf.moved(piece), false});
+    const bool may_open = is_door && random.chance(doors_open_share);
+    const bool open = may_open && !(stays_shut && stays_shut(object));
+    const Leaf leaf(outline, open, walls, random);
+    for (const Segment& piece : outline) solids.push_back({leaf.moved(piece), false, open});
     for (MapFeatureNumber number : object.features) {
       const MapFeature& feature = map.feature(number);
       if (is_door && feature.sensor.empty()) continue;  // the leaf, done

@@ -13,6 +13,7 @@ namespace opal::simulation {
 struct Solid {
   Geometry shape = Segment{};  ///< a Segment or a Circle
   bool glass = false;
+  bool open = false;  ///< of a door that is not where the map has it
 };
 
 /// Where the first solid on a beam's way is.

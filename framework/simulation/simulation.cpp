@@ -67,6 +67,14 @@ std::unique_ptr<const RayCaster> Simulation::furnished() {
   }
 }
 
+std::vector<Geometry> Simulation::unmapped() const {
+  std::vector<Geometry> shapes;
+  for (const Solid& solid : clutter_) shapes.push_back(solid.shape);
+  for (const Solid& solid : solids_->solids())
+    if (solid.open) shapes.push_back(solid.shape);
+  return shapes;
+}
+
 std::optional<Contact> Simulation::contact(const Pose2& T_map_base) const {
   const int solid = solids_->touched(T_map_base.position(), options_.robot_radius_m);
   if (solid >= 0) return Contact{solids_->solids()[static_cast<std::size_t>(solid)].shape, false};

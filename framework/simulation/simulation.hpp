@@ -57,8 +57,8 @@ class Simulation {
   /// From the centre of a robot on the floor to the nearest solid thing, at least.
   double clearance_m() const { return options_.robot_radius_m + kMargin_m; }
   const RayCaster& solids() const { return *solids_; }
-  /// Those that the map does not hold.
-  const std::vector<Solid>& clutter() const { return clutter_; }
+  /// What stands where the map does not have it: clutter, and doors that are open. Frame `map`.
+  std::vector<Geometry> unmapped() const;
   const std::vector<Walker>& people() const { return people_; }
 
   double now_s() const { return now_s_; }

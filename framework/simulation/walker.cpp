@@ -36,6 +36,14 @@ double Walker::nearest_foot_m(const Point& p) const {
   return std::min((feet[0].center - p).norm(), (feet[1].center - p).norm());
 }
 
+/// A way to elsewhere may begin at the centre of a cell that is nearer: what counts is where it is a step on.
+bool Walker::turns_away_from(const Point& p) const {
+  constexpr double kStep_m = 0.5;
+  const auto after = std::find_if(way_.rbegin(), way_.rend(),
+                                  [&](const Point& there) { return (there - position_).norm() > kStep_m; });
+  return after != way_.rend() && (*after - p).norm() > (position_ - p).norm();
+}
+
 void Walker::walk(double duration_s, const Floor& floor, const Circle& robot) {
   if (pause_s_ > 0) {
     pause_s_ -= duration_s;
@@ -47,7 +55,8 @@ void Walker::walk(double duration_s, const Floor& floor, const Circle& robot) {
   const double space_m = next.nearest_foot_m(robot.center) - robot.radius_m;
   const double before_m = nearest_foot_m(robot.center) - robot.radius_m;
   const bool trapped = before_m < kLegRadius_m;  // by a robot that has been put there: out, whichever way
-  if (space_m < kPersonalSpace_m && space_m < before_m && !trapped) return way_.clear();
+  const bool leaves = turns_away_from(robot.center) && space_m > kLegRadius_m;
+  if (space_m < kPersonalSpace_m && space_m < before_m && !leaves && !trapped) return way_.clear();
   *this = std::move(next);
 }
 

@@ -10,7 +10,7 @@ namespace opal::simulation {
 class Walker {
  public:
   Walker(const Floor& floor, Random random);
-  /// Goes on for a while; stops and goes elsewhere before a foot touches the robot.
+  /// Goes on for a while. Whoever comes close to the robot turns round and goes elsewhere.
   void walk(double duration_s, const Floor& floor, const Circle& robot);
   const Point& position() const { return position_; }
   std::array<Circle, 2> legs() const;
@@ -19,6 +19,7 @@ class Walker {
   void choose_way(const Floor& floor);
   void step(double length_m);
   double nearest_foot_m(const Point& p) const;
+  bool turns_away_from(const Point& p) const;
 
   Random random_;
   double speed_mps_;

@@ -85,6 +85,16 @@ TEST_CASE("a robot that comes and goes before a gap tries it again where there i
   CHECK(moment.blackboard.impasses().empty());
 }
 
+TEST_CASE("a way that turns back from an impasse does not lead through it, however near it begins") {
+  MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
+  stand_before_legs(moment, 11.5, 0);
+  moment.blackboard.give_up({11.8, 1});
+  CHECK_FALSE(moment.blackboard.try_again(std::vector<Point>{{11.5, 1}, {2, 1}}));
+  CHECK(moment.blackboard.impasses().size() == 1);
+  CHECK(moment.blackboard.try_again(std::vector<Point>{{11.5, 1}, {28, 1}}));
+  CHECK(moment.blackboard.impasses().empty());
+}
+
 TEST_CASE("a robot that gets on gives nothing up, however slow it is") {
   MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
   GoToGoal drive(0.3);

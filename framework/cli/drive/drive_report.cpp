@@ -81,7 +81,7 @@ void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) c
   opal::DrawingScene scene;
   scene.map = map_;
   scene.title = map_->name() + ": seed " + std::to_string(task.seed) + (record.reached ? ", reached" : ", not reached");
-  scene.unmapped = task.clutter;
+  scene.unmapped = task.unmapped;
   for (const opal::DriveRecord::Moment& moment : record.moments) {
     scene.truth.push_back(moment.truth.position());
     if (moment.has_pose && moment.status == opal::Status::localized)

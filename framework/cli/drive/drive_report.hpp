@@ -14,7 +14,7 @@ struct DriveTask {
   std::uint64_t seed = 0;
   opal::Pose2 start;  ///< T_map_base, which it is not told
   opal::Point goal;
-  std::vector<opal::Geometry> clutter = {};  ///< for the picture
+  std::vector<opal::Geometry> unmapped = {};  ///< for the picture
 };
 
 /// Drives with what became of them: one line each on stdout, summary.json, and pictures of the first few and of those

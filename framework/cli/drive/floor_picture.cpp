@@ -12,7 +12,7 @@ std::string draw_floor(const opal::simulation::Simulation& simulation, const opa
   scene.title = map.name() + ": where a start or a goal can be";
   scene.floor = simulation.floor().rectangles();
   scene.coordinates = true;
-  for (const opal::simulation::Solid& solid : simulation.clutter()) scene.unmapped.push_back(solid.shape);
+  scene.unmapped = simulation.unmapped();
   scene.contradictions = {
       {opal::Point(refused + opal::Point(-0.3, -0.3)), opal::Point(refused + opal::Point(0.3, 0.3))},
       {opal::Point(refused + opal::Point(-0.3, 0.3)), opal::Point(refused + opal::Point(0.3, -0.3))}};

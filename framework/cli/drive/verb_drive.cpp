@@ -68,8 +68,7 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
     check_place(options, simulation, "--start: no robot can drive from ", start.position());
     simulation.place(start);
   }
-  DriveTask task{seed, simulation.T_map_base(), opal::Point::Zero()};
-  for (const sim::Solid& solid : simulation.clutter()) task.clutter.push_back(solid.shape);
+  DriveTask task{seed, simulation.T_map_base(), opal::Point::Zero(), simulation.unmapped()};
   if (!options.goal.empty()) {
     task.goal = given_goal(options, simulation);
     return task;
