@@ -23,6 +23,18 @@ struct Heard : EventSink {
       if (event["event"] == kind) some.push_back(event);
     return some;
   }
+  /// Without what it cost, and without numbers: they go on after a reset.
+  std::vector<std::string> said() const {
+    std::vector<std::string> lines;
+    for (const ordered_json& event : all) {
+      std::string line = event["event"];
+      for (const char* member :
+           {"stamp_s", "status", "probability", "T_map_base", "T_local_base", "local_features", "findings"})
+        if (event.contains(member)) line += " " + event[member].dump();
+      if (event["event"] != "cost") lines.push_back(line);
+    }
+    return lines;
+  }
 };
 
 /// Finds what it is told.
@@ -166,6 +178,31 @@ TEST_CASE("after a reset all is written anew, and nothing of before is said to b
   CHECK(features[0]["gone"].empty());
   CHECK(features[0]["changed"].size() == robot.localizer.local_map().features().size());
   CHECK(robot.heard.of("status").size() == 1);
+}
+
+TEST_CASE("after a reset a localizer is as new, whatever was before") {
+  const Pose2 stuck(4, 4.5, 0.1);
+  const auto stand = [&](Driven& robot) {  // odometry does, the robot does not
+    for (int k = 0; k < 8; ++k) robot.see_at(stuck * Pose2(0.3 * k, 0, 0.2 * k), stuck);
+  };
+  const auto drive = [](Driven& robot) { robot.drive_on(20); };
+  const auto be_kidnapped = [](Driven& robot) {
+    robot.drive_on(20);
+    for (int k = 0; k < 3; ++k) robot.see_at(Pose2(2 + 0.25 * k, 1, 2.5), Pose2(8 + 0.25 * k, 4.5, 0.1));
+  };
+  const auto be_told = [](Driven& robot) { robot.localizer.hint({Pose2(8, 1, 2), 0.2, 0.1}); };
+  const auto before = GENERATE_COPY(values<std::function<void(Driven&)>>({stand, drive, be_kidnapped, be_told}));
+  Driven used, fresh;
+  before(used);
+  used.localizer.reset();
+  CHECK(used.localizer.sensor_findings().empty());
+  used.heard.all.clear();
+  used.stamp_s = fresh.stamp_s;
+  used.drive_on(20);
+  fresh.drive_on(20);
+  const std::vector<std::string> again = used.heard.said(), first = fresh.heard.said();
+  REQUIRE(again.size() == first.size());
+  for (std::size_t k = 0; k < first.size(); ++k) CHECK(again[k] == first[k]);
 }
 
 TEST_CASE("features of a laser are placed by its mount") {
