@@ -75,6 +75,22 @@ TEST_CASE("a scan leaves as soon as odometry has passed the end of its sweep") {
   CHECK(pairing.next());
 }
 
+TEST_CASE("a scan has the laser's mount to the last digit, whatever the robot's pose") {
+  LaserModel laser = all_around(0);
+  laser.T_base_laser = Pose2(0.31, -0.07, 0.3);
+  ScanPairing pairing({laser});
+  for (int k = 0; k < 20; ++k) {
+    const double now_s = 1 + 0.37 * k;
+    for (const double late_s : {0., 0.1}) pairing.take(odometry_at(now_s + late_s));
+    pairing.take(sweep_at(now_s + 0.05, laser));
+    const auto sample = pairing.next();
+    REQUIRE(sample);
+    const Pose2& mount = sample->views.front().T_base_laser;
+    CHECK(mount.position() == laser.T_base_laser.position());
+    CHECK(mount.heading_rad() == laser.T_base_laser.heading_rad());
+  }
+}
+
 TEST_CASE("returns of a sweep lie where they were at the scan's stamp, and are smeared if it is said to take no time") {
   LaserModel laser = all_around(0.1);
   const RawScan raw = sweep_at(1.0, laser);

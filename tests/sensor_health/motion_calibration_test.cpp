@@ -166,6 +166,12 @@ TEST_CASE("motions speak against a description that is wrong, and none against o
   }
 }
 
+TEST_CASE("two motions are no calibration, three are") {
+  const std::vector<MotionPair> motions = drive({{0.3, 0, 0.5}}, 1, 3);
+  CHECK_FALSE(calibrate_motion(std::span(motions).first(2), Pose2()));
+  CHECK(calibrate_motion(motions, Pose2()));
+}
+
 TEST_CASE("motions that are too short tell nothing of a mount") {
   const auto pairs = exact(Pose2(0.08, 0, 0.2), Pose2(0, 0, 3), 10);
   CHECK(calibrate_motion(pairs, Pose2())->distances_better == 0);
