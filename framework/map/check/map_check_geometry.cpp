@@ -62,6 +62,11 @@ bool has_topology(const Geometry& geometry) {
 /// wall in a grid end side by side.
 bool is_exact(const MapFeature& feature) { return !feature.sensor.empty() && feature.position_sigma_m <= kSamePoint_m; }
 
+/// Of a source with classes: where it is thin, it is meant so, as a pane of 8 mm.
+bool is_imported(const SemanticMap& map, MapObjectNumber object) {
+  return object.exists() && !map.object(object).notes.source_class.empty();
+}
+
 /// What tells geometries of one kind and place apart.
 std::array<double, 2> own_numbers(const Geometry& geometry) {
   if (const auto* circle = std::get_if<Circle>(&geometry)) return {circle->radius_m, 0};
@@ -97,19 +102,25 @@ struct Occupants {
 }  // namespace
 
 std::vector<PointPair> unshared_points(const SemanticMap& map) {
-  std::map<std::string, Point> points;
+  struct Place {
+    Point position;
+    MapObjectNumber object;
+  };
+  std::map<std::string, Place> points;
   for (const MapFeature& feature : map.features())
     if (has_topology(feature.geometry) && is_exact(feature)) {
       const std::vector<Point> positions = points_of(feature.geometry);
-      for (std::size_t k = 0; k < positions.size(); ++k) points[feature.points[k]] = positions[k];
+      for (std::size_t k = 0; k < positions.size(); ++k)
+        points.insert_or_assign(feature.points[k], Place{positions[k], feature.object});
     }
   NearPoints near_points;
-  std::vector<const std::string*> names;
+  std::vector<decltype(points)::const_pointer> known;
   std::vector<PointPair> pairs;
-  for (const auto& [name, position] : points) {
-    const int near = near_points.add(position);
-    if (near >= 0) pairs.push_back({name, *names[near]});
-    names.push_back(&name);
+  for (const auto& point : points) {
+    const int near = near_points.add(point.second.position);
+    if (near >= 0 && !(point.second.object == known[near]->second.object && is_imported(map, point.second.object)))
+      pairs.push_back({point.first, known[near]->first});
+    known.push_back(&point);
   }
   return pairs;
 }

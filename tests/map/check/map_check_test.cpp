@@ -126,6 +126,14 @@ TEST_CASE("ends of walls that were measured, and are not sure to a centimetre, m
   CHECK(check_map(*map_of(sides)).warnings.empty());
 }
 
+TEST_CASE("an imported pane may be thinner than points may lie side by side, a drawn wall may not") {
+  const std::vector<MapFeature> sides{feature("front", kWall), feature("back", Segment{{4, 0.008}, {0, 0.008}})};
+  MapObject pane{"wall", "Wall"};
+  CHECK(check_map(*SemanticMap::make("test", {pane}, sides, {})).warnings.size() == 1);
+  pane.notes.source_class = "IfcPlate";
+  CHECK(check_map(*SemanticMap::make("test", {pane}, sides, {})).warnings.empty());
+}
+
 TEST_CASE("repeated geometry, unshared ends and lonely features are warned about") {
   const auto map = map_of({feature("a", kWall), feature("a2", Segment{{0.001, 0}, {4, 0.001}}),
                            feature("back", Segment{{4, 0}, {0, 0}}), feature("far", Circle{{500, 0}, 1})});
