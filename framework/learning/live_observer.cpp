@@ -1,23 +1,21 @@
 #include "learning/live_observer.hpp"
 
+#include "common/task_queue.hpp"
+
 #include <opal/sensing/scan_pairing.hpp>
 
-#include <chrono>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
 #include <thread>
 #include <utility>
 
 namespace opal {
 
 struct LiveObserver::State {
-  State(const LocalizerParts& parts, std::string drive_given, Listener heard_given, std::size_t most)
+  State(const LocalizerParts& parts, std::string drive_given, Listener heard_given, std::size_t most_queued)
       : pairing(parts.lasers),
         observer(parts),
         drive(std::move(drive_given)),
         heard(std::move(heard_given)),
-        most_queued(most) {}
+        records(most_queued) {}
 
   // Touched by the thread only.
   ScanPairing pairing;
@@ -26,12 +24,7 @@ struct LiveObserver::State {
   Listener heard;
   int visits = 0;
 
-  std::size_t most_queued;
-  std::mutex mutex;  ///< of all below
-  std::condition_variable_any changed;
-  std::deque<LogRecord> queue;
-  bool is_busy = false;
-
+  TaskQueue<LogRecord> records;
   std::jthread thread;  ///< last: it ends before what it uses
 
   std::string next_name() { return drive + ", visit " + std::to_string(visits + 1); }
@@ -50,21 +43,10 @@ struct LiveObserver::State {
     }
   }
 
-  /// @return nullopt if it is time to end.
-  std::optional<LogRecord> next_record(const std::stop_token& stop) {
-    std::unique_lock lock(mutex);
-    is_busy = false;
-    changed.notify_all();
-    changed.wait(lock, stop, [this] { return !queue.empty(); });
-    if (stop.stop_requested()) return std::nullopt;
-    is_busy = true;
-    LogRecord record = std::move(queue.front());
-    queue.pop_front();
-    return record;
-  }
-
   void work(const std::stop_token& stop) {
-    while (const std::optional<LogRecord> record = next_record(stop)) watch(*record);
+    constexpr std::chrono::milliseconds kPatience(1000);
+    while (!stop.stop_requested())
+      if (const std::optional<LogRecord> record = records.next(stop, kPatience)) watch(*record);
     tell(observer.finish(next_name()));
   }
 };
@@ -76,19 +58,8 @@ LiveObserver::LiveObserver(const LocalizerParts& parts, std::string drive, Liste
 
 LiveObserver::~LiveObserver() = default;
 
-void LiveObserver::take(LogRecord record) {
-  {
-    const std::lock_guard lock(state_->mutex);
-    if (state_->queue.size() >= state_->most_queued) state_->queue.pop_front();
-    state_->queue.push_back(std::move(record));
-  }
-  state_->changed.notify_all();
-}
+void LiveObserver::take(LogRecord record) { state_->records.give(std::move(record)); }
 
-bool LiveObserver::drain(double timeout_s) {
-  std::unique_lock lock(state_->mutex);
-  return state_->changed.wait_for(lock, std::chrono::duration<double>(timeout_s),
-                                  [this] { return state_->queue.empty() && !state_->is_busy; });
-}
+bool LiveObserver::drain(double timeout_s) { return state_->records.drain(timeout_s); }
 
 }  // namespace opal

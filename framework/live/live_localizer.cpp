@@ -1,5 +1,6 @@
 #include <opal/live/live_localizer.hpp>
 
+#include "common/task_queue.hpp"
 #include "live/live_core.hpp"
 
 #include <chrono>
@@ -32,61 +33,24 @@ bool is_record(const Task& task) { return std::holds_alternative<LogRecord>(task
 }  // namespace
 
 struct LiveLocalizer::State {
-  State(LocalizerParts parts, const LiveOptions& options_given, EventSink* events)
-      : options(options_given), core(std::move(parts), options, events) {}
+  State(LocalizerParts parts, const LiveOptions& options, EventSink* events)
+      : core(std::move(parts), options, events), tasks(options.most_queued, is_record) {}
 
-  void give(Task task);
-  void make_room();
   void work(const std::stop_token& stop);
-  std::optional<Task> next_task(const std::stop_token& stop);
   void carry_out(const Task& task);
   void publish(LiveAnswer answer, const Task& task);
 
-  LiveOptions options;
   LiveCore core;  ///< touched by the thread only
+  TaskQueue<Task> tasks;
 
   mutable std::mutex mutex;  ///< of all below
   mutable std::condition_variable_any changed;
-  std::deque<Task> queue;
-  bool is_busy = false;
-  int dropped = 0;
   LiveAnswer newest;
   std::vector<HealthFinding> health;
   std::map<std::string, int> counts;
 
   std::jthread thread;  ///< last: it ends before what it uses
 };
-
-void LiveLocalizer::State::give(Task task) {
-  {
-    const std::lock_guard lock(mutex);
-    if (is_record(task) && queue.size() >= options.most_queued) make_room();
-    queue.push_back(std::move(task));
-  }
-  changed.notify_all();
-}
-
-/// The oldest record says least about now.
-void LiveLocalizer::State::make_room() {
-  const auto oldest = std::find_if(queue.begin(), queue.end(), is_record);
-  if (oldest == queue.end()) return;
-  queue.erase(oldest);
-  ++dropped;
-}
-
-/// @return nullopt if it is time to end, or once a while so that health is judged though nothing comes.
-std::optional<Task> LiveLocalizer::State::next_task(const std::stop_token& stop) {
-  constexpr std::chrono::milliseconds kHealthEvery(200);
-  std::unique_lock lock(mutex);
-  is_busy = false;
-  changed.notify_all();
-  changed.wait_for(lock, stop, kHealthEvery, [this] { return !queue.empty(); });
-  if (stop.stop_requested() || queue.empty()) return std::nullopt;
-  Task task = std::move(queue.front());
-  queue.pop_front();
-  is_busy = true;
-  return task;
-}
 
 void LiveLocalizer::State::carry_out(const Task& task) {
   if (const auto* hint = std::get_if<Hint>(&task.what))
@@ -106,10 +70,13 @@ void LiveLocalizer::State::publish(LiveAnswer answer, const Task& task) {
   changed.notify_all();
 }
 
+/// Health is judged once a while though nothing comes.
 void LiveLocalizer::State::work(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kHealthEvery(200);
   while (!stop.stop_requested()) {
-    if (const std::optional<Task> task = next_task(stop)) carry_out(*task);
+    if (const std::optional<Task> task = tasks.next(stop, kHealthEvery)) carry_out(*task);
     std::vector<HealthFinding> now = core.health(seconds_of(Clock::now()));
+    const int dropped = tasks.dropped();
     const std::lock_guard lock(mutex);
     health = std::move(now);
     counts = core.counts();
@@ -125,14 +92,14 @@ LiveLocalizer::LiveLocalizer(LocalizerParts parts, const LiveOptions& options, E
 LiveLocalizer::~LiveLocalizer() = default;
 
 void LiveLocalizer::take(LogRecord record, double now_s) {
-  state_->give({std::move(record), seconds_of(Clock::now()), now_s});
+  state_->tasks.give({std::move(record), seconds_of(Clock::now()), now_s});
 }
 
 void LiveLocalizer::hint(const Pose2& T_map_base, double sigma_m, double sigma_rad) {
-  state_->give({Hint{T_map_base, sigma_m, sigma_rad}, 0, 0});
+  state_->tasks.give({Hint{T_map_base, sigma_m, sigma_rad}, 0, 0});
 }
 
-void LiveLocalizer::forget() { state_->give({Forget{}, 0, 0}); }
+void LiveLocalizer::forget() { state_->tasks.give({Forget{}, 0, 0}); }
 
 LiveAnswer LiveLocalizer::newest() const {
   const std::lock_guard lock(state_->mutex);
@@ -148,11 +115,7 @@ std::optional<LiveAnswer> LiveLocalizer::newer_than(std::uint64_t number, double
   return is_there ? std::optional(state_->newest) : std::nullopt;
 }
 
-bool LiveLocalizer::drain(double timeout_s) const {
-  std::unique_lock lock(state_->mutex);
-  return state_->changed.wait_for(lock, std::chrono::duration<double>(timeout_s),
-                                  [&] { return state_->queue.empty() && !state_->is_busy; });
-}
+bool LiveLocalizer::drain(double timeout_s) const { return state_->tasks.drain(timeout_s); }
 
 std::map<std::string, int> LiveLocalizer::counts() const {
   const std::lock_guard lock(state_->mutex);
