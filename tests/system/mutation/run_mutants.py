@@ -58,9 +58,12 @@ def key_of(mutant):
 
 
 def copy_tree(tree):
-    """The sources, as they are. What has not changed since the last copy keeps its time, so that it is not built again."""
+    """The sources, as they are, and no others. What has not changed since the last copy keeps its time, so that it is not built again."""
     for folder in FOLDERS:
         subprocess.run(["cp", "-a", "--update", str(ROOT / folder), str(tree)], check=True)
+        for copied in sorted((tree / folder).rglob("*"), reverse=True):
+            if not (ROOT / copied.relative_to(tree)).exists():
+                copied.rmdir() if copied.is_dir() else copied.unlink()
     for name in ("CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md", "LICENSE"):
         shutil.copy2(ROOT / name, tree / name)
 

@@ -93,6 +93,21 @@ class MutantTest(unittest.TestCase):
         self.assertEqual((tree / "framework/first.cpp").read_text(), SOURCE)
         self.assertIn("opal_mutant != 1", (tree / "framework/second.cpp").read_text())
 
+    def test_what_the_sources_have_no_more_is_gone_from_the_copy(self):
+        root, tree = self.folder / "root", self.folder / "tree"
+        for folder in run_mutants.FOLDERS:
+            (root / folder / "kept").mkdir(parents=True)
+        for name in ("CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md", "LICENSE"):
+            (root / name).touch()
+        (root / "framework/kept/kept.cpp").write_text(SOURCE)
+        (tree / "framework/kept").mkdir(parents=True)
+        (tree / "framework/gone").mkdir()
+        for gone in ("kept/gone.cpp", "gone/gone.cpp"):
+            (tree / "framework" / gone).write_text(SOURCE)
+        with unittest.mock.patch.object(run_mutants, "ROOT", root):
+            run_mutants.copy_tree(tree)
+        self.assertEqual(sorted(path.name for path in (tree / "framework").rglob("*")), ["kept", "kept.cpp"])
+
     def test_one_program_holds_all_of_them_and_runs_the_one_that_is_asked_for(self):
         compiler = shutil.which("g++")
         if compiler is None:
