@@ -1,10 +1,10 @@
 #include "map_tools/cone_mapping.hpp"
 
 #include "common/random.hpp"
+#include "map_tools/expected_number.hpp"
+#include "map_tools/grid_smoothing.hpp"
 
 #include <opal/common/error.hpp>
-
-#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 
@@ -23,19 +23,17 @@ constexpr double kArcBefore_m = 0.1, kArcBehind_m = 0.15;
 // A robot that stands says the same again and again.
 constexpr double kNextScan_m = 0.1, kNextScan_rad = 0.1;
 
-void expect(bool holds, const char* name, double found, const char* expected) {
-  if (!holds) throw ConfigError(fmt::format("cone mapping: {} {:g}, expected {}", name, found, expected));
-}
-
 void expect_sense(const ConeMapping& mapping) {
-  const auto is_share = [](double value, double most) { return value >= 0 && value <= most; };
-  expect(mapping.cone_rad >= 0.01 && mapping.cone_rad <= 1.6, "cone", mapping.cone_rad, "0.01 to 1.6 rad");
-  expect(is_share(mapping.range_sigma_m, 2), "range noise", mapping.range_sigma_m, "0 to 2 m");
-  expect(mapping.reach_m >= 1 && mapping.reach_m <= 100, "reach", mapping.reach_m, "1 to 100 m");
-  expect(is_share(mapping.drift_m, 5), "drift", mapping.drift_m, "0 to 5 m");
-  expect(is_share(mapping.drift_rad, 0.5), "drift of the heading", mapping.drift_rad, "0 to 0.5 rad");
-  expect(mapping.resolution_m >= 0.02 && mapping.resolution_m <= 1, "cell", mapping.resolution_m, "0.02 to 1 m");
-  expect(is_share(mapping.blur_m, 2), "blur", mapping.blur_m, "0 to 2 m");
+  const auto expect = [](const char* name, double found, double low, double high, const char* unit) {
+    expect_between("cone mapping", name, found, low, high, unit);
+  };
+  expect("cone", mapping.cone_rad, 0.01, 1.6, "rad");
+  expect("range noise", mapping.range_sigma_m, 0, 2, "m");
+  expect("reach", mapping.reach_m, 1, 100, "m");
+  expect("drift", mapping.drift_m, 0, 5, "m");
+  expect("drift of the heading", mapping.drift_rad, 0, 0.5, "rad");
+  expect("cell", mapping.resolution_m, 0.02, 1, "m");
+  expect("blur", mapping.blur_m, 0, 2, "m");
 }
 
 /// An error that changes slowly along the way: waves of some tens of metres.
@@ -92,7 +90,7 @@ class EvidenceGrid {
     grid_.resolution_m = mapping.resolution_m;
     grid_.origin = driven.min() - border;
     const Point size = (driven.sizes() + 2 * border) / mapping.resolution_m;
-    expect(size.x() * size.y() < 1e8, "cells", size.x() * size.y(), "at most 10^8");
+    expect_between("cone mapping", "cells", size.x() * size.y(), 1, 1e8);
     grid_.columns = static_cast<int>(size.x()) + 1;
     grid_.rows = static_cast<int>(size.y()) + 1;
     evidence_.assign(static_cast<std::size_t>(grid_.columns) * grid_.rows, 0);
@@ -118,7 +116,7 @@ class EvidenceGrid {
   }
 
   MapRaster drawn() {
-    smooth();
+    smooth_grid(evidence_, grid_.columns, grid_.rows, mapping_.blur_m / mapping_.resolution_m);
     grid_.cells.resize(evidence_.size());
     for (std::size_t k = 0; k < evidence_.size(); ++k)
       grid_.cells[k] = evidence_[k] > kDecidedEvidence    ? MapRaster::Cell::occupied
@@ -144,35 +142,6 @@ class EvidenceGrid {
   void weigh(const Touched& cell) {
     double& evidence = evidence_[cell.index];
     evidence = std::clamp(evidence + (cell.is_free ? kFreeEvidence : kArcEvidence), -kMostEvidence, kMostEvidence);
-  }
-
-  void smooth() {
-    const double sigma = mapping_.blur_m / mapping_.resolution_m;
-    if (sigma < 0.1) return;
-    const int reach = static_cast<int>(std::ceil(3 * sigma));
-    std::vector<double> kernel;
-    for (int k = -reach; k <= reach; ++k) kernel.push_back(std::exp(-0.5 * k * k / (sigma * sigma)));
-    double sum = 0;
-    for (const double weight : kernel) sum += weight;
-    for (double& weight : kernel) weight /= sum;
-    smooth_along(kernel, 1, 0);
-    smooth_along(kernel, 0, 1);
-  }
-
-  void smooth_along(const std::vector<double>& kernel, int right, int up) {
-    const std::vector<double> before = evidence_;
-    const int reach = static_cast<int>(kernel.size() / 2);
-    const auto at = [&](int column, int row) {
-      const bool inside = column >= 0 && row >= 0 && column < grid_.columns && row < grid_.rows;
-      return inside ? before[static_cast<std::size_t>(row) * grid_.columns + column] : 0.0;
-    };
-    for (int row = 0; row < grid_.rows; ++row)
-      for (int column = 0; column < grid_.columns; ++column) {
-        double sum = 0;
-        for (int k = -reach; k <= reach; ++k)
-          sum += kernel[static_cast<std::size_t>(k + reach)] * at(column + k * right, row + k * up);
-        evidence_[static_cast<std::size_t>(row) * grid_.columns + column] = sum;
-      }
   }
 
   const ConeMapping& mapping_;

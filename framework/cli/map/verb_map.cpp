@@ -7,6 +7,7 @@
 #include "cli/map/map_patterns.hpp"
 #include "cli/map/map_redraw.hpp"
 #include "cli/map/map_review.hpp"
+#include "cli/map/map_sketch.hpp"
 #include "cli/map/map_stack.hpp"
 #include "cli/options/damage_options.hpp"
 #include "cli/options/exit_code.hpp"
@@ -164,6 +165,7 @@ void opal::add_map_verb(CLI::App& app, int& exit_code) {
   add_join(*map, exit_code);
   add_raster(*map, exit_code);
   add_map_redraw(*map, exit_code);
+  add_map_sketch(*map, exit_code);
   add_map_fleet(*map, exit_code);
   add_map_diff(*map, exit_code);
   add_map_generate(*map, exit_code);

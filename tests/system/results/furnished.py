@@ -39,8 +39,8 @@ def furnished_table(bench, cells_of):
     if not bench.complete:
         return {}
     with concurrent.futures.ThreadPoolExecutor(bench.jobs) as pool:
-        turns = {kind: [pool.submit(bench.furnished_drives, kind, seed) for seed in BUILDINGS] for kind in KINDS}
-        turns[SITES] = [pool.submit(bench.furnished_drives, SITES, site) for site in bench.sites]
+        turns = {kind: [pool.submit(drives, bench, kind, seed) for seed in BUILDINGS] for kind in KINDS}
+        turns[SITES] = [pool.submit(drives, bench, SITES, site) for site in bench.sites]
         made = {}
         for label, of in turns.items():
             done = [turn.result() for turn in of]

@@ -3,7 +3,7 @@
 
 Runs `opal bench` on the recorded sites, judges what it wrote, and fills the marked tables. Without names, all tables are made.
 A name is a table (full, stages, calibration, damage, sites, seeds, ten-maps, kidnapping, cuts, large, large-cpu, drives, drives-models,
-faults, integrity, mutants, redrawn, furnished, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
+faults, integrity, mutants, redrawn, sketched, furnished, campus, storeys) or a kind of map (full, plan, thick, drop, shift, wall, false, mixed, union, copies): then
 only the rows of that kind are made.
 """
 
@@ -20,6 +20,7 @@ import drives
 import furnished
 import judge
 import redrawn
+import sketched
 import tables
 
 PLAN = ["--plan", "1.5"]
@@ -38,7 +39,7 @@ JOINED = {"union": ("union of all sites", []), "copies": ("union and ten copies"
 SITES = ["acapulco", "csail", "freiburg-079", "seattle", "malaga-demo", "malaga", "belgioioso"]
 STAGES = {"detect": "detect", "local_map": "local map", "track": "track", "associate": "associate", "verify": "verify"}
 SEEDED = ("drop", "mixed")  # which walls are damaged matters most there
-DRIVEN = ("drives", "drives-models", "faults", "integrity", "mutants", "redrawn", "furnished", "campus", "storeys")  # make their runs themselves
+DRIVEN = ("drives", "drives-models", "faults", "integrity", "mutants", "redrawn", "sketched", "furnished", "campus", "storeys")  # make their runs themselves
 BY_SEED = ("seeds", "ten-maps", "cuts")  # tables
 MAP_SEEDS, CUT_SEEDS = range(1, 21), range(1, 5)
 KIDNAPPING_OPTION, KIDNAPPING_FILE = "--kidnap", "kidnappings.csv"
@@ -109,12 +110,6 @@ class Bench:
 
     def summary(self, kind, seed, site):
         return json.loads((self.site_folder(kind, seed, site) / "summary.json").read_text())
-
-    def redrawn_verdicts(self, label, seed, site):
-        return redrawn.verdicts(self, label, seed, site)
-
-    def furnished_drives(self, label, which):
-        return furnished.drives(self, label, which)
 
     def joined_verdicts(self, kind):
         return self.verdicts_in(self.joined_folder(kind))
@@ -344,6 +339,7 @@ def make_tables(bench, driven, selection, seeds, page):
         "large-cpu": lambda: large_cpu_table(bench),
         **driven.makers(),
         "redrawn": lambda: redrawn.redrawn_table(bench, judged_cells),
+        "sketched": lambda: sketched.sketched_table(bench, judged_cells),
         "furnished": lambda: furnished.furnished_table(bench, judged_cells),
         "campus": lambda: campus.campus_table(bench, judged_cells),
     }

@@ -35,7 +35,7 @@ def redrawn_table(bench, cells_of):
     if not bench.complete:
         return {}
     with concurrent.futures.ThreadPoolExecutor(bench.jobs) as pool:
-        turns = {label: [pool.submit(bench.redrawn_verdicts, label, seed, site) for seed in SEEDS for site in bench.sites]
+        turns = {label: [pool.submit(verdicts, bench, label, seed, site) for seed in SEEDS for site in bench.sites]
                  for label in TEAMS}
         made = {}
         for label, of in turns.items():

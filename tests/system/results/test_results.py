@@ -274,11 +274,9 @@ class Page(unittest.TestCase):
         verdict = judge.Verdict("q", True, True, True, 0.0, 0.0, True, 1, 0)
         bench = types.SimpleNamespace(
             sites=make_results.SITES, complete=True, verdicts=lambda *_: [verdict], all_verdicts=lambda *_: [verdict],
-            jobs=1, redrawn_verdicts=lambda *_: [verdict], furnished_drives=lambda *_: ([verdict], 60),
-            summary=lambda *_: summary, joined_verdicts=lambda *_: [verdict], joined_summary=lambda *_: summary,
+            jobs=1, summary=lambda *_: summary, joined_verdicts=lambda *_: [verdict], joined_summary=lambda *_: summary,
             kidnappings=lambda *_: dict.fromkeys(make_results.SITES, sums), all_kidnappings=lambda *_: sums)
-        selection = make_results.Selection([])
-        selection.kinds.pop("calibration")  # runs a program
+        (selection := make_results.Selection([])).kinds.pop("calibration")  # runs a program
         cells = drives.drive_cells([{"reached": True, "driven_m": 2.0, "localized_after_m": 1.0, "collisions": [], "why": None}])
         fault_rows = [{"localized_before": "1", "recovered_after_s": "2.5", "wrong_s": "0", "named": "1"}]
         stratum = {"aspect": "map", "value": "redrawn", "drives": 3, "false_drives": 1, "false_share_95": [0, 0.7], "localized_drives": 2,
@@ -290,7 +288,9 @@ class Page(unittest.TestCase):
             "integrity": lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)},
             "storeys": lambda: storeys.by_likeness(next(iter(storeys.BUILDINGS)), [storey]),
             "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
-        self.enterContext(unittest.mock.patch("campus.row_of", return_value=(dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict]))))
+        for what, made in {"campus.row_of": (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict])), "furnished.drives": ([verdict], 60),
+                           "redrawn.verdicts": [verdict], "sketched.verdicts": [verdict]}.items():
+            self.enterContext(unittest.mock.patch(what, return_value=made))
         for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):
             tables.rewritten(page, make_results.make_tables(bench, driven, selection, seeds, page))
         self.assertTrue(tables.table_in(page, "calibration"))

@@ -1,0 +1,65 @@
+#include "cli/map/map_sketch.hpp"
+
+#include "cli/options/exit_code.hpp"
+#include "map_tools/plan_sketch.hpp"
+#include "session/session.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SketchOptions {
+  std::vector<std::string> maps;
+  std::string folder;
+  bool printed = false;
+  std::optional<double> furniture, words;
+  std::uint64_t seed = 1;
+};
+
+/// "hall" of "sites/hall.map.yaml" and of "hall.jsonld".
+std::string name_of_place(const std::string& path) {
+  const fs::path stem = fs::path(path).stem();
+  return (stem.extension() == ".map" ? stem.stem() : stem).string();
+}
+
+opal::PlanSketch plan_of(const SketchOptions& options) {
+  opal::PlanSketch plan = options.printed ? opal::printed_and_scanned() : opal::drawn_by_hand();
+  plan.furniture = options.furniture.value_or(plan.furniture);
+  plan.words = options.words.value_or(plan.words);
+  plan.seed = options.seed;
+  return plan;
+}
+
+int sketch(const SketchOptions& options) {
+  const opal::PluginRegistry registry = load_plugins();
+  fs::create_directories(options.folder);
+  for (const std::string& map : options.maps) {
+    const std::string out = (fs::path(options.folder) / (name_of_place(map) + ".map.yaml")).lexically_normal().string();
+    const opal::MapRaster raster = opal::sketched(*load_map(registry, map), plan_of(options));
+    opal::write_raster(raster, out);
+    std::cout << "written: " << out << ", " << raster.columns << " x " << raster.rows << " cells of "
+              << raster.resolution_m << " m\n";
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_map_sketch(CLI::App& map, int& exit_code) {
+  auto options = std::make_shared<SketchOptions>();
+  CLI::App* verb =
+      map.add_subcommand("sketch", "the plan of a map as a person draws it by hand, or as a scanner reads it");
+  verb->add_option("MAP", options->maps, "map documents, or sources to import")->required();
+  verb->add_option("-o,--out", options->folder, "folder for a grid per map: NAME.map.yaml and NAME.map.pgm")
+      ->required();
+  verb->add_flag("--printed", options->printed,
+                 "both faces of walls, printed, and scanned with some dirt; else single lines by hand");
+  verb->add_option("--furniture", options->furniture, "outlines of furniture per 100 m2 of floor (default: 4)");
+  verb->add_option("--words", options->words, "names and numbers per 100 m2 of floor (default: 2)");
+  verb->add_option("--seed", options->seed, "the same seed gives the same plan")->capture_default_str();
+  verb->callback([options, &exit_code] { exit_code = sketch(*options); });
+}
