@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/config_object.hpp"
+#include "common/json/config_object.hpp"
 #include "plugin/class_source.hpp"
 
 #include <opal/common/error.hpp>

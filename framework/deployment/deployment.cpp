@@ -1,6 +1,6 @@
 #include <opal/deployment/deployment.hpp>
 
-#include "common/config_object.hpp"
+#include "common/json/config_object.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>

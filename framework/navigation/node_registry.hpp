@@ -2,7 +2,7 @@
 
 #include "navigation/node.hpp"
 
-#include "common/config_object.hpp"
+#include "common/json/config_object.hpp"
 
 #include <functional>
 #include <map>

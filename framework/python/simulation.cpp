@@ -1,7 +1,7 @@
 #include "python/bindings.hpp"
 #include "python/map.hpp"
 
-#include "map_tools/map_damage.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 #include "simulation/buildings/building.hpp"
 #include "simulation/drives/recording.hpp"
 #include "simulation/drives/storey_drives.hpp"

@@ -1,6 +1,6 @@
 #include "review/decisions.hpp"
 
-#include "common/config_object.hpp"
+#include "common/json/config_object.hpp"
 
 #include <opal/common/error.hpp>
 

@@ -4,7 +4,7 @@
 #include <opal/map/map_importer.hpp>
 #include <opal/plugin/plugin_registry.hpp>
 #include <opal/sensing/log_source.hpp>
-#include "map_tools/map_damage.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 #include "session/stored_maps.hpp"
 
 #include <memory>

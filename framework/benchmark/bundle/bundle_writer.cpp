@@ -4,7 +4,7 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
-#include "common/config_object.hpp"
+#include "common/json/config_object.hpp"
 #include "common/text_file.hpp"
 #include "common/whole_file.hpp"
 #include "deployment/class_files.hpp"

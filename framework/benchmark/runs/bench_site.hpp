@@ -1,6 +1,6 @@
 #pragma once
 
-#include "map_tools/map_damage.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 
 #include <opal/plugin/plugin_registry.hpp>
 #include "map_tools/map_join.hpp"

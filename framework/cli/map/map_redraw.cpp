@@ -3,7 +3,7 @@
 #include "cli/options/exit_code.hpp"
 #include "evaluation/ground_truth.hpp"
 #include "evaluation/site.hpp"
-#include "map_tools/cone_mapping.hpp"
+#include "map_tools/test_maps/cone_mapping.hpp"
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>

@@ -1,7 +1,7 @@
 #include "cli/map/map_sketch.hpp"
 
 #include "cli/options/exit_code.hpp"
-#include "map_tools/plan_sketch.hpp"
+#include "map_tools/test_maps/plan_sketch.hpp"
 #include "session/session.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
-#include "common/config_object.hpp"
+#include "common/json/config_object.hpp"
 
 #include <string>
 #include <vector>

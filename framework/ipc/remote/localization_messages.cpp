@@ -2,7 +2,7 @@
 
 #include "ipc/remote/json_numbers.hpp"
 
-#include "common/event_json.hpp"
+#include "common/json/event_json.hpp"
 
 #include <fmt/format.h>
 

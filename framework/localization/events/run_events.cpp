@@ -1,6 +1,6 @@
 #include "localization/events/run_events.hpp"
 
-#include "common/event_json.hpp"
+#include "common/json/event_json.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include "localization/scoring/observation.hpp"
 
 #include <opal/sensing/free_space.hpp>
-#include "common/event_json.hpp"
+#include "common/json/event_json.hpp"
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>

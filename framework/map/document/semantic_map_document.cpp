@@ -1,6 +1,6 @@
 #include "map/document/semantic_map_document.hpp"
 
-#include "common/json_elements.hpp"
+#include "common/json/json_elements.hpp"
 #include "jsonld/context/iri.hpp"
 #include "map/document/plain_document.hpp"
 #include "map/document/semantic_map_reader.hpp"

@@ -1,7 +1,7 @@
 #include "recorded_site.hpp"
 
 #include <opal/localization/events/event_stream.hpp>
-#include "map_tools/map_damage.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 #include "viewer/reading/frame_builder.hpp"
 
 #include "localization/events/run_events.hpp"
-#include "map_tools/map_damage.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 
 #include <catch2/catch.hpp>
 

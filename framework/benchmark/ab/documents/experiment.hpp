@@ -1,7 +1,7 @@
 #pragma once
 
 #include <opal/deployment/deployment.hpp>
-#include "map_tools/map_damage.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 
 #include "simulation/buildings/building.hpp"
 #include "simulation/drives/recording.hpp"

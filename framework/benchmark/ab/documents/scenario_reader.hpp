@@ -2,7 +2,7 @@
 
 #include "benchmark/ab/documents/experiment.hpp"
 
-#include "common/config_object.hpp"
+#include "common/json/config_object.hpp"
 
 namespace opal::ab {
 

@@ -1,7 +1,7 @@
 #include "benchmark/experiments/integrity/drive_world.hpp"
 
-#include "map_tools/map_damage.hpp"
 #include "map_tools/map_stack.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 
 namespace opal::experiments {
 namespace {

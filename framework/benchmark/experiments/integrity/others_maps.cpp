@@ -2,7 +2,7 @@
 #include "benchmark/experiments/integrity/drive_world.hpp"
 #include "learning/learned_overlay.hpp"
 #include "map/overlay/map_overlay.hpp"
-#include "map_tools/cone_mapping.hpp"
+#include "map_tools/test_maps/cone_mapping.hpp"
 #include "session/session.hpp"
 
 #include <opal/sensing/replay.hpp>

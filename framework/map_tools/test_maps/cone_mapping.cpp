@@ -1,8 +1,8 @@
-#include "map_tools/cone_mapping.hpp"
+#include "map_tools/test_maps/cone_mapping.hpp"
 
 #include "common/random.hpp"
-#include "map_tools/expected_number.hpp"
-#include "map_tools/grid_smoothing.hpp"
+#include "map_tools/test_maps/expected_number.hpp"
+#include "map_tools/test_maps/grid_smoothing.hpp"
 
 #include <opal/common/error.hpp>
 

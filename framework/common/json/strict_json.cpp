@@ -1,4 +1,4 @@
-#include "common/json_elements.hpp"
+#include "common/json/json_elements.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "common/event_json.hpp"
+#include "common/json/event_json.hpp"
 
 namespace opal {
 namespace {

@@ -1,4 +1,4 @@
-#include "map_tools/grid_smoothing.hpp"
+#include "map_tools/test_maps/grid_smoothing.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "map_tools/map_damage.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 
 #include <opal/common/error.hpp>
 

@@ -1,6 +1,6 @@
 #include <opal/common/error.hpp>
 #include <opal/plugin/testing/scorer_contract.hpp>
-#include "map_tools/map_damage.hpp"
+#include "map_tools/test_maps/map_damage.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "map_tools/cone_mapping.hpp"
+#include "map_tools/test_maps/cone_mapping.hpp"
 
 #include <opal/common/error.hpp>
 

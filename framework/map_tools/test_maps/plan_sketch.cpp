@@ -1,8 +1,8 @@
-#include "map_tools/plan_sketch.hpp"
+#include "map_tools/test_maps/plan_sketch.hpp"
 
-#include "map_tools/expected_number.hpp"
-#include "map_tools/grid_smoothing.hpp"
-#include "map_tools/plan_strokes.hpp"
+#include "map_tools/test_maps/expected_number.hpp"
+#include "map_tools/test_maps/grid_smoothing.hpp"
+#include "map_tools/test_maps/plan_strokes.hpp"
 
 #include <Eigen/Geometry>
 

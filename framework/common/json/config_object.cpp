@@ -1,4 +1,4 @@
-#include "common/config_object.hpp"
+#include "common/json/config_object.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>

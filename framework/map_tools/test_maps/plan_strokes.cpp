@@ -1,4 +1,4 @@
-#include "map_tools/plan_strokes.hpp"
+#include "map_tools/test_maps/plan_strokes.hpp"
 
 #include "map_tools/building_ground.hpp"
 

@@ -1,6 +1,6 @@
-#include "map_tools/plan_sketch.hpp"
+#include "map_tools/test_maps/plan_sketch.hpp"
 
-#include "map_tools/grid_smoothing.hpp"
+#include "map_tools/test_maps/grid_smoothing.hpp"
 
 #include <opal/common/error.hpp>
 
