@@ -89,15 +89,24 @@ std::string name_of(const std::string& path) {
   return file.substr(0, file.find('.'));
 }
 
+/// All of them, or the first few of thousands.
+void tell_places(const std::vector<opal::MapPlacement>& placements) {
+  constexpr std::size_t kMost = 30;
+  for (std::size_t k = 0; k < std::min(kMost, placements.size()); ++k) {
+    const opal::MapPlacement& placement = placements[k];
+    std::printf("%s: moved by %.0f m, %.0f m; scale %.3f, %.3f\n", placement.id.c_str(), placement.T_map_source.x(),
+                placement.T_map_source.y(), placement.scale.x(), placement.scale.y());
+  }
+  if (placements.size() > kMost) std::printf("and %zu more\n", placements.size() - kMost);
+}
+
 int join(const JoinVerbOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   std::vector<opal::MapSourcePart> sources;
   for (const std::string& map : options.maps) sources.push_back({name_of(map), load_map(registry, map)});
   const auto joined = opal::joined_map(sources, options.join.join);
   opal::write_map(*joined, options.out);
-  for (const opal::MapPlacement& placement : joined->origin().placements)
-    std::printf("%s: moved by %.0f m, %.0f m; scale %.3f, %.3f\n", placement.id.c_str(), placement.T_map_source.x(),
-                placement.T_map_source.y(), placement.scale.x(), placement.scale.y());
+  tell_places(joined->origin().placements);
   for (const opal::MapSourcePart& source : sources)
     if (!source.map->unused().empty())
       std::printf("left out of %s: what other vocabularies say about %zu things\n", source.prefix.c_str(),
