@@ -161,6 +161,10 @@ TEST_CASE("a laser that is described backwards is named, and nothing is called l
   LiveCore core(robot().parts(described), {}, nullptr);
   const Played all = played(core, robot().arrivals);
   CHECK(all.says("laser FLASER"));
+  const auto& health = all.answers.back().health;
+  CHECK(std::any_of(health.begin(), health.end(), [](const HealthFinding& finding) {
+    return finding.level == HealthFinding::Level::bad && finding.words.find("laser FLASER") != std::string::npos;
+  }));
   CHECK_FALSE(is_localized(all.answers.back()));
 }
 

@@ -127,6 +127,16 @@ TEST_CASE("two near circles are not mixed up, whichever is detected first") {
   CHECK(map.last_associations() == std::vector<LocalFeatureId>{first[1], first[0]});
 }
 
+TEST_CASE("a circle seen again and again stands at the mean of its views") {
+  LocalMap map(without_graph(), nullptr);
+  int view = 0;
+  for (const double x : {2.97, 3.03, 2.97, 3.03}) see(map, Pose2(0.5 * view++, 0, 0), {pillar({x, 2}, 0.3)});
+  REQUIRE(map.features().size() == 1);
+  const auto& circle = std::get<Circle>(map.features().front().feature.geometry);
+  CHECK((circle.center - Point(3, 2)).norm() < 0.02);
+  CHECK(circle.radius_m == Approx(0.3).margin(0.01));
+}
+
 TEST_CASE("partial segments are joined and reach as far as any piece") {
   LocalMap map(without_graph(), nullptr);
   see(map, Pose2(), {wall({0, 2}, {2, 2})});

@@ -4,6 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+#include <fstream>
+
 using namespace opal;
 
 namespace {
@@ -61,4 +64,14 @@ TEST_CASE("angles that the log states must be those described, unless they are t
   laser = described(361);
   laser.angle_increment_rad *= 1.1;
   CHECK_THAT(complaint(records, laser), Catch::Contains("degrees apart"));
+}
+
+TEST_CASE("a description beside the log is named, if there is one") {
+  CHECK_THAT(complaint(log_with(541), described(361)), !Catch::Contains("--info"));
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "opal_log_check_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "a.info.json") << "{}";
+  CHECK_THROWS_WITH(check_log(log_with(541), described(361), (folder / "a.log").string(), "b.jsonld: /sensor"),
+                    Catch::Contains("or take it with --info") && Catch::Contains("a.info.json"));
+  std::filesystem::remove_all(folder);
 }

@@ -239,4 +239,6 @@ TEST_CASE("over a clock reset nobody knows how long the robot drove: what is far
   pairing.take(OdometryRecord{60, Pose2(5, 0, 0)});
   CHECK(pairing.counts().at("clock reset") == 1);
   CHECK(pairing.counts().at("odometry jump") == 1);
+  pairing.take(OdometryRecord{65, Pose2(10, 0, 0)});  // from then on time tells again
+  CHECK(pairing.counts().at("odometry jump") == 1);
 }

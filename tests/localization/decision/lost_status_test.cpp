@@ -55,3 +55,21 @@ TEST_CASE(
   answer.estimator.reset();
   CHECK(answer.weight_until_localized({}) == Answer().weight_until_localized({}));
 }
+
+TEST_CASE(
+    "the newest scans count by a running mean: of many that fit a little too badly it takes as many as it should") {
+  Answer answer = localized_here();  // by scans of 1 nat
+  const double scan_nat = -0.5;      // the mean after k of them: 1.5 * 0.8^k - 0.5
+  for (int k = 1; k <= 7; ++k) CHECK(answer.to({hypothesis(1, kHere, 20, scan_nat)}).status == Status::localized);
+  CHECK(answer.to({hypothesis(1, kHere, 20, scan_nat)}).status == Status::lost);
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("score -0.25 nat on average"));
+}
+
+TEST_CASE("where the best place has just changed, that is the reason, whatever scan broke off") {
+  Answer answer;
+  Circumstances broken;
+  broken.is_broken = true;
+  answer.to({hypothesis(1, kHere, 20)}, broken);
+  CHECK(answer.to({hypothesis(2, kThere, 20)}, broken).status == Status::searching);
+  CHECK(answer.estimator.belief().why == "the best place has just changed");
+}

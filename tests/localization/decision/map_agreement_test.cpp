@@ -81,3 +81,20 @@ TEST_CASE("a return behind a wall has passed it from nearby, and from afar may b
   CHECK(behind(2) == 1);
   CHECK(behind(20) == 0);
 }
+
+TEST_CASE("a return well before a wall is neither met nor passed") {
+  const auto map = view_of({{"opal:Wall", Segment{{10, -5}, {10, 5}}}});
+  const auto met_at = [&](double range_m) {
+    const LocalMap nothing({}, nullptr);
+    Scan scan;
+    scan.range_max_m = 30;
+    scan.points.push_back({{range_m, 0}, range_m, 0, 0});
+    const Sample sample = sample_of(std::move(scan), Pose2());
+    return agreement(observe(nothing, sample, {}), *map, Pose2());
+  };
+  CHECK(met_at(9.9).met == 1);
+  for (const double range_m : {9.6, 9.0, 5.0}) {
+    CHECK(met_at(range_m).met == 0);
+    CHECK(met_at(range_m).passed == 0);
+  }
+}

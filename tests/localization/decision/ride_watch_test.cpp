@@ -93,3 +93,15 @@ TEST_CASE("a robot in a lift may be at the same place of the cabin on every othe
   CHECK(angle_between_rad(elsewhere[1], turned) < 1e-9);
   CHECK(robot.watch.elsewhere(on(*robot.map, "a", {3.2, 2, 0})).empty());
 }
+
+TEST_CASE("a lift that stops at one storey carries nobody") {
+  const auto map = house();
+  MapOrigin origin = map->map().origin();
+  origin.connections.front().landings.resize(1);
+  const auto one_stop = std::make_shared<MapView>(
+      SemanticMap::make("house", map->map().objects(), map->map().features(), {}, std::move(origin)), "PlanarLidar2D");
+  Rider robot;
+  robot.watch = RideWatch(one_stop, {.stand_s = 5});
+  CHECK_FALSE(robot.stands(60));
+  CHECK(robot.watch.elsewhere(*robot.best).empty());
+}

@@ -170,3 +170,12 @@ TEST_CASE("two pieces of a wall are one behind something nearer, if they are as 
   CHECK(pieces_of_wall(0.17) == 2);
   CHECK(pieces_of_wall(-0.17) == 2);
 }
+
+TEST_CASE("chains begin after the largest break, and missing beams are a larger one than a jump in range") {
+  std::vector<double> ranges(360, 2);  // all around
+  std::fill(ranges.begin() + 100, ranges.begin() + 140, 0);
+  for (std::size_t beam = 250; beam < 300; ++beam) ranges[beam] = 2.4;
+  const ScanChains chains = chained(scan_with(ranges), {});
+  REQUIRE_FALSE(chains.hits.empty());
+  CHECK(chains.hits.front().beam == 140);
+}
