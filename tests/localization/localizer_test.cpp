@@ -2,6 +2,7 @@
 #include "tests/localization/synthetic_scene.hpp"
 
 #include <opal/localization/localizer.hpp>
+#include <opal/sensing/free_space.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -166,6 +167,19 @@ TEST_CASE("a local feature that stays where it is is written when its views have
   CHECK(written == std::vector{1, 2, 3, 5, 8});
 }
 
+TEST_CASE("a keyframe is written with what its beams passed through") {
+  Driven robot;
+  const Pose2 T_map_base(3, 4.5, 0.1);
+  robot.drive_to(T_map_base);
+  const std::vector<Point> outline = free_space_outline(scan_from(*robot.map, T_map_base), T_base_laser);
+  const ordered_json written = robot.heard.of("keyframe").front()["free_space"];
+  REQUIRE(written.size() == 2 * outline.size());
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    CHECK(written[2 * k].get<double>() == Approx(outline[k].x()).margin(0.001));
+    CHECK(written[2 * k + 1].get<double>() == Approx(outline[k].y()).margin(0.001));
+  }
+}
+
 TEST_CASE("after a reset all is written anew, and nothing of before is said to be gone") {
   Driven robot;
   robot.drive_on(4);
@@ -252,6 +266,9 @@ TEST_CASE("odometry that stands while the robot drives is found out, and where t
   REQUIRE(std::any_of(findings.begin(), findings.end(), [](const SensorFinding& finding) {
     return finding.subject == SensorFinding::Subject::standing_odometry;
   }));
+  for (const ordered_json& event : robot.heard.of("estimate"))
+    if (event.contains("sensor")) CHECK_THAT(event["sensor"].dump(), Catch::Contains("odometry"));
+  CHECK_FALSE(robot.heard.of("estimate").front().contains("sensor"));
   const auto moved = robot.see_at(stuck * Pose2(2.5, 0, 1.6), stuck * Pose2(0.3, 0, 0));
   REQUIRE(moved);
   CHECK(moved->status != Status::localized);
