@@ -101,6 +101,7 @@ TEST_CASE("a robot that drives about is found, and every estimate is written wit
   REQUIRE(last["hypotheses"].size() == alive.size());
   for (std::size_t k = 0; k < alive.size(); ++k)
     CHECK(last["hypotheses"][k]["log_likelihood"].get<double>() == Approx(alive[k].log_likelihood));
+  CHECK(robot.localizer.scores_of(alive.front().id).size() == 1);
   CHECK(last["T_map_base"][0].get<double>() == Approx(3 + 0.25 * 11).margin(0.05));
   CHECK(last["T_map_base"][1].get<double>() == Approx(4.5).margin(0.05));
 }

@@ -75,3 +75,19 @@ TEST_CASE("a description beside the log is named, if there is one") {
                     Catch::Contains("or take it with --info") && Catch::Contains("a.info.json"));
   std::filesystem::remove_all(folder);
 }
+
+TEST_CASE("half a beam at either end may be off: over all beams, one of them") {
+  const auto complaint_at = [](double increment_rad) {
+    auto records = log_with(3);
+    for (LogRecord& record : records) {
+      std::get<RawScan>(record).angle_min_rad = -0.1;
+      std::get<RawScan>(record).angle_increment_rad = increment_rad;
+    }
+    LaserModel laser = described(3);
+    laser.angle_min_rad = -0.1;
+    laser.angle_increment_rad = 0.1;
+    return complaint(records, laser);
+  };
+  CHECK(complaint_at(0.145).empty());
+  CHECK_FALSE(complaint_at(0.155).empty());
+}

@@ -73,3 +73,11 @@ TEST_CASE("where the best place has just changed, that is the reason, whatever s
   CHECK(answer.to({hypothesis(2, kThere, 20)}, broken).status == Status::searching);
   CHECK(answer.estimator.belief().why == "the best place has just changed");
 }
+
+TEST_CASE("of two places that are as probable the probability is the reason, also when the best one has just changed") {
+  Answer answer;
+  answer.to({hypothesis(1, kHere, 20), hypothesis(2, kThere, 20)});
+  CHECK_THAT(answer.estimator.belief().why, Catch::StartsWith("the probability is 0.499, not above 0.990"));
+  answer.to({hypothesis(2, kThere, 20), hypothesis(1, kHere, 20)});
+  CHECK_THAT(answer.estimator.belief().why, Catch::StartsWith("the probability is 0.499, not above 0.990"));
+}

@@ -179,3 +179,15 @@ TEST_CASE("chains begin after the largest break, and missing beams are a larger 
   REQUIRE_FALSE(chains.hits.empty());
   CHECK(chains.hits.front().beam == 140);
 }
+
+TEST_CASE("the covariance of a line is that of its offset at the middle between its ends") {
+  const ScanChains chains = chained(scan_of({{{2, -0.5}, {2, 3}}}), {});  // most hits lie near its begin
+  const auto lines = extract_lines(chains, {});
+  REQUIRE(lines.size() == 1);
+  const LineFit fitted = fit_line(chains, lines.front().runs, LineExtractionOptions{}.noise);
+  const double off_m = fitted.direction.dot(lines.front().segment.midpoint() - fitted.centroid);
+  REQUIRE(std::abs(off_m) > 0.05);
+  const Eigen::Matrix2d covariance = lines.front().covariance;
+  CHECK(covariance(0, 0) == Approx(fitted.offset_variance_m2 + off_m * off_m * fitted.heading_variance_rad2));
+  CHECK(covariance(0, 1) == Approx(off_m * fitted.heading_variance_rad2));
+}
