@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import faults
+import fuzzing
 import integrity
 import mutants
 import storeys
@@ -58,7 +59,8 @@ class Drives:
         """Of tables, by name."""
         return {"drives": self.buildings_table, "drives-models": self.models_table,
                 "faults": lambda: faults.faults_table(self.options), "integrity": lambda: integrity.integrity_table(self.options),
-                "mutants": lambda: mutants.mutants_table(self.options), "storeys": lambda: storeys.storeys_table(self.options)}
+                "mutants": lambda: mutants.mutants_table(self.options), "fuzzing": lambda: fuzzing.fuzzing_table(self.options),
+                "storeys": lambda: storeys.storeys_table(self.options)}
 
     def _opal(self, *words):
         return subprocess.run([str(self.opal), *map(str, words)], capture_output=True, text=True, check=False)

@@ -5,18 +5,12 @@ import json
 import math
 import pathlib
 import tempfile
-import types
 import unittest
-import unittest.mock
 
-import campus
 import drives
 import faults
-import integrity
 import judge
 import make_results
-import mutants
-import storeys
 import tables
 
 HEADER = "query_id,timestamp,x,y,theta,localized_flag,probability,none,status\n"
@@ -260,40 +254,6 @@ class Drives(unittest.TestCase):
     def test_a_map_without_floor_is_told_in_its_own_words_without_its_folder(self):
         cells = drives.refused_cells("warning\nopal: /models/of/roof: has no floor\n")
         self.assertEqual((cells["drives"], cells["why not reached"]), ("0", "roof: has no floor"))
-
-
-class Page(unittest.TestCase):
-    """docs/results.md has a row and a column for everything that the command makes."""
-
-    def test_every_table_is_marked_and_takes_its_cells(self):
-        page = (pathlib.Path(__file__).resolve().parents[3] / "docs/results.md").read_text()
-        sums = judge.Kidnappings(1, 1, 1, 0.0, 1, 1, 1)
-        summary = {**dict.fromkeys(("cpu_ms_median", "cpu_ms_mean", "cpu_ms_p99", "hypotheses_mean", "peak_rss_mb",
-                                    "localizer_mb", "import_s", "updates"), 1.0),
-                   "stage_ms_mean": dict.fromkeys(make_results.STAGES, 1.0)}
-        verdict = judge.Verdict("q", True, True, True, 0.0, 0.0, True, 1, 0)
-        bench = types.SimpleNamespace(
-            sites=make_results.SITES, complete=True, verdicts=lambda *_: [verdict], all_verdicts=lambda *_: [verdict],
-            jobs=1, summary=lambda *_: summary, joined_verdicts=lambda *_: [verdict], joined_summary=lambda *_: summary,
-            kidnappings=lambda *_: dict.fromkeys(make_results.SITES, sums), all_kidnappings=lambda *_: sums)
-        (selection := make_results.Selection([])).kinds.pop("calibration")  # runs a program
-        cells = drives.drive_cells([{"reached": True, "driven_m": 2.0, "localized_after_m": 1.0, "collisions": [], "why": None}])
-        fault_rows = [{"localized_before": "1", "recovered_after_s": "2.5", "wrong_s": "0", "named": "1"}]
-        stratum = {"aspect": "map", "value": "redrawn", "drives": 3, "false_drives": 1, "false_share_95": [0, 0.7], "localized_drives": 2,
-                   "localized_after_m": {"median": 4.5, "95 %": None}}
-        storey = {"right": "1", "wrong": "0", "right_from_m": "3.0", "localized_from_m": "", "difference": "0.2"}
-        driven = types.SimpleNamespace(makers=lambda: {
-            "drives": lambda: {f"{kind}, seed {seed}": cells for kind in drives.KINDS for seed in drives.SEEDS},
-            "drives-models": lambda: {"Duplex, Level 1": cells}, "faults": lambda: {"doubled": faults.cells_of(fault_rows)},
-            "integrity": lambda: {integrity.label_of(stratum): integrity.cells_of(stratum)},
-            "storeys": lambda: storeys.by_likeness(next(iter(storeys.BUILDINGS)), [storey]),
-            "mutants": lambda: {"all": mutants.cells_of({"mutants": 10, "noticed": 8, "explained": 1})}})
-        for what, made in {"campus.row_of": (dict.fromkeys(campus.GROWING, 1.0), judge.totals([verdict])), "furnished.drives": ([verdict], 60),
-                           "redrawn.verdicts": [verdict], "sketched.verdicts": [verdict]}.items():
-            self.enterContext(unittest.mock.patch(what, return_value=made))
-        for seeds in ([1], [1, 2, 3, 4], list(make_results.MAP_SEEDS)):
-            tables.rewritten(page, make_results.make_tables(bench, driven, selection, seeds, page))
-        self.assertTrue(tables.table_in(page, "calibration"))
 
 
 if __name__ == "__main__":
