@@ -1,6 +1,5 @@
-#include "localization/tree/hypothesis_set.hpp"
-
 #include "tests/localization/synthetic_scene.hpp"
+#include "tests/localization/tree/deaf_listener.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -10,17 +9,13 @@ using namespace opal::synthetic;
 namespace {
 
 /// Counts, and keeps what was taken back.
-struct CountingListener : HypothesisListener {
+struct CountingListener : DeafListener {
   int spawns = 0;
   std::vector<std::vector<LocalFeatureId>> taken_back;
   void spawned(const Live&, HypothesisId, TemplateNumber) override { ++spawns; }
-  void ended(const Live&, const Ending&) override {}
-  void associated(const Live&, std::span<const Association>) override {}
   void dissociated(const Live&, const std::vector<LocalFeatureId>& features, const std::string&) override {
     taken_back.push_back(features);
   }
-  void branch_rejected(const Live&, const Association&, const std::string&) override {}
-  void candidate_rejected(const VerifiedCandidate&, const std::string&) override {}
 };
 
 /// Hypotheses in a map that sees `local` features from the origin of its local frame.

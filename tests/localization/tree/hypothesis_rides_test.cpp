@@ -1,6 +1,5 @@
-#include "localization/tree/hypothesis_set.hpp"
-
 #include "tests/localization/synthetic_scene.hpp"
+#include "tests/localization/tree/deaf_listener.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,13 +10,8 @@ using namespace opal::synthetic;
 
 namespace {
 
-struct Deaf : HypothesisListener {
+struct Parents : DeafListener {
   void spawned(const Live&, HypothesisId parent, TemplateNumber) override { parents.push_back(parent); }
-  void ended(const Live&, const Ending&) override {}
-  void associated(const Live&, std::span<const Association>) override {}
-  void dissociated(const Live&, const std::vector<LocalFeatureId>&, const std::string&) override {}
-  void branch_rejected(const Live&, const Association&, const std::string&) override {}
-  void candidate_rejected(const VerifiedCandidate&, const std::string&) override {}
   std::vector<HypothesisId> parents;
 };
 
@@ -46,7 +40,7 @@ struct Lift {
     return here / sum;
   }
 
-  Deaf listener;
+  Parents listener;
   std::shared_ptr<const MapView> map = view_of({{"opal:Column", Circle{{0, 50}, 0.2}}});
   Judges judges{map, {{"told", constant_scorer(1), true, 1}}};
   RetrospectiveVerification past{map, judges.ensemble, no_earlier_scans(), 1};

@@ -1,6 +1,5 @@
-#include "localization/tree/hypothesis_set.hpp"
-
 #include "tests/localization/synthetic_scene.hpp"
+#include "tests/localization/tree/deaf_listener.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -17,7 +16,7 @@ namespace {
 constexpr double kSpawn_nat = HypothesesOptions{}.spawn_nat, kPrune_nat = HypothesesOptions{}.prune_nat;
 
 /// Hears everything.
-struct Listener : HypothesisListener {
+struct Listener : DeafListener {
   void spawned(const Live& live, HypothesisId parent, TemplateNumber) override {
     ++spawns[live.hypothesis.id];
     parents[live.hypothesis.id] = parent;
@@ -32,7 +31,6 @@ struct Listener : HypothesisListener {
   void dissociated(const Live&, const std::vector<LocalFeatureId>& local_features, const std::string&) override {
     dissociations += static_cast<int>(local_features.size());
   }
-  void branch_rejected(const Live&, const Association&, const std::string&) override {}
   void candidate_rejected(const VerifiedCandidate&, const std::string& reason) override { rejected.push_back(reason); }
 
   std::map<HypothesisId, int> spawns, ends, pairs_heard;
