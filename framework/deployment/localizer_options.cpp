@@ -140,6 +140,8 @@ const Fields<StatusOptions>& fields_of(const StatusOptions&) {
        "more of the sum of tempering weights, times what the share lacks"},
       {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
        "the same share below which nothing is localized, whatever else speaks for it"},
+      {"localized_lead", &O::localized_lead, "", 0, 1,
+       "share of its evidence by which the best place must lead over any other place"},
       {"localized_most_weight", &O::localized_most_weight, "", 0, kMany, "whatever is missing, this is enough"},
       {"lost_scan_nat", &O::lost_scan_nat, "nat", -kMany, kMany,
        "mean of the newest scans below which the robot is lost"},

@@ -45,6 +45,7 @@ void StatusEstimator::reset() {
   mean_scan_nat_ = 0;
   contradiction_.clear();
   agreement_.clear();
+  lead_ = {};
 }
 
 void StatusEstimator::believe(const std::vector<Live>& alive) {
@@ -57,7 +58,9 @@ void StatusEstimator::believe(const std::vector<Live>& alive) {
   for (const Live& live : alive) belief_.hypotheses.push_back(std::exp(live.hypothesis.log_likelihood - top) / total);
 }
 
-void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const {
+void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) {
+  const double best_nat = alive.front().hypothesis.log_likelihood;
+  lead_ = {std::numeric_limits<double>::infinity(), options_.localized_lead * best_nat, best_nat};
   for (std::size_t k = 0; k < alive.size(); ++k) {
     const Live& live = alive[k];
     const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
@@ -66,11 +69,13 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
       estimate.probability += probability;
       continue;
     }
+    const double behind_nat = best_nat - live.hypothesis.log_likelihood;
+    lead_.nat = std::min(lead_.nat, behind_nat);
     const auto alternative = std::find_if(estimate.alternatives.begin(), estimate.alternatives.end(),
                                           [&](const auto& r) { return same_place(r.T_map_base, pose); });
     if (alternative != estimate.alternatives.end())
       alternative->probability += probability;
-    else if (probability > kAlternativeProbability)
+    else if (probability > kAlternativeProbability || behind_nat < lead_.asked_nat)
       estimate.alternatives.push_back({live.hypothesis.id, pose, probability});
   }
   std::stable_sort(estimate.alternatives.begin(), estimate.alternatives.end(),
@@ -88,7 +93,8 @@ double StatusEstimator::weight_asked(double unmapped_walls_m) const {
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
                               const Circumstances& now) {
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
-  sure_ = same && estimate.probability > options_.localized_probability ? sure_ + now.tempering_weight : 0;
+  const bool probable = estimate.probability > options_.localized_probability, leads = lead_.nat >= lead_.asked_nat;
+  sure_ = same && probable && leads ? sure_ + now.tempering_weight : 0;
   if (!same) agreement_.clear();
   agreement_.add(now.agreement, now.tempering_weight);
   constexpr double kMemory = 0.8;
@@ -120,7 +126,12 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
                             "map of this building?",
                             100 * (1 - agreement_.share())));
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
-  if (same || estimate.probability <= options_.localized_probability)
+  if (same && probable && !leads)
+    return because(status,
+                   sentence("another place explains what was seen nearly as well: its evidence is %.1f nat less "
+                            "of %.1f, and should be %.1f less",
+                            lead_.nat, lead_.best_nat, lead_.asked_nat));
+  if (same || !probable)
     return because(status, sentence("the probability is %.3f, not above %.3f", rounded_down(estimate.probability),
                                     options_.localized_probability));
   return because(status, "the best place has just changed");

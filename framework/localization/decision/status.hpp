@@ -56,7 +56,7 @@ class OPAL_EXPORT StatusEstimator {
 
  private:
   void believe(const std::vector<Live>& alive);
-  void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) const;
+  void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate);
   Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
                const Circumstances& now);
   /// @return for how many pieces of new evidence the required probability has to hold.
@@ -80,6 +80,11 @@ class OPAL_EXPORT StatusEstimator {
   bool was_localized_ = false;
   double mean_scan_nat_ = 0;  ///< of the best hypothesis, over the newest scans
   MeanAgreement agreement_;   ///< since the best place is the same
+  /// Of the best place over the best one elsewhere, in evidence.
+  struct Lead {
+    double nat = std::numeric_limits<double>::infinity(), asked_nat = 0, best_nat = 0;
+  };
+  Lead lead_;
 };
 
 }  // namespace opal

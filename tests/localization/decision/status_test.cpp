@@ -241,3 +241,34 @@ TEST_CASE("an estimator that is reset has forgotten what was") {
   CHECK(anew.status != Status::localized);
   CHECK(anew.none == Answer().to({hypothesis(1, kHere, 3)}).none);
 }
+
+TEST_CASE("a place has to lead over every other place by a share of its evidence") {
+  const auto after = [](double here_nat, double there_nat, const StatusOptions& options) {
+    Answer answer(options);
+    PoseEstimate estimate;
+    for (int k = 0; k < 30; ++k)
+      estimate = answer.to({hypothesis(1, kHere, here_nat), hypothesis(2, kThere, there_nat)});
+    return std::pair(estimate, answer.estimator.belief().why);
+  };
+  const auto [close, why] = after(60, 55, {});
+  CHECK(close.probability > 0.99);
+  CHECK(close.status == Status::ambiguous);
+  REQUIRE(close.alternatives.size() == 1);
+  CHECK(distance_m(close.alternatives.front().T_map_base, kThere) < 1e-9);
+  CHECK(why ==
+        "another place explains what was seen nearly as well: its evidence is 5.0 nat less of 60.0, and should "
+        "be 6.0 less");
+  CHECK(after(60, 53.9, {}).first.status == Status::localized);
+  CHECK(after(20, 15, {}).first.status == Status::localized);
+  StatusOptions none;
+  none.localized_lead = 0;
+  CHECK(after(60, 55, none).first.status == Status::localized);
+}
+
+TEST_CASE("a hypothesis at the same place is no other place, however near its evidence is") {
+  Answer answer;
+  PoseEstimate estimate;
+  for (int k = 0; k < 30; ++k)
+    estimate = answer.to({hypothesis(1, kHere, 60), hypothesis(2, kHere * Pose2(0.1, 0, 0), 59)});
+  CHECK(estimate.status == Status::localized);
+}

@@ -98,6 +98,8 @@ struct StatusOptions {
                                       ///< should end there. If fewer do, the map is poor, or the robot elsewhere:
   double localized_weight_per_share = 30;   ///< so much more is asked for, times what is missing.
   double localized_least_agreement = 0.25;  ///< With fewer than so many the map is another place's: nothing helps.
+  double localized_lead = 0.1;  ///< Of its evidence the best place must have so much more than any other place. Where
+                                ///< two places look alike, what errors of the map and of the model add up to decides.
   double localized_most_weight = 20;  ///< Whatever is missing, this is enough, or localized_weight if that is more
   double lost_scan_nat = -0.2;        ///< mean of the newest scans below this: lost
 };
