@@ -60,7 +60,8 @@ void StatusEstimator::believe(const std::vector<Live>& alive) {
 
 void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) {
   const double best_nat = alive.front().hypothesis.log_likelihood;
-  lead_ = {std::numeric_limits<double>::infinity(), options_.localized_lead * best_nat, best_nat};
+  const double own_nat = best_nat - alive.front().ridden_nat;  // the rest says nothing between storeys
+  lead_ = {std::numeric_limits<double>::infinity(), options_.localized_lead * own_nat, own_nat};
   for (std::size_t k = 0; k < alive.size(); ++k) {
     const Live& live = alive[k];
     const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
@@ -130,7 +131,7 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
     return because(status,
                    sentence("another place explains what was seen nearly as well: its evidence is %.1f nat less "
                             "of %.1f, and should be %.1f less",
-                            lead_.nat, lead_.best_nat, lead_.asked_nat));
+                            lead_.nat, lead_.own_nat, lead_.asked_nat));
   if (same || !probable)
     return because(status, sentence("the probability is %.3f, not above %.3f", rounded_down(estimate.probability),
                                     options_.localized_probability));

@@ -82,7 +82,7 @@ class OPAL_EXPORT StatusEstimator {
   MeanAgreement agreement_;   ///< since the best place is the same
   /// Of the best place over the best one elsewhere, in evidence.
   struct Lead {
-    double nat = std::numeric_limits<double>::infinity(), asked_nat = 0, best_nat = 0;
+    double nat = std::numeric_limits<double>::infinity(), asked_nat = 0, own_nat = 0;
   };
   Lead lead_;
 };

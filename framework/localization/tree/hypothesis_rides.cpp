@@ -29,6 +29,7 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
     live.hypothesis.log_likelihood -= std::log(1 + static_cast<double>(poses.size()));
     for (const Pose2& pose : poses) arrivals.push_back({live.hypothesis.id, pose, live.hypothesis.log_likelihood});
     live.hypothesis.memories = {};
+    live.ridden_nat = live.hypothesis.log_likelihood;
   }
   for (const Arrival& arrival : arrivals) {
     Candidate candidate;
@@ -39,6 +40,7 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
     }
     Live live;
     live.hypothesis.T_map_local = arrival.T_map_base * T_local_base.inverse();
+    live.ridden_nat = arrival.nat;
     insert(std::move(live), {{}, arrival.nat}, std::move(candidate), arrival.from);
   }
   prune();

@@ -25,6 +25,7 @@ struct Live {
   int consecutive_not_on_map = 0;
   KeyframeId kidnapped_after = {};  ///< the robot was kidnapped after this keyframe, if it is right; none: it was not
   double inherited_nat = 0;         ///< part of its evidence that the best hypothesis had gathered by then
+  double ridden_nat = 0;            ///< part of its evidence from before a ride: every storey has that
   PoseFilter pose;                  ///< what the scans since it was spawned say about where it is
   std::vector<Score> scores;        ///< of the newest scan, in the ensemble's order
 };

@@ -265,6 +265,15 @@ TEST_CASE("a place has to lead over every other place by a share of its evidence
   CHECK(after(60, 55, none).first.status == Status::localized);
 }
 
+TEST_CASE("evidence from before a ride is no evidence between storeys") {
+  Live here = hypothesis(1, kHere, 60), there = hypothesis(2, kThere, 55);
+  here.ridden_nat = there.ridden_nat = 40;
+  Answer answer;
+  PoseEstimate estimate;
+  for (int k = 0; k < 30; ++k) estimate = answer.to({here, there});
+  CHECK(estimate.status == Status::localized);
+}
+
 TEST_CASE("a hypothesis at the same place is no other place, however near its evidence is") {
   Answer answer;
   PoseEstimate estimate;

@@ -8,7 +8,7 @@ from redrawn import run
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 BUILD = ROOT / "build/asan"
-SECONDS = 120  # of each reader
+SECONDS = 30  # of each reader
 RUNS = re.compile(r"^stat::number_of_executed_units: *(\d+)$", re.MULTILINE)
 REACHED = re.compile(r"^#\d+.* cov: (\d+) .*corp: (\d+)/", re.MULTILINE)  # the last line of libFuzzer tells how far it got
 
