@@ -127,15 +127,18 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
                             "map of this building?",
                             100 * (1 - agreement_.share())));
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
-  if (same && probable && !leads)
-    return because(status,
-                   sentence("another place explains what was seen nearly as well: its evidence is %.1f nat less "
-                            "of %.1f, and should be %.1f less",
-                            lead_.nat, lead_.own_nat, lead_.asked_nat));
-  if (same || !probable)
-    return because(status, sentence("the probability is %.3f, not above %.3f", rounded_down(estimate.probability),
+  return because_unsure(status, same, estimate.probability);
+}
+
+Status StatusEstimator::because_unsure(Status status, bool same, double probability) {
+  const bool probable = probability > options_.localized_probability;
+  if (!probable)
+    return because(status, sentence("the probability is %.3f, not above %.3f", rounded_down(probability),
                                     options_.localized_probability));
-  return because(status, "the best place has just changed");
+  if (!same) return because(status, "the best place has just changed");
+  return because(status, sentence("another place explains what was seen nearly as well: its evidence is %.1f nat less "
+                                  "of %.1f, and should be %.1f less",
+                                  lead_.nat, lead_.own_nat, lead_.asked_nat));
 }
 
 Status StatusEstimator::because_held(Status status, double asked, double unmapped_walls_m) {

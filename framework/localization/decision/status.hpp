@@ -64,6 +64,8 @@ class OPAL_EXPORT StatusEstimator {
   void reckon_with(double kidnapped, PoseEstimate& estimate);
   /// The status is what it is since the required probability has held for so long, and no longer.
   Status because_held(Status status, double asked, double unmapped_walls_m);
+  /// The required probability has not been held at all. @param same  the best place is the one of before.
+  Status because_unsure(Status status, bool same, double probability);
   Status because(Status status, std::string why);
   Status while_contradicted(const PoseEstimate& estimate) const;
 
