@@ -61,7 +61,7 @@ void StatusEstimator::believe(const std::vector<Live>& alive) {
 void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate) {
   const double best_nat = alive.front().hypothesis.log_likelihood;
   const double own_nat = best_nat - alive.front().ridden_nat;  // the rest says nothing between storeys
-  lead_ = {std::numeric_limits<double>::infinity(), options_.localized_lead * own_nat, own_nat};
+  lead_ = {std::numeric_limits<double>::infinity(), own_nat};
   for (std::size_t k = 0; k < alive.size(); ++k) {
     const Live& live = alive[k];
     const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
@@ -76,7 +76,7 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
                                           [&](const auto& r) { return same_place(r.T_map_base, pose); });
     if (alternative != estimate.alternatives.end())
       alternative->probability += probability;
-    else if (probability > kAlternativeProbability || behind_nat < lead_.asked_nat)
+    else if (probability > kAlternativeProbability || behind_nat < lead_asked_nat())
       estimate.alternatives.push_back({live.hypothesis.id, pose, probability});
   }
   std::stable_sort(estimate.alternatives.begin(), estimate.alternatives.end(),
@@ -94,7 +94,7 @@ double StatusEstimator::weight_asked(double unmapped_walls_m) const {
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
                               const Circumstances& now) {
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
-  const bool probable = estimate.probability > options_.localized_probability, leads = lead_.nat >= lead_.asked_nat;
+  const bool probable = estimate.probability > options_.localized_probability, leads = lead_.nat >= lead_asked_nat();
   sure_ = same && probable && leads ? sure_ + now.tempering_weight : 0;
   if (!same) agreement_.clear();
   agreement_.add(now.agreement, now.tempering_weight);
@@ -138,7 +138,7 @@ Status StatusEstimator::because_unsure(Status status, bool same, double probabil
   if (!same) return because(status, "the best place has just changed");
   return because(status, sentence("another place explains what was seen nearly as well: its evidence is %.1f nat less "
                                   "of %.1f, and should be %.1f less",
-                                  lead_.nat, lead_.own_nat, lead_.asked_nat));
+                                  lead_.nat, lead_.own_nat, lead_asked_nat()));
 }
 
 Status StatusEstimator::because_held(Status status, double asked, double unmapped_walls_m) {

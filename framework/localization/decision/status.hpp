@@ -61,6 +61,7 @@ class OPAL_EXPORT StatusEstimator {
                const Circumstances& now);
   /// @return for how many pieces of new evidence the required probability has to hold.
   double weight_asked(double unmapped_walls_m) const;
+  double lead_asked_nat() const { return options_.localized_lead * lead_.own_nat; }
   void reckon_with(double kidnapped, PoseEstimate& estimate);
   /// The status is what it is since the required probability has held for so long, and no longer.
   Status because_held(Status status, double asked, double unmapped_walls_m);
@@ -84,7 +85,8 @@ class OPAL_EXPORT StatusEstimator {
   MeanAgreement agreement_;   ///< since the best place is the same
   /// Of the best place over the best one elsewhere, in evidence.
   struct Lead {
-    double nat = std::numeric_limits<double>::infinity(), asked_nat = 0, own_nat = 0;
+    double nat = std::numeric_limits<double>::infinity();
+    double own_nat = 0;  ///< evidence of the best place, of which a share is asked for
   };
   Lead lead_;
 };

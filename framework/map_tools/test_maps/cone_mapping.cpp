@@ -23,10 +23,10 @@ constexpr double kArcBefore_m = 0.1, kArcBehind_m = 0.15;
 // A robot that stands says the same again and again.
 constexpr double kNextScan_m = 0.1, kNextScan_rad = 0.1;
 
+constexpr ExpectedNumbers kExpectedOfMapping("cone mapping");
+
 void expect_sense(const ConeMapping& mapping) {
-  const auto expect = [](const char* name, double found, double low, double high, const char* unit) {
-    expect_between("cone mapping", name, found, low, high, unit);
-  };
+  const auto& expect = kExpectedOfMapping;
   expect("cone", mapping.cone_rad, 0.01, 1.6, "rad");
   expect("range noise", mapping.range_sigma_m, 0, 2, "m");
   expect("reach", mapping.reach_m, 1, 100, "m");
@@ -90,7 +90,7 @@ class EvidenceGrid {
     grid_.resolution_m = mapping.resolution_m;
     grid_.origin = driven.min() - border;
     const Point size = (driven.sizes() + 2 * border) / mapping.resolution_m;
-    expect_between("cone mapping", "cells", size.x() * size.y(), 1, 1e8);
+    kExpectedOfMapping("cells", size.x() * size.y(), 1, 1e8);
     grid_.columns = static_cast<int>(size.x()) + 1;
     grid_.rows = static_cast<int>(size.y()) + 1;
     evidence_.assign(static_cast<std::size_t>(grid_.columns) * grid_.rows, 0);

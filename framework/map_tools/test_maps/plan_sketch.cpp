@@ -17,10 +17,10 @@ using Strokes = std::vector<Stroke>;
 
 constexpr double kMargin_m = 1.5;  ///< of the sheet around what is drawn
 
+constexpr ExpectedNumbers kExpectedOfSketch("plan sketch");
+
 void expect_sense(const PlanSketch& sketch) {
-  const auto expect = [](const char* name, double found, double low, double high, const char* unit) {
-    expect_between("plan sketch", name, found, low, high, unit);
-  };
+  const auto& expect = kExpectedOfSketch;
   expect("cell", sketch.resolution_m, 0.01, 0.5, "m");
   expect("pen", sketch.pen_m, 0, 1, "m");
   expect("wobble", sketch.wobble_m, 0, 1, "m");
@@ -101,7 +101,7 @@ class Sheet {
   Sheet(const Strokes& strokes, const PlanSketch& sketch) : sketch_(sketch) {
     const Eigen::AlignedBox2d drawn = extent_of(strokes);
     const Point size = (drawn.sizes() + Point::Constant(2 * kMargin_m)) / sketch.resolution_m;
-    expect_between("plan sketch", "cells", size.x() * size.y(), 1, 1e8);
+    kExpectedOfSketch("cells", size.x() * size.y(), 1, 1e8);
     raster_.resolution_m = sketch.resolution_m;
     raster_.origin = drawn.min() - Point::Constant(kMargin_m);
     raster_.columns = static_cast<int>(size.x()) + 1;

@@ -30,6 +30,12 @@ def verdicts(bench, label, seed, site):
     return judge.judge_site(bench.folder / site, results)
 
 
+def summed(turns, cells_of):
+    """Cells by label. @param turns  by label: futures of verdicts. @param cells_of  of a judge.Total."""
+    totals = {label: judge.totals([verdict for turn in of for verdict in turn.result()]) for label, of in turns.items()}
+    return {label: {"queries": str(total.queries), **cells_of(total)} for label, total in totals.items()}
+
+
 def redrawn_table(bench, cells_of):
     """Sums over the maps of all seeds. @param cells_of  of a judge.Total."""
     if not bench.complete:
@@ -37,9 +43,7 @@ def redrawn_table(bench, cells_of):
     with concurrent.futures.ThreadPoolExecutor(bench.jobs) as pool:
         turns = {label: [pool.submit(verdicts, bench, label, seed, site) for seed in SEEDS for site in bench.sites]
                  for label in TEAMS}
-        made = {}
-        for label, of in turns.items():
-            total = judge.totals([verdict for turn in of for verdict in turn.result()])
-            made[label] = {"queries": str(total.queries), **cells_of(total)}
-            made[label].pop("median distance m")
+        made = summed(turns, cells_of)
+    for cells in made.values():
+        cells.pop("median distance m")
     return made

@@ -4,7 +4,7 @@ import concurrent.futures
 import pathlib
 
 import judge
-from redrawn import run
+from redrawn import run, summed
 
 SEEDS = (1, 2, 3)
 BUILDINGS = [(kind, seed) for kind in ("office", "hall", "warehouse", "corridor") for seed in (1, 2, 3, 4, 5)]
@@ -37,8 +37,4 @@ def sketched_table(bench, cells_of):
     with concurrent.futures.ThreadPoolExecutor(bench.jobs) as pool:
         turns = {f"{hand}: {where}": [pool.submit(verdicts, bench, hand, *place) for place in of]
                  for hand in HANDS for where, of in places.items()}
-        made = {}
-        for label, of in turns.items():
-            total = judge.totals([verdict for turn in of for verdict in turn.result()])
-            made[label] = {"queries": str(total.queries), **cells_of(total)}
-    return made
+        return summed(turns, cells_of)
