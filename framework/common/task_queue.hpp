@@ -13,21 +13,21 @@
 
 namespace opal {
 
-/// Tasks of one thread, given by others that wait for nobody. Bounded: when it is full, the oldest task makes way that
-/// may be dropped.
+/// Tasks of one thread, given by others that wait for nobody. Bounded, each kind of task by itself: when it is full,
+/// the oldest task of the kind makes way.
 template <class Task>
 class TaskQueue {
  public:
-  using Test = std::function<bool(const Task&)>;
+  using Kind = std::function<std::size_t(const Task&)>;
 
-  /// @param most  tasks of those that may be dropped.
-  /// @param may_drop  empty: all may.
-  explicit TaskQueue(std::size_t most, Test may_drop = {}) : most_(most), may_drop_(std::move(may_drop)) {}
+  /// @param most  tasks of one kind.
+  /// @param kind  empty: all are of one.
+  explicit TaskQueue(std::size_t most, Kind kind = {}) : most_(most), kind_(std::move(kind)) {}
 
   void give(Task task) {
     {
       const std::lock_guard lock(mutex_);
-      if (may_drop(task) && tasks_.size() >= most_) drop_oldest();
+      if (tasks_.size() >= most_) make_way_for(task);
       tasks_.push_back(std::move(task));
     }
     changed_.notify_all();
@@ -60,17 +60,17 @@ class TaskQueue {
   }
 
  private:
-  bool may_drop(const Task& task) const { return !may_drop_ || may_drop_(task); }
-
-  void drop_oldest() {
-    const auto oldest = std::find_if(tasks_.begin(), tasks_.end(), [this](const Task& task) { return may_drop(task); });
+  void make_way_for(const Task& task) {
+    const auto is_alike = [&](const Task& other) { return !kind_ || kind_(other) == kind_(task); };
+    if (static_cast<std::size_t>(std::count_if(tasks_.begin(), tasks_.end(), is_alike)) < most_) return;
+    const auto oldest = std::find_if(tasks_.begin(), tasks_.end(), is_alike);
     if (oldest == tasks_.end()) return;
     tasks_.erase(oldest);
     ++dropped_;
   }
 
   std::size_t most_;
-  Test may_drop_;
+  Kind kind_;
   mutable std::mutex mutex_;  ///< of all below
   std::condition_variable_any changed_;
   std::deque<Task> tasks_;

@@ -26,15 +26,15 @@ struct Task {
   std::variant<LogRecord, Hint, Forget> what;
   double received_s;
   double now_s;
-};
 
-bool is_record(const Task& task) { return std::holds_alternative<LogRecord>(task.what); }
+  std::size_t kind() const { return what.index(); }
+};
 
 }  // namespace
 
 struct LiveLocalizer::State {
   State(LocalizerParts parts, const LiveOptions& options, EventSink* events)
-      : core(std::move(parts), options, events), tasks(options.most_queued, is_record) {}
+      : core(std::move(parts), options, events), tasks(options.most_queued, &Task::kind) {}
 
   void work(const std::stop_token& stop);
   void carry_out(const Task& task);
@@ -80,7 +80,7 @@ void LiveLocalizer::State::work(const std::stop_token& stop) {
     const std::lock_guard lock(mutex);
     health = std::move(now);
     counts = core.counts();
-    if (dropped > 0) counts["record dropped from a full queue"] = dropped;
+    if (dropped > 0) counts["dropped from a full queue"] = dropped;
   }
 }
 

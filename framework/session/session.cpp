@@ -94,6 +94,11 @@ opal::MapImport import_map(const opal::PluginRegistry& registry, const std::stri
   return registry.make<opal::MapImporter>(importer_of(registry, source).info.name, options)->import(source);
 }
 
+std::string name_of_map(const std::string& path) {
+  const std::filesystem::path stem = std::filesystem::path(path).stem();
+  return (stem.extension() == ".map" ? stem.stem() : stem).string();
+}
+
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source) {
   if (const auto stored = opal::read_store_source(source)) return load_stored_map(registry, *stored).map;
   return is_map_document(source) ? opal::SemanticMap::read(source) : import_map(registry, source).map;

@@ -33,6 +33,9 @@ const opal::RegisteredType& importer_of(const opal::PluginRegistry& registry, co
 opal::MapImport import_map(const opal::PluginRegistry& registry, const std::string& source,
                            const nlohmann::json& options = nlohmann::json::object());
 
+/// How a map is called by its file: "hall" of "sites/hall.map.yaml" and of "hall.jsonld".
+std::string name_of_map(const std::string& path);
+
 /// A map from a document, from the map store (store:BUILDING), or from any source that an importer recognizes.
 std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& registry, const std::string& source);
 

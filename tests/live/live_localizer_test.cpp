@@ -54,7 +54,7 @@ TEST_CASE("a full queue drops the oldest records, counts them, and makes nobody 
   LiveLocalizer live(short_drive().parts(), options);
   for (const simulation::Arrival& arrival : short_drive().arrivals) live.take(arrival.record);
   REQUIRE(live.drain(60));
-  CHECK(live.counts().at("record dropped from a full queue") > 0);
+  CHECK(live.counts().at("dropped from a full queue") > 0);
 }
 
 TEST_CASE("whoever forgets starts anew") {

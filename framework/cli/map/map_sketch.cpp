@@ -20,12 +20,6 @@ struct SketchOptions {
   std::uint64_t seed = 1;
 };
 
-/// "hall" of "sites/hall.map.yaml" and of "hall.jsonld".
-std::string name_of_place(const std::string& path) {
-  const fs::path stem = fs::path(path).stem();
-  return (stem.extension() == ".map" ? stem.stem() : stem).string();
-}
-
 opal::PlanSketch plan_of(const SketchOptions& options) {
   opal::PlanSketch plan = options.printed ? opal::printed_and_scanned() : opal::drawn_by_hand();
   plan.furniture = options.furniture.value_or(plan.furniture);
@@ -38,7 +32,7 @@ int sketch(const SketchOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   fs::create_directories(options.folder);
   for (const std::string& map : options.maps) {
-    const std::string out = (fs::path(options.folder) / (name_of_place(map) + ".map.yaml")).lexically_normal().string();
+    const std::string out = (fs::path(options.folder) / (name_of_map(map) + ".map.yaml")).lexically_normal().string();
     const opal::MapRaster raster = opal::sketched(*load_map(registry, map), plan_of(options));
     opal::write_raster(raster, out);
     std::cout << "written: " << out << ", " << raster.columns << " x " << raster.rows << " cells of "

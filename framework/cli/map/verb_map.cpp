@@ -83,12 +83,6 @@ struct JoinVerbOptions {
   JoinOptions join;
 };
 
-/// "maps/acapulco.map.yaml" is called "acapulco".
-std::string name_of(const std::string& path) {
-  const std::string file = std::filesystem::path(path).filename().string();
-  return file.substr(0, file.find('.'));
-}
-
 /// All of them, or the first few of thousands.
 void tell_places(const std::vector<opal::MapPlacement>& placements) {
   constexpr std::size_t kMost = 30;
@@ -103,7 +97,7 @@ void tell_places(const std::vector<opal::MapPlacement>& placements) {
 int join(const JoinVerbOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   std::vector<opal::MapSourcePart> sources;
-  for (const std::string& map : options.maps) sources.push_back({name_of(map), load_map(registry, map)});
+  for (const std::string& map : options.maps) sources.push_back({name_of_map(map), load_map(registry, map)});
   const auto joined = opal::joined_map(sources, options.join.join);
   opal::write_map(*joined, options.out);
   tell_places(joined->origin().placements);

@@ -34,7 +34,7 @@ struct LiveOptions {
   double late_s = 0.5;             ///< records arrive later than this after their stamps: doubtful
   double early_s = 0.1;            ///< ... or earlier than this before them: two clocks
   double told_for_s = 3;           ///< what was odd in the records is told for so long
-  std::size_t most_queued = 2000;  ///< records; when one more comes, the oldest one is dropped and counted
+  std::size_t most_queued = 2000;  ///< records (hints, too); when one more comes, the oldest one is dropped and counted
 };
 
 /// Localizes in a thread of its own. Records may come from any thread, early, late, doubled, out of order or not at
@@ -66,7 +66,7 @@ class OPAL_EXPORT LiveLocalizer {
   std::optional<LiveAnswer> newer_than(std::uint64_t number, double timeout_s) const;
   /// Waits until all records that were taken so far have been worked on. @return false if the time is up.
   bool drain(double timeout_s) const;
-  /// How often something odd was met, by cause: those of ScanPairing, "record dropped from a full queue".
+  /// How often something odd was met, by cause: those of ScanPairing, "dropped from a full queue".
   std::map<std::string, int> counts() const;
 
  private:
