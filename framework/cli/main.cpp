@@ -1,4 +1,5 @@
 #include "cli/options/exit_code.hpp"
+#include "cli/options/overwritten_inputs.hpp"
 #include "cli/options/verbs.hpp"
 
 #include "common/write_error.hpp"
@@ -93,6 +94,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "opal " OPAL_VERSION);
   int exit_code = kDone;
   add_verbs(app, exit_code);
+  app.parse_complete_callback([&app] { expect_no_input_overwritten(app); });
   if (const std::string unknown = unknown_command(app, {argv + 1, argv + argc}); !unknown.empty())
     return fail(kWrongUse, unknown);
   return with_output_written(run(app, argc, argv, exit_code));

@@ -3,6 +3,7 @@
 #include "common/json/config_object.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/sentence.hpp>
 #include <opal/common/strict_json.hpp>
 #include "deployment/localizer_options.hpp"
 #include "deployment/store_source.hpp"
@@ -71,6 +72,11 @@ LaserModel read_sensor(ConfigObject sensor) {
   sensor.expect_no_more();
   if (laser.slice && laser.topic.empty()) sensor.refuse("topic", "the topic of the point clouds that are sliced");
   if (laser.range_max_m <= laser.range_min_m) sensor.refuse("range_max_m", "more than range_min_m");
+  const double widest_rad = 2 * kPi / std::max(1, laser.beams - 1);
+  if (laser.angle_increment_rad > 1.001 * widest_rad && !laser.geometry_from_log)
+    sensor.refuse("angle_increment_rad", sentence("at most %.4g: %d beams then cover a full turn, and one of half a "
+                                                  "degree is 0.00873",
+                                                  widest_rad, laser.beams));
   return laser;
 }
 

@@ -23,7 +23,8 @@ void expect_type(const PartConfig& part, PluginKind kind, const PluginRegistry& 
   const std::string place = part.where + "/@type: \"" + part.type + "\"";
   const std::string expected =
       std::string(", expected a ") + name_of(kind) + " (" + names_of(registry.types(), kind) + ")";
-  if (!registry.has(part.type)) throw ConfigError(place + ", which no plugin offers" + expected);
+  if (!registry.has(part.type))
+    throw ConfigError(place + ", which no plugin offers" + expected + "; OPAL_PLUGIN_PATH adds folders of plugins");
   if (const PluginKind found = registry.type(part.type).kind; found != kind)
     throw ConfigError(place + ", which is a " + name_of(found) + expected);
   registry.expect_trusted(part.type);

@@ -65,7 +65,7 @@ KeyframeView view_of(const Sample& sample) {
 VisitEvidence evidence_of(const Stretch& stretch, const SemanticMap& map) {
   const std::span<const TrackedKeyframe> track = std::span(stretch.tracker.track()).first(stretch.agreement.keyframes);
   const SmoothedTrack smoothed =
-      smooth_track(stretch.tracker.map(), track, stretch.start_sigma, stretch.agreement.belief);
+      *smooth_track(stretch.tracker.map(), track, stretch.start_sigma, stretch.agreement.belief);
   return {deviations_of(map, smoothed.belief),
           unmapped_faces(stretch.tracker.map(), smoothed.belief, std::span(stretch.views).first(track.size()),
                          smoothed.T_map_base)};

@@ -51,7 +51,7 @@ void require_same_abi(const std::string& file, const PluginDescriptor& descripto
   if (tag == kAbiTag && descriptor.eigen_max_align == EIGEN_MAX_ALIGN_BYTES) return;
   refuse_file(file, "was built for \"" + tag + " eigen_align=" + std::to_string(descriptor.eigen_max_align) +
                         "\", this is \"" + kAbiTag + " eigen_align=" + std::to_string(EIGEN_MAX_ALIGN_BYTES) +
-                        "\"; build it with the compiler and flags of the framework");
+                        "\"; build it anew against the headers of this Opal, with its compiler and flags");
 }
 
 void require_complete(const std::string& file, const PluginDescriptor& descriptor) {

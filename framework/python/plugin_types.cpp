@@ -8,6 +8,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace opal::python {
@@ -47,6 +49,12 @@ Feature make_feature(const std::string& type, const std::string& shape, const st
   const std::size_t expected = shape == "point" || shape == "segment" ? 2 : 3;
   if (sigmas.size() != expected)
     refuse("sigmas: " + std::to_string(sigmas.size()) + " of a " + shape + ", expected " + std::to_string(expected));
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  if (!std::all_of(numbers.begin(), numbers.end(), is_finite))
+    refuse("numbers: not finite, expected metres and radians");
+  if (shape == "circle" && !(numbers[2] > 0)) refuse("numbers: a radius of 0 or less, expected more");
+  if (!std::all_of(sigmas.begin(), sigmas.end(), [](double sigma) { return sigma >= 0 && std::isfinite(sigma); }))
+    refuse("sigmas: negative or not finite, expected standard deviations");
   for (std::size_t k = 0; k < sigmas.size(); ++k)
     feature.covariance(Eigen::Index(k), Eigen::Index(k)) = sigmas[k] * sigmas[k];
   feature.true_end = true_ends;

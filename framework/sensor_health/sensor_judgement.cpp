@@ -36,7 +36,7 @@ constexpr std::size_t kMovingMotions = 3;
 
 constexpr int kScansOfRanges = 10;
 constexpr double kFewestUsable = 0.02;
-constexpr double kRepeatedScans = 0.3;
+constexpr double kRepeatedScans = 0.1, kFartherScans = 0.05;
 
 /// @param better  share of the motions that speak against the description: single ones that went wrong do not.
 /// @return none if the drive is against the description, and its motions are not.
@@ -66,9 +66,11 @@ std::optional<SensorFinding> turn_finding(const MotionCalibration& drive) {
   return SensorFinding{Subject::odometry_turn, *verdict, scale.value, 1, scale.sigma, turned + end};
 }
 
-const char* guess_of_heading(double off_rad) {
-  const double off_deg = std::abs(off_rad) * kDegrees;
-  if (off_deg > 150) return ": scans move backwards when odometry moves forwards: is the laser mounted at 180 degrees?";
+std::string guess_of_heading(double off_rad, double heading_rad) {
+  const double off_deg = std::abs(off_rad) * kDegrees, quarters = std::round(heading_rad * kDegrees / 90);
+  if (off_deg > 150)
+    return sentence(": scans move backwards when odometry moves forwards: is the laser mounted at %.0f degrees?",
+                    quarters == -2 ? 180 : 90 * quarters + 0.0);
   if (std::abs(off_deg - 90) < 20) return ": is the laser mounted sideways, or are the axes swapped?";
   return ": is the laser's heading on the robot, or its first angle, described wrongly?";
 }
@@ -81,7 +83,7 @@ std::optional<SensorFinding> heading_finding(const MotionCalibration& drive, con
   std::string words =
       sentence("the laser looks %.1f +- %.1f degrees to the left of the driving direction, and is described at %.1f",
                heading.value * kDegrees, heading.sigma * kDegrees, T_base_laser.heading_rad() * kDegrees);
-  words += *verdict == Verdict::fine ? ending_of(*verdict) : guess_of_heading(off_rad);
+  words += *verdict == Verdict::fine ? ending_of(*verdict) : guess_of_heading(off_rad, heading.value);
   return SensorFinding{Subject::mount_heading,     *verdict,      heading.value,
                        T_base_laser.heading_rad(), heading.sigma, words};
 }
@@ -163,10 +165,11 @@ std::vector<SensorFinding> judge_ranges(const RangeHabits& habits, const LaserMo
          sentence("%.1f of 100 beams hit something between %.2f and %.2f m: are the ranges in metres, and "
                   "the limits those of this laser?",
                   100 * usable, described.range_min_m, std::min(described.range_max_m, described.no_return_m))});
-  if (const auto repeated = habits.repeated_farthest(); repeated && repeated->scan_share > kRepeatedScans)
+  const auto repeated = habits.repeated_farthest();
+  if (repeated && repeated->scan_share > kRepeatedScans && repeated->farther_share < kFartherScans)
     findings.push_back(
         {Subject::no_return, Verdict::contradicted, repeated->range_m, described.no_return_m, 0,
-         sentence("%.0f of 100 beams have exactly the range %.4g m, in %.0f of 100 scans: that is no hit, but "
+         sentence("%.1f of 100 beams have exactly the range %.4g m, in %.0f of 100 scans: that is no hit, but "
                   "no_return_m is described as %.4g",
                   100 * repeated->beam_share, repeated->range_m, 100 * repeated->scan_share, described.no_return_m)});
   return findings;

@@ -17,13 +17,17 @@ Pose2 part_of(const Pose2& motion, double share) {
 
 }  // namespace
 
-SmoothedTrack smooth_track(const MapView& map, std::span<const TrackedKeyframe> track,
-                           const Eigen::Vector3d& start_sigma, MapBelief belief, const PoseTrackerOptions& options) {
+std::optional<SmoothedTrack> smooth_track(const MapView& map, std::span<const TrackedKeyframe> track,
+                                          const Eigen::Vector3d& start_sigma, MapBelief belief,
+                                          const PoseTrackerOptions& options, const GoesOn& goes_on) {
   SmoothedTrack smoothed;
   smoothed.belief = std::move(belief);
   if (track.empty()) return smoothed;
+  bool is_ended = false;
+  const GoesOn asking = [&](double share) { return !(is_ended = goes_on && !goes_on(share)); };
   const PosePrior start{track.front().T_map_base, start_sigma.cwiseAbs2().asDiagonal()};
-  SolvedTrack solved = TrackingGraph(map, options).solve_batch(track, start);
+  SolvedTrack solved = TrackingGraph(map, options).solve_batch(track, start, asking);
+  if (is_ended) return std::nullopt;
   if (!solved.usable)
     throw Error(fmt::format("smoothing: the factor graph of {} poses has no usable solution", track.size()));
   smoothed.T_map_base = std::move(solved.T_map_base);

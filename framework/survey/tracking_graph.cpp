@@ -15,6 +15,19 @@ constexpr double kBatchDoubt = 9;             // motions of neighbouring poses s
 constexpr int kEpoch = 10;                    // poses of a batch over which an offset is one number
 constexpr double kLeastOffsetSigma_m = 0.02;  // what the measurements of one face have in common
 
+/// Asks after each step whether to go on.
+class Asking : public ceres::IterationCallback {
+ public:
+  explicit Asking(const GoesOn& goes_on) : goes_on_(goes_on) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    const bool goes_on = !goes_on_ || goes_on_(static_cast<double>(step.iteration) / kBatchIterations);
+    return goes_on ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
+  }
+
+ private:
+  const GoesOn& goes_on_;
+};
+
 /// One problem: variables and factors, in a frame at the oldest pose, so that numbers stay small.
 class Problem {
  public:
@@ -51,8 +64,10 @@ class Problem {
     }
   }
 
-  bool solve(bool batch) {
+  bool solve(bool batch, const GoesOn& goes_on = {}) {
     ceres::Solver::Options solver;
+    Asking asking(goes_on);
+    solver.callbacks.push_back(&asking);
     solver.linear_solver_type = batch ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_SCHUR;
     if (!batch && !offsets_.empty()) {
       solver.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
@@ -206,7 +221,8 @@ SolvedTrack TrackingGraph::solve(std::span<const TrackedKeyframe* const> poses, 
   return track;
 }
 
-SolvedTrack TrackingGraph::solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest) const {
+SolvedTrack TrackingGraph::solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest,
+                                       const GoesOn& goes_on) const {
   if (poses.empty()) return {};
   std::size_t variables = 0;
   for (const TrackedKeyframe& keyframe : poses) variables += variables_of(keyframe);
@@ -217,7 +233,7 @@ SolvedTrack TrackingGraph::solve_batch(std::span<const TrackedKeyframe> poses, c
       problem.add_measurement(measured, {}, static_cast<int>(k) / kEpoch);
   }
   problem.add_prior(oldest);
-  return problem.solve(true) ? problem.solution() : SolvedTrack{};
+  return problem.solve(true, goes_on) ? problem.solution() : SolvedTrack{};
 }
 
 }  // namespace opal

@@ -2,6 +2,7 @@
 
 #include "survey/pose_tracker.hpp"
 
+#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -35,6 +36,9 @@ struct SolvedTrack {
   std::map<MapFeatureNumber, SolvedOffset> offsets;
 };
 
+/// Told how much of the work that there may be is done; false ends it. Empty: to the end.
+using GoesOn = std::function<bool(double share)>;
+
 /// The factor graph of map-first tracking (Hendrikx 2023, 2.4): poses, linked by odometry and scan matching; measured
 /// features, linked to the map through an offset each. Offsets are small or, at a price that hardly grows, large.
 class TrackingGraph {
@@ -44,8 +48,9 @@ class TrackingGraph {
   /// A few poses, solved within a millisecond.
   SolvedTrack solve(std::span<const TrackedKeyframe* const> poses, const PosePrior& oldest,
                     const OffsetMemories& memory) const;
-  /// All poses of a track.
-  SolvedTrack solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest) const;
+  /// All poses of a track: minutes for thousands of them. Not usable if it was ended.
+  SolvedTrack solve_batch(std::span<const TrackedKeyframe> poses, const PosePrior& oldest,
+                          const GoesOn& goes_on = {}) const;
 
  private:
   const MapView& map_;

@@ -54,8 +54,19 @@ class Errors(InFolder):
             laser.sample([1.0], [0, 0], 1)
         with self.assertRaisesRegex(ValueError, r"ranges_m: an array of shape \(1, 2\), expected"):
             laser.sample([[1.0, 2.0]], [0, 0, 0], 1)
+        with self.assertRaisesRegex(ValueError, "ranges_m: 180 numbers, expected 361, one for each beam"):
+            laser.sample([1.0] * 180, [0, 0, 0], 1)
         with self.assertRaises((TypeError, ValueError)):
             laser.sample("abc", [0, 0, 0], 1)
+
+    def test_odometry_and_stamps_are_finite_while_ranges_need_not_be(self):
+        laser = opal.Laser()
+        nan, ranges = float("nan"), [1.0] * laser.beams
+        with self.assertRaisesRegex(ValueError, "odometry: not finite"):
+            laser.sample(ranges, [0, nan, 0], 1)
+        with self.assertRaisesRegex(ValueError, "stamp_s: not finite"):
+            laser.sample(ranges, [0, 0, 0], float("inf"))
+        self.assertEqual(len(laser.sample([nan] * laser.beams, [0, 0, 0], 1).scan), 0)
 
     def test_a_laser_out_of_range_is_refused_like_one_in_a_document(self):
         with self.assertRaisesRegex(opal.ConfigError, "beams: 0, expected an integer from 1 to 100000"):

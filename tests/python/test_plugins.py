@@ -231,6 +231,12 @@ class DetectorsAndTemplates(InProgramAndModule):
             opal.Feature("acme:Post", "cube", [1, 2], [0.1])
         with self.assertRaisesRegex(ValueError, "sigmas: 1 of a circle, expected 3"):
             opal.Feature("acme:Post", "circle", [1, 2, 3], [0.1])
+        with self.assertRaisesRegex(ValueError, "sigmas: negative"):
+            opal.Feature("acme:Post", "circle", [1, 2, 3], [0.1, -0.1, 0.1])
+        with self.assertRaisesRegex(ValueError, "numbers: a radius of 0 or less"):
+            opal.Feature("acme:Post", "circle", [1, 2, -3], [0.1, 0.1, 0.1])
+        with self.assertRaisesRegex(ValueError, "numbers: not finite"):
+            opal.Feature("acme:Post", "point", [1, float("nan")], [0.1, 0.1])
         with self.assertRaisesRegex(ValueError, '"larger", expected equal'):
             opal.Pattern([(1.0, 0.1, "larger")], [0, 0, 0])
 

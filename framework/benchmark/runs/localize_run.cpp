@@ -102,6 +102,8 @@ void LocalizeRun::print() const {
   } else if (!answers_.empty()) {
     std::printf("%s\n", localized_text(answers_.front()).c_str());
     print_answer(localizer_, all_.last, answers_.front().why);
+    if (doubts_map(answers_.front()))
+      std::printf("hint: is this the map of this building, and of the storey that was driven on?\n");
   }
   for (const opal::SensorFinding& finding : localizer_.sensor_findings())
     std::printf("sensor: %s\n", finding.words.c_str());

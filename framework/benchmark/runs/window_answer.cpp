@@ -22,8 +22,14 @@ WindowAnswer answer_of(const std::string& window, const RunRecord& record, const
 }
 
 std::string localized_text(const WindowAnswer& answer) {
-  return answer.localized_after ? "localized after " + progress_text(*answer.localized_after)
-                                : "never localized in " + progress_text(answer.whole);
+  if (!answer.localized_after) return "never localized in " + progress_text(answer.whole);
+  const bool is_now = answer.at_end.status == opal::Status::localized;
+  return "localized after " + progress_text(*answer.localized_after) + (is_now ? "" : ", but no longer at the end");
+}
+
+bool doubts_map(const WindowAnswer& answer) {
+  constexpr double kMeets_m = 30;  // a drive of that length meets what tells places apart
+  return answer.at_end.status != opal::Status::localized && answer.whole.driven_m > kMeets_m;
 }
 
 std::string line_of(const WindowAnswer& answer) {

@@ -22,8 +22,10 @@ struct WindowAnswer {
 WindowAnswer answer_of(const std::string& window, const RunRecord& record, const std::string& why,
                        const std::optional<opal::GroundTruth>& truth);
 
-/// "localized after 2.3 m and 11.5 s", "never localized in 13.0 m and 59.1 s"
+/// "localized after 2.3 m and 11.5 s", with ", but no longer at the end"; "never localized in 13.0 m and 59.1 s"
 std::string localized_text(const WindowAnswer& answer);
+/// Whether it may be the map of another building: after a long drive the robot is not localized.
+bool doubts_map(const WindowAnswer& answer);
 /// One line: the window, when it was localized, the status and the pose at the end.
 std::string line_of(const WindowAnswer& answer);
 /// "5 of 5 queries localized, after 0.4 m (median)"

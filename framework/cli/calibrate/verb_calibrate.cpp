@@ -1,4 +1,6 @@
+#include "cli/options/exit_code.hpp"
 #include "cli/options/verbs.hpp"
+#include "common/phrases.hpp"
 #include "common/text_file.hpp"
 #include "evaluation/site.hpp"
 #include "sensing/log_check.hpp"
@@ -74,14 +76,75 @@ void write_motions(const std::vector<Timed>& motions, const std::string& path) {
   opal::write_text(path, text);
 }
 
-void write_deployment(const opal::MotionCalibration& drive, const CalibrateOptions& options) {
+/// What a deployment takes from a drive. What the drive tells worse than this stays as it is described.
+struct Learned {
+  static constexpr double kMostSigma_rad = 0.06, kMostSigma_m = 0.1, kMostSigmaOfScale = 0.08;
+  nlohmann::ordered_json sensor, odometry;  ///< to merge into the document
+  std::vector<std::string> left;            ///< names of what stays
+};
+
+Learned learned_of(const opal::MotionCalibration& drive) {
+  Learned learned;
+  const auto take = [&](bool is_known, nlohmann::ordered_json& into, const char* key, double value, const char* name) {
+    if (is_known)
+      into[key] = value;
+    else if (learned.left.empty() || learned.left.back() != name)
+      learned.left.emplace_back(name);
+  };
+  const bool knows_position = drive.mount_position_sigma_m < Learned::kMostSigma_m;
+  nlohmann::ordered_json& mount = learned.sensor["T_base_laser"];
+  take(knows_position, mount, "x_m", drive.mount_position_m.x(), "the mount's position");
+  take(knows_position, mount, "y_m", drive.mount_position_m.y(), "the mount's position");
+  take(drive.mount_heading_rad.sigma < Learned::kMostSigma_rad, mount, "heading_rad", drive.mount_heading_rad.value,
+       "the mount's heading");
+  take(drive.distance_scale.sigma < Learned::kMostSigmaOfScale, learned.odometry, "distance_scale",
+       drive.distance_scale.value, "the distance scale");
+  take(drive.turn_scale.sigma < Learned::kMostSigmaOfScale, learned.odometry, "turn_scale", drive.turn_scale.value,
+       "the turn scale");
+  return learned;
+}
+
+int write_deployment(const opal::MotionCalibration& drive, const CalibrateOptions& options) {
+  const Learned learned = learned_of(drive);
+  if (drive.turn_scale.value < 0) {
+    std::printf("not written: a deployment cannot say that scans are mirrored\n");
+    return kNo;
+  }
+  if (learned.odometry.empty() && learned.sensor["T_base_laser"].empty()) {
+    std::printf("not written: the drive tells too little, expected one of some metres with turns\n");
+    return kNo;
+  }
   auto document = nlohmann::ordered_json::parse(std::ifstream(options.config));
-  document["sensor"]["T_base_laser"] = {{"x_m", drive.mount_position_m.x()},
-                                        {"y_m", drive.mount_position_m.y()},
-                                        {"heading_rad", drive.mount_heading_rad.value}};
-  document["odometry"] = {{"distance_scale", drive.distance_scale.value}, {"turn_scale", drive.turn_scale.value}};
+  document["sensor"].merge_patch(learned.sensor);
+  if (!learned.odometry.empty()) document["odometry"].merge_patch(learned.odometry);
   opal::write_text(options.out, document.dump(2) + '\n');
   std::printf("written: %s\n", options.out.c_str());
+  if (!learned.left.empty())
+    std::printf("left as described, because the drive tells too little of it: %s\n",
+                opal::listed(learned.left).c_str());
+  return kDone;
+}
+
+/// Scans are laid over each other from where odometry and mount say. Where the described mount looks elsewhere, what is
+/// found is only a better start.
+std::optional<opal::MotionCalibration> calibration_of(std::vector<Timed>& motions,
+                                                      const std::vector<opal::LogRecord>& records,
+                                                      opal::LaserModel laser,
+                                                      const std::shared_ptr<const opal::ScanMatcher>& matcher) {
+  constexpr int kMostRounds = 3;
+  constexpr double kElsewhere_rad = 0.17;
+  std::optional<opal::MotionCalibration> drive;
+  for (int round = 0; round < kMostRounds; ++round) {
+    motions = motions_of(records, laser, matcher);
+    std::vector<opal::MotionPair> pairs;
+    for (const Timed& motion : motions) pairs.push_back(motion.pair);
+    drive = opal::calibrate_motion(pairs, laser.T_base_laser);
+    if (!drive || !(drive->mount_heading_rad.sigma < Learned::kMostSigma_rad)) break;
+    const double off_rad = drive->mount_heading_rad.value - laser.T_base_laser.heading_rad();
+    if (std::abs(opal::wrap_angle(off_rad)) < kElsewhere_rad) break;
+    laser.T_base_laser = opal::Pose2(drive->mount_position_m, drive->mount_heading_rad.value);
+  }
+  return drive;
 }
 
 int calibrate(CalibrateOptions options) {
@@ -93,15 +156,12 @@ int calibrate(CalibrateOptions options) {
   laser = opal::lasers_of_log(records, {laser}, options.log,
                               options.info.empty() ? options.config + ": /sensor" : options.info)
               .front();
-  const auto motions = motions_of(records, laser, matcher_of(registry, deployment));
+  std::vector<Timed> motions;
+  const auto drive = calibration_of(motions, records, laser, matcher_of(registry, deployment));
   if (!options.motions.empty()) write_motions(motions, options.motions);
-  std::vector<opal::MotionPair> pairs;
-  for (const Timed& motion : motions) pairs.push_back(motion.pair);
-  const auto drive = opal::calibrate_motion(pairs, laser.T_base_laser);
   if (!drive) throw opal::LogError(options.log + ": too few motions that scans tell, expected a drive with turns");
   print(*drive, laser.T_base_laser);
-  if (!options.out.empty()) write_deployment(*drive, options);
-  return 0;
+  return options.out.empty() ? kDone : write_deployment(*drive, options);
 }
 
 }  // namespace

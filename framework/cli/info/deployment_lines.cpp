@@ -3,6 +3,7 @@
 #include "common/text_file.hpp"
 #include "session/shipped_files.hpp"
 
+#include <opal/common/sentence.hpp>
 #include <opal/deployment/deployment.hpp>
 
 #include <algorithm>
@@ -30,8 +31,19 @@ const LogLaser* laser_that_is_read(const LogContents& contents) {
   return nullptr;
 }
 
+/// Logs of CARMEN state no angles: their lasers look half a turn to the front, from right to left.
+bool takes_half_a_turn(const LogLaser& laser) { return !laser.angle_min_rad && laser.beams > 1; }
+
+void add_half_a_turn(nlohmann::ordered_json& sensor, int beams) {
+  const int gaps = beams % 2 == 0 ? beams : beams - 1;  // 180 and 181 beams are one degree apart
+  sensor["angle_min_rad"] = rounded(-std::numbers::pi / 2, kMicroradian);
+  sensor["angle_increment_rad"] = rounded(std::numbers::pi / gaps, kNanoradian);
+  sensor["beams"] = beams;
+}
+
 /// A description has beams that turn counter-clockwise; of others only the log can tell.
 void add_beams(nlohmann::ordered_json& sensor, const LogLaser& laser) {
+  if (takes_half_a_turn(laser)) return add_half_a_turn(sensor, laser.beams);
   if (!laser.angle_min_rad || !laser.angle_increment_rad) return;
   const double sense = laser.mount && laser.mount->upside_down ? -1 : 1;
   const double increment_rad = sense * *laser.angle_increment_rad;
@@ -107,6 +119,15 @@ nlohmann::ordered_json deployment_lines(const LogContents& contents, const std::
   for (const auto& [name, value] : contents.options) options[name] = value;
   lines["log_sources"] = nlohmann::ordered_json::array({{{"@type", source}, {"options", options}}});
   return lines;
+}
+
+std::string doubt_of_lines(const LogContents& contents) {
+  const LogLaser* laser = laser_that_is_read(contents);
+  if (laser == nullptr || !takes_half_a_turn(*laser)) return "";
+  return sentence(
+      "the log does not state the angles of its %d beams; half a turn to the front is taken: correct "
+      "angle_min_rad and angle_increment_rad if the laser is another one",
+      laser->beams);
 }
 
 void write_deployment(const nlohmann::ordered_json& lines, const std::string& config, const std::string& out) {

@@ -34,6 +34,8 @@ int info(const InfoOptions& options) {
     if (!lines.empty()) std::cout << "\nfor the deployment (-o FILE writes one)\n" << lines.dump(2) << '\n';
   }
   if (!options.out.empty()) opal::write_deployment(lines, options.config, options.out);
+  if (const std::string doubt = opal::doubt_of_lines(contents); !doubt.empty() && !options.as_json)
+    std::cerr << "note: " << doubt << '\n';
   return lines.empty() ? kNo : kDone;
 }
 

@@ -62,12 +62,6 @@ void draw(const opal::MapImport& imported, const ImportOptions& options) {
   if (!options.png.empty()) opal::write_png(scene, options.png);
 }
 
-void expect_other_file(const std::string& source, const std::string& out) {
-  std::error_code absent;
-  if (std::filesystem::equivalent(source, out, absent))
-    throw opal::ConfigError(out + ": is the source that is imported, expected another file to write (.jsonld)");
-}
-
 void write_report(const ImportedStoreys& imported, const std::string& path) {
   nlohmann::ordered_json by_storey = nlohmann::ordered_json::object();
   std::string text;
@@ -94,7 +88,6 @@ int import_all(const ImportOptions& options, const opal::PluginRegistry& registr
 }
 
 int import(const ImportOptions& options) {
-  expect_other_file(options.source, options.out);
   const opal::PluginRegistry registry = plugins_for(options);
   const opal::RegisteredType& importer = importer_of(registry, options.source);
   const nlohmann::json chosen = options_for(importer, registry, options);

@@ -33,12 +33,23 @@ struct Inventory {
   std::vector<RegisteredType> types;
   std::vector<std::string> refused;
   std::vector<std::string> violations;
-  std::vector<std::string> kept;  ///< classes that keep their contract
+  std::vector<std::string> kept;  ///< files and classes that keep their contract
 };
+
+/// Those of the program, and those of the environment. @return the refusals
+std::vector<std::string> load_all(PluginRegistry& registry) {
+  std::vector<std::string> refused;
+  for (const std::string& folder : plugin_folders())
+    for (std::string& refusal : registry.load_all(folder)) refused.push_back(std::move(refusal));
+  return refused;
+}
 
 /// @return the refusals
 std::vector<std::string> load(PluginRegistry& registry, const std::string& place) {
-  if (!std::filesystem::is_regular_file(place)) return registry.load_all(place);
+  namespace fs = std::filesystem;
+  if (!fs::exists(place)) return {place + ": does not exist, expected a plugin, or a folder of plugins"};
+  if (fs::path(place).extension() == ".py") return {place + ": names no class, expected FILE.py:CLASS"};
+  if (!fs::is_regular_file(place)) return registry.load_all(place);
   try {
     registry.load(place);
     return {};
@@ -47,23 +58,31 @@ std::vector<std::string> load(PluginRegistry& registry, const std::string& place
   }
 }
 
+/// @param violations  of its contract.
+void judge(const std::string& what, const std::vector<std::string>& violations, Inventory& inventory) {
+  inventory.violations.insert(inventory.violations.end(), violations.begin(), violations.end());
+  if (violations.empty()) inventory.kept.push_back(what + ": keeps the contract of its kind");
+}
+
+void look_into(const std::string& place, PluginRegistry& registry, Inventory& inventory) {
+  if (read_class_source(place)) return judge(place, testing::class_violations(place), inventory);
+  const std::size_t before = registry.types().size();
+  std::vector<std::string> refused = load(registry, place);
+  if (refused.empty() && registry.types().size() == before)
+    refused.push_back(place + ": holds no plugin, expected NAME.so with NAME.jsonld beside it");
+  inventory.refused.insert(inventory.refused.end(), refused.begin(), refused.end());
+}
+
 Inventory look_into(const PluginsRequest& request) {
   Inventory inventory;
   PluginRegistry registry;
-  for (const std::string& place : request.places.empty() ? plugin_folders() : request.places) {
-    const bool is_class = read_class_source(place).has_value();
-    const std::vector<std::string> wrong = is_class ? testing::class_violations(place) : load(registry, place);
-    std::vector<std::string>& told = is_class ? inventory.violations : inventory.refused;
-    told.insert(told.end(), wrong.begin(), wrong.end());
-    if (is_class && wrong.empty()) inventory.kept.push_back(place + ": keeps the contract of its kind");
-  }
+  for (const std::string& place : request.places) look_into(place, registry, inventory);
+  if (request.places.empty()) inventory.refused = load_all(registry);
   inventory.types = registry.types();
   if (!request.check) return inventory;
   std::set<std::string> files;
   for (const RegisteredType& type : inventory.types) files.insert(type.file);
-  for (const std::string& file : files)
-    for (std::string& violation : testing::plugin_violations(file))
-      inventory.violations.push_back(std::move(violation));
+  for (const std::string& file : files) judge(file, testing::plugin_violations(file), inventory);
   return inventory;
 }
 
@@ -145,12 +164,16 @@ void print_sentences(std::ostream& out, const std::string& title, const std::vec
   for (const std::string& sentence : sentences) out << "  " << sentence << "\n";
 }
 
-void print_text(std::ostream& out, const Inventory& inventory) {
+void print_types(std::ostream& out, const std::vector<RegisteredType>& types) {
   for (const PluginKind kind :
        {PluginKind::log_source, PluginKind::map_importer, PluginKind::scan_matcher, PluginKind::feature_detector,
         PluginKind::pattern_template, PluginKind::hypothesis_scorer, PluginKind::map_store})
-    print_kind(out, inventory.types, kind);
-  if (!inventory.types.empty()) print_stages(out);
+    print_kind(out, types, kind);
+}
+
+void print_text(std::ostream& out, const Inventory& inventory, const PluginsRequest& request) {
+  if (!request.check) print_types(out, inventory.types);
+  if (!request.check && request.places.empty()) print_stages(out);
   for (const std::string& sentence : inventory.kept) out << sentence << "\n";
   print_sentences(out, "Refused", inventory.refused);
   print_sentences(out, "Broken contracts", inventory.violations);
@@ -166,7 +189,7 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
                    "folders of plugins, single files, or a class, FILE.py:CLASS, for its contract; default: the "
                    "program's own and those in OPAL_PLUGIN_PATH");
   verb->add_flag("--json", request->as_json, "print JSON");
-  verb->add_flag("--check", request->check, "put each plugin through the contract of its kind as well");
+  verb->add_flag("--check", request->check, "put each plugin through the contract of its kind instead of listing it");
   CLI::Option* digests = verb->add_option(
       "--digests", request->trusted.config,
       "print trusted_plugins of a deployment: the SHA-256 of each plugin and class file that it runs, ready to paste");
@@ -179,7 +202,7 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
       return;
     }
     const Inventory inventory = look_into(*request);
-    request->as_json ? print_json(std::cout, inventory) : print_text(std::cout, inventory);
+    request->as_json ? print_json(std::cout, inventory) : print_text(std::cout, inventory, *request);
     exit_code = inventory.refused.empty() && inventory.violations.empty() ? kDone : kNo;
   });
 }

@@ -1,3 +1,4 @@
+#include "benchmark/runs/progress_bar.hpp"
 #include "benchmark/runs/recorded_log.hpp"
 #include "cli/options/damage_options.hpp"
 #include "cli/options/exit_code.hpp"
@@ -8,6 +9,7 @@
 #include "cli/terminal/stop_signals.hpp"
 #include "cli/track/start_poses.hpp"
 #include "cli/track/track_output.hpp"
+#include "common/phrases.hpp"
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
@@ -100,6 +102,21 @@ TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup
   return window;
 }
 
+/// The whole log, into truth.csv. @return what is believed of the map then; a stop leaves it as it was.
+opal::MapBelief smooth(const opal::PoseTracker& tracker, const TrackedWindow& window, TrackOutput& output,
+                       const std::stop_token& stop) {
+  ProgressBar bar;
+  const auto goes_on = [&](double share) {
+    bar.show(share, "smoothing " + opal::count_of(window.track.size(), "pose"));
+    return !stop.stop_requested();
+  };
+  const Eigen::Vector3d sigma(kGivenSigma_m, kGivenSigma_m, kGivenSigma_rad);
+  const auto smoothed = opal::smooth_track(tracker.map(), window.track, sigma, tracker.belief(), {}, goes_on);
+  if (!smoothed) return tracker.belief();
+  output.write_smoothed(window, *smoothed);
+  return smoothed->belief;
+}
+
 void tell_doubts(const TrackSetup& setup) {
   if (!setup.mount_doubt.empty()) std::printf("sensor: %s\n", setup.mount_doubt.c_str());
   for (const std::string& doubt : doubts_of(setup.log, setup.deployment.lasers.front()))
@@ -114,21 +131,15 @@ int track(const TrackOptions& options) {
   opal::OutputFolder folder(options.out, "opal track", products(options));
   TrackOutput output(folder.path(), setup.deployment.lasers.front(), setup.map, setup.truth);
   const TrackedWindow window = track_windows(options, setup, tracker, output, signals.token());
-  opal::MapBelief belief = tracker.belief();
-  if (options.offline && !window.is_cut) {
-    const opal::SmoothedTrack smoothed =
-        opal::smooth_track(tracker.map(), window.track, {kGivenSigma_m, kGivenSigma_m, kGivenSigma_rad}, belief);
-    output.write_smoothed(window, smoothed);
-    belief = smoothed.belief;
-  }
+  const bool is_smoothed = options.offline && !window.is_cut;
   output.write();
-  output.write_deviations(belief);
+  output.write_deviations(is_smoothed ? smooth(tracker, window, output, signals.token()) : tracker.belief());
   if (window.rows.empty() && !window.is_cut)
     throw opal::LogError(options.log + ": no scan with odometry to track" +
                          (setup.truth ? " that the truth covers" : ""));
   tell_doubts(setup);
   if (window.last.lost) std::printf("lost: at the end the scans do not fit the map where the track is\n");
-  return end_run(folder, window.is_cut ? signals.signal() : 0, window.last.lost ? kNo : kDone);
+  return end_run(folder, signals.signal(), window.last.lost ? kNo : kDone);
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
 #include <filesystem>
+#include <numbers>
 
 namespace opal {
 namespace {
@@ -32,6 +34,12 @@ std::string in_words(const std::string& type, const NumberRange& range) {
   if (from) return type + " >= " + number_text(range.minimum);
   if (to) return type + " <= " + number_text(range.maximum);
   return type;
+}
+
+/// What an angle would be, were it in degrees; empty for what is none.
+std::string degrees_in_words(const std::string& key, double value) {
+  if (!key.ends_with("_rad") || !(std::abs(value) > 1 && std::abs(value) <= 360)) return "";
+  return fmt::format("; {:g} degrees are {:.4g} rad", value, value * std::numbers::pi / 180);
 }
 
 constexpr const char* kExpectedContext = "\"urn:opal:v1\", or a list of it and objects that define prefixes by IRIs";
@@ -77,7 +85,8 @@ const json* ConfigObject::find(const std::string& key) {
 double ConfigObject::number(const std::string& key, double fallback, NumberRange range) {
   const json* value = find(key);
   if (!value) return fallback;
-  if (!value->is_number() || !holds(range, *value)) refuse(key, in_words("a number", range));
+  if (!value->is_number()) refuse(key, in_words("a number", range));
+  if (!holds(range, *value)) refuse(key, in_words("a number", range) + degrees_in_words(key, value->get<double>()));
   return value->get<double>();
 }
 

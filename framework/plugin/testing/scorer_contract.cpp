@@ -149,8 +149,8 @@ class Judging {
   void check(const std::string& name, const Hypothesis& hypothesis, const Observation& seen, const MapView& view) {
     const auto score = ask(name, hypothesis, seen, view);
     if (!score) return;
-    if (!std::isfinite(score->log_likelihood))
-      violations_.add("finite", "gives " + name + " a score of " + std::to_string(score->log_likelihood));
+    if (!std::isfinite(score->log_likelihood))  // what follows compares numbers
+      return violations_.add("finite", "gives " + name + " a score of " + std::to_string(score->log_likelihood));
     for (const Score::Term& term : score->breakdown) {
       if (term.name.empty()) violations_.add("name", "gives " + name + " a score with a term without a name");
       if (!std::isfinite(term.value))
@@ -158,7 +158,7 @@ class Judging {
                         "gives " + name + " a score whose term " + term.name + " is " + std::to_string(term.value));
     }
     const auto again = ask(name, hypothesis, seen, view);
-    if (!(again && same_score(*again, *score)) && std::isfinite(score->log_likelihood))
+    if (!(again && same_score(*again, *score)))
       violations_.add("repeat", "gives " + name + " another score when it is asked again",
                       "a member that score() changes; what must be remembered belongs into a ScorerMemory");
     check_findings(name, hypothesis, seen, view);
@@ -222,7 +222,7 @@ class Judging {
       image.T_map_local = motion * hypothesis.T_map_local;
       const auto here = ask(name, hypothesis, visit.observation(), view);
       const auto there = ask(name, image, visit.observation(), moved_view);
-      if (!here || !there) continue;
+      if (!here || !there || !std::isfinite(here->log_likelihood) || !std::isfinite(there->log_likelihood)) continue;
       if (!(std::abs(here->log_likelihood - there->log_likelihood) <= trial_.rigid_tolerance_nat))
         violations_.add("rigid",
                         "gives " + name + " " + std::to_string(here->log_likelihood) + " nat, but " +

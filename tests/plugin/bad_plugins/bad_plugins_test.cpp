@@ -152,7 +152,7 @@ TEST_CASE("a plugin that is loaded already is refused") {
 TEST_CASE("a plugin with another ABI is refused, both tags are printed") {
   const std::string ours = std::string("\", this is \"") + opal::kAbiTag +
                            " eigen_align=" + std::to_string(EIGEN_MAX_ALIGN_BYTES) +
-                           "\"; build it with the compiler and flags of the framework";
+                           "\"; build it anew against the headers of this Opal, with its compiler and flags";
   const std::string tag = bad_plugin("wrong_tag.so");
   CHECK(refusal_of(tag) ==
         tag + ": was built for \"api=1 gxx_abi=1002 eigen_align=" + std::to_string(EIGEN_MAX_ALIGN_BYTES) + ours);

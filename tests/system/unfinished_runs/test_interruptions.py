@@ -58,6 +58,16 @@ class Interruption(RunTest):
         self.assertLess(len(rows), 225)
         self.events()
 
+    def test_a_track_that_is_being_smoothed_ends_with_the_trajectory_as_it_was_tracked(self):
+        self.run_to_its_end("simulate", GEMINI, "-o", "long", "--drives", "1", "--distance", "300")
+        process = self.start("track", "default", "long.log.gz", "--info", "long.info.json", "--map", "long.map.jsonld",
+                             "--truth", "long.gt.csv", "--offline", "-o", "out")
+        self.wait_until("it was tracked", (self.folder / "out" / "picture.png").exists, process)
+        self.expect_interrupted(self.interrupt(process, signal.SIGINT))
+        self.assertGreater(len(self.rows()), 1000)
+        self.assertTrue((self.folder / "out" / "deviations.json").exists())
+        self.assertFalse((self.folder / "out" / "truth.csv").exists())
+
     def test_bench_ends_with_whole_queries_and_calibration_says_so(self):
         prefix = self.folder / "site"
         for ending in (".log.gz", ".info.json", ".gt.csv"):
