@@ -1,7 +1,10 @@
 #include "map_tools/building_outside.hpp"
 
+#include "map_tools/map_stack.hpp"
+
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace opal {
 namespace {
@@ -115,9 +118,8 @@ class OpenGround {
     const Point step = kStep * raster_.resolution_m * direction;
     for (int cell = cell_at(place); cell >= 0; cell = cell_at(place)) {
       if (walls_[cell]) return false;
-      // No wall is nearer than that: only where a step leads is not looked up.
-      for (int steps = std::max(1, static_cast<int>((free_around_[cell] - 1) / kStep)); steps > 0; --steps)
-        place += step;
+      // No wall is nearer than that: what lies between is not looked up.
+      place += std::max(1, static_cast<int>((free_around_[cell] - 1) / kStep)) * step;
     }
     return true;
   }
@@ -217,10 +219,49 @@ class OpenGround {
   std::vector<int> open_;  ///< outside, in the order in which they were found
 };
 
+/// A part of a raster, and where its first cell is in the whole.
+struct RasterPart {
+  MapRaster raster;
+  int column = 0, row = 0;
+};
+
+/// Where a sheet of a map is, with the usual border.
+RasterPart part_with(const SemanticMap& sheet, const MapRaster& raster) {
+  Point min = Point::Constant(std::numeric_limits<double>::infinity()), max = -min;
+  for (const Point& p : ends_of(sheet)) {
+    min = min.cwiseMin(p);
+    max = max.cwiseMax(p);
+  }
+  if (!min.allFinite()) return {};
+  const double border_m = RasterOptions{}.border_m;
+  const Point low = ((min - raster.origin).array() - border_m).matrix() / raster.resolution_m,
+              high = ((max - raster.origin).array() + border_m).matrix() / raster.resolution_m;
+  RasterPart part{{}, std::max(0, static_cast<int>(low.x())), std::max(0, static_cast<int>(low.y()))};
+  MapRaster& cut = part.raster;
+  cut.resolution_m = raster.resolution_m;
+  cut.origin = raster.origin + raster.resolution_m * Point(part.column, part.row);
+  cut.columns = std::min(raster.columns, static_cast<int>(std::ceil(high.x()))) - part.column;
+  cut.rows = std::min(raster.rows, static_cast<int>(std::ceil(high.y()))) - part.row;
+  for (int row = 0; row < cut.rows; ++row)
+    for (int column = 0; column < cut.columns; ++column)
+      cut.cells.push_back(raster.at(part.column + column, part.row + row));
+  return part;
+}
+
 }  // namespace
 
 std::vector<char> outside_cells(const SemanticMap& map, const MapRaster& raster) {
-  return OpenGround(map, raster).run();
+  if (map.origin().storeys.empty()) return OpenGround(map, raster).run();
+  std::vector<char> outside(raster.cells.size(), 1);
+  for (const MapStorey& storey : map.origin().storeys) {
+    const auto sheet = storey_of_map(map, storey.id);
+    const RasterPart part = part_with(*sheet, raster);
+    const std::vector<char> on_sheet = OpenGround(*sheet, part.raster).run();
+    for (int row = 0; row < part.raster.rows; ++row)
+      std::copy_n(on_sheet.begin() + static_cast<std::ptrdiff_t>(row) * part.raster.columns, part.raster.columns,
+                  outside.begin() + static_cast<std::ptrdiff_t>(part.row + row) * raster.columns + part.column);
+  }
+  return outside;
 }
 
 }  // namespace opal

@@ -1,10 +1,14 @@
 #include "navigation/actions.hpp"
 #include "navigation/path_drive.hpp"
 #include "synthetic.hpp"
+#include "tests/kit/sanitized.hpp"
 
 #include "map_tools/building_outside.hpp"
+#include "map_tools/map_stack.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <ctime>
 
 using namespace opal;
 using namespace opal::behaviours;
@@ -55,6 +59,23 @@ TEST_CASE("a map of walls that enclose nothing is inside between them, and outsi
   const std::vector<char> outside = outside_cells(*map, raster);
   for (const Point& p : {Point(4, 1), Point(8, 3), Point(8.8, 6)}) CHECK_FALSE(outside_of(outside, raster, p));
   for (const Point& p : {Point(4, -0.5), Point(9.5, 6), Point(1, 7)}) CHECK(outside_of(outside, raster, p));
+}
+
+TEST_CASE("storeys are looked over in seconds, each as if it were alone") {
+  std::vector<StoreyPart> parts;
+  for (int k = 0; k < 9; ++k) parts.push_back({"storey-" + std::to_string(k), "", {}, map_of(house(1))});
+  const auto map = stacked_map("tower", parts).map;
+  const MapRaster raster = floor_raster(*map);
+  const std::clock_t before = std::clock();
+  const std::vector<char> outside = outside_cells(*map, raster);
+  if (!kIsSanitized) CHECK(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC < 5);
+  for (const MapStorey& storey : map->origin().storeys) {
+    for (const Point& p : {Point(1, 1), Point(4, 3), Point(6.5, 3), Point(7, 5)})
+      CHECK_FALSE(outside_of(outside, raster, storey.origin + p));
+    for (const Point& p : {Point(8.8, 3), Point(4, -0.8), Point(-0.8, 6.8)})
+      CHECK(outside_of(outside, raster, storey.origin + p));
+  }
+  CHECK(outside_of(outside, raster, map->origin().storeys.front().origin + Point(60, 60)));
 }
 
 TEST_CASE("a porch between two wings of a house is outside") {
