@@ -47,6 +47,13 @@ struct DrawingScene {
   /// Where something speaks against the best hypothesis: a beam that passes through a wall.
   std::vector<std::array<Point, 2>> contradictions;
 
+  /// A place with a word for the legend: "goal".
+  struct DrawnPlace {
+    Point position;
+    std::string label;
+  };
+  std::vector<DrawnPlace> places;
+
   std::vector<Point> trajectory;  ///< as estimated
   std::vector<Point> truth;       ///< as recorded by other means
 

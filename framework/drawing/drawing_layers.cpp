@@ -68,7 +68,7 @@ void draw_body(DrawingCanvas& canvas, const Segment& face, const Color& color) {
   if (!(face.length_m() > 0)) return;
   const Point behind = -kBody_m * face.normal();
   canvas.polygon(std::array{face.begin, face.end, Point(face.end + behind), Point(face.begin + behind)},
-                 color.with_opacity(0.16));
+                 color.with_opacity(kBodyOpacity));
 }
 
 void draw_map(DrawingCanvas& canvas, const SemanticMap& map) {
@@ -77,6 +77,14 @@ void draw_map(DrawingCanvas& canvas, const SemanticMap& map) {
   for (const MapFeature& feature : map.features())
     if (const auto* face = std::get_if<Segment>(&feature.geometry)) draw_body(canvas, *face, color(feature));
   for (const MapFeature& feature : map.features()) canvas.geometry(feature.geometry, color(feature), kWall_px);
+}
+
+/// Names of sheets, above their upper left corners.
+void draw_storeys(DrawingCanvas& canvas, const SemanticMap& map) {
+  constexpr double kText_px = 13;
+  for (const MapStorey& storey : map.origin().storeys)
+    canvas.text(canvas.frame().to_page({storey.bounds[0].x(), storey.bounds[1].y()}) + Point(0, -4), storey.label(),
+                kText_px, ink::kText, true);
 }
 
 /// Where a short line can show which mapped geometry a local one is taken for.
@@ -186,6 +194,13 @@ Color alternative_color(double probability) {
   return ink::kAlternative.with_opacity(0.3 + 0.7 * std::sqrt(std::clamp(probability, 0.0, 1.0)));
 }
 
+void draw_place(DrawingCanvas& canvas, const Point& center_px) {
+  constexpr double kRing_px = 6, kCross_px = 4;
+  canvas.page_disc(center_px, kRing_px, ink::kPlot.with_opacity(0.6), ink::kPlace);
+  for (const double side : {-kCross_px, kCross_px})
+    canvas.page_line(center_px + Point(-kCross_px, side), center_px + Point(kCross_px, -side), ink::kPlace, 1.4);
+}
+
 void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {
   canvas.clip_to_plot();
   draw_floor(canvas, scene);
@@ -204,6 +219,9 @@ void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {
   draw_ended(canvas, scene);
   draw_hypotheses(canvas, scene);
   draw_probabilities(canvas, scene);
+  if (scene.map) draw_storeys(canvas, *scene.map);
+  for (const auto& place : scene.places)
+    if (place.position.allFinite()) draw_place(canvas, canvas.frame().to_page(place.position));
   canvas.unclip();
 }
 

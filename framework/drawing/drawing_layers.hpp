@@ -27,6 +27,7 @@ inline constexpr Color kAlternative{0.93, 0.55, 0.08};
 inline constexpr Color kEnded{0.45, 0.47, 0.52};
 inline constexpr Color kContradiction{0.78, 0.10, 0.10};
 inline constexpr Color kPattern{0.62, 0.12, 0.52};
+inline constexpr Color kPlace{0.80, 0.05, 0.30};
 inline constexpr Color kTrajectory{0.48, 0.23, 0.68};
 inline constexpr Color kTruth{0.16, 0.18, 0.22, 0.75};
 }  // namespace ink
@@ -47,6 +48,11 @@ std::map<std::string, TypeInk> inks_of_types(const SemanticMap& map);
 /// Size of an alternative's arrow head, and how opaque it is: the more probable, the more.
 double alternative_head_px(double probability);
 Color alternative_color(double probability);
+
+/// The side of a face that cannot be seen is shaded.
+inline constexpr double kBodyOpacity = 0.16;
+/// A place that is named: a cross in a ring.
+void draw_place(DrawingCanvas& canvas, const Point& center_px);
 
 /// How a local feature looks.
 struct Stroke {

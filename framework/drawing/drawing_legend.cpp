@@ -49,6 +49,13 @@ void area_symbol(DrawingCanvas& canvas, const Point& middle_px) {
   canvas.page_rectangle(middle_px - size / 2, size, ink::kFreeSpace.with_opacity(0.3));
 }
 
+/// Of a wall, with its shaded side below.
+void body_symbol(DrawingCanvas& canvas, const Point& middle_px) {
+  const Point size(kSymbol_px - 4, 7);
+  canvas.page_rectangle(middle_px - Point(size.x() / 2, 0), size, ink::kText.with_opacity(kBodyOpacity));
+  stroke_symbol(ink::kText, 1.5)(canvas, middle_px);
+}
+
 void floor_symbol(DrawingCanvas& canvas, const Point& middle_px) {
   const Point size(kSymbol_px - 4, 12);
   canvas.page_rectangle(middle_px - size / 2, size, ink::kFloor);
@@ -76,6 +83,9 @@ std::vector<LegendRow> map_rows(const SemanticMap& map) {
   std::vector<LegendRow> rows;
   for (const auto& [type, type_ink] : inks_of_types(map))
     rows.push_back({short_name(type) + " (" + std::to_string(type_ink.objects) + ")", shape_symbol(type_ink)});
+  const auto& all = map.features();
+  if (std::any_of(all.begin(), all.end(), [](const auto& f) { return std::holds_alternative<Segment>(f.geometry); }))
+    rows.push_back({"grey: the side of a face that is not seen", body_symbol});
   return rows;
 }
 
@@ -108,6 +118,7 @@ std::vector<LegendRow> legend_rows(const DrawingScene& scene) {
   add(!scene.ended.empty(), "ended (" + std::to_string(scene.ended.size()) + ")", ended_symbol);
   add(!scene.contradictions.empty(), "speaks against it (" + std::to_string(scene.contradictions.size()) + ")",
       stroke_symbol(ink::kContradiction, kContradiction_px, kDash_px));
+  for (const auto& place : scene.places) add(true, place.label, draw_place);
   add(!scene.trajectory.empty(), "trajectory", stroke_symbol(ink::kTrajectory, kTrajectory_px));
   add(!scene.truth.empty(), "recorded truth", stroke_symbol(ink::kTruth, kTruth_px, kDash_px));
   return rows;

@@ -78,6 +78,27 @@ TEST_CASE("the same scene is the same picture, byte for byte") {
   CHECK(content_of(once) == content_of(again));
 }
 
+TEST_CASE("places, storeys and coordinates are drawn") {
+  const std::string plain = picture_path("plain.png"), more = picture_path("more.png");
+  write_png(hall(), plain);
+  const auto is_other = [&](const auto& change) {
+    DrawingScene scene = hall();
+    change(scene);
+    write_png(scene, more);
+    return content_of(more) != content_of(plain);
+  };
+  CHECK(is_other([](DrawingScene& scene) { scene.places = {{Point(12, 5), "goal"}}; }));
+  CHECK(is_other([](DrawingScene& scene) { scene.coordinates = true; }));
+  CHECK(is_other([](DrawingScene& scene) {
+    MapOrigin origin;
+    origin.storeys = {{"hall"}};
+    std::vector<MapFeature> features = scene.map->features();
+    for (MapFeature& feature : features) feature.id = "hall/" + feature.id;
+    std::vector<MapObject> objects = scene.map->objects();
+    scene.map = SemanticMap::make("hall", objects, features, {}, origin);
+  }));
+}
+
 TEST_CASE("an empty scene and one full of nonsense can be drawn") {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   DrawingScene nonsense = hall();
@@ -90,6 +111,7 @@ TEST_CASE("an empty scene and one full of nonsense can be drawn") {
   nonsense.ended = {Pose2(nan, 0, nan)};
   nonsense.patterns = {{}, {{nan, nan}, {1, 1}}};
   nonsense.contradictions = {{Point(nan, 0), Point(1e300, infinity)}};
+  nonsense.places = {{Point(nan, 0), "\xff"}, {Point(1e300, 0), ""}};
   nonsense.notes = {"", std::string(5000, 'x'), std::string(3000, ' ') + "\xff \n\t"};
   nonsense.view = {Point(3, 3), Point(1, 1)};
   for (const DrawingScene& scene : {DrawingScene{}, nonsense}) {

@@ -4,9 +4,11 @@
 #include "benchmark/experiments/kit/summary_json.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/phrases.hpp"
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 namespace {
@@ -71,8 +73,9 @@ void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
     std::printf("localized after %.1f m", *record.localized_after_m);
   else
     std::printf("never localized");
-  std::printf("; %zu collisions, %d of %d scans falsely localized%s%s\n", record.collisions.size(),
-              record.falsely_localized_scans, record.scans, record.why.empty() ? "" : ": ", record.why.c_str());
+  std::printf("; %s, %d of %d scans falsely localized%s%s\n",
+              opal::count_of(record.collisions.size(), "collision").c_str(), record.falsely_localized_scans,
+              record.scans, record.why.empty() ? "" : ": ", record.why.c_str());
   std::fflush(stdout);
   if (runs_.size() <= kPictures || !record.reached) draw(task, record);
 }
@@ -89,13 +92,13 @@ void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) c
   }
   if (!record.moments.empty() && record.moments.back().has_pose)
     scene.hypotheses.push_back({record.moments.back().estimate, 1});
-  scene.local_features.push_back({opal::Circle{task.goal, 0.5}, opal::DrawingScene::Perception::candidate});
+  scene.places = {{task.goal, "goal"}};
   char note[120];
   std::snprintf(note, sizeof note, "From (%.1f, %.1f) to the goal (%.1f, %.1f): %.0f s, %.1f m.", task.start.x(),
                 task.start.y(), task.goal.x(), task.goal.y(), record.time_s, record.driven_m);
   scene.notes.emplace_back(note);
   if (!record.why.empty()) scene.notes.emplace_back("Not reached: " + record.why + ".");
-  scene.notes.emplace_back("The circle is the goal; the estimated trajectory is drawn where it was called localized.");
+  scene.notes.emplace_back("The estimated trajectory is drawn where it was called localized.");
   const std::string name = (out_ / ("drive_" + std::to_string(task.seed))).string();
   opal::write_svg(scene, name + ".svg");
   opal::write_png(scene, name + ".png");
@@ -115,7 +118,10 @@ nlohmann::ordered_json DriveReport::totals() const {
 
 void DriveReport::write() const {
   nlohmann::ordered_json summary = totals();
-  std::printf("%s\n", summary.dump().c_str());
+  nlohmann::ordered_json told = summary;
+  for (auto& value : told)
+    if (value.is_number_float()) value = std::round(1e3 * value.get<double>()) / 1e3;
+  std::printf("%s\n", told.dump().c_str());
   summary["runs"] = runs_;
   opal::write_text((out_ / "summary.json").string(), summary.dump(1) + '\n');
 }

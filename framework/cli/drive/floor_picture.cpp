@@ -1,6 +1,7 @@
 #include "cli/drive/floor_picture.hpp"
 
 #include "drawing/drawing.hpp"
+#include "report/quantity_text.hpp"
 
 #include <algorithm>
 
@@ -13,12 +14,13 @@ std::string draw_floor(const opal::simulation::Simulation& simulation, const opa
   scene.floor = simulation.floor().rectangles();
   scene.coordinates = true;
   scene.unmapped = simulation.unmapped();
-  scene.contradictions = {
-      {opal::Point(refused + opal::Point(-0.3, -0.3)), opal::Point(refused + opal::Point(0.3, 0.3))},
-      {opal::Point(refused + opal::Point(-0.3, 0.3)), opal::Point(refused + opal::Point(0.3, -0.3))}};
   scene.notes = {"The numbers are coordinates of the map [m].",
-                 "Green is floor where the robot has room, and which doors that stand open connect.",
-                 "The red cross (\"speaks against it\") is the place that was refused."};
+                 "Green is floor where the robot has room, and which doors that stand open connect."};
+  const auto [low, high] = simulation.solids().bounds();
+  if (((refused - low).array() >= 0).all() && ((high - refused).array() >= 0).all())
+    scene.places = {{refused, "the place that was refused"}};
+  else
+    scene.notes.push_back("The place that was refused lies beyond the picture, at " + opal::place_text(refused) + ".");
   std::filesystem::create_directories(folder);
   opal::write_svg(scene, (folder / "floor.svg").string());
   opal::write_png(scene, (folder / "floor.png").string());

@@ -76,6 +76,7 @@ void draw(const Map& map, const opal::PatternLayer& layer, const PatternsOptions
   opal::DrawingScene scene;
   scene.title = map->name();
   scene.map = map;
+  scene.coordinates = true;
   for (const opal::MapPattern& pattern : layer.patterns) {
     scene.patterns.emplace_back();
     for (const opal::MapFeatureNumber member : pattern.features)
