@@ -1,5 +1,6 @@
 #include "map_tools/map_stack.hpp"
 
+#include "common/phrases.hpp"
 #include "map/semantic_map_storeys.hpp"
 #include "map_tools/map_join.hpp"
 
@@ -49,6 +50,29 @@ std::vector<Shaft*> above_each_other(std::vector<Shaft>& shafts, Shaft& first, d
   return found;
 }
 
+/// "lift-1: at x 3.0, y 2.0, 4 storeys".
+std::string sentence_of(const MapConnection& connection) {
+  const Point at = connection.landings.front().T_storey_landing.position();
+  return fmt::format("{}: at x {:.1f}, y {:.1f}, {}", connection.id, at.x(), at.y(),
+                     count_of(connection.landings.size(), "storey"));
+}
+
+/// @throws MapError if a landing is far from all that lies on its storey.
+void check_landings(const SemanticMap& map, const MapConnection& connection, const std::string& file) {
+  for (const Landing& landing : connection.landings) {
+    const MapStorey* storey = find_storey(map, landing.storey);
+    const Point at = landing_on_map(map, landing).position();
+    if (storey == nullptr || distance_to_box_m(storey->bounds, at) < kLeastSheetGap_m / 4) continue;
+    const Point found = landing.T_storey_landing.position(), low = storey->bounds[0] - storey->origin,
+                high = storey->bounds[1] - storey->origin;
+    throw MapError(
+        fmt::format("{}: connection '{}': a landing at x {:.1f}, y {:.1f} of '{}', expected it within {:.0f} "
+                    "m of what lies there, which reaches from x {:.1f}, y {:.1f} to x {:.1f}, y {:.1f}",
+                    file, connection.id, found.x(), found.y(), storey->id, kLeastSheetGap_m / 4, low.x(), low.y(),
+                    high.x(), high.y()));
+  }
+}
+
 /// Lifts and stairs as one map after another shows them.
 class ConnectionFinder {
  public:
@@ -78,8 +102,7 @@ class ConnectionFinder {
       connection.radius_m = std::min(connection.radius_m, shaft->radius_m);
       connection.landings.push_back({shaft->storey, Pose2(shaft->middle_storey, 0)});
     }
-    report.push_back(fmt::format("{}: at x {:.1f}, y {:.1f}, {} storeys", connection.id, first.middle_storey.x(),
-                                 first.middle_storey.y(), all.size()));
+    report.push_back(sentence_of(connection));
     found_.push_back(std::move(connection));
   }
 
@@ -140,6 +163,18 @@ MapOrigin origin_of(std::span<const StoreyPart> parts, const SemanticMap& joined
   return origin;
 }
 
+/// By its id, or by a name that only one has; null: there is none.
+const MapStorey* named_storey(const SemanticMap& map, const std::string& id_or_name) {
+  if (const MapStorey* storey = find_storey(map, id_or_name)) return storey;
+  const MapStorey* named = nullptr;
+  for (const MapStorey& storey : map.origin().storeys) {
+    if (storey.name != id_or_name) continue;
+    if (named != nullptr) return nullptr;
+    named = &storey;
+  }
+  return named;
+}
+
 }  // namespace
 
 StackedMap stacked_map(const std::string& name, std::span<const StoreyPart> parts, const StackOptions& options) {
@@ -156,13 +191,14 @@ StackedMap stacked_map(const std::string& name, std::span<const StoreyPart> part
   return stacked;
 }
 
-std::shared_ptr<const SemanticMap> storey_of_map(const SemanticMap& map, const std::string& storey) {
-  const MapStorey* wanted = find_storey(map, storey);
+std::shared_ptr<const SemanticMap> storey_of_map(const SemanticMap& map, const std::string& id_or_name) {
+  const MapStorey* wanted = named_storey(map, id_or_name);
   if (wanted == nullptr) {
     const std::string known = ids_of(map.origin().storeys);
-    throw ConfigError(map.name() + ": no storey '" + storey + "', expected " +
+    throw ConfigError(map.name() + ": no storey '" + id_or_name + "', expected " +
                       (known.empty() ? "none: the map holds no storeys" : "one of " + known));
   }
+  const std::string& storey = wanted->id;
   const auto is_there = [&](const MapFeature& feature) {
     return storey_at(map, points_of(feature.geometry).front()) == wanted;
   };
@@ -187,7 +223,7 @@ std::shared_ptr<const SemanticMap> storey_of_map(const SemanticMap& map, const s
   return SemanticMap::make(map.name(), std::move(objects), std::move(features), {}, std::move(origin));
 }
 
-std::shared_ptr<const SemanticMap> with_connections(const SemanticMap& map, const std::string& file) {
+StackedMap with_connections(const StackedMap& stacked, const std::string& file) {
   nlohmann::json more;
   try {
     more = read_json(file);
@@ -196,9 +232,16 @@ std::shared_ptr<const SemanticMap> with_connections(const SemanticMap& map, cons
   }
   if (!more.is_object() || !more.contains("@graph") || !more["@graph"].is_array())
     throw MapError(file + ": has no @graph, expected an array of StoreyConnection nodes");
-  nlohmann::ordered_json document = map.to_json_ld();
+  nlohmann::ordered_json document = stacked.map->to_json_ld();
   for (const nlohmann::json& node : more["@graph"]) document["@graph"].push_back(nlohmann::ordered_json(node));
-  return SemanticMap::parse(document.dump(), file);
+  StackedMap connected{SemanticMap::parse(document.dump(), file), stacked.report};
+  const std::vector<MapConnection>& known = stacked.map->origin().connections;
+  for (const MapConnection& connection : connected.map->origin().connections) {
+    if (with_id(known, connection.id) != nullptr) continue;
+    check_landings(*connected.map, connection, file);
+    connected.report.push_back(sentence_of(connection));
+  }
+  return connected;
 }
 
 }  // namespace opal

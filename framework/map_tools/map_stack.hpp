@@ -39,12 +39,13 @@ OPAL_EXPORT StackedMap stacked_map(const std::string& name, std::span<const Stor
                                    const StackOptions& options = {});
 
 /// The part of a map that lies on one storey, where it lies in the map; without patterns.
+/// @param id_or_name  a name that several storeys have is none.
 /// @throws ConfigError naming the storeys that there are.
-OPAL_EXPORT std::shared_ptr<const SemanticMap> storey_of_map(const SemanticMap& map, const std::string& storey);
+OPAL_EXPORT std::shared_ptr<const SemanticMap> storey_of_map(const SemanticMap& map, const std::string& id_or_name);
 
 /// The map with further buildings and connections, and other names of storeys, from a document that says nothing else:
 /// {"@context": "urn:opal:v1", "@graph": [{"@id": "lift", "@type": "StoreyConnection", ...}]}.
-/// @throws MapError.
-OPAL_EXPORT std::shared_ptr<const SemanticMap> with_connections(const SemanticMap& map, const std::string& file);
+/// @throws MapError, also for a landing that is far from all that lies on its storey.
+OPAL_EXPORT StackedMap with_connections(const StackedMap& stacked, const std::string& file);
 
 }  // namespace opal

@@ -32,7 +32,10 @@ GeoJsonImporter::GeoJsonImporter(const nlohmann::json& options)
   if (longitude.is_null() != latitude.is_null())
     throw ConfigError(
         "opal:GeoJsonImporter: options origin_lon_deg, origin_lat_deg: one of them is null, expected both or none");
-  if (!longitude.is_null()) placement_.origin_deg = Point(longitude.get<double>(), latitude.get<double>());
+  if (!longitude.is_null())
+    placement_.origin_deg = Point(longitude.get<double>(), latitude.get<double>());
+  else
+    placement_.origin_file = options.at("origin_file");
 }
 
 bool GeoJsonImporter::recognizes(const std::string& path) const {
@@ -52,6 +55,15 @@ void GeoJsonImporter::mark_used(FeatureCollection& collection) const {
     const auto type = plan_.rules.class_of(classes_of(feature, class_property_).names);
     feature.is_used = type && *type != ClassRules::kLeaveOut && *type != kArea && *type != kOpening;
   }
+}
+
+PlacementOptions GeoJsonImporter::placement() const {
+  PlacementOptions placement = placement_;
+  if (placement.origin_file.empty()) return placement;
+  FeatureCollection other = read_plan(placement.origin_file);
+  mark_used(other);
+  placement.origin_deg = middle_deg(placement, other);
+  return placement;
 }
 
 std::string GeoJsonImporter::chosen_level(const std::string& path, const FeatureCollection& collection,
@@ -111,7 +123,7 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   mark_used(collection);
   std::vector<std::string> sentences = collection.notes;
   const std::string level = chosen_level(path, collection, sentences);
-  for (const std::string& sentence : place(path, placement_, collection)) sentences.push_back(sentence);
+  for (const std::string& sentence : place(path, placement(), collection)) sentences.push_back(sentence);
   PlanElements plan = elements_of(path, collection, level);
   if (plan.elements.empty())
     throw MapError(

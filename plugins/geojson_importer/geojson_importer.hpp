@@ -23,6 +23,8 @@ class GeoJsonImporter final : public MapImporter {
  private:
   /// Which features something becomes of, whatever level they are on.
   void mark_used(FeatureCollection& collection) const;
+  /// With the origin that another plan gives.
+  PlacementOptions placement() const;
   /// The level to import; empty: there is one only. @throws MapError if the option names none.
   std::string chosen_level(const std::string& path, const FeatureCollection& collection,
                            std::vector<std::string>& sentences) const;

@@ -29,6 +29,7 @@ struct Bounds {
 
   bool is_empty() const { return low.x() > high.x(); }
   double size() const { return (high - low).maxCoeff(); }
+  Point middle() const { return (low + high) / 2; }
   bool is_on_earth() const { return low.x() >= -180 && high.x() <= 180 && low.y() >= -90 && high.y() <= 90; }
   bool looks_like_degrees() const { return !is_empty() && is_on_earth() && size() < kGeographicExtent; }
 };
@@ -71,7 +72,11 @@ std::string project(const std::string& path, const PlacementOptions& options, Fe
   if (bounds.size() > kGeographicExtent)
     throw MapError(
         fmt::format("{}: reaches over {} degrees, expected a building (0.05 degrees at most)", path, bounds.size()));
-  const Point origin = options.origin_deg.value_or((bounds.low + bounds.high) / 2);
+  if (!options.origin_file.empty() && !options.origin_deg)
+    throw MapError(options.origin_file +
+                   ": holds no longitude and latitude, expected a plan in degrees, for it is the " + "origin of " +
+                   path);
+  const Point origin = options.origin_deg.value_or(bounds.middle());
   if (std::abs(origin.y()) > kHighestLatitude_deg)
     throw MapError(path + ": lies nearer than 5 degrees to a pole, expected another place");
   const LocalProjection projection(origin);
@@ -86,11 +91,9 @@ std::string project(const std::string& path, const PlacementOptions& options, Fe
                      origin.x(), origin.y(), error_m);
 }
 
-}  // namespace
-
-std::vector<std::string> place(const std::string& path, const PlacementOptions& options,
-                               FeatureCollection& collection) {
-  std::vector<std::string> sentences;
+/// Coordinates of web maps become degrees first. @return whether a plan is in degrees.
+bool is_in_degrees(const PlacementOptions& options, FeatureCollection& collection,
+                   std::vector<std::string>& sentences) {
   const bool is_web_mercator = ends_with_any(collection.crs, kWebMercator);
   if (is_web_mercator) {
     for (Feature& feature : collection.features)
@@ -99,7 +102,22 @@ std::vector<std::string> place(const std::string& path, const PlacementOptions& 
   }
   const bool is_said = is_web_mercator || ends_with_any(collection.crs, kDegrees);
   const bool is_likely = collection.crs.empty() && building_of(collection).looks_like_degrees();
-  if (options.is_geographic.value_or(is_said || is_likely)) {
+  return options.is_geographic.value_or(is_said || is_likely);
+}
+
+}  // namespace
+
+std::optional<Point> middle_deg(const PlacementOptions& options, FeatureCollection& collection) {
+  std::vector<std::string> sentences;
+  if (!is_in_degrees(options, collection, sentences)) return std::nullopt;
+  const Bounds bounds = building_of(collection);
+  return bounds.is_empty() ? std::nullopt : std::optional(bounds.middle());
+}
+
+std::vector<std::string> place(const std::string& path, const PlacementOptions& options,
+                               FeatureCollection& collection) {
+  std::vector<std::string> sentences;
+  if (is_in_degrees(options, collection, sentences)) {
     sentences.push_back(project(path, options, collection));
     return sentences;
   }

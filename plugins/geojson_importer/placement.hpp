@@ -12,8 +12,12 @@ namespace opal::geojson_importer {
 struct PlacementOptions {
   std::optional<bool> is_geographic;  ///< none: as the coordinates look, and as the file's crs says
   std::optional<Point> origin_deg;    ///< none: the middle of everything
+  std::string origin_file = {};       ///< from which `origin_deg` came; empty: from none
   Point origin_m = Point::Zero();     ///< of a plan in metres
 };
+
+/// The middle of a plan; none: it is in metres. Coordinates of web maps become degrees.
+std::optional<Point> middle_deg(const PlacementOptions& options, FeatureCollection& collection);
 
 /// All coordinates to metres in the `map` frame.
 /// @param path  stands for the file in messages.

@@ -1,9 +1,13 @@
 #include "map_tools/map_stack.hpp"
 
+#include "tests/kit/temporary_folder.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/plugin/testing/scorer_contract.hpp>
 
 #include <catch2/catch.hpp>
+
+#include <sstream>
 
 using namespace opal;
 using Catch::Contains;
@@ -93,4 +97,30 @@ TEST_CASE("a stack that makes no sense is refused") {
                     Contains("expected at least 100 m"));
   CHECK_THROWS_WITH(storey_of_map(*house().map, "cellar"),
                     Contains("no storey 'cellar', expected one of 'low', 'mid'"));
+}
+
+TEST_CASE("a storey goes by its id, or by a name that only one has") {
+  const auto map = house().map;
+  CHECK(storey_of_map(*map, "First floor")->origin().storeys.front().id == "mid");
+  const std::vector<StoreyPart> alike{{"a", "Floor", {}, testing::example_map()},
+                                      {"b", "Floor", {}, testing::example_map()}};
+  CHECK_THROWS_WITH(storey_of_map(*stacked_map("x", alike).map, "Floor"), Contains("expected one of 'a', 'b'"));
+}
+
+TEST_CASE("lifts of a file are told as those that were found, and one that is far from its storey is refused") {
+  const TemporaryFolder folder;
+  const auto lift_at = [&](double x) {
+    std::ostringstream text;
+    text << R"({"@context": "urn:opal:v1", "@graph": [{"@id": "freight", "@type": "StoreyConnection",
+      "connection_type": "Lift", "landings": [{"@type": "Landing", "on_storey": "low", "x": 2, "y": 1},
+      {"@type": "Landing", "on_storey": "top", "x": )"
+         << x << R"(, "y": 1}]}]})";
+    return with_connections(house(), folder.write("lifts.jsonld", text.str()));
+  };
+  const StackedMap connected = lift_at(2);
+  CHECK(connected.map->origin().connections.size() == 3);
+  CHECK(connected.report.back() == "freight: at x 2.0, y 1.0, 2 storeys");
+  CHECK_THROWS_WITH(lift_at(-500),
+                    Contains("lifts.jsonld: connection 'freight': a landing at x -500.0, y 1.0 of 'top'") &&
+                        Contains("expected it within 25 m of what lies there"));
 }

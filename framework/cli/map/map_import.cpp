@@ -58,6 +58,7 @@ void draw(const opal::MapImport& imported, const ImportOptions& options) {
   opal::DrawingScene scene;
   scene.title = imported.map->name();
   scene.map = imported.map;
+  scene.coordinates = true;
   if (!options.svg.empty()) opal::write_svg(scene, options.svg);
   if (!options.png.empty()) opal::write_png(scene, options.png);
 }
@@ -72,16 +73,25 @@ void write_report(const ImportedStoreys& imported, const std::string& path) {
   opal::write_text(path, std::filesystem::path(path).extension() == ".json" ? by_storey.dump(1) + '\n' : text);
 }
 
+/// What is missing or doubtful on each storey; the whole reports are for --report.
+std::string shortfalls_of(const ImportedStoreys& imported) {
+  std::string text;
+  for (std::size_t k = 0; k < imported.parts.size(); ++k)
+    for (const std::string& sentence : imported.imports[k].report)
+      if (sentence.starts_with("left out") || sentence.starts_with("doubtful"))
+        text += imported.parts[k].id + ": " + sentence + '\n';
+  return text;
+}
+
 /// Every storey, a sheet each.
 int import_all(const ImportOptions& options, const opal::PluginRegistry& registry, const nlohmann::json& chosen) {
   ImportedStoreys imported = import_storeys(registry, options.source, chosen, options.stack);
-  std::cout << text_of(imported.left_out);
+  std::cout << text_of(imported.left_out) << shortfalls_of(imported);
   opal::MapImport all;
   all.map = finished(imported.stacked, options.stack);
   for (const std::string& detector : options.detectors) all.map = derived_by(registry, *all.map, detector, {}, {}).map;
   opal::write_map(*all.map, options.out);
-  std::cout << "written: " << options.out << ", " << all.map->origin().storeys.size() << " storeys, "
-            << all.map->origin().connections.size() << " connections\n";
+  std::cout << stacked_sentence(options.out, *all.map) << '\n';
   if (!options.report.empty()) write_report(imported, options.report);
   draw(all, options);
   return kDone;
@@ -143,9 +153,13 @@ void add_map_import(CLI::App& map, int& exit_code) {
       verb->add_option("--storey", options->storey, "name of the storey to import (`opal map storeys`)");
   verb->add_option("--z", options->z_m, "height of the cut in the building's coordinates [m], instead of a storey")
       ->excludes(storey);
-  verb->add_flag("--all", options->all, "every storey of the source, a sheet each in one map")
-      ->excludes(storey)
-      ->excludes(verb->get_option("--z"));
+  CLI::Option* all = verb->add_flag("--all", options->all, "every storey of the source, a sheet each in one map")
+                         ->excludes(storey)
+                         ->excludes(verb->get_option("--z"));
+  verb->add_option("--without", options->stack.without,
+                   "of --all: name of a storey to leave out, as a roof; may be repeated")
+      ->allow_extra_args(false)
+      ->needs(all);
   options->stack.add_to(*verb);
   add_choices(*verb, *options);
   verb->add_option("--derive", options->detectors,

@@ -3,6 +3,8 @@
 
 #include "session/session.hpp"
 
+#include "common/phrases.hpp"
+#include "deployment/store_source.hpp"
 #include "map/map_file.hpp"
 
 #include <opal/common/error.hpp>
@@ -61,8 +63,22 @@ std::vector<opal::Storey> distinct(const std::vector<opal::Storey>& all, std::ve
   return kept;
 }
 
+/// @throws opal::ConfigError for a name that no level has.
+std::vector<opal::Storey> without(const std::vector<opal::Storey>& all, const std::vector<std::string>& names,
+                                  std::vector<std::string>& left_out) {
+  std::vector<std::string> known;
+  for (const opal::Storey& storey : all) known.push_back(opal::in_quotes(storey.name));
+  std::vector<opal::Storey> kept = all;
+  for (const std::string& name : names) {
+    if (std::erase_if(kept, [&](const opal::Storey& storey) { return storey.name == name; }) == 0)
+      throw opal::ConfigError("--without: no storey '" + name + "', expected one of " + opal::listed(known));
+    left_out.push_back("left out: '" + name + "', as asked for");
+  }
+  return kept;
+}
+
 struct StackFilesOptions : StackVerbOptions {
-  std::vector<std::string> maps;
+  std::vector<std::string> maps, words;
   std::string out, name;
 };
 
@@ -72,19 +88,45 @@ std::string stem_of(const std::string& path) {
   return file.substr(0, file.find('.'));
 }
 
+/// Maps and imports, one after the other. Plans in degrees take the origin of the first one: each would else lie around
+/// its own middle.
+class StoreyMaps {
+ public:
+  StoreyMaps(const opal::PluginRegistry& registry, const std::vector<std::string>& words)
+      : registry_(registry), words_(words) {}
+
+  std::shared_ptr<const opal::SemanticMap> load(const std::string& file) {
+    if (is_map_document(file) || opal::read_store_source(file)) return load_map(registry_, file);
+    const opal::RegisteredType& type = importer_of(registry_, file);
+    nlohmann::json options = opal::parse_options(type.info.name, type.options, words_);
+    const bool has_origin = options.contains(kOrigin) || options.contains("origin_lon_deg");
+    const bool takes_origin = std::any_of(type.options.begin(), type.options.end(),
+                                          [](const opal::OptionInfo& option) { return option.name == kOrigin; });
+    if (takes_origin && !has_origin && !first_.empty()) options[kOrigin] = first_;
+    if (takes_origin && first_.empty()) first_ = file;
+    return import_map(registry_, file, options).map;
+  }
+
+ private:
+  static constexpr const char* kOrigin = "origin_file";
+  const opal::PluginRegistry& registry_;
+  const std::vector<std::string>& words_;
+  std::string first_;
+};
+
 int stack(const StackFilesOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
+  StoreyMaps maps(registry, options.words);
   std::set<std::string> taken;
   std::vector<opal::StoreyPart> parts;
   for (const std::string& file : options.maps) {
-    const auto map = load_map(registry, file);
+    const auto map = maps.load(file);
     parts.push_back({word_of(stem_of(file), taken), map->origin().storey, {}, map});
   }
   const std::string name = options.name.empty() ? stem_of(options.out) : options.name;
   const auto map = finished(opal::stacked_map(name, parts, options.stack), options);
   opal::write_map(*map, options.out);
-  std::cout << "written: " << options.out << ", " << map->origin().storeys.size() << " storeys, "
-            << map->origin().connections.size() << " connections, " << map->features().size() << " features\n";
+  std::cout << stacked_sentence(options.out, *map) << ", " << opal::count_of(map->features().size(), "feature") << '\n';
   return kDone;
 }
 
@@ -105,7 +147,7 @@ ImportedStoreys import_storeys(const opal::PluginRegistry& registry, const std::
     throw opal::MapError(source + ": has no storeys, expected a source that names some; leave out --all");
   ImportedStoreys imported;
   std::set<std::string> taken;
-  for (const opal::Storey& storey : distinct(all, imported.left_out)) {
+  for (const opal::Storey& storey : distinct(without(all, stack.without, imported.left_out), imported.left_out)) {
     nlohmann::json one = options;
     one["storey"] = storey.name;
     try {
@@ -125,14 +167,20 @@ ImportedStoreys import_storeys(const opal::PluginRegistry& registry, const std::
 }
 
 std::shared_ptr<const opal::SemanticMap> finished(const opal::StackedMap& stacked, const StackVerbOptions& options) {
-  for (const std::string& sentence : stacked.report) std::cout << sentence << '\n';
-  auto map = options.connections.empty() ? stacked.map : opal::with_connections(*stacked.map, options.connections);
-  for (const opal::MapStorey& storey : map->origin().storeys)
+  const opal::StackedMap all =
+      options.connections.empty() ? stacked : opal::with_connections(stacked, options.connections);
+  for (const std::string& sentence : all.report) std::cout << sentence << '\n';
+  for (const opal::MapStorey& storey : all.map->origin().storeys)
     std::cout << fmt::format(
         "storey {}: x {:.0f} m, y {:.0f} m to x {:.0f} m, y {:.0f} m; its origin at {:.0f} {:.0f}\n", storey.id,
         storey.bounds[0].x(), storey.bounds[0].y(), storey.bounds[1].x(), storey.bounds[1].y(), storey.origin.x(),
         storey.origin.y());
-  return map;
+  return all.map;
+}
+
+std::string stacked_sentence(const std::string& out, const opal::SemanticMap& map) {
+  return "written: " + out + ", " + opal::count_of(map.origin().storeys.size(), "storey") + ", " +
+         opal::count_of(map.origin().connections.size(), "connection");
 }
 
 void add_map_stack(CLI::App& map, int& exit_code) {
@@ -141,6 +189,9 @@ void add_map_stack(CLI::App& map, int& exit_code) {
   verb->add_option("MAP", options->maps, "map documents, or sources to import; named after their files")->required();
   verb->add_option("-o,--out", options->out, "map document to write (.jsonld)")->required();
   verb->add_option("--name", options->name, "of the map (default: that of the file to write)");
+  verb->add_option("--set", options->words,
+                   "an option of the importer of all sources, NAME=VALUE or NAME.KEY=TEXT; may be repeated")
+      ->allow_extra_args(false);
   options->add_to(*verb);
   verb->callback([options, &exit_code] { exit_code = stack(*options); });
 }

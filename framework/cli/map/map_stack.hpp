@@ -17,6 +17,7 @@ void add_map_stack(CLI::App& map, int& exit_code);
 struct StackVerbOptions {
   opal::StackOptions stack;
   std::string connections;
+  std::vector<std::string> without;  ///< names of storeys of a source
 
   void add_to(CLI::App& verb);
 };
@@ -35,3 +36,5 @@ ImportedStoreys import_storeys(const opal::PluginRegistry& registry, const std::
 
 /// The map, with connections of a file if one is named; tells what was found.
 std::shared_ptr<const opal::SemanticMap> finished(const opal::StackedMap& stacked, const StackVerbOptions& options);
+/// "written: FILE, 3 storeys, 1 connection".
+std::string stacked_sentence(const std::string& out, const opal::SemanticMap& map);

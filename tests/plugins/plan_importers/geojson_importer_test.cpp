@@ -95,6 +95,19 @@ TEST_CASE("degrees are projected as RFC 7946 has them, and metres are known by t
   CHECK_NOTHROW(import_geojson(metres));
 }
 
+TEST_CASE("a plan in degrees can take the origin of another plan, which is in degrees, too") {
+  const TemporaryFolder folder;
+  const auto plan_in = [&](const std::string& name, const json& ring) {
+    return folder.write(name, collection({feature("Polygon", json::array({ring}), kWall, "w")}).dump());
+  };
+  const std::string ground = plan_in("ground.geojson", box(5.48, 51.44, 5.4802, 51.4401));
+  const std::string metres = plan_in("metres.geojson", box(0, 0, 500, 300));
+  const json upper = collection({feature("Polygon", json::array({box(5.4801, 51.44, 5.4802, 51.4401)}), kWall, "w")});
+  CHECK(check_map(*import_geojson(upper, {{"origin_file", ground}}).map).bounds[0].x() == Approx(0).margin(1e-3));
+  CHECK_THROWS_WITH(import_geojson(upper, {{"origin_file", metres}}),
+                    Contains("metres.geojson: holds no longitude and latitude, expected a plan in degrees"));
+}
+
 TEST_CASE("one level is imported, the nearest to the ground unless another is named") {
   const auto wall = [](double y, const json& level, const std::string& id) {
     json made = feature("LineString", {{0, y}, {5, y}}, kWall, id);
