@@ -58,7 +58,7 @@ class Barrier {
       if (simulation_.ground().is_shut_outer_door(map_, *door.object)) return name + ", an outer one, is shut";
       if (wide_m < needed_m)
         return name + sentence(", %.2f m wide, is narrower than the robot with its margin, %.2f m", wide_m, needed_m);
-      return name + " is shut";
+      return name + " is shut (--doors-open 1 opens all)";
     }
     if (any.object && any.distance_m < simulation_.clearance_m())
       return sentence("at (%.1f, %.1f) ", at.x(), at.y()) + name_of(*any.object) +

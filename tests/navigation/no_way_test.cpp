@@ -44,7 +44,7 @@ TEST_CASE("what keeps a robot from a place is told in words") {
   CHECK(why_cut_off(world_of(1.2, 1)).empty());
   CHECK_THAT(why_cut_off(world_of(0.6, 1)),
              Catch::Contains("the door 'D7', 0.60 m wide, is narrower than the robot") && Catch::Contains("0.80 m"));
-  CHECK_THAT(why_cut_off(world_of(1.2, 0)), Catch::Contains("the door 'D7' is shut"));
+  CHECK_THAT(why_cut_off(world_of(1.2, 0)), Catch::Contains("the door 'D7' is shut (--doors-open 1 opens all)"));
   const auto world = world_of(1.2, 1);
   CHECK_THAT(why_not_at(world, {2.5, 0.2}),
              Catch::Contains("the wall 'wall' is 0.20 m away") && Catch::Contains("0.40 m"));

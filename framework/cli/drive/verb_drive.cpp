@@ -21,6 +21,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -151,6 +152,15 @@ struct DriveSetup {
   std::string trees;
 };
 
+/// What a drive takes place in: the building, or one of the storeys that its map holds.
+std::shared_ptr<const opal::SemanticMap> driven_map(const DriveVerbOptions& options,
+                                                    const std::shared_ptr<const opal::SemanticMap>& map,
+                                                    std::uint64_t seed) {
+  const auto& storeys = map->origin().storeys;
+  if (!options.storey.empty()) return opal::storey_of_map(*map, options.storey);
+  return storeys.empty() ? map : opal::storey_of_map(*map, storeys[seed % storeys.size()].id);
+}
+
 DriveSetup set_up(DriveVerbOptions& options) {
   options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
@@ -160,6 +170,7 @@ DriveSetup set_up(DriveVerbOptions& options) {
   setup.deployment.lasers.front() = options.world.laser;
   setup.deployment.map = options.map;
   setup.map = load_map(setup.plugins, setup.deployment);
+  driven_map(options, setup.map, options.seed);  // an unknown storey is told before the map is indexed
   options.furnish(setup.plugins, *setup.map);
   setup.localization = localization_of(options, setup.deployment, setup.plugins, setup.map);
   setup.trees = config_file(options.trees.empty() ? "behaviours" : options.trees);
@@ -168,13 +179,17 @@ DriveSetup set_up(DriveVerbOptions& options) {
   return setup;
 }
 
-/// What a drive takes place in: the building, or one of the storeys that its map holds.
-std::shared_ptr<const opal::SemanticMap> driven_map(const DriveVerbOptions& options, const DriveSetup& setup,
-                                                    std::uint64_t seed) {
-  const auto& storeys = setup.map->origin().storeys;
-  if (!options.storey.empty()) return opal::storey_of_map(*setup.map, options.storey);
-  if (storeys.empty()) return setup.map;
-  return opal::storey_of_map(*setup.map, storeys[seed % storeys.size()].id);
+/// The task of a seed; none: no drive is possible with it, and others may be.
+/// @throws ConfigError if it is the only one.
+std::optional<DriveTask> possible_task(const DriveVerbOptions& options, sim::Simulation& simulation,
+                                       const opal::FloorGrid& floor, std::uint64_t seed) {
+  try {
+    return task_of(options, simulation, floor, seed);
+  } catch (const opal::ConfigError& error) {
+    if (options.runs == 1) throw;
+    std::cerr << "seed " << seed << ": no drive: " << error.what() << '\n';
+    return std::nullopt;
+  }
 }
 
 /// Drives one after the other until a stop is asked for; a drive that it cuts is left out.
@@ -184,13 +199,14 @@ void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& 
   const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
-    sim::Simulation simulation(driven_map(options, setup, seed), options.world, seed);
-    const DriveTask task = task_of(options, simulation, floor, seed);
+    sim::Simulation simulation(driven_map(options, setup.map, seed), options.world, seed);
+    const std::optional<DriveTask> task = possible_task(options, simulation, floor, seed);
+    if (!task) continue;
     const auto tree = behaviours::read_tree(nodes, setup.trees, options.behaviour);
     const opal::DriveRecord record =
-        opal::drive_to_goal(simulation, *setup.localization, floor, *tree, task.goal, options.loop);
+        opal::drive_to_goal(simulation, *setup.localization, floor, *tree, task->goal, options.loop);
     if (options.loop.stop.stop_requested()) return;
-    report.add(task, record);
+    report.add(*task, record);
     if (!options.record.empty()) recording.end_drive(seed, record.driven_m);
     if (record.unanswered_scans > 0)
       std::cerr << "localization did not answer for " << record.unanswered_scans << " scans; the robot stood still\n";
@@ -211,8 +227,8 @@ int drive(DriveVerbOptions options) {
   drive_all(options, setup, report, recording);
   report.write();
   if (!options.record.empty() && report.drives() > 0) recording.write(options.record, *setup.map);
-  const bool is_cut = report.drives() < static_cast<std::size_t>(options.runs);
-  return end_run(folder, is_cut ? signals.signal() : 0, report.all_reached() ? kDone : kNo);
+  const bool is_short = report.drives() < static_cast<std::size_t>(options.runs);  // stopped, or without some seeds
+  return end_run(folder, is_short ? signals.signal() : 0, report.all_reached() && !is_short ? kDone : kNo);
 }
 
 }  // namespace

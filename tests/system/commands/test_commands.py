@@ -49,6 +49,35 @@ class DidItWork(Commands):
         self.assertIn("not localized yet, it waits for more evidence: ", self.opal("explain", "out", "--at", "0"))
 
 
+class SeveralStoreys(Commands):
+    def plan(self, name, wide_deg):
+        """A room with a lift, drawn in degrees, and as far to the east as asked for."""
+        def thing(kind, coordinates, **properties):
+            return {"type": "Feature", "geometry": {"type": kind, "coordinates": coordinates}, "properties": properties}
+        west, south, east, north = 5.48, 51.44, 5.48 + wide_deg, 51.4402
+        ring = [[west, south], [east, south], [east, north], [west, north], [west, south]]
+        things = [thing("LineString", ring, indoor="wall"), thing("Point", [5.4801, 51.4401], highway="elevator")]
+        (self.folder / name).write_text(json.dumps({"type": "FeatureCollection", "features": things}))
+
+    def stacked(self, *words):
+        self.plan("ground.geojson", 0.0004)
+        self.plan("upper.geojson", 0.0009)
+        return self.opal("map", "stack", "ground.geojson", "upper.geojson", "-o", "both.jsonld", *words)
+
+    def test_plans_in_degrees_that_are_stacked_have_one_origin(self):
+        self.assertRegex(self.stacked(), r"lift-1: at x -\d+\.\d, y 0\.0, 2 storeys")
+        self.assertIn("2 storeys, 1 connection, ", self.stacked())
+
+    def test_options_of_importers_reach_the_plans_of_a_stack(self):
+        self.assertIn("lift-1: at x 0.0, y 0.0, 2 storeys",
+                      self.stacked("--set", "origin_lon_deg=5.4801", "--set", "origin_lat_deg=51.4401"))
+
+    def test_drive_refuses_an_unknown_storey_before_it_does_anything(self):
+        self.stacked()
+        said = self.opal("drive", "default", "both.jsonld", "--storey", "cellar", exit_code=3)
+        self.assertIn("no storey 'cellar', expected one of 'ground', 'upper'", said)
+
+
 class OptionsReachEverything(Commands):
     def test_the_version_is_told(self):
         self.assertRegex(self.opal("--version"), r"^opal \d+\.\d+\.\d+$")
@@ -88,6 +117,16 @@ class OptionsReachEverything(Commands):
         laser = json.loads((self.folder / "drive.info.json").read_text())["laser"]
         self.assertEqual((laser["n_beams"], laser["offset_x_m"]), (361, 0.78))
         self.assertIn("/sensor", self.opal("simulate", room, "-o", "drive", "--config", "default", exit_code=3))
+
+    def test_drive_goes_on_with_seeds_that_can_reach_the_goal_and_ends_with_round_numbers(self):
+        self.opal("map", "generate", "office", "-o", "office.jsonld", "--seed", "1", "--size", "300")
+        drive = ["drive", "default", "office.jsonld", "--goal", "3,3", "--doors-open", "0.5", "--most", "2", "-o", "out"]
+        self.assertIn("is shut (--doors-open 1 opens all)", self.opal(*drive, exit_code=3))
+        said = self.opal(*drive, "--runs", "4", exit_code=1)
+        self.assertEqual(json.loads((self.folder / "out" / "summary.json").read_text())["drives"], 1)
+        self.assertRegex(said, r"seed 4: GIVEN UP")
+        for number in (value for value in json.loads(said.splitlines()[-1]).values() if isinstance(value, float)):
+            self.assertEqual(number, round(number, 3))
 
     def test_drive_takes_the_laser_of_a_deployment(self):
         room = ROOT / "maps" / "example_room.jsonld"
