@@ -73,6 +73,13 @@ std::string prefix_of(const std::string& name) {
   return colon == std::string::npos || json_ld::is_spelled_out(name) ? "" : name.substr(0, colon);
 }
 
+std::string expected_iri(const std::string& word) {
+  const std::string prefix = prefix_of(word);
+  if (prefix.empty()) return ", expected one that stands for an IRI such as https://... or urn:...";
+  return ": @context does not define the prefix '" + prefix + "', expected [\"" + kContextIri + "\", {\"" + prefix +
+         "\": \"https://...#\"}]";
+}
+
 bool is_term(const std::string& word) { return terms().iri_of_term.contains(word); }
 bool is_prefix(const std::string& word) { return terms().prefixes.contains(word); }
 

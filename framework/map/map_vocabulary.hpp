@@ -96,6 +96,8 @@ std::string compact_name(const std::string& name, const Prefixes& others = {});
 std::string full_iri(const std::string& name);
 /// "acme" of "acme:Kiosk"; empty for names whose beginning is no prefix: "https://acme.example/Kiosk", "urn:kiosk".
 std::string prefix_of(const std::string& name);
+/// What a word should be that is no IRI, as the end of a message: the prefix is not defined, or it has none.
+std::string expected_iri(const std::string& word);
 /// True for the terms, and for the prefixes, that Opal's context defines.
 bool is_term(const std::string& word);
 bool is_prefix(const std::string& word);

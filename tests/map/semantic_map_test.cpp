@@ -266,7 +266,9 @@ TEST_CASE("names have the prefix that the document defines, so that they are tho
   CHECK(map->features()[0].type == "acme:Edge");
   CHECK(map->to_json_ld()["@context"][1]["acme"] == "https://acme.example/types#");
   CHECK_THROWS_WITH(SemanticMap::parse(R"({"@context": "urn:opal:v1", )" + rest, "kiosk"),
-                    Catch::Contains("'acme:k1' has a @type that stands for no IRI"));
+                    Catch::Contains("a @type that stands for no IRI, acme:Kiosk: @context does not define"));
+  CHECK_THROWS_WITH(SemanticMap::parse(R"({"@context": "urn:opal:v1", "@type": "Wall", "lab:owner": "me"})", "w"),
+                    Catch::Contains(R"(key lab:owner: @context does not define the prefix 'lab', expected ["u)"));
 }
 
 TEST_CASE("a representation without a sensor stays in the map and is not perceivable") {

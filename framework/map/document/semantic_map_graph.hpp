@@ -31,11 +31,16 @@ class GraphNode {
   const nlohmann::json& content() const { return *node_; }
 
   std::vector<std::string> types() const;  ///< full IRIs, sorted
+  /// The first type that passes a test; null: none does.
+  template <class Test>
+  const std::string* find_type(Test test) const {
+    for (const nlohmann::json& type : *types_)
+      if (test(type.get_ref<const std::string&>())) return type.get_ptr<const std::string*>();
+    return nullptr;
+  }
   template <class Test>
   bool any_type(Test test) const {
-    for (const nlohmann::json& type : *types_)
-      if (test(type.get_ref<const std::string&>())) return true;
-    return false;
+    return find_type(test) != nullptr;
   }
   bool has_type(std::string_view iri) const;
   bool has(std::string_view iri) const { return node_->contains(iri); }

@@ -52,12 +52,11 @@ class Reader {
     for (const auto& [key, value] : node.content().items()) {
       if (is_own(key) && !is_own_term(key))
         node.fail("unknown key " + compact_name(key) + ", expected a term of " + kContextIri);
-      if (key[0] != '@' && !json_ld::is_spelled_out(key))
-        node.fail("key " + key + ", expected one that stands for an IRI such as https://... or urn:...");
+      if (key[0] != '@' && !json_ld::is_spelled_out(key)) node.fail("key " + key + expected_iri(key));
     }
-    const auto is_sayable = [](const std::string& type) { return json_ld::is_spelled_out(type) || is_blank(type); };
-    if (node.any_type([&](const std::string& type) { return !is_sayable(type); }))
-      node.fail(node.description() + " has a @type that stands for no IRI such as https://... or urn:...");
+    const auto is_unsayable = [](const std::string& type) { return !json_ld::is_spelled_out(type) && !is_blank(type); };
+    if (const std::string* type = node.find_type(is_unsayable))
+      node.fail(node.description() + " has a @type that stands for no IRI, " + *type + expected_iri(*type));
   }
 
   /// What a node is to the map decides which of Opal's properties it may have.
