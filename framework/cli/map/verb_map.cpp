@@ -18,6 +18,7 @@
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/phrases.hpp"
 #include "deployment/pipeline_plan.hpp"
 #include "map/check/map_check.hpp"
 #include "map/map_file.hpp"
@@ -34,12 +35,28 @@ struct CheckOptions {
   OverlayFiles overlays;
 };
 
+/// A line each, but one for all that nothing asks for.
+void tell_reasons(const opal::PipelinePlan& plan) {
+  std::vector<std::string> idle;
+  for (const std::string& reason : plan.reasons) {
+    const auto named = std::find_if(plan.on_request.begin(), plan.on_request.end(),
+                                    [&](const std::string& name) { return reason.starts_with(name + ":"); });
+    if (named == plan.on_request.end())
+      std::cout << reason << '\n';
+    else
+      idle.push_back(*named);
+  }
+  if (!idle.empty())
+    std::cout << "not running, as neither patterns of the map nor a deployment name them: " << opal::listed(idle)
+              << '\n';
+}
+
 int check(const CheckOptions& options) {
   const opal::PluginRegistry registry = load_plugins();
   const auto map = with_overlays(load_map(registry, options.map), options.overlays.files);
   for (const std::string& sentence : opal::check_map(*map).sentences()) std::cout << sentence << '\n';
   const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
-  for (const std::string& reason : plan.reasons) std::cout << reason << '\n';
+  tell_reasons(plan);
   check_layer(registry, map, options.sensor);
   return plan.detectors.empty() || plan.patterns.empty() ? kNo : kDone;
 }

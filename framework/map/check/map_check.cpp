@@ -2,6 +2,7 @@
 
 #include "common/phrases.hpp"
 #include "map/check/map_check_geometry.hpp"
+#include "map/check/map_check_mistakes.hpp"
 #include "map/map_vocabulary.hpp"
 #include "map/semantic_map_draft.hpp"
 
@@ -12,7 +13,7 @@
 namespace opal {
 namespace {
 
-constexpr std::array<const char*, 4> kGeometryNames{"points", "corners", "segments", "circles"};
+constexpr std::array<const char*, 4> kGeometryNames{"point", "corner", "segment", "circle"};
 
 std::string rounded_metres(double length_m) { return fmt::format("{:.2f} m", length_m); }
 
@@ -28,15 +29,20 @@ std::string count_sentence(const std::string& what, const std::map<std::string, 
 }
 
 /// "'a', 'b', 'c' and 4 more": enough to find them, short enough to read.
-std::string examples(const std::vector<std::string>& names) {
-  constexpr std::size_t kShown = 3;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i) text += (i ? ", " : "") + names[i];
-  return names.size() > kShown ? text + " and " + std::to_string(names.size() - kShown) + " more" : text;
+std::string examples(const std::vector<std::string>& names) { return listed(names, "", 3); }
+
+/// "2 storeys: low (12 features), top (3 features)".
+std::string storeys_sentence(const std::map<std::string, int>& features_by_storey) {
+  std::vector<std::string> parts;
+  for (const auto& [storey, count] : features_by_storey)
+    parts.push_back(storey + " (" + count_of(count, "feature") + ")");
+  return count_of(parts.size(), "storey") + ": " + listed(parts);
 }
 
 void count_parts(const SemanticMap& map, MapCheck& check) {
   for (const MapObject& object : map.objects()) ++check.objects_by_type[object.type];
+  for (const MapStorey& storey : map.origin().storeys) check.features_by_storey[storey.id] = 0;
+  for (const MapConnection& connection : map.origin().connections) ++check.connections_by_type[connection.type];
   for (const MapPattern& pattern : map.patterns()) ++check.patterns_by_template[pattern.pattern_template];
   const std::string* previous_id = nullptr;
   for (const MapFeature& feature : map.features()) {
@@ -44,6 +50,7 @@ void count_parts(const SemanticMap& map, MapCheck& check) {
     ++check.features_by_sensor[feature.sensor];
     if (previous_id && *previous_id == feature.id) continue;  // the same geometry, for another sensor
     previous_id = &feature.id;
+    if (const MapStorey* storey = storey_at(map, anchor_of(feature.geometry))) ++check.features_by_storey[storey->id];
     ++check.features_by_geometry[feature.geometry.index()];
     if (const auto* segment = std::get_if<Segment>(&feature.geometry)) check.wall_length_m += segment->length_m();
   }
@@ -129,6 +136,7 @@ MapCheck check_map(const SemanticMap& map) {
   measure_bounds(map, check);
   warn_about_reach(map, check);
   warn_about_geometry(map, check);
+  for (std::string& mistake : mistakes_of_hand(map)) check.warnings.push_back(std::move(mistake));
   warn_about_unused(map, check);
   return check;
 }
@@ -138,7 +146,8 @@ std::vector<std::string> MapCheck::sentences() const {
                                  count_sentence("feature", features_by_type, "")};
   std::map<std::string, int> geometries;
   for (std::size_t kind = 0; kind < kGeometryNames.size(); ++kind)
-    if (features_by_geometry[kind] > 0) geometries[kGeometryNames[kind]] = features_by_geometry[kind];
+    if (const int count = features_by_geometry[kind]; count > 0)
+      geometries[std::string(kGeometryNames[kind]) + (count == 1 ? "" : "s")] = count;
   if (!geometries.empty()) {
     lines.push_back(count_sentence("geometric shape", geometries, "") + "; " + rounded_metres(wall_length_m) +
                     " of segments");
@@ -147,8 +156,11 @@ std::vector<std::string> MapCheck::sentences() const {
     lines.push_back(std::string("from x ") + rounded_metres(bounds[0].x()) + ", y " + rounded_metres(bounds[0].y()) +
                     " to x " + rounded_metres(bounds[1].x()) + ", y " + rounded_metres(bounds[1].y()));
   }
+  if (!features_by_storey.empty()) lines.push_back(storeys_sentence(features_by_storey));
+  if (!connections_by_type.empty()) lines.push_back(count_sentence("connection", connections_by_type, ""));
   if (!patterns_by_template.empty()) lines.push_back(count_sentence("pattern", patterns_by_template, ""));
   for (const std::string& warning : warnings) lines.push_back(std::string("warning: ") + warning);
+  if (warnings.empty()) lines.push_back("nothing to warn about");
   return lines;
 }
 

@@ -32,6 +32,13 @@ void for_neighbours(const Cell& cell, Visit visit) {
 /// Numbered points in cells of kSamePoint_m. A cell keeps only a few: beyond that, more would only repeat the news.
 class NearPoints {
  public:
+  /// @return number of the place, which near points share.
+  int place_of(const Point& point) {
+    const int near = add(point);
+    places_.push_back(near < 0 ? static_cast<int>(places_.size()) : places_[near]);
+    return places_.back();
+  }
+
   /// @return number of an earlier point that is near; -1 if there is none.
   int add(const Point& point) {
     const Cell home = cell_of(point, kSamePoint_m);
@@ -51,6 +58,7 @@ class NearPoints {
  private:
   static constexpr std::size_t kKeptPerCell = 8;
   std::vector<Point> points_;
+  std::vector<int> places_;  ///< by point, if each was asked for its place
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
 };
 
@@ -128,18 +136,13 @@ std::vector<PointPair> unshared_points(const SemanticMap& map) {
 std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> duplicate_features(const SemanticMap& map) {
   using Key = std::tuple<std::string, std::size_t, int, int>;  // sensor, kind, places of the points
   NearPoints near_points;
-  std::vector<int> place_of_point;
   std::map<Key, std::vector<MapFeatureNumber>> features_at;
   std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> pairs;
   for (std::size_t i = 0; i < map.features().size(); ++i) {
     const MapFeature& feature = map.features()[i];
     std::array<int, 2> places{-1, -1};
     const std::vector<Point> points = points_of(feature.geometry);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const int near = near_points.add(points[k]);
-      place_of_point.push_back(near < 0 ? static_cast<int>(place_of_point.size()) : place_of_point[near]);
-      places[k] = place_of_point.back();
-    }
+    for (std::size_t k = 0; k < points.size(); ++k) places[k] = near_points.place_of(points[k]);
     std::vector<MapFeatureNumber>& others =
         features_at[{feature.sensor, feature.geometry.index(), places[0], places[1]}];
     const auto same = std::find_if(others.begin(), others.end(), [&](MapFeatureNumber other) {
@@ -174,6 +177,33 @@ std::vector<MapFeatureNumber> isolated_features(const SemanticMap& map) {
     if (!has_neighbour) isolated.emplace_back(i);
   }
   return isolated;
+}
+
+std::vector<MapFeatureNumber> backward_faces(const SemanticMap& map) {
+  struct Met {
+    int begins = 0, ends = 0;
+  };
+  struct Face {
+    MapFeatureNumber number;
+    Met *at_begin, *at_end;
+  };
+  NearPoints near_points;
+  std::map<std::pair<std::string, int>, Met> met;  // by sensor and place
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < map.features().size(); ++i) {
+    const MapFeature& feature = map.features()[i];
+    const auto* face = std::get_if<Segment>(&feature.geometry);
+    if (face == nullptr || feature.sensor.empty()) continue;
+    faces.push_back({MapFeatureNumber(i), &met[{feature.sensor, near_points.place_of(face->begin)}],
+                     &met[{feature.sensor, near_points.place_of(face->end)}]});
+    ++faces.back().at_begin->begins;
+    ++faces.back().at_end->ends;
+  }
+  std::vector<MapFeatureNumber> backward;
+  for (const Face& face : faces)
+    if (face.at_begin->begins > 1 && face.at_begin->ends == 0 && face.at_end->ends > 1 && face.at_end->begins == 0)
+      backward.push_back(face.number);
+  return backward;
 }
 
 int count_shared_points(const SemanticMap& map) {

@@ -146,6 +146,55 @@ TEST_CASE("repeated geometry, unshared ends and lonely features are warned about
   CHECK(warnings[2] == "1 feature with no other within 15 m: 'far'");
 }
 
+TEST_CASE("degrees for radians, millimetres for metres and misspelt types of a map made by hand are warned about") {
+  const auto warnings_of = [](const std::string& type, const Geometry& geometry) {
+    return check_map(*SemanticMap::make("test", {{"thing", type}}, {feature("f", geometry)})).warnings;
+  };
+  CHECK(warnings_of("opal:Column", OrientedPoint{{0, 0}, 45, 1.57}) ==
+        Names{"1 corner with a heading_rad of more than a turn, are these degrees?: 'f'"});
+  CHECK(warnings_of("opal:Wall", Segment{{0, 0}, {4200, 0}}) ==
+        Names{"1 segment longer than 1 km, are these millimetres?: 'f'"});
+  CHECK(warnings_of("opal:Wal", kWall) ==
+        Names{"type opal:Wal is no word of Opal's vocabulary, is opal:Wall meant? At 1 object: 'thing'"});
+  for (const char* type : {"opal:Kiosk", "opal:Wall", "acme:Wal", "opal:Corner"})
+    CHECK(warnings_of(type, kWall).empty());
+}
+
+TEST_CASE("a face that was drawn backward is warned about, faces of a room and of lines that meet are not") {
+  const auto room = [](const Segment& south) {
+    return map_of({feature("south", south), feature("east", Segment{{4, 0}, {4, 3}}),
+                   feature("north", Segment{{4, 3}, {0, 3}}), feature("west", Segment{{0, 3}, {0, 0}})});
+  };
+  const auto about_faces = [](const SemanticMap& map) {
+    const Names warnings = check_map(map).warnings;
+    return std::count(warnings.begin(), warnings.end(),
+                      "1 face whose neighbours all run the other way, are begin and end exchanged?: 'south'");
+  };
+  CHECK(about_faces(*room({{0, 0}, {4, 0}})) == 0);
+  CHECK(about_faces(*room({{4, 0}, {0, 0}})) == 1);
+  CHECK(about_faces(*map_of({feature("south", kWall), feature("back", Segment{{4, 0}, {0, 0}}),
+                             feature("on", Segment{{4, 0}, {8, 0}})})) == 0);
+}
+
+TEST_CASE("a check names storeys and lifts, and says that there is nothing to warn about") {
+  MapOrigin origin;
+  origin.storeys = {{"low"}, {"top"}};
+  origin.storeys[1].origin = {200, 0};
+  origin.connections = {{"lift", "opal:Lift", "", 1, {{"low", Pose2(1, 1, 0)}, {"top", Pose2(1, 1, 0)}}}};
+  const std::vector<MapFeature> faces{feature("low/a", kWall), feature("low/b", Segment{{4, 0}, {4, 3}}),
+                                      feature("top/a", Segment{{200, 0}, {204, 0}}),
+                                      feature("top/b", Segment{{204, 0}, {204, 3}})};
+  std::vector<std::string> sentences =
+      check_map(*SemanticMap::make("house", {{"low/thing", "opal:Wall"}}, faces, {}, origin)).sentences();
+  const auto says = [&](const std::string& wanted) {
+    return std::count(sentences.begin(), sentences.end(), wanted) == 1;
+  };
+  CHECK(says("2 storeys: low (2 features), top (2 features)"));
+  CHECK(says("1 connection: 1 opal:Lift"));
+  CHECK(check_map(*SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld")).sentences().back() ==
+        "nothing to warn about");
+}
+
 TEST_CASE("a map without features has no extent and says so") {
   const MapCheck check = check_map(*map_of({}));
   CHECK(check.bounds[0] == Point(0, 0));

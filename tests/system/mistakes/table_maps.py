@@ -8,6 +8,11 @@ LOST = ["at the end: "]
 NONSENSE = ["at the end: localized"]
 
 
+def room(old, new):
+    """The example room as wrong.jsonld, with one thing replaced."""
+    return file("wrong.jsonld", (TREE / "maps" / "example_room.jsonld").read_text().replace(old, new, 1))
+
+
 MISTAKES = [
     Mistake("map of another building", "The map is that of another building.", RUN % "{maps}/gemini.jsonld", 1, LOST,
             never=NONSENSE),
@@ -35,7 +40,16 @@ MISTAKES = [
             "map check {configs}/malaga.jsonld", 3, ["malaga.jsonld", "Deployment"]),
     Mistake("map with a wrong number", "A coordinate of the map is a text.", "map check wrong.jsonld", 3,
             ["wrong.jsonld: /@graph/2", "is \"zero\", expected a number"],
-            make=file("wrong.jsonld", (TREE / "maps" / "example_room.jsonld").read_text().replace("0.0", '"zero"', 1))),
+            make=room("0.0", '"zero"')),
+    Mistake("map with a heading in degrees", "The heading of a corner is in degrees.", "map check wrong.jsonld", 0,
+            ["1 corner with a heading_rad of more than a turn, are these degrees?"], make=room("0.7853981633974483", "45")),
+    Mistake("map in millimetres by hand", "Coordinates of a map document are in millimetres.", "map check wrong.jsonld", 0,
+            ["longer than 1 km, are these millimetres?"], make=room('"x": 8.0', '"x": 8000')),
+    Mistake("map with a misspelt type", "A type is misspelt.", "map check wrong.jsonld", 0,
+            ["type opal:Wal is no word of Opal's vocabulary, is opal:Wall meant?"], make=room('"@type": "Wall"', '"@type": "opal:Wal"')),
+    Mistake("map with an undefined prefix", "A property has a prefix that the context does not define.",
+            "map check wrong.jsonld", 3, ["key lab:owner: @context does not define the prefix 'lab'"],
+            make=room('"@type": "Wall"', '"lab:owner": "me", "@type": "Wall"')),
     Mistake("overlay of another map", "The overlay speaks of objects that the map does not have.",
             "map overlay {maps}/gemini.jsonld {maps}/overlays/example_room.jsonld -o over.jsonld", 3,
             ["overlays/example_room.jsonld: /@graph/1", "which the document does not define"], absent=["over.jsonld"]),
