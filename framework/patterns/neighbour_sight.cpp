@@ -44,6 +44,18 @@ bool blocks(const Geometry& geometry, const Segment& line) {
   return false;
 }
 
+/// A surface on which a feature of the same object is, or in which: it does not hide it. What a detector sees on a
+/// column may lie within it. Corners and faces have a side of their own, and look from it past other faces.
+bool carries(const MapFeature& surface, const MapFeature& feature, const Point& at) {
+  constexpr double kOnSurface_m = 0.3;
+  if (!feature.object.exists() || surface.object != feature.object) return false;
+  const auto* column = std::get_if<Circle>(&surface.geometry);
+  if (column) return (at - column->center).norm() < column->radius_m + kOnSurface_m;
+  const GeometryKind kind = kind_of(feature.geometry);
+  const bool has_side = kind == GeometryKind::oriented_point || kind == GeometryKind::segment;
+  return !has_side && distance_m(surface.geometry, at) < kOnSurface_m;
+}
+
 }  // namespace
 
 Segment connecting_line(const Geometry& a, const Geometry& b) {
@@ -57,7 +69,10 @@ bool see_each_other(const MapView& map, MapFeatureNumber a, MapFeatureNumber b) 
   if (!is_open_towards(first, line.begin, line.end) || !is_open_towards(second, line.end, line.begin)) return false;
   if (line.length_m() < kGrazing_m) return true;
   for (const MapFeatureNumber other : map.within(line.midpoint(), line.length_m() / 2 + kGrazing_m))
-    if (other != a && other != b && blocks(map.feature(other).geometry, line)) return false;
+    if (other != a && other != b && blocks(map.feature(other).geometry, line) &&
+        !carries(map.feature(other), map.feature(a), line.begin) &&
+        !carries(map.feature(other), map.feature(b), line.end))
+      return false;
   return true;
 }
 

@@ -85,6 +85,29 @@ TEST_CASE("corners of a pillar that look away from each other are no neighbours"
   CHECK(layer_of(pillar, {"opal:CornerPair"}).patterns.empty());
 }
 
+TEST_CASE("a column does not hide what a detector sees on it, only what stands behind it") {
+  std::vector<MapFeature> features;
+  const auto add = [&](std::size_t object, const Feature& seen) {
+    features.push_back(
+        {"f" + std::to_string(features.size()), MapObjectNumber(object), seen.type, "lidar", seen.geometry});
+  };
+  for (const std::size_t object : {0, 1}) {
+    const double x = 5.0 * static_cast<double>(object);
+    add(object, {"acme:Rim", Circle{{x, 0}, 0.5}});
+    add(object, column(x, 0));  // smaller: within it
+  }
+  const auto long_pairs = [&] {
+    const std::vector<MapObject> objects{{"a", "opal:Column"}, {"b", "opal:Column"}, {"c", "opal:Column"}};
+    const auto view = view_of(SemanticMap::make("posts", objects, features));
+    const PatternLayer layer = find_pattern_layer(view, templates({"opal:ColumnPair"}), {8});
+    return std::count_if(layer.patterns.begin(), layer.patterns.end(),
+                         [](const MapPattern& pattern) { return pattern.dimensions.front() > 4; });
+  };
+  CHECK(long_pairs() == 4);
+  add(2, {"acme:Rim", Circle{{2.5, 0}, 0.5}});
+  CHECK(long_pairs() == 0);
+}
+
 TEST_CASE("a size limit keeps patterns of neighbours that are farther apart away") {
   CHECK(count(layer_of(column_grid(4, 2), kColumns, 7), "opal:ColumnPair") == 4);  // along y only
   CHECK(layer_of(column_grid(4, 2), kColumns, 6).patterns.empty());
