@@ -83,6 +83,13 @@ std::string listed(const std::vector<std::string>& ids) {
   return ids.size() > kIdsInSentence ? list + " ... (--report FILE.json has all)" : list;
 }
 
+/// "16 posts of less than 35 cm around are no features"
+std::string none_made_of(int count, const char* thing, const char* which, const char* made) {
+  const bool is_one = count == 1;
+  return sentence("%d %s%s %s %s %s%s", count, thing, is_one ? "" : "s", which, is_one ? "is no" : "are no", made,
+                  is_one ? "" : "s");
+}
+
 /// "IfcColumn: 46 came in, 85 merged with others at the same place, 126 not at this height".
 std::vector<std::string> per_class(const std::vector<ImportedElement>& elements) {
   std::map<std::string, std::map<ImportStatus, int>> counts;
@@ -174,12 +181,11 @@ std::vector<std::string> report(const Building& building, const LevelChoice& lev
   append(per_class(elements));
   sentences.push_back(sentence("%d wall faces, %.0f m; %d corners; %d round columns", assembled.faces,
                                assembled.length_m, assembled.corners, assembled.circles));
-  if (assembled.specks > 0)
-    sentences.push_back(sentence("%d faces shorter than 2 cm are no features", assembled.specks));
+  if (assembled.specks > 0) sentences.push_back(none_made_of(assembled.specks, "face", "shorter than 2 cm", "feature"));
   if (assembled.posts > 0)
-    sentences.push_back(sentence("%d posts of less than 35 cm around are no features", assembled.posts));
+    sentences.push_back(none_made_of(assembled.posts, "post", "of less than 35 cm around", "feature"));
   if (plan.closed_voids > 0)
-    sentences.push_back(sentence("%d hollow spaces of less than 0.25 m2 are no rooms", plan.closed_voids));
+    sentences.push_back(none_made_of(plan.closed_voids, "hollow space", "of less than 0.25 m2", "room"));
   append(about_doors(cuts));
   append(what_is_missing(elements));
   if (building.north_rad)

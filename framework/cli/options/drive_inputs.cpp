@@ -1,6 +1,7 @@
 #include "cli/options/drive_inputs.hpp"
 
 #include "benchmark/runs/recorded_log.hpp"
+#include "common/phrases.hpp"
 #include "fleet/fleet_evidence.hpp"
 
 #include <opal/common/error.hpp>
@@ -34,8 +35,8 @@ std::vector<opal::DriveEvidence> watched(const LogRunOptions& options, const opa
     const std::string name = fs::path(log_file).filename().string();
     drives.push_back(observed_drive(parts, replay, run.queries.empty() ? name : name + " " + window.id));
     const opal::DriveEvidence& drive = drives.back();
-    std::printf("%s: learned along %.0f m in %zu visits; %.0f m left out\n", drive.drive.c_str(), drive.learned_m,
-                drive.visits.size(), drive.left_out_m);
+    std::printf("%s: learned along %.0f m in %s; %.0f m left out\n", drive.drive.c_str(), drive.learned_m,
+                opal::count_of(drive.visits.size(), "visit").c_str(), drive.left_out_m);
   }
   return drives;
 }
