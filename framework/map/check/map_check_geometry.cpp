@@ -193,7 +193,7 @@ std::vector<MapFeatureNumber> backward_faces(const SemanticMap& map) {
   for (std::size_t i = 0; i < map.features().size(); ++i) {
     const MapFeature& feature = map.features()[i];
     const auto* face = std::get_if<Segment>(&feature.geometry);
-    if (face == nullptr || feature.sensor.empty()) continue;
+    if (face == nullptr || feature.sensor.empty() || is_imported(map, feature.object)) continue;
     faces.push_back({MapFeatureNumber(i), &met[{feature.sensor, near_points.place_of(face->begin)}],
                      &met[{feature.sensor, near_points.place_of(face->end)}]});
     ++faces.back().at_begin->begins;
@@ -201,7 +201,7 @@ std::vector<MapFeatureNumber> backward_faces(const SemanticMap& map) {
   }
   std::vector<MapFeatureNumber> backward;
   for (const Face& face : faces)
-    if (face.at_begin->begins > 1 && face.at_begin->ends == 0 && face.at_end->ends > 1 && face.at_end->begins == 0)
+    if (face.at_begin->begins == 2 && face.at_begin->ends == 0 && face.at_end->ends == 2 && face.at_end->begins == 0)
       backward.push_back(face.number);
   return backward;
 }

@@ -23,7 +23,8 @@ std::vector<PointPair> unshared_points(const SemanticMap& map);
 OPAL_EXPORT std::vector<std::pair<MapFeatureNumber, MapFeatureNumber>> duplicate_features(const SemanticMap& map);
 /// Positions of features that have no other feature within kNeighbour_m (none within twice that is surely listed).
 std::vector<MapFeatureNumber> isolated_features(const SemanticMap& map);
-/// Faces that meet others of their sensor only begin to begin and end to end: the other way round they would fit.
+/// Faces that meet one other of their sensor at each end, begin to begin and end to end: turned round they would fit.
+/// Those of a source with classes do not count: an importer has chosen their sides.
 std::vector<MapFeatureNumber> backward_faces(const SemanticMap& map);
 /// How many points belong to more than one geometry.
 int count_shared_points(const SemanticMap& map);

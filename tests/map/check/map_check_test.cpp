@@ -172,6 +172,10 @@ TEST_CASE("a face that was drawn backward is warned about, faces of a room and o
   };
   CHECK(about_faces(*room({{0, 0}, {4, 0}})) == 0);
   CHECK(about_faces(*room({{4, 0}, {0, 0}})) == 1);
+  const auto backward = room({{4, 0}, {0, 0}});
+  std::vector<MapObject> objects = backward->objects();
+  objects.front().notes.source_class = "wall";
+  CHECK(about_faces(*SemanticMap::make("plan", objects, backward->features())) == 0);
   CHECK(about_faces(*map_of({feature("south", kWall), feature("back", Segment{{4, 0}, {0, 0}}),
                              feature("on", Segment{{4, 0}, {8, 0}})})) == 0);
 }
