@@ -226,10 +226,10 @@ void tell_options(LogContents& contents, const TopicChoice& chosen) {
 LogContents ros_contents(const std::string& path, const Parts& parts, TopicChoice wanted) {
   LogContents contents;
   wanted.are_all_slices = wanted.scans.empty() && has_only_clouds(parts);
-  ChosenTopics chosen{wanted, ""};
+  ChosenTopics chosen{wanted, {}};
   try {
     chosen = choose_topics(path, parts, wanted);
-    if (!chosen.remark.empty()) ++contents.defects[chosen.remark];
+    for (const std::string& remark : chosen.remarks) ++contents.defects[remark];
   } catch (const LogError& error) {
     ++contents.defects[error.what()];  // there is something to tell all the same
   }

@@ -1,11 +1,15 @@
 #include <opal/recording/ros_log.hpp>
 
 #include <opal/common/error.hpp>
+#include "common/phrases.hpp"
 #include "recording/ros_contents.hpp"
 #include "recording/ros_log_reader.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 
 namespace opal::recording {
@@ -18,6 +22,46 @@ Parts by_time(Parts parts) {
   std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& a, const auto& b) { return span_of(*a).begin_s < span_of(*b).begin_s; });
   return parts;
+}
+
+/// The files with this ending in a folder by name, or the path itself if it is no folder.
+std::vector<std::string> files_in(const std::string& path, const std::string& ending) {
+  if (!fs::is_directory(path)) return {path};
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path))
+    if (entry.path().extension() == ending) files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string name_of(const std::string& file) { return fs::path(file).filename().string(); }
+
+std::vector<std::string> names_of(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  std::transform(files.begin(), files.end(), std::back_inserter(names), name_of);
+  return names;
+}
+
+/// Whether the files are NAME_0, NAME_1 ...; in ROS 1 the time when each was begun may stand before the number.
+bool are_numbered(const std::vector<std::string>& files) {
+  static const std::regex kNumbered("(.*?)([0-9]{4}(-[0-9]{2}){5})?_([0-9]+)");
+  std::set<std::string> names, numbers;
+  for (const std::string& file : files) {
+    const std::string stem = fs::path(file).stem().string();
+    std::smatch parts;
+    if (!std::regex_match(stem, parts, kNumbered)) return false;
+    names.insert(parts[1]);
+    numbers.insert(parts[4]);
+  }
+  return names.size() == 1 && numbers.size() == files.size();
+}
+
+/// Whether rosbag2 has listed all files as parts of what it recorded into this folder.
+bool are_listed(const std::string& folder, const std::vector<std::string>& files) {
+  std::ifstream list(fs::path(folder) / "metadata.yaml");
+  const std::string text(std::istreambuf_iterator<char>(list), {});
+  return std::all_of(files.begin(), files.end(),
+                     [&](const std::string& file) { return text.find(name_of(file)) != std::string::npos; });
 }
 
 /// "/front, /rear" or "/front /rear", for no topic has blanks in its name: each name once.
@@ -51,37 +95,55 @@ TopicChoice with_topics_of(TopicChoice choice, const std::vector<LaserModel>& la
   }
   std::erase_if(choice.scans, [&](const std::string& topic) { return choice.slices.contains(topic); });
   choice.are_all_slices = !choice.slices.empty() && others.empty();
-  const bool are_several = lasers.size() > 1 || !choice.slices.empty();
-  if (are_several && choice.scans.empty() && all_named) choice.scans = others;
+  if (choice.scans.empty() && all_named) choice.scans = others;
   return choice;
+}
+
+bool RosLogSource::recognizes(const std::string& path) const {
+  try {
+    const std::vector<std::string> files = files_in(path, ending());
+    return !files.empty() && recognizes_file(files.front());
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+std::vector<std::string> RosLogSource::files_of(const std::string& path) const {
+  std::vector<std::string> files = files_in(path, ending());
+  if (files.empty()) throw LogError(path + ": a folder without " + ending() + " files, expected a " + format());
+  if (files.size() > 1 && !are_listed(path, files) && !are_numbered(files))
+    throw LogError(path + ": several recordings (" + listed(names_of(files)) +
+                   "), expected one of them, or a folder with the parts of one: NAME_0, NAME_1 ..., or those that its "
+                   "metadata.yaml names");
+  return files;
+}
+
+Parts RosLogSource::parts_of(const std::vector<std::string>& files) const {
+  Parts parts;
+  for (const std::string& file : files) parts.push_back(read(file));
+  return by_time(std::move(parts));
 }
 
 std::unique_ptr<LogReader> RosLogSource::open(const std::string& path) const { return open_with(path, topics_); }
 
 std::unique_ptr<LogReader> RosLogSource::open_for(const std::string& path,
                                                   const std::vector<LaserModel>& lasers) const {
-  return open_with(path, with_topics_of(topics_, lasers));
+  const TopicChoice topics = with_topics_of(topics_, lasers);
+  expect_laser_each(topics, lasers.size());
+  return open_with(path, topics);
 }
 
 std::unique_ptr<LogReader> RosLogSource::open_with(const std::string& path, const TopicChoice& topics) const {
-  Parts parts = by_time(parts_of(path));
+  Parts parts = parts_of(files_of(path));
   ChosenTopics chosen = choose_topics(path, parts, topics);
   return std::make_unique<RosLogReader>(std::move(parts), std::move(chosen));
 }
 
 LogContents RosLogSource::contents(const std::string& path) const {
-  LogContents contents = ros_contents(path, by_time(parts_of(path)), topics_);
-  contents.format = format();
+  const std::vector<std::string> files = files_of(path);
+  LogContents contents = ros_contents(path, parts_of(files), topics_);
+  contents.format = format() + (fs::is_directory(path) ? " of " + listed(names_of(files)) : "");
   return contents;
-}
-
-std::vector<std::string> files_of_recording(const std::string& path, const std::string& ending) {
-  if (!fs::is_directory(path)) return {path};
-  std::vector<std::string> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path))
-    if (entry.path().extension() == ending) files.push_back(entry.path().string());
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 }  // namespace opal::recording

@@ -14,7 +14,7 @@ void add_all(Defects& all, const Defects& more) {
 
 RosLogReader::RosLogReader(Parts parts, ChosenTopics chosen)
     : parts_(std::move(parts)), decoder_(std::move(chosen.topics)) {
-  if (!chosen.remark.empty()) ++defects_[chosen.remark];
+  for (const std::string& remark : chosen.remarks) ++defects_[remark];
   for (const auto& part : parts_) {
     add_all(defects_, part->defects());
     spans_.push_back(span_of(*part));

@@ -27,15 +27,23 @@ const Kind kScans{"sensor_msgs/LaserScan", "/scan", "scan_topic", has_scans};
 const Kind kClouds{"sensor_msgs/PointCloud2", "", "topic of the sensor", has_clouds};
 const Kind kOdometry{"nav_msgs/Odometry", "/odom", "odometry_topic", has_odometry};
 
+/// @param hint  what a user may do if the topic is not there.
 /// @return empty if there is no topic of this kind and none is asked for, or if there are several.
 std::string choose(const std::string& path, const std::set<std::string>& topics, const Kind& kind,
-                   const std::string& wanted) {
+                   const std::string& wanted, const std::string& hint = "") {
+  if (topics.contains("/" + wanted)) return "/" + wanted;  // people leave it out
   if (!wanted.empty() && !topics.contains(wanted))
     throw LogError(path + ": no topic " + wanted + " of type " + kind.type + " that can be read, there is " +
-                   listed(topics, "none"));
+                   listed(topics, "none") + hint);
   if (!wanted.empty()) return wanted;
   if (topics.contains(kind.usual)) return kind.usual;
   return topics.size() == 1 ? *topics.begin() : "";
+}
+
+/// Where odometry may be that no topic of its own has.
+std::string transforms_hint(const Parts& parts) {
+  const auto topics = names_where(parts, [](const Topic& topic) { return has_transforms(topic, false); });
+  return topics.empty() ? "" : "; without the option " + kOdometry.option + " it is taken from " + listed(topics);
 }
 
 /// What a user may do about point clouds that nobody reads.
@@ -48,10 +56,10 @@ std::string clouds_hint(const std::set<std::string>& clouds) {
 /// The topics of planar lasers.
 void choose_scans(const std::string& path, const Parts& parts, const TopicChoice& wanted, ChosenTopics& chosen) {
   const std::set<std::string> scans = names_where(parts, kScans.test);
-  for (const std::string& scan : wanted.scans) {  // there has to be each
+  for (std::string& scan : chosen.topics.scans) {  // there has to be each
     if (!scans.contains(scan) && cloud_topics(parts).contains(scan))
       throw LogError(path + ": " + scan + " has no scans" + clouds_hint({scan}));
-    choose(path, scans, kScans, scan);
+    scan = choose(path, scans, kScans, scan);
   }
   if (!wanted.scans.empty()) return;
   if (scans.empty())
@@ -59,8 +67,8 @@ void choose_scans(const std::string& path, const Parts& parts, const TopicChoice
   const std::string scan = choose(path, scans, kScans, "");
   chosen.topics.scans = {scan.empty() ? *scans.begin() : scan};
   if (scans.size() > 1)
-    chosen.remark = "several lasers (" + listed(scans) + "): " + chosen.topics.scans.front() +
-                    " is read, the option scan_topic may name another one";
+    chosen.remarks.push_back("several lasers (" + listed(scans) + "): " + chosen.topics.scans.front() +
+                             " is read, the option scan_topic may name another one");
 }
 
 }  // namespace
@@ -82,15 +90,26 @@ bool has_only_clouds(const Parts& parts) {
   return names_where(parts, kScans.test).empty() && !cloud_topics(parts).empty();
 }
 
+void expect_laser_each(const TopicChoice& topics, std::size_t lasers) {
+  const std::vector<std::string> all = scan_topics_of(topics);
+  if (all.size() <= lasers) return;
+  throw ConfigError(count_of(all.size(), "topic") + " of scans are named (" + listed(all) + "), and " +
+                    count_of(lasers, "laser") + (lasers == 1 ? " is" : " are") +
+                    " described, expected a list /sensor with a laser for each topic");
+}
+
 ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted) {
-  ChosenTopics chosen{wanted, ""};
+  ChosenTopics chosen{wanted, {}};
   if (!wanted.are_all_slices) choose_scans(path, parts, wanted, chosen);
   for (const auto& [topic, laser] : wanted.slices) choose(path, cloud_topics(parts), kClouds, topic);
   const std::set<std::string> odometry = names_where(parts, kOdometry.test);
-  chosen.topics.odometry = choose(path, odometry, kOdometry, wanted.odometry);
+  chosen.topics.odometry =
+      choose(path, odometry, kOdometry, wanted.odometry, odometry.empty() ? transforms_hint(parts) : "");
   if (chosen.topics.odometry.empty() && odometry.size() > 1)
     throw LogError(path + ": several topics of type " + kOdometry.type + " (" + listed(odometry) +
                    "), expected an option to choose one: odometry_topic=" + *odometry.begin());
+  if (!chosen.topics.odometry.empty() && !wanted.base_frame.empty())
+    chosen.remarks.push_back("the option base_frame is not used: " + chosen.topics.odometry + " is the odometry");
   chosen.topics.odom_frame = without_slash(wanted.odom_frame);
   chosen.topics.base_frame = without_slash(wanted.base_frame);
   return chosen;

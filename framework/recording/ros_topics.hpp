@@ -16,14 +16,16 @@ TopicTest is_named(const std::string& name);
 
 /// What is read of a recording.
 struct ChosenTopics {
-  TopicChoice topics;  ///< scans is not empty; odometry is if no topic has it
-  std::string remark;  ///< what a user should know of the choice; may be empty
+  TopicChoice topics;                ///< scans is not empty; odometry is if no topic has it
+  std::vector<std::string> remarks;  ///< what a user should know of the choice
 };
 
 /// The topics of point clouds.
 std::set<std::string> cloud_topics(const Parts& parts);
 /// Whether there are point clouds, and no scans.
 bool has_only_clouds(const Parts& parts);
+/// @param lasers  how many are described. @throws ConfigError if more topics of scans are named than that.
+void expect_laser_each(const TopicChoice& topics, std::size_t lasers);
 /// @throws LogError if there is no scan, or no topic of a name that was asked for.
 ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted);
 

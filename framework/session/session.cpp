@@ -1,11 +1,13 @@
 #include "session/session.hpp"
 
+#include "common/phrases.hpp"
 #include "session/overlays.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/plugin/plugin_description.hpp>
 #include <opal/plugin/plugin_folders.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -30,9 +32,11 @@ bool recognizes(const opal::PluginRegistry& registry, const std::string& type, c
 
 /// Name of the type of this kind that recognizes the source; empty if none does.
 template <class T>
-std::string recognizing(const opal::PluginRegistry& registry, opal::PluginKind kind, const std::string& path) {
+std::string recognizing(const opal::PluginRegistry& registry, opal::PluginKind kind, const std::string& path,
+                        const std::string& other_than = "") {
   for (const opal::RegisteredType& type : registry.types())
-    if (type.kind == kind && registry.is_listed(type.info.name) && recognizes<T>(registry, type.info.name, path))
+    if (type.kind == kind && type.info.name != other_than && registry.is_listed(type.info.name) &&
+        recognizes<T>(registry, type.info.name, path))
       return type.info.name;
   return "";
 }
@@ -138,14 +142,19 @@ std::shared_ptr<const opal::SemanticMap> load_map(const opal::PluginRegistry& re
 
 std::string log_source_of(const opal::PluginRegistry& registry, const std::string& path) {
   if (!fs::exists(path)) throw opal::LogError(path + ": does not exist");
-  const std::string source = recognizing<opal::LogSource>(registry, opal::PluginKind::log_source, path);
+  const auto kind = opal::PluginKind::log_source;
+  const std::string source = recognizing<opal::LogSource>(registry, kind, path);
+  const std::string other = fs::is_directory(path) ? recognizing<opal::LogSource>(registry, kind, path, source) : "";
+  if (!source.empty() && !other.empty())
+    throw opal::LogError(path + ": several recordings (for " + source + " and for " + other +
+                         "), expected one of them");
   if (source.empty() && fs::is_regular_file(path) && fs::is_empty(path))
     throw opal::LogError(path + ": is empty, expected a recorded log");
   if (source.empty() && fs::is_directory(path))
     throw opal::LogError(path + ": is a folder, expected a log, or a folder with .db3, .mcap or .bag files");
   if (source.empty())
     throw opal::LogError(path + ": no log source recognizes this file; logs are read by" +
-                         what_is_read(registry, opal::PluginKind::log_source));
+                         what_is_read(registry, kind));
   return source;
 }
 
@@ -157,8 +166,23 @@ std::shared_ptr<const opal::LogSource> log_source(const opal::PluginRegistry& re
   return opal::trusted_by(deployment, registry).make<opal::LogSource>(source, options);
 }
 
+std::string log_sources_doubt(const opal::Deployment& deployment, const std::vector<std::string>& used) {
+  std::vector<std::string> given;
+  for (const opal::PartConfig& source : deployment.log_sources) {
+    if (std::find(used.begin(), used.end(), source.type) != used.end()) return "";
+    given.push_back(source.type);
+  }
+  if (given.empty()) return "";
+  return deployment.file + ": /log_sources: has options for " + opal::listed(given) + ", and none for " +
+         opal::listed(used) + ": they are not used";
+}
+
 std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& plugins, const std::string& path,
                                           const opal::Deployment& deployment, const std::vector<std::string>& words) {
   const opal::PluginRegistry registry = opal::trusted_by(deployment, plugins);
-  return log_source(registry, log_source_of(registry, path), deployment, words)->open_for(path, deployment.lasers);
+  const std::string source = log_source_of(registry, path);
+  const bool has_options = !registry.type(source).options.empty();
+  const std::string doubt = has_options ? log_sources_doubt(deployment, {source}) : "";
+  if (!doubt.empty()) std::cerr << "opal: " << doubt << '\n';
+  return log_source(registry, source, deployment, words)->open_for(path, deployment.lasers);
 }

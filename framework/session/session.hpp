@@ -62,6 +62,9 @@ std::shared_ptr<const opal::LogSource> log_source(const opal::PluginRegistry& re
                                                   const opal::Deployment& deployment,
                                                   const std::vector<std::string>& words);
 
+/// In words, that a deployment gives options to log sources, and to none of these; empty: it does not.
+std::string log_sources_doubt(const opal::Deployment& deployment, const std::vector<std::string>& used);
+
 /// Opens a recorded log with the source that recognizes it. @throws opal::LogError if none does; it tells which do read
 /// what.
 /// @param deployment  has options for log sources.

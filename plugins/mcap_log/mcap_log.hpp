@@ -10,11 +10,11 @@ class McapLog final : public recording::RosLogSource {
  public:
   explicit McapLog(recording::TopicChoice topics) : RosLogSource(std::move(topics)) {}
 
-  bool recognizes(const std::string& path) const override;
-
  protected:
-  recording::Parts parts_of(const std::string& path) const override;
+  bool recognizes_file(const std::string& file) const override;
+  std::unique_ptr<recording::Recording> read(const std::string& file) const override;
   std::string format() const override { return "MCAP recording"; }
+  std::string ending() const override { return ".mcap"; }
 };
 
 }  // namespace opal::mcap_log

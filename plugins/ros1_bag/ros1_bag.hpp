@@ -9,11 +9,11 @@ class Ros1Bag final : public recording::RosLogSource {
  public:
   explicit Ros1Bag(recording::TopicChoice topics) : RosLogSource(std::move(topics)) {}
 
-  bool recognizes(const std::string& path) const override;
-
  protected:
-  recording::Parts parts_of(const std::string& path) const override;
+  bool recognizes_file(const std::string& file) const override;
+  std::unique_ptr<recording::Recording> read(const std::string& file) const override;
   std::string format() const override { return "ROS 1 bag"; }
+  std::string ending() const override { return ".bag"; }
 };
 
 }  // namespace opal::ros1_bag

@@ -2,8 +2,6 @@
 
 #include "sqlite_recording.hpp"
 
-#include <opal/common/error.hpp>
-
 #include <fstream>
 
 namespace opal::ros2_bag {
@@ -17,21 +15,16 @@ bool is_sqlite(const std::string& path) {
 
 }  // namespace
 
-bool Ros2Bag::recognizes(const std::string& path) const {
+bool Ros2Bag::recognizes_file(const std::string& file) const {
   try {
-    const std::vector<std::string> files = recording::files_of_recording(path, ".db3");
-    return !files.empty() && is_sqlite(files.front()) && !SqliteRecording(files.front()).topics().empty();
-  } catch (const std::exception&) {
-    return false;
+    return is_sqlite(file) && !SqliteRecording(file).topics().empty();
+  } catch (const DamagedBag&) {
+    return true;  // reading it says so
   }
 }
 
-recording::Parts Ros2Bag::parts_of(const std::string& path) const {
-  recording::Parts parts;
-  for (const std::string& file : recording::files_of_recording(path, ".db3"))
-    parts.push_back(std::make_unique<SqliteRecording>(file));
-  if (parts.empty()) throw LogError(path + ": a folder without .db3 files, expected a ROS 2 recording");
-  return parts;
+std::unique_ptr<recording::Recording> Ros2Bag::read(const std::string& file) const {
+  return std::make_unique<SqliteRecording>(file);
 }
 
 }  // namespace opal::ros2_bag

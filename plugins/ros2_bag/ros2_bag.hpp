@@ -10,11 +10,11 @@ class Ros2Bag final : public recording::RosLogSource {
  public:
   explicit Ros2Bag(recording::TopicChoice topics) : RosLogSource(std::move(topics)) {}
 
-  bool recognizes(const std::string& path) const override;
-
  protected:
-  recording::Parts parts_of(const std::string& path) const override;
+  bool recognizes_file(const std::string& file) const override;
+  std::unique_ptr<recording::Recording> read(const std::string& file) const override;
   std::string format() const override { return "ROS 2 bag (sqlite3)"; }
+  std::string ending() const override { return ".db3"; }
 };
 
 }  // namespace opal::ros2_bag

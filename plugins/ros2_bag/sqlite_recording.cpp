@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 namespace opal::ros2_bag {
 namespace {
@@ -17,6 +18,56 @@ std::string text_of(sqlite3_stmt* statement, int column) {
   return text ? text : "";
 }
 
+/// A number of the file's header, big endian (SQLite file format, 1.3).
+std::uint64_t header_number(const std::string& path, std::streamoff offset, int bytes) {
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(offset);
+  std::uint64_t number = 0;
+  for (int k = 0; k < bytes; ++k) number = 256 * number + static_cast<unsigned char>(file.get());
+  return number;
+}
+
+/// Whether changes are written into another file first.
+bool has_write_ahead_log(const std::string& path) { return header_number(path, 19, 1) == 2; }
+
+/// How many bytes the file has by its header.
+std::uint64_t stated_bytes(const std::string& path) {
+  const std::uint64_t page_bytes = header_number(path, 16, 2);
+  constexpr std::uint64_t kLargestPage = 65536;  // written as 1
+  return (page_bytes == 1 ? kLargestPage : page_bytes) * header_number(path, 28, 4);
+}
+
+/// SQLite reads nothing of a file that was cut, unless it has as many bytes as before, whatever they are.
+std::string recovery_of(const std::string& path) {
+  std::error_code error;
+  const std::uint64_t stated = stated_bytes(path), found = std::filesystem::file_size(path, error);
+  if (error || found >= stated) return "; 'sqlite3 " + path + " .dump' tells what is left of it";
+  const std::string size = std::to_string(stated);
+  return "; it has " + std::to_string(found) + " bytes, expected " + size +
+         "; what is left is read of a copy after 'truncate -s " + size + " COPY'";
+}
+
+/// A reader of such a file makes two more beside it, unless it is told that nobody writes.
+bool is_at_rest(const std::string& path) {
+  std::error_code absent;
+  const auto waiting_bytes = std::filesystem::file_size(path + "-wal", absent);
+  return has_write_ahead_log(path) && (absent || waiting_bytes == 0);
+}
+
+/// The file as SQLite is asked for it, by its URI.
+std::string uri_of(const std::string& path) {
+  constexpr char kHex[] = "0123456789ABCDEF";
+  std::string uri = "file://";
+  for (const char c : std::filesystem::absolute(path).string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '%' || c == '?' || c == '#')
+      uri += {'%', kHex[byte / 16], kHex[byte % 16]};
+    else
+      uri += c;
+  }
+  return uri + (is_at_rest(path) ? "?immutable=1" : "?mode=ro");
+}
+
 /// The rows of a query.
 class Rows {
  public:
@@ -24,6 +75,7 @@ class Rows {
     sqlite3_stmt* statement = nullptr;
     const int result = sqlite3_prepare_v2(database, query.c_str(), -1, &statement, nullptr);
     statement_.reset(statement);
+    if (result == SQLITE_CORRUPT) throw DamagedBag(path, sqlite3_errmsg(database));
     if (result != SQLITE_OK)
       throw LogError(path + ": " + sqlite3_errmsg(database) +
                      ", expected the tables topics and messages of a ROS 2 recording");
@@ -74,6 +126,9 @@ class SqliteWalk final : public recording::MessageWalk {
 
 }  // namespace
 
+DamagedBag::DamagedBag(const std::string& path, const std::string& words)
+    : LogError(path + ": a damaged SQLite bag: " + words + recovery_of(path)) {}
+
 void SqliteRecording::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
 SqliteRecording::SqliteRecording(const std::string& path) : path_(path) {
@@ -81,7 +136,7 @@ SqliteRecording::SqliteRecording(const std::string& path) : path_(path) {
   if (!std::filesystem::is_regular_file(path, error))
     throw LogError(path + ": no such file, expected the .db3 file of a ROS 2 recording");
   sqlite3* database = nullptr;
-  const int result = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
+  const int result = sqlite3_open_v2(uri_of(path).c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK) throw LogError(path + ": cannot be opened: " + sqlite3_errstr(result));
   // The file comes from elsewhere: its schema is not to run functions, and its pages are looked at before use.
@@ -93,8 +148,11 @@ SqliteRecording::SqliteRecording(const std::string& path) : path_(path) {
     topics_.push_back(
         {rows.text(1), rows.text(2), rows.text(3) == "cdr" ? recording::Wire::cdr : recording::Wire::other});
   }
-  Rows span(path_, database, "SELECT min(timestamp), max(timestamp) FROM messages");
-  if (span.next()) span_ns_ = {span.number(0), span.number(1)};
+  if (rows.damaged() && topics_.empty()) throw DamagedBag(path_, sqlite3_errmsg(database));
+  Rows first(path_, database, "SELECT min(timestamp) FROM messages");
+  if (first.next()) span_ns_ = {first.number(0), first.number(0)};
+  Rows last(path_, database, "SELECT max(timestamp) FROM messages");
+  if (last.next()) span_ns_.second = last.number(0);
 }
 
 std::vector<recording::RecordedStamp> SqliteRecording::stamps() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/common/error.hpp>
 #include <opal/recording/recording.hpp>
 
 struct sqlite3;
@@ -7,10 +8,17 @@ struct sqlite3_stmt;
 
 namespace opal::ros2_bag {
 
+/// A file of SQLite of which not even the topics can be read.
+class DamagedBag : public LogError {
+ public:
+  /// @param words  those of SQLite.
+  DamagedBag(const std::string& path, const std::string& words);
+};
+
 /// One .db3 file of a rosbag2 recording.
 class SqliteRecording final : public recording::Recording {
  public:
-  /// @throws LogError if it is no such file.
+  /// Leaves nothing beside it, unless another program writes into it. @throws LogError if it is no such file.
   explicit SqliteRecording(const std::string& path);
 
   /// All topics; those that were not recorded as CDR have another wire.

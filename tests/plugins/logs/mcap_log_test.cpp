@@ -61,8 +61,8 @@ TEST_CASE("scans, odometry and the mount of an MCAP recording become records") {
 
 TEST_CASE("the files of an MCAP recording are read by time, as one") {
   const TemporaryFolder folder;
-  folder.write("a.mcap", mcap_drive(10, 12));
-  folder.write("b.mcap", mcap_drive(1, 4));
+  folder.write("part_0.mcap", mcap_drive(10, 12));
+  folder.write("part_1.mcap", mcap_drive(1, 4));
   folder.write("metadata.yaml", "ignored");
   const mcap_log::McapLog source({});
   CHECK(source.recognizes(folder.path()));

@@ -71,6 +71,8 @@ TEST_CASE("transforms between other frames are named where there is no odometry,
   CHECK(without.records.size() == 1);
   CHECK(without.defects.count("no odometry: no topic has it, and no transform from odom; the options odom_frame and "
                               "base_frame may name one of wheel_odom to robot") == 1);
+  CHECK_THROWS_WITH(read_recording(folder, {{}, "/odom"}),
+                    Catch::Contains("there is none; without the option odometry_topic it is taken from /tf"));
   const ReadRecording asked = read_recording(folder, {{}, "", "/wheel_odom", "robot"});
   CHECK(asked.records.size() == 2);
 }

@@ -28,36 +28,39 @@ struct TopicChoice {
 TopicChoice topic_choice(const nlohmann::json& options);
 
 /// The same with the slices that lasers of a deployment describe. Where nothing names topics of scans, several lasers
-/// do, if each has one. A single laser may come on any topic.
+/// do, if each has one.
 TopicChoice with_topics_of(TopicChoice choice, const std::vector<LaserModel>& lasers);
 
 /// One recording may have several files.
 using Parts = std::vector<std::unique_ptr<Recording>>;
 
-/// Logs with messages of ROS, in any container.
+/// Logs with messages of ROS, in any container: one file, or a folder with the files of one recording.
 class RosLogSource : public LogSource {
  public:
   /// @param topics  what to read
   explicit RosLogSource(TopicChoice topics) : topics_(std::move(topics)) {}
+  bool recognizes(const std::string& path) const final;
   /// Before anything else the reader tells where the lasers are mounted, if the transforms say so.
   std::unique_ptr<LogReader> open(const std::string& path) const final;
   std::unique_ptr<LogReader> open_for(const std::string& path, const std::vector<LaserModel>& lasers) const final;
   LogContents contents(const std::string& path) const final;
 
  protected:
-  /// The files of a recording, in any order, at least one. @throws LogError
-  virtual Parts parts_of(const std::string& path) const = 0;
+  /// Whether a file looks like this container. What it throws counts as no.
+  virtual bool recognizes_file(const std::string& file) const = 0;
+  /// Opens one file. @throws LogError
+  virtual std::unique_ptr<Recording> read(const std::string& file) const = 0;
   /// What messages call the container: "ROS 2 bag".
   virtual std::string format() const = 0;
+  /// How the names of its files end in a folder: ".mcap".
+  virtual std::string ending() const = 0;
 
  private:
+  Parts parts_of(const std::vector<std::string>& files) const;
+  std::vector<std::string> files_of(const std::string& path) const;
   std::unique_ptr<LogReader> open_with(const std::string& path, const TopicChoice& topics) const;
 
   TopicChoice topics_;
 };
-
-/// The files with this ending in a folder by name, or the path itself if it is no folder.
-/// @param ending  ".mcap"
-std::vector<std::string> files_of_recording(const std::string& path, const std::string& ending);
 
 }  // namespace opal::recording
