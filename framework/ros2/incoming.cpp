@@ -97,6 +97,7 @@ void Incoming::subscribe(Subscription& subscription, const Quality& quality) {
   const WantedTopic& wanted = subscription.wanted;
   subscription.reader = participant_.reader(descriptor_of(wanted.type), wanted.topic, quality);
   subscription.quality = quality;
+  subscription.since_ns = system_ns();
   dds_set_status_mask(subscription.reader.handle(), DDS_DATA_AVAILABLE_STATUS);
   dds_waitset_attach(waitset_.handle(), subscription.reader.handle(), 0);
 }
@@ -132,7 +133,8 @@ std::vector<std::string> Incoming::complaints() const {
   std::vector<std::string> complaints;
   for (const auto& [topic, subscription] : topics_) {
     std::string words = complaint_about(subscription.wanted, offers_);
-    const double silent_s = 1e-9 * static_cast<double>(system_ns() - subscription.newest_ns);
+    const std::int64_t awaited_since_ns = std::max(subscription.newest_ns, subscription.since_ns);
+    const double silent_s = 1e-9 * static_cast<double>(system_ns() - awaited_since_ns);
     if (words.empty() && subscription.reader)
       if (const auto policy = incompatible_policy(subscription.reader))
         words = topic + ": somebody publishes it with another quality of service: " + *policy;

@@ -46,6 +46,7 @@ class Incoming {
     WantedTopic wanted;
     Quality quality;
     Entity reader;
+    std::int64_t since_ns = 0;   // when the reader was made
     std::int64_t newest_ns = 0;  // when the last message came; 0: none has
     int since_asked = 0;         // messages
   };

@@ -27,15 +27,17 @@ class MessageRecorder {
   std::map<std::string, Channel> channels_;       // by topic
 };
 
-/// The same into a file.
+/// The same into a new file. What was recorded before stays: beside drive.mcap the next one is drive-2.mcap.
 class FileRecorder {
  public:
   /// @throws WriteError if the file cannot be made.
   explicit FileRecorder(const std::string& path);
+  const std::string& path() const { return path_; }
   void write(const recording::ReceivedMessage& message) { recorder_.write(message); }
   void finish() { recorder_.finish(); }
 
  private:
+  std::string path_;
   std::ofstream file_;
   MessageRecorder recorder_;
 };

@@ -1,6 +1,7 @@
 #include "ros2/pose_memory.hpp"
 
 #include "common/text_file.hpp"
+#include "common/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,9 @@ constexpr double kIntervalS = 2;
 
 }  // namespace
 
-PoseMemory::PoseMemory(std::string path, std::string map) : path_(std::move(path)), map_(std::move(map)) {}
+PoseMemory::PoseMemory(std::string path, std::string map) : path_(std::move(path)), map_(std::move(map)) {
+  if (!path_.empty()) WholeFile{path_};  // a draft that is thrown away
+}
 
 std::optional<Pose2> PoseMemory::recall() const {
   std::ifstream file(path_);

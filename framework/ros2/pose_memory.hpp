@@ -11,6 +11,7 @@ namespace opal::ros2 {
 class PoseMemory {
  public:
   /// @param path  empty: nothing is kept. @param map  the name of the map: a pose in another one is no pose here.
+  /// @throws WriteError if the file could not be written.
   PoseMemory(std::string path, std::string map);
 
   /// @return nullopt if there is none of this map. A file that is damaged counts as none, which is said on stderr.

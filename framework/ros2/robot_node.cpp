@@ -16,6 +16,8 @@ constexpr double kTickS = 0.05;
 constexpr double kLookAroundS = 0.1;
 constexpr double kHealthS = 1;
 constexpr double kComplainS = 5;
+// How long others may take to be found before their absence is told.
+constexpr double kSettleS = 2;
 // Transforms usually begin at once: after this time odometry may come from its topic.
 constexpr double kWaitForTransformsS = 3;
 // How far a robot may have been moved while the program was off, one sigma.
@@ -51,7 +53,8 @@ RobotNode::RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map
       incoming_(participant_),
       outgoing_(participant_, options_.outgoing, options_.frames),
       stream_(stream_of(options_)),
-      started_s_(steady_s()) {
+      started_s_(steady_s()),
+      complained_s_(started_s_ + kSettleS - kComplainS) {
   const IncomingTopics& topics = options_.incoming;
   for (const std::string& scan : options_.read.scans) incoming_.want({scan, "sensor_msgs/msg/LaserScan"});
   for (const auto& [cloud, laser] : options_.read.slices) incoming_.want({cloud, "sensor_msgs/msg/PointCloud2"});
@@ -61,10 +64,17 @@ RobotNode::RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map
   incoming_.want({topics.initial_pose, "geometry_msgs/msg/PoseWithCovarianceStamped", false});
   incoming_.want({topics.forget, "std_msgs/msg/Empty", false});
   if (options_.use_sim_time) incoming_.want({topics.clock, "rosgraph_msgs/msg/Clock"});
-  if (!options_.record_file.empty()) recorder_.emplace(options_.record_file);
+  if (!options_.record_file.empty()) begin_recording();
 }
 
 RobotNode::~RobotNode() = default;
+
+void RobotNode::begin_recording() {
+  recorder_.emplace(options_.record_file);
+  if (recorder_->path() != options_.record_file)
+    std::cerr << "ros2: " << options_.record_file << " is there already: what is received goes into "
+              << recorder_->path() << '\n';
+}
 
 double RobotNode::now_s() const {
   if (!options_.use_sim_time) return 1e-9 * static_cast<double>(system_ns());
@@ -196,8 +206,9 @@ void RobotNode::fall_back_to_odometry_topic() {
   if (steady_s() - started_s_ < kWaitForTransformsS) return;
   const std::string topic = usual_odometry(incoming_.offers());
   if (topic.empty()) return;
-  std::cerr << "ros2: no transform from " << options_.read.odom_frame << " on " << options_.incoming.tf
-            << ": odometry is taken from " << topic << '\n';
+  const std::string& base = options_.read.base_frame;
+  std::cerr << "ros2: no transform from " << options_.read.odom_frame << (base.empty() ? "" : " to " + base) << " on "
+            << options_.incoming.tf << ": odometry is taken from " << topic << '\n';
   options_.read.odometry = topic;
   incoming_.want({topic, "nav_msgs/msg/Odometry"});
   stream_.take_odometry_from_topic(topic);
@@ -229,9 +240,17 @@ void RobotNode::tell_health(ServiceNotice& notice) {
   }
   notice.alive();
   notice.status(diagnoses.front().message);
+  tell_status(answer);
   std::vector<std::string> words = now.complaints;
   if (!now.waits_for.empty()) words.push_back("waits for " + now.waits_for);
+  if (const std::string clock = clock_complaint(answer, now_s()); !clock.empty()) words.push_back(clock);
   complain(words);
+}
+
+void RobotNode::tell_status(const LiveAnswer& answer) {
+  if (answer.number == 0 || told_status_ == answer.estimate.status) return;
+  told_status_ = answer.estimate.status;
+  std::cerr << "ros2: " << status_words(answer) << '\n';
 }
 
 void RobotNode::complain(const std::vector<std::string>& complaints) {

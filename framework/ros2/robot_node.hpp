@@ -31,7 +31,7 @@ struct NodeOptions {
   DiscoveryRange range;
   bool use_sim_time = false;  ///< "now" is what /clock says
   bool needs_mounts = true;   ///< the deployment says nothing of them: they have to come
-  std::string record_file;    ///< empty: nothing is kept
+  std::string record_file;    ///< empty: nothing is kept; if it is there, the next free name is taken
   std::string state_file;     ///< empty: the last pose is not kept
 };
 
@@ -62,6 +62,7 @@ class RobotNode {
   void hint_at(const recording::ReceivedMessage& message);
   void set_clock(const recording::ReceivedMessage& message);
   void record(const recording::ReceivedMessage& message);
+  void begin_recording();
   void publish_map();
   void begin();
   void localize(LogRecord record, double now_s);
@@ -69,6 +70,7 @@ class RobotNode {
   void announce(const std::stop_token& stop);
   void look_around();
   void tell_health(ServiceNotice& notice);
+  void tell_status(const LiveAnswer& answer);
   void complain(const std::vector<std::string>& complaints);
   NodeState state();
   double now_s() const;
@@ -89,6 +91,7 @@ class RobotNode {
   std::optional<PoseHint> early_hint_;  // the same
   std::optional<double> sim_time_s_;
   double started_s_ = 0, complained_s_ = 0, other_seen_s_ = -1e9;
+  std::optional<Status> told_status_;
   std::string complained_;
   std::unique_ptr<LiveLocalizer> live_;
   std::jthread announcer_;  // ends first

@@ -37,6 +37,21 @@ TEST_CASE("each status has its level and its reason") {
   CHECK(lost.message == "lost: the reason");
 }
 
+TEST_CASE("a change of the status is a line with the pose, or with the reason") {
+  LiveAnswer answer = answer_at(1, Status::localized);
+  answer.estimate.T_map_base = Pose2(1.234, -2, 1.5707963);
+  CHECK(status_words(answer) == "localized at x 1.23 m, y -2.00 m, heading 90.0 deg");
+  CHECK(status_words(answer_at(1, Status::lost)) == "lost: the reason");
+}
+
+TEST_CASE("another clock is a complaint for stderr, too") {
+  CHECK(clock_complaint({}, 5).empty());
+  CHECK(clock_complaint(answer_at(10, Status::localized), 10.5).empty());
+  CHECK(clock_complaint(answer_at(10, Status::localized), std::nan("")).empty());
+  CHECK_THAT(clock_complaint(answer_at(10, Status::localized), 5.3),
+             Catch::StartsWith("the newest scan is stamped 4.7 s in the future"));
+}
+
 TEST_CASE("clocks that are apart are told by how much") {
   const Diagnosis future = diagnoses_of(answer_at(107.5, Status::localized), {}, 100)[2];
   CHECK(future.level == DiagnosisLevel::error);

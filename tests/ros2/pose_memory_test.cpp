@@ -1,6 +1,8 @@
 #include "ros2/pose_memory.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
+#include <opal/common/error.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -36,7 +38,17 @@ TEST_CASE("a damaged file is no pose, and without a file nothing is kept") {
 }
 
 TEST_CASE("where a pose cannot be kept localization goes on") {
-  PoseMemory memory("/nowhere/pose.json", "hall");
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path_of("state"));
+  PoseMemory memory(folder.path_of("state/pose.json"), "hall");
+  std::filesystem::remove(folder.path_of("state"));
   CHECK_NOTHROW(memory.keep(Pose2(1, 2, 3), 10));
   CHECK_FALSE(memory.recall());
+}
+
+TEST_CASE("a file of poses that cannot be written is told at the start, and asking leaves nothing") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(PoseMemory(folder.path_of("nope/pose.json"), "hall"), opal::Error);
+  const PoseMemory memory(folder.path_of("pose.json"), "hall");
+  CHECK(std::filesystem::is_empty(folder.path_of(".")));
 }

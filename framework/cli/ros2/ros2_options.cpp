@@ -1,21 +1,26 @@
 #include "cli/ros2/ros2_options.hpp"
 
 #include "ros2/network/ros_names.hpp"
+#include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
+#include "common/phrases.hpp"
 
 #include <algorithm>
 
 namespace opal {
 namespace {
 
+const std::vector<std::string> kSourcesOfRobot{"opal:McapLog", "opal:Ros2Bag"};
+
 /// What the deployment says of recordings of this robot holds for the robot, too.
 nlohmann::json recording_options(const Deployment& deployment) {
   nlohmann::json options{
       {"scan_topic", ""}, {"scan_topics", ""}, {"odometry_topic", ""}, {"odom_frame", "odom"}, {"base_frame", ""}};
   for (const PartConfig& source : deployment.log_sources)
-    if (source.type == "opal:McapLog" || source.type == "opal:Ros2Bag") options.merge_patch(source.options);
+    if (std::count(kSourcesOfRobot.begin(), kSourcesOfRobot.end(), source.type) > 0)
+      options.merge_patch(source.options);
   return options;
 }
 
@@ -32,8 +37,9 @@ void Ros2Options::add_topics(CLI::App& verb) {
   verb.add_option("--namespace", name_space, "of this node's topics: robot1 reads /robot1/scan");
   verb.add_option("--scan-topic", scan_topics, "sensor_msgs/LaserScan, one topic a laser; may be repeated (scan)")
       ->allow_extra_args(false);
-  verb.add_option("--odometry-topic", odometry_topic,
-                  "nav_msgs/Odometry instead of transforms (the usual topic if there are none)");
+  CLI::Option* const odometry =
+      verb.add_option("--odometry-topic", odometry_topic,
+                      "nav_msgs/Odometry instead of transforms (the usual topic if there are none)");
   verb.add_option("--tf-topic", rest.incoming.tf, "transforms, read and written")->capture_default_str();
   verb.add_option("--tf-static-topic", rest.incoming.tf_static, "transforms that never change")->capture_default_str();
   verb.add_option("--pose-topic", pose_topic, "where the pose is published")->capture_default_str();
@@ -41,7 +47,8 @@ void Ros2Options::add_topics(CLI::App& verb) {
       ->capture_default_str();
   verb.add_option("--map-frame", rest.frames.map, "fixed to the building")->capture_default_str();
   verb.add_option("--odom-frame", odom_frame, "fixed to the start of odometry (odom)");
-  verb.add_option("--base-frame", base_frame, "the robot; otherwise the first that a transform from odom leads to");
+  verb.add_option("--base-frame", base_frame, "the robot; otherwise the first that a transform from odom leads to")
+      ->excludes(odometry);  // its messages name the robot's frame
   verb.add_option("--transform-tolerance", rest.frames.transform_tolerance_s,
                   "seconds that the transform is stamped later than its scan")
       ->capture_default_str()
@@ -69,16 +76,27 @@ void Ros2Options::add_network(CLI::App& verb) {
 }
 
 void Ros2Options::add_running(CLI::App& verb) {
-  verb.add_option("--record", rest.record_file, "MCAP file to keep in what is received, as it was");
-  verb.add_option("--state", rest.state_file, "file to keep the last good pose in, a hint for the next start");
+  CLI::Option* const look =
+      verb.add_flag("--check", check, "look at the robot, say what is there and what is missing, and publish nothing");
+  verb.add_option("--record", rest.record_file,
+                  "file (.mcap) to keep in what is received, as it was; if it is there, the next free name is taken")
+      ->check([](const std::string& file) {
+        return file.ends_with(".mcap") ? std::string() : in_quotes(file) + ", expected a name that ends in .mcap";
+      })
+      ->excludes(look);
+  verb.add_option("--state", rest.state_file, "file to keep the last good pose in, a hint for the next start")
+      ->excludes(look);
   verb.add_option("--evidence", learning.evidence,
-                  "file (.json) to write after each visit: what the drive says of the map, for opal learn");
-  verb.add_flag("--push", learning.is_pushed, "tell the map store the same of store:BUILDING, for all robots together");
-  verb.add_flag("--check", check, "look at the robot, say what is there and what is missing, and publish nothing");
+                  "file (.json) to write after each visit: what the drive says of the map, for opal learn")
+      ->excludes(look);
+  verb.add_flag("--push", learning.is_pushed, "tell the map store the same of store:BUILDING, for all robots together")
+      ->excludes(look);
   verb.add_option("--seconds", check_s, "with --check: how long")
       ->capture_default_str()
-      ->check(CLI::Range(0.5, 3600.0, "0.5 to 3600"));
-  verb.add_option("-o,--out", out, "with --check: deployment document to write: CONFIG with the robot's laser in it");
+      ->check(CLI::Range(0.5, 3600.0, "0.5 to 3600"))
+      ->needs(look);
+  verb.add_option("-o,--out", out, "with --check: deployment document to write: CONFIG with the robot's laser in it")
+      ->needs(look);
 }
 
 void Ros2Options::add_to(CLI::App& verb) {
@@ -143,6 +161,10 @@ recording::TopicChoice Ros2Options::choice_of(const Deployment& deployment) cons
 bool Ros2Options::names_scans(const Deployment& deployment) const {
   return !scan_topics.empty() || !topics_of(deployment.lasers).empty() ||
          !recording::topic_choice(recording_options(deployment)).scans.empty();
+}
+
+std::string Ros2Options::sources_doubt(const Deployment& deployment) const {
+  return log_sources_doubt(deployment, kSourcesOfRobot);
 }
 
 ros2::NodeOptions Ros2Options::node(const Deployment& deployment) const {

@@ -36,6 +36,8 @@ struct Ros2Options {
   /// What the node is told: the command line wins over the options that the deployment gives to log sources.
   /// @throws ConfigError for names that ROS does not allow, and for wrong environment variables.
   ros2::NodeOptions node(const Deployment& deployment) const;
+  /// In words, that the deployment gives options to log sources that are not for a robot; empty: it does not.
+  std::string sources_doubt(const Deployment& deployment) const;
   /// Whether somebody says which scans are read.
   bool names_scans(const Deployment& deployment) const;
 

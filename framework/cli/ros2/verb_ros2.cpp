@@ -7,6 +7,7 @@
 #include "cli/terminal/live_view.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "fleet/fleet_evidence.hpp"
+#include "recording/ros_topics.hpp"
 #include "ros2/robot_check.hpp"
 #include "ros2/robot_node.hpp"
 #include "session/session.hpp"
@@ -72,8 +73,14 @@ class RobotParts {
   std::optional<LearningRobot> learning_;
 };
 
+void tell_doubt(const opal::Ros2Options& options, const opal::Deployment& deployment) {
+  if (const std::string doubt = options.sources_doubt(deployment); !doubt.empty())
+    std::cerr << "ros2: " << doubt << '\n';
+}
+
 int localize_robot(const opal::Ros2Options& options) {
   const opal::Deployment deployment = options.deployment();
+  tell_doubt(options, deployment);
   const opal::PluginRegistry plugins = load_plugins(deployment);
   const StopSignals signals;  // before other threads
   std::optional<LiveView> page;
@@ -82,6 +89,7 @@ int localize_robot(const opal::Ros2Options& options) {
   RobotParts parts(plugins, deployment, options.config, events, options.learning);
   opal::ros2::ServiceNotice notice(environment_value("NOTIFY_SOCKET"));
   const opal::ros2::NodeOptions node_options = options.node(deployment);
+  opal::recording::expect_laser_each(node_options.read, deployment.lasers.size());
   std::cerr << "ros2: " << words_of(node_options.range) << '\n';
   opal::ros2::RobotNode node(
       node_options, parts.map(), [&](auto records) { return parts.make(records); }, events, parts.listener());
@@ -92,6 +100,7 @@ int localize_robot(const opal::Ros2Options& options) {
 int check_robot(const opal::Ros2Options& options) {
   const StopSignals signals;
   const opal::Deployment deployment = options.deployment_if_any();
+  tell_doubt(options, deployment);
   const opal::ros2::NodeOptions node = options.node(deployment);
   std::cerr << "looking for " << options.check_s << " s, " << words_of(node.range) << '\n';
   opal::recording::TopicChoice choice = node.read;
@@ -103,8 +112,8 @@ int check_robot(const opal::Ros2Options& options) {
   for (const std::string& missing : seen.missing) std::cout << "  " << missing << '\n';
   if (!lines.empty()) std::cout << "\nfor the deployment (-o FILE writes one)\n" << lines.dump(2) << '\n';
   if (!options.out.empty() && lines.empty())
-    throw opal::Error("ros2: no laser was heard, expected one for a deployment in " + options.out);
-  if (!options.out.empty()) opal::write_deployment(lines, options.config, options.out);
+    std::cerr << "ros2: no laser was heard, expected one for a deployment: " << options.out << " is not written\n";
+  if (!options.out.empty() && !lines.empty()) opal::write_deployment(lines, options.config, options.out);
   return seen.missing.empty() ? kDone : kNo;
 }
 

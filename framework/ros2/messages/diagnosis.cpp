@@ -4,6 +4,7 @@
 #include "common/phrases.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace opal::ros2 {
 namespace {
@@ -59,15 +60,10 @@ Diagnosis clock(const LiveAnswer& answer, double now_s) {
   Diagnosis diagnosis{DiagnosisLevel::ok, "opal: clock", "scans are stamped by this clock", {}};
   const double age_s = now_s - answer.stamp_s;
   diagnosis.values = {{"newest_scan_age_s", sentence("%.3f", age_s)}};
-  if (age_s < -kClockDifferenceS) {
-    diagnosis.level = DiagnosisLevel::error;
-    diagnosis.message =
-        sentence("the newest scan is stamped %.1f s in the future: are the clocks of two computers apart?", -age_s);
-  } else if (age_s > kSilenceS) {
-    diagnosis.level = DiagnosisLevel::warn;
-    diagnosis.message =
-        sentence("the newest scan is %.1f s old: the laser is silent, or clocks of two computers are apart", age_s);
-  }
+  const std::string complaint = clock_complaint(answer, now_s);
+  if (complaint.empty()) return diagnosis;
+  diagnosis.level = age_s < 0 ? DiagnosisLevel::error : DiagnosisLevel::warn;
+  diagnosis.message = complaint;
   return diagnosis;
 }
 
@@ -77,6 +73,25 @@ DiagnosisLevel level_of(HealthFinding::Level level) {
 }
 
 }  // namespace
+
+std::string clock_complaint(const LiveAnswer& answer, double now_s) {
+  const double age_s = now_s - answer.stamp_s;
+  if (answer.number == 0 || !std::isfinite(age_s)) return "";
+  if (age_s < -kClockDifferenceS)
+    return sentence("the newest scan is stamped %.1f s in the future: are the clocks of two computers apart?", -age_s);
+  if (age_s > kSilenceS)
+    return sentence("the newest scan is %.1f s old: the laser is silent, or clocks of two computers are apart", age_s);
+  return "";
+}
+
+std::string status_words(const LiveAnswer& answer) {
+  const PoseEstimate& estimate = answer.estimate;
+  const std::string name = name_of(estimate.status);
+  if (estimate.status != Status::localized) return name + (answer.why.empty() ? "" : ": " + answer.why);
+  const Pose2& pose = estimate.T_map_base;
+  return name + sentence(" at x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(),
+                         pose.heading_rad() * 180 / std::numbers::pi);
+}
 
 std::vector<Diagnosis> diagnoses_of(const LiveAnswer& answer, const NodeState& state, double now_s) {
   std::vector<Diagnosis> diagnoses{localization(answer, state), connections(state)};

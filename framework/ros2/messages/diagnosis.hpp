@@ -32,4 +32,9 @@ struct NodeState {
 /// @param answer  with the number 0: there is none yet. @param now_s  by the clock that the scans are stamped with.
 std::vector<Diagnosis> diagnoses_of(const LiveAnswer& answer, const NodeState& state, double now_s);
 
+/// That the scans' clock is another one than `now_s` is by; empty: nothing says so.
+std::string clock_complaint(const LiveAnswer& answer, double now_s);
+/// The status with its pose, or why it is not localized: a line for a person.
+std::string status_words(const LiveAnswer& answer);
+
 }  // namespace opal::ros2

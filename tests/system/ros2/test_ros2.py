@@ -74,6 +74,7 @@ class ADrive(ADriveChecks):
         self.assertEqual(self.messages_in("drive.mcap")["/scan"], SCANS)
         self.assertEqual(self.messages_in("drive.mcap")["/tf"], 2 * SCANS)
         self.check_replay(poses)
+        self.assertRegex(errors, r"(?m)^ros2: localized at x -?[\d.]+ m, y ")
         self.assertTrue(any(line.startswith("diagnostic 0 [opal: localization] localized") for line in heard))
         width, height, cells, occupied = map(int, numbers(heard, "map")[0])
         self.assertEqual(width * height, cells)
@@ -87,6 +88,13 @@ class ADrive(ADriveChecks):
         learned = subprocess.run([PROGRAM, "learn", MALAGA / "malaga-demo.map.yaml", "evidence.json", "-o", "learned.jsonld"], cwd=self.folder,
                                  stdout=subprocess.PIPE, text=True, check=True)
         self.assertRegex(learned.stdout, r"[1-9]\d* objects stand where the map says")
+
+    def test_a_second_recording_leaves_the_first_one_as_it_is(self):
+        (self.folder / "drive.mcap").write_text("of yesterday")
+        errors = self.drive(3, "tf", "reliable", "--record", "drive.mcap")[1]
+        self.assertIn("drive.mcap is there already: what is received goes into drive-2.mcap", errors)
+        self.assertEqual((self.folder / "drive.mcap").read_text(), "of yesterday")
+        self.assertEqual(self.messages_in("drive-2.mcap")["/scan"], SCANS)
 
     def test_odometry_is_taken_from_its_topic_if_there_are_no_transforms_and_best_effort_is_read(self):
         heard, errors = self.drive(3, "odometry", "best_effort")
@@ -162,6 +170,7 @@ class AKilledRecorder(ADriveChecks):
 
     def killed_at_s(self, after_s):
         """Records a robot that drives on. @return when the recorder was killed, by this machine's clock"""
+        (self.folder / "drive.mcap").unlink(missing_ok=True)
         node = self.start("ros2", "malaga", "--map", MALAGA / "malaga-demo.map.yaml", "--record", "drive.mcap")
         moments = []
         def kill():
@@ -210,6 +219,36 @@ class ALook(Bench):
         self.assertTrue(sensor["geometry_from_log"])
         self.assertGreater(sensor["slice"]["z_min_m"], 0.1)  # above the floor, below the lamps
         self.assertLess(sensor["slice"]["z_max_m"], 2.2)
+
+    def check_refused(self, code, words, *options):
+        process = self.start("ros2", "malaga", "--map", MALAGA / "malaga-demo.map.yaml", *options)
+        said, errors = process.communicate(timeout=PATIENCE_S)
+        self.assertEqual(process.returncode, code, said + errors)
+        self.assertIn(words, said + errors)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_options_that_would_not_be_used_are_refused_and_files_that_cannot_be_written(self):
+        self.check_refused(2, "--seconds requires --check", "--seconds", "4")
+        self.check_refused(2, "--out requires --check", "-o", "robot.jsonld")
+        self.check_refused(2, "--check", "--check", "--record", "drive.mcap")
+        self.check_refused(2, "--odometry-topic excludes --base-frame", "--base-frame", "base", "--odometry-topic", "odom")
+        self.check_refused(2, "expected a name that ends in .mcap", "--record", "drive.bag")
+        self.check_refused(4, "nope/dir/st.json: cannot be written", "--state", "nope/dir/st.json")
+        self.check_refused(3, "2 topics of scans are named (/front, /rear), and 1 laser is described",
+                           "--scan-topic", "front", "--scan-topic", "rear")
+
+    def test_a_look_at_nobody_is_a_no(self):
+        look = self.start("ros2", "--check", "--seconds", "1", "-o", "robot.jsonld")
+        said, errors = look.communicate(timeout=PATIENCE_S)
+        self.assertEqual(look.returncode, 1, said + errors)
+        self.assertIn("robot.jsonld is not written", errors)
+
+    def test_options_for_other_log_sources_are_told_not_to_be_used(self):
+        config = read_config("malaga")
+        config["log_sources"] = [{"@type": "opal:Ros1Bag", "options": {"scan_topic": "/front"}}]
+        (self.folder / "ros1.jsonld").write_text(json.dumps(config))
+        look = self.start("ros2", "ros1.jsonld", "--check", "--seconds", "1")
+        self.assertIn("has options for opal:Ros1Bag, and none for opal:McapLog, opal:Ros2Bag", look.communicate(timeout=PATIENCE_S)[1])
 
     def test_where_nobody_is_this_is_said_and_the_service_manager_hears_all_the_same(self):
         with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
