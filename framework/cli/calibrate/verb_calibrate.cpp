@@ -1,4 +1,5 @@
 #include "cli/options/exit_code.hpp"
+#include "cli/options/log_run_options.hpp"
 #include "cli/options/verbs.hpp"
 #include "common/phrases.hpp"
 #include "common/text_file.hpp"
@@ -22,6 +23,7 @@ namespace {
 
 struct CalibrateOptions {
   std::string log, config, info, out, motions;
+  std::vector<std::string> log_words;
 };
 
 std::shared_ptr<const opal::ScanMatcher> matcher_of(const opal::PluginRegistry& registry,
@@ -152,7 +154,8 @@ int calibrate(CalibrateOptions options) {
   const opal::Deployment deployment = opal::read_deployment(options.config);
   const opal::PluginRegistry registry = load_plugins(deployment);
   opal::LaserModel laser = options.info.empty() ? deployment.lasers.front() : opal::read_site_laser(options.info);
-  const std::vector<opal::LogRecord> records = opal::read_all(*open_log(registry, options.log, deployment));
+  const std::vector<opal::LogRecord> records =
+      opal::read_all(*open_log(registry, options.log, deployment, options.log_words));
   laser = opal::lasers_of_log(records, {laser}, options.log,
                               options.info.empty() ? options.config + ": /sensor" : options.info)
               .front();
@@ -172,6 +175,7 @@ void opal::add_calibrate_verb(CLI::App& app, int& exit_code) {
   verb->add_option("CONFIG", options->config, "deployment document, or the name of one that ships")->required();
   verb->add_option("LOG", options->log, "recorded drive with turns; no map is needed")->required();
   verb->add_option("--info", options->info, "SITE.info.json that describes the laser; overrides the deployment's");
+  add_log_words(*verb, options->log_words);
   verb->add_option("-o,--out", options->out, "deployment document to write: CONFIG with the estimates in it");
   verb->add_option("--motions", options->motions, "CSV file to write: each motion by odometry and by scans");
   verb->callback([options, &exit_code] { exit_code = calibrate(*options); });

@@ -1,6 +1,7 @@
 #include "cli/info/contents_text.hpp"
 #include "cli/info/deployment_lines.hpp"
 #include "cli/options/exit_code.hpp"
+#include "cli/options/log_run_options.hpp"
 #include "cli/options/verbs.hpp"
 #include "session/session.hpp"
 
@@ -48,7 +49,6 @@ void opal::add_info_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--json", options->as_json, "for programs: JSON, in metres, radians and seconds");
   verb->add_option("-o,--out", options->out, "deployment document to write: CONFIG with the laser of the log in it");
   verb->add_option("--config", options->config, "deployment document that -o starts from")->capture_default_str();
-  verb->add_option("--log-set", options->words, "an option of the log's source, NAME=VALUE (scan_topic=/front)")
-      ->allow_extra_args(false);
+  add_log_words(*verb, options->words);
   verb->callback([options, &exit_code] { exit_code = info(*options); });
 }

@@ -63,6 +63,7 @@ void DriveInputs::add_to(CLI::App& verb) {
   run.config = "default";
   verb.add_option("--config", run.config, "deployment document, or the name of one that ships")->capture_default_str();
   verb.add_option("--info", run.info, "SITE.info.json that describes the laser; overrides the deployment's");
+  add_log_words(verb, run.log_words);
   verb.add_option("--queries", run.queries, "SITE.queries.json: each window is a drive of its own");
   run.overlays.add_to(verb, ", beside those of the deployment");
 }

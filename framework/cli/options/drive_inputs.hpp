@@ -14,7 +14,7 @@ struct DriveInputs {
   LogRunOptions run;               ///< MAP, and how logs are played
   std::vector<std::string> files;  ///< logs, and evidence (.json); none: the fleet's, from the map store
 
-  /// Adds MAP, LOG, --config, --info, --queries and --overlay.
+  /// Adds MAP, LOG, --config, --info, --log-set, --queries and --overlay.
   void add_to(CLI::App& verb);
   /// The evidence of all files; without files, what robots have pushed about this version of the map. What is learned
   /// from logs, and what the store has that is no evidence, is told on the screen.

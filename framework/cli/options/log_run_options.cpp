@@ -8,16 +8,20 @@
 #include <algorithm>
 #include <limits>
 
+void add_log_words(CLI::App& verb, std::vector<std::string>& words) {
+  verb.add_option("--log-set", words,
+                  "an option of the log's source, NAME=VALUE (scan_topic=/front), before those of the deployment; "
+                  "`opal plugins` lists them; may be repeated")
+      ->allow_extra_args(false);
+}
+
 void LogRunOptions::add_to(CLI::App& verb, const std::string& written) {
   verb.add_option("CONFIG", config, "deployment document, or the name of one that ships: default, malaga")->required();
   verb.add_option("LOG", log, "recorded log (CARMEN text, .gz too; ROS 2 bag .db3, MCAP, ROS 1 bag)")->required();
   verb.add_option("-o,--out", out, "folder for " + written)->capture_default_str();
   verb.add_option("--map", map, "map document, or a source to import; overrides the deployment's");
   overlays.add_to(verb, ", beside those of the deployment");
-  verb.add_option("--log-set", log_words,
-                  "an option of the log's source, NAME=VALUE (scan_topic=/front), before those of the deployment; "
-                  "`opal plugins` lists them; may be repeated")
-      ->allow_extra_args(false);
+  add_log_words(verb, log_words);
   verb.add_option("--info", info, "SITE.info.json that describes the laser; overrides the deployment's");
 }
 

@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+/// Adds --log-set.
+void add_log_words(CLI::App& verb, std::vector<std::string>& words);
+
 /// The options of every verb that plays a recorded log.
 struct LogRunOptions {
   std::string config, log, out = "out", map, info, queries, truth;

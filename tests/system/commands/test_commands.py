@@ -104,6 +104,18 @@ class OptionsReachEverything(Commands):
             config = self.deployment(log_sources=sources, sensor=sensor)
             self.localize(config=config, exit_code=exit_code)
 
+    def test_options_for_another_log_source_are_told_not_to_be_used(self):
+        sensor = json.loads((ROOT / "configs" / "malaga.jsonld").read_text())["sensor"]
+        sources = [{"@type": "opal:McapLog", "options": {"scan_topic": "/front"}}]
+        said = self.localize(config=self.deployment(log_sources=sources, sensor=sensor))
+        self.assertIn("/log_sources: has options for opal:McapLog, and none for opal:CarmenLog: they are not used", said)
+
+    def test_every_command_that_plays_a_log_takes_options_of_its_source(self):
+        log = ROOT / "maps/malaga/malaga-demo.log.gz"
+        self.assertIn("laser_message", self.opal("calibrate", "malaga", log, "--log-set", "topic=/scan", exit_code=3))
+        learn = ("learn", MAP, log, "--config", "malaga", "-o", "overlay.jsonld", "--log-set", "topic=/scan")
+        self.assertIn("laser_message", self.opal(*learn, exit_code=3))
+
     def test_deployments_define_prefixes(self):
         context = ["urn:opal:v1", {"acme": "https://acme.example/opal#"}]
         self.assertIn("localized", self.localize(config=self.deployment(**{"@context": context})))
