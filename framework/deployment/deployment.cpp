@@ -60,6 +60,8 @@ LaserModel read_sensor(ConfigObject sensor) {
   laser.frame = sensor.text("frame", laser.frame);
   laser.topic = sensor.text("topic", laser.topic);
   laser.angle_min_rad = sensor.number("angle_min_rad", laser.angle_min_rad, {-2 * kPi, 2 * kPi});
+  if (const nlohmann::json& step = sensor.any("angle_increment_rad"); step.is_number() && step.get<double>() < 0)
+    sensor.refuse("angle_increment_rad", "a number above 0; geometry_from_log takes beams that turn clockwise");
   laser.angle_increment_rad = sensor.number("angle_increment_rad", laser.angle_increment_rad, {1e-5, kPi});
   laser.beams = sensor.integer("beams", laser.beams, {1, 100000});
   laser.range_min_m = sensor.number("range_min_m", laser.range_min_m, kLength_m);
@@ -229,6 +231,8 @@ void read_sensors(ConfigObject& document, Deployment& deployment) {
 }
 
 Deployment read(const nlohmann::json& json, const std::string& file) {
+  if (json.contains("@graph"))
+    throw ConfigError(file + ": is a map, expected a deployment document; a map is named behind --map");
   ConfigObject document(json, file);
   document.expect_type("opal:Deployment");
   Deployment deployment;

@@ -82,7 +82,8 @@ std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::v
   const bool are_several = described.size() > 1;
   for (std::size_t k = 0; k < described.size(); ++k) {
     const std::string place = described_in + (are_several ? "/" + std::to_string(k) : "");
-    if (are_several && usual_beams(records, described[k]) == 0)
+    const bool is_named = are_several || !described[k].frame.empty();
+    if (is_named && usual_beams(records, described[k]) == 0)
       throw ConfigError(sentence("%s: %s has no scan of frame \"%s\"; its scans have: %s", place.c_str(), log.c_str(),
                                  described[k].frame.c_str(), frames_in(records).c_str()));
     check_log(records, described[k], log, place);

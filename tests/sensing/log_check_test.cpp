@@ -91,3 +91,13 @@ TEST_CASE("half a beam at either end may be off: over all beams, one of them") {
   CHECK(complaint_at(0.145).empty());
   CHECK_FALSE(complaint_at(0.155).empty());
 }
+
+TEST_CASE("a laser whose frame no scan has is refused with both names, alone, too") {
+  auto records = log_with(361);
+  for (LogRecord& record : records) std::get<RawScan>(record).frame = "base_scan";
+  LaserModel laser = described(361);
+  CHECK_NOTHROW(lasers_of_log(records, {laser}, "a.log", "b.jsonld: /sensor"));
+  laser.frame = "laser";
+  CHECK_THROWS_WITH(lasers_of_log(records, {laser}, "a.log", "b.jsonld: /sensor"),
+                    "b.jsonld: /sensor: a.log has no scan of frame \"laser\"; its scans have: \"base_scan\"");
+}

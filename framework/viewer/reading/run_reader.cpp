@@ -69,7 +69,9 @@ RunReading read_run(const std::string& out, const FrameVisitor& visit) {
     try {
       go_on = read_line(reader, builder, visit, reading);
     } catch (const EventError& error) {
-      throw EventError(fmt::format("{}:{}: {}", path, reader.number(), error.what()));
+      const bool is_other_file = path == out && !builder.header();
+      throw EventError(fmt::format("{}:{}: {}{}", path, reader.number(), error.what(),
+                                   is_other_file ? "; expected a folder that 'opal localize' wrote" : ""));
     }
   }
   reading.header = builder.header();
