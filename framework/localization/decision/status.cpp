@@ -127,7 +127,7 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
                             "map of this building?",
                             100 * (1 - agreement_.share())));
   if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
-  return because_unsure(status, same, estimate.probability);
+  return because_unsure(status, same, estimate.probability * (1 - now.kidnapped));
 }
 
 Status StatusEstimator::because_unsure(Status status, bool same, double probability) {

@@ -81,3 +81,12 @@ TEST_CASE("of two places that are as probable the probability is the reason, als
   answer.to({hypothesis(2, kThere, 20), hypothesis(1, kHere, 20)});
   CHECK_THAT(answer.estimator.belief().why, Catch::StartsWith("the probability is 0.499, not above 0.990"));
 }
+
+TEST_CASE("the probability that is the reason is the one that is told, which a probable kidnapping makes less") {
+  Answer answer;
+  Circumstances kidnapped;
+  kidnapped.kidnapped = 0.9;
+  const auto estimate = answer.to({hypothesis(1, kHere, 20), hypothesis(2, kThere, 16.5)}, kidnapped);
+  CHECK(estimate.probability == Approx(0.097).margin(0.001));
+  CHECK_THAT(answer.estimator.belief().why, Catch::StartsWith("the probability is 0.09"));
+}
