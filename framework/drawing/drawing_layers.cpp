@@ -201,6 +201,17 @@ void draw_place(DrawingCanvas& canvas, const Point& center_px) {
     canvas.page_line(center_px + Point(-kCross_px, side), center_px + Point(kCross_px, -side), ink::kPlace, 1.4);
 }
 
+/// Where the estimate jumps nobody has driven.
+void draw_trajectory(DrawingCanvas& canvas, std::span<const Point> trajectory) {
+  constexpr double kJump_m = 2;  // farther than a robot drives from one scan to the next
+  std::size_t begin = 0;
+  for (std::size_t k = 1; k <= trajectory.size(); ++k) {
+    if (k < trajectory.size() && !((trajectory[k] - trajectory[k - 1]).norm() > kJump_m)) continue;
+    canvas.line(trajectory.subspan(begin, k - begin), ink::kTrajectory, kTrajectory_px);
+    begin = k;
+  }
+}
+
 void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {
   canvas.clip_to_plot();
   draw_floor(canvas, scene);
@@ -210,7 +221,7 @@ void draw_layers(DrawingCanvas& canvas, const DrawingScene& scene) {
   if (scene.map) draw_map(canvas, *scene.map);
   draw_unmapped(canvas, scene);
   canvas.line(scene.truth, ink::kTruth, kTruth_px, kDash_px);
-  canvas.line(scene.trajectory, ink::kTrajectory, kTrajectory_px);
+  draw_trajectory(canvas, scene.trajectory);
   draw_local_features(canvas, scene);
   draw_patterns(canvas, scene);
   draw_association_lines(canvas, scene);

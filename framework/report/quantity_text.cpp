@@ -8,7 +8,7 @@
 namespace opal {
 
 std::string fixed_text(double value, int decimals) {
-  constexpr double kLargestWritten = 1e9;
+  constexpr double kLargestWritten = 1e12;  // stamps since 1970 are no absurd values
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return value < 0 ? "-∞" : "∞";
   if (std::abs(value) >= kLargestWritten) return fmt::format("{:g}", value);

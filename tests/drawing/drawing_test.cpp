@@ -99,6 +99,22 @@ TEST_CASE("places, storeys and coordinates are drawn") {
   }));
 }
 
+TEST_CASE("no line is drawn where the estimate jumps") {
+  const auto paths = [](const std::vector<Point>& trajectory) {
+    DrawingScene scene;
+    scene.trajectory = trajectory;
+    const std::string file = picture_path("jump.svg");
+    write_svg(scene, file);
+    const std::string text = content_of(file);
+    std::size_t count = 0;
+    for (std::size_t at = text.find("<path"); at != std::string::npos; at = text.find("<path", at + 1)) ++count;
+    return count;
+  };
+  // The extents are the same, and so is all that is drawn besides.
+  CHECK(paths({{0, 0}, {1, 0}, {11, 0}, {12, 0}}) ==
+        paths({{0, 0}, {1.5, 0}, {3, 0}, {4.5, 0}, {6, 0}, {7.5, 0}, {9, 0}, {10.5, 0}, {12, 0}}) + 1);
+}
+
 TEST_CASE("an empty scene and one full of nonsense can be drawn") {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   DrawingScene nonsense = hall();

@@ -18,7 +18,8 @@ TEST_CASE("what is no number is a dash, and what is infinite says so") {
 
 TEST_CASE("absurd values have no endless digits, and there is no minus before nothing") {
   CHECK(fixed_text(1e300, 3) == "1e+300");
-  CHECK(fixed_text(-1e9, 3) == "-1e+09");
+  CHECK(fixed_text(-1e12, 3) == "-1e+12");
+  CHECK(fixed_text(1410364800.25, 3) == "1410364800.250");
   CHECK(fixed_text(-0.001, 2) == "0.00");
   CHECK(fixed_text(999999999, 1) == "999999999.0");
 }

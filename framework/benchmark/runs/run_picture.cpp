@@ -42,7 +42,8 @@ std::vector<opal::DrawingScene::DrawnHypothesis> drawn_hypotheses(const opal::Lo
 }
 
 std::string status_text(const opal::PoseEstimate& estimate) {
-  return fmt::format("{}, probability {:.3f}", opal::name_of(estimate.status), estimate.probability);
+  const std::string status = opal::name_of(estimate.status);
+  return status + (estimate.has_pose ? fmt::format(", probability {:.3f}", estimate.probability) : ", no hypothesis");
 }
 
 void add_best(opal::DrawingScene& scene, const opal::Localizer& localizer, const opal::LaserModel& laser,
@@ -72,7 +73,9 @@ opal::DrawingScene scene_of(const opal::Localizer& localizer, const opal::LaserM
   scene.notes.push_back(status_text(record.last));
   scene.hypotheses = drawn_hypotheses(localizer, record.last);
   if (!scene.hypotheses.empty()) add_best(scene, localizer, laser, record);
-  for (const opal::StampedPose& pose : record.trajectory) scene.trajectory.push_back(pose.pose.position());
+  // What was guessed before is no path that was driven. Rows and poses are of the same scans.
+  for (std::size_t k = 0; k < record.trajectory.size(); ++k)
+    if (record.rows[k].localized()) scene.trajectory.push_back(record.trajectory[k].pose.position());
   return scene;
 }
 
