@@ -18,7 +18,8 @@ constexpr double kIntervalS = 2;
 }  // namespace
 
 PoseMemory::PoseMemory(std::string path, std::string map) : path_(std::move(path)), map_(std::move(map)) {
-  if (!path_.empty()) WholeFile{path_};  // a draft that is thrown away
+  if (path_.empty()) return;
+  const WholeFile draft(path_);  // is thrown away
 }
 
 std::optional<Pose2> PoseMemory::recall() const {
