@@ -1,6 +1,6 @@
 """Mistakes in the log."""
 
-from making import file, log, only, poses, ranges, stamps
+from making import both, file, log, only, poses, ranges, stamps
 from mistake import Mistake, log_lines
 
 RUN = "localize {configs}/malaga.jsonld wrong.log --map {malaga}/malaga-demo.map.yaml -o out"
@@ -16,7 +16,15 @@ def shuffled(log):
     log.lines = log.lines[:1] + log.lines[:0:-1]
 
 
+BAG, MCAP = "#ROSBAG V2.0\n", b"\x89MCAP0\r\n"
+
 MISTAKES = [
+    Mistake("folder of several recordings", "A folder has the bags of two drives.", "info drives", 3,
+            ["drives: several recordings (monday.bag, tuesday.bag), expected one of them"],
+            make=both(file("drives/monday.bag", BAG), file("drives/tuesday.bag", BAG))),
+    Mistake("folder of several kinds", "A folder has a bag and an MCAP file.", "info drives", 3,
+            ["drives: several recordings (for opal:McapLog and for opal:Ros1Bag), expected one of them"],
+            make=both(file("drives/monday.bag", BAG), file("drives/tuesday.mcap", MCAP))),
     Mistake("log without scans", "The log has odometry only.", RUN, 3,
             ["wrong.log: no scan that can be read", "expected scans of a planar laser"],
             make=log(only("ODOM"))),
