@@ -68,19 +68,19 @@ std::size_t returns_in(const RecordedLog& log, double no_return_m) {
   return count;
 }
 
-/// What is no_return_m or farther: how much of all readings, and how many different ranges.
+/// What is so far or farther: how much of all readings, and how many different ranges.
 struct Beyond {
   double share = 0;
   std::set<int> different_cm;
 };
 
-Beyond beyond(const RecordedLog& log, double no_return_m) {
+Beyond beyond(const RecordedLog& log, double limit_m) {
   Beyond beyond;
   double readings = 0, far = 0;
   for_each_scan(log, [&](const opal::RawScan& scan) {
     readings += static_cast<double>(scan.ranges_m.size());
     for (const float range_m : scan.ranges_m) {
-      if (!std::isfinite(range_m) || opal::is_below(range_m, no_return_m)) continue;
+      if (!std::isfinite(range_m) || opal::is_below(range_m, limit_m)) continue;
       ++far;
       beyond.different_cm.insert(static_cast<int>(std::min(100.0 * range_m, 1e9)));
     }
@@ -90,15 +90,17 @@ Beyond beyond(const RecordedLog& log, double no_return_m) {
 }
 
 /// A laser says few different things where nothing returns. Empty: that is so.
-std::string doubt_of_no_return(const RecordedLog& log, double no_return_m) {
+std::string doubt_of_limits(const RecordedLog& log, const opal::LaserModel& laser) {
   constexpr double kLeastShare = 0.02;
   constexpr std::size_t kManyDifferent = 100;
-  const Beyond far = beyond(log, no_return_m);
+  const bool ends_before = laser.range_max_m < laser.no_return_m;
+  const double limit_m = ends_before ? laser.range_max_m : laser.no_return_m;
+  const Beyond far = beyond(log, limit_m);
   if (far.share < kLeastShare || far.different_cm.size() < kManyDifferent) return "";
-  return sentence(
-      "%.0f of 100 readings are no_return_m, %g m, or farther, and they have %zu different ranges up to "
-      "%.2f m: they look like returns",
-      100 * far.share, no_return_m, far.different_cm.size(), 0.01 * *far.different_cm.rbegin());
+  return sentence("%.0f of 100 readings are %s, %g m, or farther, and they have %zu different ranges up to %.2f m: "
+                  "they look like returns",
+                  100 * far.share, ends_before ? "range_max_m" : "no_return_m", limit_m, far.different_cm.size(),
+                  0.01 * *far.different_cm.rbegin());
 }
 
 }  // namespace
@@ -127,7 +129,7 @@ std::vector<std::string> doubts_of(const RecordedLog& log, const opal::LaserMode
     doubts.push_back(
         sentence("no beam of %zu scans returns from nearer than no_return_m, %g m; expected ranges in metres",
                  span.scans, laser.no_return_m));
-  else if (std::string doubt = doubt_of_no_return(log, laser.no_return_m); !doubt.empty())
+  else if (std::string doubt = doubt_of_limits(log, laser); !doubt.empty())
     doubts.push_back(std::move(doubt));
   return doubts;
 }

@@ -19,6 +19,13 @@ class Info(Commands):
         self.opal("info", LOG, "--config", "malaga", "-o", "office.jsonld")
         self.assertIn("localized after", self.opal("localize", "office.jsonld", LOG, "--map", MAP, "-o", "out"))
 
+    def test_angles_that_the_log_does_not_state_are_taken_and_told(self):
+        said = self.opal("info", LOG, "-o", "office.jsonld")
+        self.assertIn("note: the log does not state the angles of its 361 beams", said)
+        sensor = json.loads((self.folder / "office.jsonld").read_text())["sensor"]
+        self.assertEqual((sensor["beams"], sensor["angle_min_rad"]), (361, -1.570796))
+        self.assertAlmostEqual(sensor["angle_increment_rad"] * 360, 3.141593, places=5)
+
     def test_a_robot_that_stands_and_a_laser_that_sees_nothing_are_pointed_out(self):
         self.assertNotIn("to be aware of", self.opal("info", LOG))
         lines = []
