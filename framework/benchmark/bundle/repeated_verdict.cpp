@@ -46,8 +46,10 @@ std::map<std::string, std::string> parts_of(const json& manifest) {
   for (const json& arm : manifest.at("arms"))
     for (const json& plugin : arm.at("plugins")) {
       const std::string name = std::filesystem::path(plugin.at("name").get<std::string>()).filename().string();
-      parts[arm.at("name").get<std::string>() + ": " + name] =
-          plugin.at("version").get<std::string>() + ", " + plugin.at("sha256").get<std::string>();
+      const std::string part = arm.at("name").get<std::string>() + ": " + name;
+      parts[part] = plugin.at("version").get<std::string>() + ", " + plugin.at("sha256").get<std::string>();
+      if (plugin.contains("description_sha256"))
+        parts[part + ", description"] = plugin["description_sha256"].get<std::string>();
     }
   for (const auto& [scenario, inputs] : manifest.at("inputs").items())
     for (const auto& [name, digest] : inputs.items()) parts[scenario + ": " + name] = digest.get<std::string>();

@@ -56,13 +56,17 @@ std::vector<st::ReportPage::Version> versions_of(const ordered_json& manifest) {
   std::vector<st::ReportPage::Version> versions{
       {"opal", manifest["opal"]["version"], manifest["opal"]["program_sha256"]},
       {"libopal.so", manifest["opal"]["version"], manifest["opal"]["library_sha256"]}};
+  const auto add = [&](const st::ReportPage::Version& version) {
+    const auto same = [&](const st::ReportPage::Version& v) {
+      return v.name == version.name && v.file_hash == version.file_hash;
+    };
+    if (std::none_of(versions.begin(), versions.end(), same)) versions.push_back(version);
+  };
   for (const ordered_json& arm : manifest["arms"])
     for (const ordered_json& plugin : arm["plugins"]) {
-      const st::ReportPage::Version version{plugin["name"], plugin["version"], plugin["sha256"]};
-      const auto same = [&](const st::ReportPage::Version& v) {
-        return v.name == version.name && v.file_hash == version.file_hash;
-      };
-      if (std::none_of(versions.begin(), versions.end(), same)) versions.push_back(version);
+      add({plugin["name"], plugin["version"], plugin["sha256"]});
+      if (plugin.contains("description_sha256"))
+        add({plugin["name"].get<std::string>() + ", description", plugin["version"], plugin["description_sha256"]});
     }
   return versions;
 }

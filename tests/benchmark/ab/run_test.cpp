@@ -212,6 +212,37 @@ TEST_CASE("results of other arms, plugins or maps are not mixed") {
   CHECK_THAT(other.said, Catch::Contains("give another folder"));
 }
 
+TEST_CASE("results of a plugin whose description was changed are not mixed") {
+  const TemporaryFolder folder;
+  fs::copy(OPAL_FAULTY_PLUGIN_DIR, folder.path_of("plugins"));
+  json document = small_experiment();
+  document["sites"][0]["queries"] = {"malaga-demo-q01"};
+  document["arms"].push_back({{"name", "mine"}, {"overrides", {{"scorers", {{{"@type", "faulty:Scorer"}}}}}}});
+  document["arms"][2]["plugins"] = folder.path_of("plugins");
+  document["arms"][2]["overrides"]["scorers"][0]["options"] = {{"how", "no fault"}};
+  const std::string experiment = written(folder, document), out = folder.path_of("out");
+  computed(experiment, out);
+  json description = json::parse(content_of(folder.path_of("plugins/faulty.jsonld")));
+  description["types"][0]["options"][1]["default"] = 2;
+  folder.write("plugins/faulty.jsonld", description.dump());
+  const Finished other = opal_run({"ab", experiment, "-o", out});
+  CHECK(other.exit_code == 3);
+  CHECK_THAT(other.said, Catch::Contains("/description_sha256: was "));
+}
+
+TEST_CASE("a plugin that came to an arm's plugins, or went, is named") {
+  const TemporaryFolder folder;
+  json document = small_experiment();
+  document["sites"][0]["queries"] = {"malaga-demo-q01"};
+  const std::string experiment = written(folder, document), out = folder.path_of("out");
+  computed(experiment, out);
+  document["arms"][0]["plugins"] = OPAL_FAULTY_PLUGIN_DIR;
+  written(folder, document);
+  const Finished more = opal_run({"ab", experiment, "-o", out});
+  CHECK(more.exit_code == 3);
+  CHECK_THAT(more.said, Catch::Contains(": was absent for the results in this folder and is \"faulty\" now"));
+}
+
 TEST_CASE("arms that were given different logs are refused when they are collected") {
   const TemporaryFolder folder;
   const std::string experiment = written(folder, small_experiment()), out = folder.path_of("out");

@@ -10,7 +10,8 @@ namespace opal::ab {
 /// cannot be read.
 nlohmann::ordered_json program_files();
 
-/// Every plugin once, by name, with version and digest. @throws Error naming a file that cannot be read.
+/// Every plugin once, by name, with version and the digests of its library and of its description, which has the
+/// defaults of options. @throws Error naming a file that cannot be read.
 nlohmann::ordered_json plugin_files(const PluginRegistry& registry);
 
 }  // namespace opal::ab
