@@ -96,6 +96,17 @@ TEST_CASE("a difference that does not hold from site to site is no verdict, thou
   CHECK_THAT(verdict.notes[0], Contains("does not hold from site to site"));
 }
 
+TEST_CASE("a difference that only the correction for all comparisons denies is said so, with the corrected p") {
+  Verdict verdict = verdict_on(results(seven({14, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}), 0, 1));
+  verdict.metrics[0].p = 0.008;
+  verdict.metrics[0].p_corrected = 0.073;
+  const std::vector<std::string> notes = notes_of(verdict);
+  REQUIRE_FALSE(notes.empty());
+  CHECK(notes[0] ==
+        "Alone, a difference in success would be told (p = 0.0080), but it does not hold after the correction for all "
+        "comparisons of this experiment (p = 0.073).");
+}
+
 TEST_CASE("a cost that is hardly different is no difference to be expected") {
   const Verdict verdict = verdict_on(results(seven({3, 9, 4, 3, 10, 4, 3}, {0, 0, 0, 0, 0, 0, 0}), 0.4, 0.993));
   CHECK_THAT(verdict.sentence, Contains("No difference in CPU bigger than 0.5 % is to be expected"));
