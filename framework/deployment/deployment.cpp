@@ -174,21 +174,20 @@ bool decides_already(const std::vector<ScorerConfig>& scorers, const ScorerConfi
 }
 
 std::vector<ScorerConfig> read_scorers(ConfigObject& document) {
+  constexpr const char* kExpected = "at least one with role \"decides\" and a weight above 0";
   const auto objects = document.list("scorers");
+  if (!objects) document.refuse("scorers", kExpected);
   std::vector<ScorerConfig> scorers;
   bool decided = false;
-  if (objects)
-    for (const ConfigObject& object : *objects) {
-      ScorerConfig scorer = read_scorer(object);
-      if (decides_already(scorers, scorer))
-        object.refuse("@type",
-                      "a scorer that does not decide already with these options: its evidence would count twice");
-      decided = decided || (scorer.decides && scorer.weight > 0);
-      scorers.push_back(std::move(scorer));
-    }
-  if (!decided)
-    throw ConfigError(document.where("scorers") +
-                      ": no scorer decides, expected at least one with role \"decides\" and a weight above 0");
+  for (const ConfigObject& object : *objects) {
+    ScorerConfig scorer = read_scorer(object);
+    if (decides_already(scorers, scorer))
+      object.refuse("@type",
+                    "a scorer that does not decide already with these options: its evidence would count twice");
+    decided = decided || (scorer.decides && scorer.weight > 0);
+    scorers.push_back(std::move(scorer));
+  }
+  if (!decided) throw ConfigError(document.where("scorers") + ": no scorer decides, expected " + kExpected);
   return scorers;
 }
 

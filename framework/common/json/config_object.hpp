@@ -49,6 +49,7 @@ class OPAL_EXPORT ConfigObject {
   /// "configs/hall.jsonld: /sensor/beams", for messages.
   std::string where(const std::string& key) const;
   std::string where() const;
+  /// Of a key that is absent, one that nobody asked for and that is spelt nearly so is named instead.
   [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
 
  private:

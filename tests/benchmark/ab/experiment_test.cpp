@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
 using namespace opal::ab;
 using nlohmann::json;
 using opal::TemporaryFolder;
@@ -76,6 +78,8 @@ TEST_CASE("paths of a document start where it stands") {
   json document = opal::ab_tests::small_experiment();
   document["arms"][1] = {{"name", "mine"}, {"deployment", "mine.jsonld"}, {"plugins", {"plugins"}}};
   document["sites"][0]["prefix"] = "logs/here";
+  std::filesystem::create_directory(folder.path_of("logs"));
+  folder.write("logs/here.queries.json", "{}");
   const Experiment experiment = read_experiment(written(folder, document), shipped);
   CHECK(std::get<RecordedPlace>(experiment.scenarios[0].source).prefix == folder.path_of("logs/here"));
   CHECK(experiment.arms[1].plugin_folders == std::vector<std::string>{folder.path_of("plugins")});
@@ -129,6 +133,18 @@ TEST_CASE("what an experiment must not be is refused with its place") {
   CHECK_THAT(refusal_with(P("/simulated/0/name"), "malaga-demo"),
              Catch::Contains("expected a name that no other scenario has"));
   CHECK_THAT(refusal_with(P("/arms/0/plugins"), "nowhere"), Catch::Contains("expected a folder"));
+  CHECK_THAT(refusal_with(P("/sites/0/prefix"), "malaga-dmo"),
+             Catch::StartsWith("/sites/0/prefix: \"malaga-dmo\", expected the prefix of a recorded place: ") &&
+                 Catch::EndsWith("malaga-dmo.queries.json does not exist"));
+}
+
+TEST_CASE("a misspelt key is named, not the key that is absent for it") {
+  json document = opal::ab_tests::small_experiment();
+  document["site"] = document["sites"];
+  document.erase("sites");
+  CHECK(refusal_of(document) == "/site: unknown key, did you mean \"sites\"?");
+  document.erase("site");
+  CHECK_THAT(refusal_of(document), Catch::StartsWith("/sites: absent, expected "));
 }
 
 TEST_CASE("an arm's overrides are read as strictly as a deployment, and named") {

@@ -31,6 +31,18 @@ def arms_with_usual_plugins(bench):
         "sites": [{"prefix": str(MALAGA / "malaga-demo"), "queries": [queries[0]["id"]]}]}))
 
 
+def experiment(change):
+    """An experiment of two arms on the corridor, changed."""
+
+    def make(bench):
+        document = {"@context": "urn:opal:v1", "@type": "opal:Experiment", "arms": [{"name": "a"}, {"name": "b"}],
+                    "sites": [{"prefix": str(MALAGA / "malaga-demo")}]}
+        change(document)
+        bench.write("wrong.jsonld", json.dumps(document))
+
+    return make
+
+
 def old_plugin(bench):
     """A plugin of the tree that says that it was built for plugin API 0."""
     plugins = pathlib.Path(bench.program).resolve().parents[1] / "plugins"
@@ -103,6 +115,18 @@ MISTAKES = [
     Mistake("configuration with an unknown key", "A key of the configuration is misspelled.",
             "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3, ["config.jsonld: /scorer: unknown key, expected one of: ", "scorers"],
             make=config(lambda document: document.update({"scorer": []})), absent=["out"]),
+    Mistake("configuration whose only scorers are misspelled", "The key of the only scorers is misspelled.",
+            "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
+            ['config.jsonld: /scorer: unknown key, did you mean "scorers"?'],
+            make=config(lambda document: document.update({"scorer": document.pop("scorers")})), absent=["out"]),
+    Mistake("experiment with a misspelled key", "A key that an experiment needs is misspelled.", "ab wrong.jsonld -o out", 3,
+            ['wrong.jsonld: /site: unknown key, did you mean "sites"?'],
+            make=experiment(lambda document: document.update({"site": document.pop("sites")})), absent=["out"]),
+    Mistake("experiment with a misspelled place", "A recorded place of an experiment is misspelled.",
+            "ab wrong.jsonld -o out", 3,
+            ["wrong.jsonld: /sites/0/prefix: ", "malaga-dmo", "expected the prefix of a recorded place",
+             "malaga-dmo.queries.json does not exist"],
+            make=experiment(lambda document: document["sites"][0].update({"prefix": "malaga-dmo"})), absent=["out"]),
     Mistake("configuration with a wrong type", "A number of the configuration is a text.",
             "localize config.jsonld {malaga}/malaga-demo.log.gz -o out", 3,
             ["config.jsonld", "/sensor/beams", '"361"', "integer"],

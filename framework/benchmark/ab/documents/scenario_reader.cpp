@@ -44,6 +44,8 @@ void expect_name(const std::string& name, const ConfigObject& object, const std:
 Scenario read_site(ConfigObject object, const std::string& file, int seeds) {
   Scenario scenario;
   const std::string prefix = beside(file, object.required_text("prefix"));
+  if (const std::string queries = prefix + ".queries.json"; !fs::exists(queries))
+    object.refuse("prefix", "the prefix of a recorded place: " + queries + " does not exist");
   scenario.source = RecordedPlace{prefix, object.texts("queries")};
   scenario.name = object.text("name", fs::path(prefix).filename().string());
   expect_name(scenario.name, object, "name");
