@@ -1,5 +1,6 @@
 #include "python/bench.hpp"
 
+#include "benchmark/runs/answer.hpp"
 #include "evaluation/place_verdict.hpp"
 #include "python/bindings.hpp"
 #include "python/plugins.hpp"
@@ -26,10 +27,11 @@ std::optional<GroundTruth> truth_of(const BenchPlace& place) {
 
 BenchResult run_place(const BenchPlace& place) {
   Localizer localizer(build_parts(place.deployment, *registry(), place.site.map));
-  BenchResult result{place.site.name, place.queries, {}, truth_of(place)};
+  BenchResult result{place.site.name, place.queries, {}, truth_of(place), {}};
   Interruptible observer;
   for (const Query& query : place.queries)
     result.run.append(run_query(localizer, place, query, {std::ref(observer), {}, {}}));
+  result.plugin_failures = localizer.plugin_failures();
   return result;
 }
 
@@ -77,8 +79,9 @@ py::object verdict_of(const BenchResult& self) {
 }
 
 std::string words_of(const BenchResult& self) {
-  if (!self.truth) return "not judged: there is no recorded truth\n";
-  return summary_of(judge_place(self.run.rows, self.queries, *self.truth));
+  const std::string verdict = self.truth ? summary_of(judge_place(self.run.rows, self.queries, *self.truth))
+                                         : "not judged: there is no recorded truth\n";
+  return verdict + skipped_text(self.plugin_failures);
 }
 
 }  // namespace
@@ -94,7 +97,10 @@ void bind_bench(py::module_& module) {
           "frame", [](const BenchResult& self) { return data_frame(query_columns(self)); },
           "The same as a pandas.DataFrame; needs pandas.")
       .def_property_readonly("verdict", &verdict_of, "As in summary.json of `opal bench`; None without recorded truth.")
-      .def_property_readonly("summary", &words_of, "As `opal bench` prints it.")
+      .def_property_readonly("summary", &words_of,
+                             "As `opal bench` prints it, with a line for each plugin that failed.")
+      .def_readonly("plugin_failures", &BenchResult::plugin_failures,
+                    "Calls into plugins that threw and were skipped, by type name.")
       .def("__repr__", [](const BenchResult& self) {
         return "<opal.Bench " + self.name + ": " + std::to_string(self.queries.size()) + " queries>";
       });

@@ -4,6 +4,7 @@
 #include "evaluation/ground_truth.hpp"
 #include "python/run.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,8 @@ struct BenchResult {
   std::string name;
   std::vector<Query> queries;
   RunRecord run;
-  std::optional<GroundTruth> truth;  ///< none: it is not recorded
+  std::optional<GroundTruth> truth;            ///< none: it is not recorded
+  std::map<std::string, int> plugin_failures;  ///< calls that were skipped, by type name
 };
 
 }  // namespace opal::python

@@ -132,6 +132,13 @@ class Scorers(InProgramAndModule):
         self.assertRegex(said, rf"bad\.py:Raises: skipped: .*bad\.py:{line}: ValueError: nothing fits")
         self.assertIn("success in 5 of 5 queries", said)
         self.assertEqual(said.count("nothing fits"), 1)
+        count = json.loads((self.folder / "out" / "summary.json").read_text())["plugin_failures"]["bad.py:Raises"]
+        self.assertGreater(count, 5)
+        skipped = f"skipped: bad.py:Raises failed {count} times\n"
+        self.assertIn(skipped, said)
+        bench = opal.bench(DEMO, config=opal.read_deployment(str(self.folder / "d.jsonld")))
+        self.assertEqual(bench.plugin_failures, {"bad.py:Raises": count})
+        self.assertTrue(bench.summary.endswith(skipped))
 
     def test_scores_of_another_number_or_not_finite_are_counted(self):
         for name in ("WrongShape", "NotFinite"):

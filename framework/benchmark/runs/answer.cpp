@@ -56,6 +56,12 @@ std::string place_words(const opal::Localizer& localizer, const opal::Pose2& T_m
                      pose_words(T_map_base));
 }
 
+std::string skipped_text(const std::map<std::string, int>& plugin_failures) {
+  std::string text;
+  for (const auto& [plugin, count] : plugin_failures) text += fmt::format("skipped: {} failed {} times\n", plugin, count);
+  return text;
+}
+
 void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer, const std::string& why) {
   const double probability = answer.has_pose ? answer.probability : 0;
   std::printf("at the end: %s", opal::status_text(name_of(answer.status), probability).c_str());
@@ -77,6 +83,5 @@ void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& an
   for (const NamedAssociation& named : associations)
     std::printf("  %s (%.2f m off): local feature %d is %s\n", named.object.c_str(), named.off_m,
                 named.local_feature.number(), named.feature.c_str());
-  for (const auto& [plugin, count] : localizer.plugin_failures())
-    std::printf("skipped: %s failed %d times\n", plugin.c_str(), count);
+  std::printf("%s", skipped_text(localizer.plugin_failures()).c_str());
 }

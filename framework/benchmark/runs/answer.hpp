@@ -2,6 +2,7 @@
 
 #include <opal/localization/localizer.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer);
 std::string pose_words(const opal::Pose2& pose);
 /// The same with storey and building, in the storey's own frame first, where the map holds storeys.
 std::string place_words(const opal::Localizer& localizer, const opal::Pose2& T_map_base);
+
+/// A line for each plugin that threw, by its type's name; empty: none did.
+std::string skipped_text(const std::map<std::string, int>& plugin_failures);
 
 /// Status, pose, alternatives and associations, on stdout.
 /// @param why  the status is what it is.

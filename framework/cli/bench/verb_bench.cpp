@@ -1,3 +1,4 @@
+#include "benchmark/runs/answer.hpp"
 #include "cli/bench/bench_cost.hpp"
 #include "cli/bench/bench_kidnappings.hpp"
 #include "cli/options/damage_options.hpp"
@@ -130,7 +131,8 @@ PlaceReport run_place(const BenchPlace& place, const opal::PluginRegistry& regis
   report.summary = summarize(run.all, {run.finished, place.site.import_s, localizer_mb});
   report.summary["site"] = fs::absolute(place.site.prefix).lexically_normal().string();
   if (!options.sequence && !run.is_cut) judge(place, run, report);
-  report.text += cost_text(report.summary);
+  report.summary["plugin_failures"] = localizer.plugin_failures();
+  report.text += skipped_text(localizer.plugin_failures()) + cost_text(report.summary);
   opal::write_text((files.folder / "summary.json").string(), report.summary.dump(2) + '\n');
   return report;
 }
