@@ -5,11 +5,14 @@
 
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
+#include "common/phrases.hpp"
 #include "common/text_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <regex>
 
 namespace {
 
@@ -98,12 +101,16 @@ ordered_json json_of(const st::Verdict& verdict) {
   return json;
 }
 
-void print_failures(const st::ResultsTable& table) {
-  std::map<std::string, std::map<std::string, int>> by_arm;
+/// How often a plugin failed differs from cell to cell.
+void print_failures(const st::ResultsTable& table, const std::string& logs) {
+  static const std::regex kTimes(" [0-9]+ times");
+  std::map<std::string, std::map<std::string, std::size_t>> by_arm;
   for (const st::ResultRow& row : table)
-    if (!row.failure.empty()) ++by_arm[row.arm][row.failure];
+    if (!row.failure.empty()) ++by_arm[row.arm][std::regex_replace(row.failure, kTimes, "")];
   for (const auto& [arm, failures] : by_arm)
-    for (const auto& [failure, count] : failures) std::cout << arm << ": " << count << " cells " << failure << '\n';
+    for (const auto& [failure, count] : failures)
+      std::cout << arm << ": " << opal::count_of(count, "cell") << ' ' << failure << '\n';
+  if (!by_arm.empty()) std::cout << "what the failed cells said: see the logs in " << logs << '\n';
 }
 
 }  // namespace
@@ -171,7 +178,7 @@ void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab
   page.versions = versions_of(manifest);
   page.link = links;
   page.command = "opal ab " + experiment.file;
-  print_failures(page.table);
+  print_failures(page.table, folder.file("logs"));
   auto verdicts = ordered_json::array();
   for (const st::Verdict& verdict : page.verdicts) {
     std::cout << verdict.sentence << '\n';

@@ -28,6 +28,18 @@ std::string duration_text(double s) {
                       : opal::sentence("%ld:%02ld h", all_s / 3600, all_s / 60 % 60);
 }
 
+/// @return whether tasks of the job have not ended.
+bool tell_tasks(const ab::SlurmJob& job) {
+  std::cout << "job " << job.id << " of " << job.tasks << " tasks:";
+  std::size_t waiting = 0;
+  for (const auto& [state, count] : ab::task_states(job)) {
+    std::cout << ' ' << count << ' ' << state << ',';
+    waiting += count;
+  }
+  std::cout << ' ' << job.tasks - std::min(job.tasks, waiting) << " ended\n";
+  return waiting > 0;
+}
+
 }  // namespace
 
 std::size_t jobs_of(const AbOptions& options) {
@@ -81,17 +93,11 @@ ab::SlurmJob AbSession::submit(const AbOptions& options) const {
 }
 
 bool AbSession::status() const {
-  const ab::SlurmJob job = ab::submitted_job(folder_);
-  std::cout << "job " << job.id << " of " << job.tasks << " tasks:";
-  std::size_t waiting = 0;
-  for (const auto& [state, count] : ab::task_states(job)) {
-    std::cout << ' ' << count << ' ' << state << ',';
-    waiting += count;
-  }
+  const auto job = ab::submitted_job(folder_);
+  const bool waits = job && tell_tasks(*job);
   const ab::MergedResults results(folder_, plan_);
-  std::cout << ' ' << job.tasks - std::min(job.tasks, waiting) << " ended\n"
-            << results.finished() << " of " << plan_.cells() << " cells are finished\n";
-  if (waiting == 0 && !results.complete())
+  std::cout << results.finished() << " of " << plan_.cells() << " cells are finished\n";
+  if (job && !waits && !results.complete())
     std::cout << "what is missing: see logs in " << folder_.path() << "/logs; submit again computes it\n";
   return results.complete();
 }

@@ -85,7 +85,7 @@ void opal::add_ab_verb(CLI::App& app, int& exit_code) {
       ->default_str("100, or as many as there are queries");
   submitter->add_option("--sbatch", options->sbatch, "option for sbatch, as --sbatch=--partition=long; may be repeated")
       ->allow_extra_args(false);
-  add("status", "how far the job array is; exit code 1 while cells are missing", status);
+  add("status", "how far it is, and the job array if one was submitted; exit code 1 while cells are missing", status);
   add("collect", "merge what all workers have computed, and say who is better", collect);
   CLI::App* bundler = add("bundle", "put a finished experiment into one folder, from which others repeat it",
                           [](const AbOptions& given) { return bundle_experiment(given); });

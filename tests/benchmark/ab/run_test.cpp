@@ -67,6 +67,9 @@ TEST_CASE("results do not depend on how many processes or shards compute them, n
   SECTION("three shards, the last one first") {
     const std::string out = folder.path_of("shards");
     CHECK(opal_run({"ab", "work", experiment, "-o", out, "--shard", "3/3"}).exit_code == 0);
+    const Finished status = opal_run({"ab", "status", experiment, "-o", out});
+    CHECK(status.exit_code == 1);
+    CHECK_THAT(status.said, Catch::Contains(" of 22 cells are finished") && !Catch::Contains("job"));
     const Finished early = opal_run({"ab", "collect", experiment, "-o", out});
     CHECK(early.exit_code == 1);
     CHECK_THAT(early.said, Catch::Contains(" of 22 cells are finished"));
@@ -120,8 +123,11 @@ TEST_CASE("an arm that crashes, hangs, throws, leaves or eats memory has failure
   const int cell_s = kIsSanitized ? 30 : 5, memory_mb = kIsSanitized ? 1000 : 300;
   experiment["limits"] = {{"cell_s", cell_s}, {"memory_mb", memory_mb}};
   experiment["sites"][0]["queries"] = {"malaga-demo-q01", "malaga-demo-q05"};
-  const std::string out = folder.path_of("out");
-  computed(written(folder, experiment), out);
+  const std::string out = folder.path_of("out"), file = written(folder, experiment);
+  computed(file, out);
+  CHECK_THAT(opal_run({"ab", "collect", file, "-o", out}).said,
+             Catch::Contains("throw: 2 cells failed in a plugin: faulty:Scorer\n") &&
+                 Catch::Contains("what the failed cells said: see the logs in " + out + "/logs\n"));
   std::map<std::string, std::set<std::string>> failures;
   for (const json& line : lines_of(out + "/results.jsonl")) failures[line["arm"]].insert(line["failure"]);
   CHECK(failures["evidence"] == std::set<std::string>{""});

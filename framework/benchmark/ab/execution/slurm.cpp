@@ -51,12 +51,11 @@ SlurmJob submit(const ResultFolder& folder, const SlurmRequest& request) {
   return job;
 }
 
-SlurmJob submitted_job(const ResultFolder& folder) {
+std::optional<SlurmJob> submitted_job(const ResultFolder& folder) {
   const std::string file = remembered_in(folder);
-  if (!std::filesystem::exists(file))
-    throw Error(file + ": does not exist, expected a folder from which opal ab submit has submitted");
+  if (!std::filesystem::exists(file)) return std::nullopt;
   const nlohmann::json json = read_json(file);
-  return {json.at("job"), json.at("tasks")};
+  return SlurmJob{json.at("job"), json.at("tasks")};
 }
 
 std::map<std::string, std::size_t> task_states(const SlurmJob& job) {

@@ -3,6 +3,7 @@
 #include "benchmark/ab/records/result_folder.hpp"
 
 #include <map>
+#include <optional>
 
 namespace opal::ab {
 
@@ -23,8 +24,8 @@ struct SlurmRequest {
 /// Hands the job array to sbatch and remembers it in the folder. @throws Error with what sbatch complains.
 SlurmJob submit(const ResultFolder& folder, const SlurmRequest& request);
 
-/// The newest job array of a folder. @throws Error if none was submitted from there.
-SlurmJob submitted_job(const ResultFolder& folder);
+/// The newest job array of a folder; nullopt: none was submitted from there.
+std::optional<SlurmJob> submitted_job(const ResultFolder& folder);
 
 /// How many tasks of the array are in each state that Slurm still knows of: {"PENDING", 3}. Empty: none is waiting or
 /// running any more. @throws Error if squeue is not there, or cannot reach its server.
