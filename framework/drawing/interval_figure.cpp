@@ -9,7 +9,7 @@ namespace opal {
 namespace {
 
 constexpr double kIntervalRow_px = 20, kIntervalHead_px = 26, kIntervalFoot_px = 36, kIntervalWidth_px = 220,
-                 kColumnGap_px = 14;
+                 kColumnGap_px = 14, kLeastDiamond_px = 4;  // to either side
 
 std::string head_text(const Column& column) { return title_of({column.name, column.unit}); }
 
@@ -81,7 +81,8 @@ class IntervalDrawing {
     if (std::isnan(row.at) || std::isnan(row.low) || std::isnan(row.high)) return;
     const double at = scale.px(row.at), low = scale.px(row.low), high = scale.px(row.high);
     if (row.total) {
-      canvas.page_polygon(std::array{Point(low, y), Point(at, y - 6), Point(high, y), Point(at, y + 6)},
+      const double left = std::min(low, at - kLeastDiamond_px), right = std::max(high, at + kLeastDiamond_px);
+      canvas.page_polygon(std::array{Point(left, y), Point(at, y - 6), Point(right, y), Point(at, y + 6)},
                           tone_color(row.tone));
       return;
     }

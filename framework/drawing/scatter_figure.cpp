@@ -8,8 +8,9 @@
 namespace opal {
 namespace {
 
-const Point kScatterSize_px(420, 390);
-constexpr double kLane_px = 44;  // what is infinite lies there
+const Point kScatterSize_px(420, 418);
+constexpr double kNotes_px = 28;  // two lines
+constexpr double kLane_px = 44;   // what is infinite lies there
 
 /// Where equal points lie beside each other: a spiral (Vogel 1979).
 class Spiral {
@@ -42,7 +43,14 @@ class ScatterDrawing {
     figure_text(canvas, {4, 14}, title_of(plot_.upwards), Align::begin, kFigureText_px, ink::kText);
     if (lane_px_ > 0) draw_lanes(canvas);
     if (plot_.diagonal) draw_diagonal(canvas);
-    draw_points(canvas);
+    const bool spread = draw_points(canvas);
+    double y = kScatterSize_px.y() - kNotes_px + 8;
+    const auto note = [&](const std::string& text) {
+      figure_text(canvas, {box_.left, y}, text, Align::begin, kFigureTick_px, ink::kFaintText);
+      y += kNotes_px / 2;
+    };
+    if (spread) note("Points of one place lie around it, side by side.");
+    if (lane_px_ > 0) note("Beyond the red lines is \"" + plot_.beyond + "\", without a scale.");
   }
 
  private:
@@ -81,8 +89,10 @@ class ScatterDrawing {
     if (from < to) canvas.page_line({x_.px(from), y_.px(from)}, {x_.px(to), y_.px(to)}, ink::kFaintText, 1, kDash_px);
   }
 
-  void draw_points(DrawingCanvas& canvas) const {
+  /// @return whether points had to be spread.
+  bool draw_points(DrawingCanvas& canvas) const {
     constexpr double kRadius_px = 3.5;
+    bool spread = false;
     const Color fill = tone_color("a");
     Spiral spiral;
     for (const ScatterPlot::Point& point : plot_.points) {
@@ -91,12 +101,15 @@ class ScatterDrawing {
                      std::isinf(point.y) ? box_.top + lane_px_ / 2 : y_.px(point.y));
       if (point.within)
         canvas.page_line({at.x(), y_.px((*point.within)[0])}, {at.x(), y_.px((*point.within)[1])}, ink::kText, 1.5);
-      canvas.page_disc(point.within ? at : spiral.beside(at), kRadius_px, fill.with_opacity(0.7), ink::kPlot);
+      const Point beside = point.within ? at : spiral.beside(at);
+      spread = spread || beside != at;
+      canvas.page_disc(beside, kRadius_px, fill.with_opacity(0.7), ink::kPlot);
     }
+    return spread;
   }
 
   const ScatterPlot& plot_;
-  PlotBox box_{62, kScatterSize_px.x() - 12, 24, kScatterSize_px.y() - 44};
+  PlotBox box_{62, kScatterSize_px.x() - 12, 24, kScatterSize_px.y() - 44 - kNotes_px};
   double lane_px_;
   PlotScale x_, y_;
 };

@@ -46,11 +46,6 @@ std::string distance_ends(const MetricResult& result) {
   return is_less(result) ? ends_text(-size.high, -size.low, 1) : ends_text(size.low, size.high, 1);
 }
 
-std::string coverage_text(double level) {
-  const double percent = 100 * (1 - level);
-  return fixed_text(percent, std::abs(percent - std::round(percent)) < 1e-9 ? 0 : 2) + " %";
-}
-
 double two_digits(double value) {
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) - 1));
   return unit * std::round(value / unit);
@@ -88,6 +83,11 @@ std::string distance_text(const Metric& metric, double size) {
   return fixed_text(100 * std::abs(size), decimals_of(100 * size)) + " %";
 }
 
+std::string coverage_text(double level) {
+  const double percent = 100 * (1 - level);
+  return fixed_text(percent, std::abs(percent - std::round(percent)) < 1e-9 ? 0 : 2) + " %";
+}
+
 std::string interval_text(const MetricResult& result, double level) {
   const Interval& size = result.effect.interval;
   const std::string ends = result.metric.kind == Kind::proportion ? ends_text(100 * size.low, 100 * size.high, 1)
@@ -107,6 +107,21 @@ std::string size_text(const MetricResult& result) {
     return size < 0 ? "mostly where the other never arrives" : "mostly never where the other arrives";
   if (fixed_text(size, 1) == fixed_text(0, 1)) return "median difference " + distance_text(result.metric, 0);
   return "median " + distance_text(result.metric, size) + (size < 0 ? " sooner" : " later");
+}
+
+std::string signed_size_text(const MetricResult& result) {
+  const double size = result.effect.size;
+  if (!std::isfinite(size)) return size_text(result);
+  if (result.metric.kind == Kind::proportion) return with_unit(100 * size, 1, "points");
+  if (result.metric.kind == Kind::distance_until) return with_unit(size, 2, result.metric.unit);
+  return size >= kTimes ? with_unit(size, 1, "times") : with_unit(100 * (size - 1), decimals_of(100 * (size - 1)), "%");
+}
+
+std::string signed_interval_text(const MetricResult& result) {
+  const Interval& size = result.effect.interval;
+  if (result.metric.kind == Kind::proportion) return ends_text(100 * size.low, 100 * size.high, 1);
+  if (result.metric.kind == Kind::distance_until) return ends_text(size.low, size.high, 2);
+  return result.effect.size >= kTimes ? ends_text(size.low, size.high, 1) : percent_ends(size.low - 1, size.high - 1);
 }
 
 std::string more_queries_text(const MetricResult& result) {

@@ -169,9 +169,11 @@ std::string left_out_note(const Verdict& verdict, const MetricResult& result) {
 
 std::string disagreement_note(const MetricResult& result, double level) {
   if (!result.between_clusters || told(result) || result.p_pairs > level) return "";
+  if (result.p <= level && excludes_no_difference(result)) return "";  // the sentence says it
   if (result.p <= level)
     return fmt::format(
-        "Alone, a difference in {} would be told (p = {}), but it does not hold after the correction for all comparisons "
+        "Alone, a difference in {} would be told (p = {}), but it does not hold after the correction for all "
+        "comparisons "
         "of this experiment (p = {}).",
         name_in_words(result.metric), p_text(result.p), p_text(result.p_corrected));
   return "Query by query, a difference in " + name_in_words(result.metric) +

@@ -91,13 +91,14 @@ Table summary_table(const Verdict& verdict) {
                {verdict.baseline},
                {verdict.arm},
                {"difference"},
-               {"", "", false},
+               {coverage_text(verdict.level) + " interval"},
                {"outcome", "", false}},
               {}};
   for (const MetricResult* result : results)
     table.rows.push_back({name_in_words(result->metric), value_text(result->metric, result->effect.a),
-                          value_text(result->metric, result->effect.b), differs(*result) ? size_text(*result) : "none",
-                          differs(*result) ? interval_text(*result, verdict.level) : "", word_of(result->outcome)});
+                          value_text(result->metric, result->effect.b),
+                          differs(*result) ? signed_size_text(*result) : "none",
+                          differs(*result) ? signed_interval_text(*result) : "", word_of(result->outcome)});
   return table;
 }
 

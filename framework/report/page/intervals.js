@@ -22,8 +22,10 @@ function drawRow(svg, scale, row) {
   if (Number.isNaN(at) || within.some(Number.isNaN)) return;
   const x = scale(at);
   if (!row.total) drawWhisker(svg, scale, within);
+  const left = Math.min(scale(within[0]), x - 4.5),
+    right = Math.max(scale(within[1]), x + 4.5);
   const path = row.total
-    ? `M${scale(within[0])},${y}L${x},${y - 7}L${scale(within[1])},${y}L${x},${y + 7}z`
+    ? `M${left},${y}L${x},${y - 7}L${right},${y}L${x},${y + 7}z`
     : `M${x - 4.5},${y - 4.5}h9v9h-9z`;
   svg.append('path').attr('class', `mark ${row.tone}`).attr('d', path);
 }

@@ -214,12 +214,16 @@ TEST_CASE("only a finished experiment becomes a bundle, in a folder of its own")
 TEST_CASE("the tables and figures of a verdict are there for papers") {
   const TemporaryFolder folder;
   const std::string out = folder.path_of("out");
-  REQUIRE(opal_run({"ab", written(folder, bundled_experiment()), "-o", out}).exit_code == 0);
+  json document = bundled_experiment();
+  document["metrics"].push_back("cpu_ms");
+  REQUIRE(opal_run({"ab", written(folder, document), "-o", out}).exit_code == 0);
   for (const char* name :
        {"lack_of_fit_evidence", "lack_of_fit_evidence_numbers", "lack_of_fit_evidence_distance_to_success_m_sites",
         "lack_of_fit_evidence_distance_to_success_m_pairs"})
     for (const char* ending : {".csv", ".md", ".tex"}) CHECK(fs::exists(out + "/paper/" + name + ending));
-  for (const char* name : {"sites.svg", "sites.pdf", "pairs.svg", "pairs.pdf"})
-    CHECK(fs::exists(out + "/paper/lack_of_fit_evidence_distance_to_success_m_" + name));
+  for (const char* name : {"cpu_ms_sites", "distance_to_success_m_pairs"})
+    for (const char* ending : {".svg", ".pdf"}) CHECK(fs::exists(out + "/paper/lack_of_fit_evidence_" + name + ending));
   CHECK_THAT(content_of(out + "/paper/lack_of_fit_evidence.tex"), Contains("lack\\_of\\_fit"));
+  CHECK_THAT(content_of(out + "/paper/lack_of_fit_evidence.csv"),
+             Contains("metric,evidence,lack_of_fit,difference,95 % interval,outcome") && !Contains("later"));
 }

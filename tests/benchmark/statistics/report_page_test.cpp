@@ -2,12 +2,17 @@
 
 #include "tests/report/page_parts.hpp"
 
+#include "benchmark/verdict/quantity_words.hpp"
+#include "benchmark/verdict_page/paper.hpp"
 #include "benchmark/verdict_page/report_page.hpp"
+#include "tests/kit/temporary_folder.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 
 using namespace opal::statistics;
@@ -60,6 +65,43 @@ TEST_CASE("a summary comes first, and what differs before what does not") {
   CHECK(table < plot);
   CHECK_THAT(html, Contains("No pair differs"));
   CHECK_THAT(html, Contains("in both arms, in all " + std::to_string(alike.pairs) + " pairs"));
+}
+
+TEST_CASE(
+    "a forest plot for papers leaves out sites without bounds, and is left out without any other; tables have all") {
+  namespace fs = std::filesystem;
+  const opal::TemporaryFolder folder;
+  ReportPage page = page_of({kRecordedSites});
+  MetricResult& distance = page.verdicts[0].metrics[1];
+  REQUIRE(distance.metric.kind == Metric::Kind::distance_until);
+  const Interval none{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  const std::string prefix = "/b_a_" + distance.metric.name + "_sites";
+  const auto size_of_figure = [&](const std::string& name) {
+    write_paper(page, folder.path_of(name));
+    const std::string file = folder.path_of(name) + prefix;
+    CHECK(fs::exists(file + ".csv"));
+    return fs::exists(file + ".svg") ? fs::file_size(file + ".svg") : 0;
+  };
+  const auto all = size_of_figure("all");
+  for (ClusterResult& cluster : distance.clusters) cluster.effect.interval = none;
+  distance.effect.interval = {-1, 1};
+  const auto total = size_of_figure("total");
+  CHECK(total > 0);
+  CHECK(total < all);
+  distance.effect.interval = none;
+  CHECK(size_of_figure("none") == 0);
+}
+
+TEST_CASE("a summary has signed numbers, each with its interval in the same direction") {
+  MetricResult less, sooner;
+  less.metric = {"cpu_ms", Metric::Kind::cost, false, "ms", "CPU", 0};
+  less.effect = {2, 1.76, 0.88, {0.85, 0.91}};
+  CHECK(signed_size_text(less) == "-12 %");
+  CHECK(signed_interval_text(less) == "-15 to -9");
+  sooner.metric = {"first_fix_m", Metric::Kind::distance_until, false, "m", "", 0};
+  sooner.effect = {2, 1, -0.42, {-0.6, -0.3}};
+  CHECK(signed_size_text(sooner) == "-0.42 m");
+  CHECK(signed_interval_text(sooner) == "-0.60 to -0.30");
 }
 
 TEST_CASE("nothing in results becomes markup, and nothing is fetched") {
