@@ -193,9 +193,8 @@ void add_plugins_verb(CLI::App& app, int& exit_code) {
   CLI::Option* digests = verb->add_option(
       "--digests", request->trusted.config,
       "print trusted_plugins of a deployment: the SHA-256 of each plugin and class file that it runs, ready to paste");
-  verb->add_option("--map", request->trusted.map, "with --digests: the map, instead of the deployment's")
-      ->needs(digests);
-  verb->add_option("--log", request->trusted.log, "with --digests: a recorded log that is to be read")->needs(digests);
+  verb->add_option("--map", request->trusted.map, "the map, instead of the deployment's")->needs(digests);
+  verb->add_option("--log", request->trusted.log, "a recorded log that is to be read")->needs(digests);
   verb->callback([request, &exit_code] {
     if (!request->trusted.config.empty()) {
       std::cout << trusted_list(request->trusted);
