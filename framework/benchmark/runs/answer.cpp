@@ -58,7 +58,8 @@ std::string place_words(const opal::Localizer& localizer, const opal::Pose2& T_m
 
 std::string skipped_text(const std::map<std::string, int>& plugin_failures) {
   std::string text;
-  for (const auto& [plugin, count] : plugin_failures) text += fmt::format("skipped: {} failed {} times\n", plugin, count);
+  for (const auto& [plugin, count] : plugin_failures)
+    text += fmt::format("skipped: {} failed {} times\n", plugin, count);
   return text;
 }
 

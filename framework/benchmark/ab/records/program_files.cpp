@@ -36,10 +36,11 @@ ordered_json plugin_files(const PluginRegistry& registry) {
   for (const RegisteredType& type : registry.types()) plugins.emplace(type.plugin, type);
   auto files = ordered_json::array();
   for (const auto& [name, type] : plugins)
-    files.push_back({{"name", name},
-                     {"version", type.version},
-                     {"sha256", sha256_of_file(type.file)},
-                     {"description_sha256", sha256_of_file(fs::path(type.file).replace_extension(".jsonld").string())}});
+    files.push_back(
+        {{"name", name},
+         {"version", type.version},
+         {"sha256", sha256_of_file(type.file)},
+         {"description_sha256", sha256_of_file(fs::path(type.file).replace_extension(".jsonld").string())}});
   return files;
 }
 

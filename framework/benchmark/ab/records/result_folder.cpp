@@ -22,9 +22,7 @@ struct Difference {
 };
 
 /// What an item of a list is known by.
-json name_or_item(const json& item) {
-  return item.is_object() && item.contains("name") ? item["name"] : item;
-}
+json name_or_item(const json& item) { return item.is_object() && item.contains("name") ? item["name"] : item; }
 
 /// The first item of a list that another list has nowhere, with its place; null if there is none.
 std::pair<json, std::string> first_alone(const json& list, const json& other, const std::string& pointer) {
@@ -43,8 +41,8 @@ std::optional<Difference> difference(const json& before, const json& now, const 
   if (before.is_array()) return difference_of_lists(before, now, pointer);
   for (const json* keys : {&before, &now})
     for (const auto& [key, ignored] : keys->items())
-      if (auto found = difference(before.value(key, json()), now.value(key, json()),
-                                  pointer + "/" + escape_pointer_step(key)))
+      if (auto found =
+              difference(before.value(key, json()), now.value(key, json()), pointer + "/" + escape_pointer_step(key)))
         return found;
   return std::nullopt;
 }
