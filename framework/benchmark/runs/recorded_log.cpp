@@ -97,10 +97,11 @@ std::string doubt_of_limits(const RecordedLog& log, const opal::LaserModel& lase
   const double limit_m = ends_before ? laser.range_max_m : laser.no_return_m;
   const Beyond far = beyond(log, limit_m);
   if (far.share < kLeastShare || far.different_cm.size() < kManyDifferent) return "";
-  return sentence("%.0f of 100 readings are %s, %g m, or farther, and they have %zu different ranges up to %.2f m: "
-                  "they look like returns",
-                  100 * far.share, ends_before ? "range_max_m" : "no_return_m", limit_m, far.different_cm.size(),
-                  0.01 * *far.different_cm.rbegin());
+  return sentence(
+      "%.0f of 100 readings are %s, %g m, or farther, and they have %zu different ranges up to %.2f m: "
+      "they look like returns",
+      100 * far.share, ends_before ? "range_max_m" : "no_return_m", limit_m, far.different_cm.size(),
+      0.01 * *far.different_cm.rbegin());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "common/json/config_object.hpp"
 
+#include "common/spelling.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
@@ -9,8 +11,6 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <numeric>
-#include <utility>
 
 namespace opal {
 namespace {
@@ -69,27 +69,6 @@ bool is_own_context(const json& context) {
 bool holds(const NumberRange& range, const json& value) {
   const double number = value.get<double>();
   return number >= range.minimum && number <= range.maximum;  // false for NaN
-}
-
-/// Characters to put in, leave out or change (Levenshtein, 1966).
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// Near enough for a slip; of a short word nearly everything is near.
-bool is_misspelt(const std::string& key, const std::string& meant) {
-  const std::size_t distance = edit_distance(key, meant);
-  return distance <= 2 && 2 * distance < meant.size();
 }
 
 }  // namespace

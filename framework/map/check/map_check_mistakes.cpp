@@ -1,6 +1,7 @@
 #include "map/check/map_check_mistakes.hpp"
 
 #include "common/phrases.hpp"
+#include "common/spelling.hpp"
 #include "map/check/map_check_geometry.hpp"
 #include "map/map_vocabulary.hpp"
 
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <numeric>
 
 namespace opal {
 namespace {
@@ -17,38 +17,21 @@ namespace {
 constexpr std::size_t kMostNamed = 3;
 constexpr double kLongestFace_m = 1000;
 
-/// How many letters must be put in, taken out or replaced (Levenshtein 1966).
-std::size_t letters_between(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 /// A word of the vocabulary for things and features that one of Opal's namespace is nearly; empty: it is one, or is
 /// far from all of them.
 std::string word_meant_by(const std::string& type) {
-  constexpr std::size_t kMostLetters = 2;
   const std::string iri = vocabulary::full_iri(type);
   if (!vocabulary::is_own(iri) || vocabulary::is_own_term(iri)) return "";
   const std::string word = iri.substr(vocabulary::kNamespace.size());
   std::string nearest;
-  std::size_t least = std::min(kMostLetters, word.size() / 2) + 1;
+  std::size_t least = word.size();
   for (const auto& [term, definition] : vocabulary::context_document().at("@context").items()) {
     const std::string known = vocabulary::full_iri(term);
     const bool is_type = std::isupper(static_cast<unsigned char>(term.front())) != 0;
     if (!is_type || !vocabulary::is_own(known) || !vocabulary::is_object_type(known)) continue;
-    if (const std::size_t letters = letters_between(word, term); letters < least) {
-      least = letters;
-      nearest = "opal:" + term;
-    }
+    if (!is_misspelt(word, term) || letters_between(word, term) >= least) continue;
+    least = letters_between(word, term);
+    nearest = "opal:" + term;
   }
   return nearest;
 }

@@ -35,12 +35,11 @@ ordered_json plugin_files(const PluginRegistry& registry) {
   std::map<std::string, RegisteredType> plugins;
   for (const RegisteredType& type : registry.types()) plugins.emplace(type.plugin, type);
   auto files = ordered_json::array();
-  for (const auto& [name, type] : plugins)
-    files.push_back(
-        {{"name", name},
-         {"version", type.version},
-         {"sha256", sha256_of_file(type.file)},
-         {"description_sha256", sha256_of_file(fs::path(type.file).replace_extension(".jsonld").string())}});
+  for (const auto& [name, type] : plugins) {
+    files.push_back({{"name", name}, {"version", type.version}, {"sha256", sha256_of_file(type.file)}});
+    const std::string description = fs::path(type.file).replace_extension(".jsonld").string();
+    if (fs::exists(description)) files.back()["description_sha256"] = sha256_of_file(description);  // else: a link
+  }
   return files;
 }
 
