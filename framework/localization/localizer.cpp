@@ -13,6 +13,7 @@
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/map_search.hpp"
 #include "localization/tree/hypothesis_set.hpp"
+#include "sensing/motion_check.hpp"
 #include "sensor_health/sensor_monitors.hpp"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ struct Localizer::State {
   void check_sensors(const Sample& sample);
   void forget_drive();
   bool is_keyframe(const Sample& sample);
+  double best_scan_nat() const { return hypotheses.alive().empty() ? 0 : hypotheses.alive().front().scan_nat; }
   bool moved_enough(const Pose2& T_odom_base) const;
   bool fits_no_more(const Sample& sample) const;
   double tempering_weight() const;  ///< of the newest scan
@@ -86,6 +88,7 @@ struct Localizer::State {
 // The pipeline; its stages follow.
 std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   State& s = *state_;
+  if (!tells_motion(recorded)) return std::nullopt;  // as if it had not come
   Sample sample = recorded;
   sample.T_odom_base = s.odometry.next(recorded.T_odom_base);
   s.check_sensors(sample);
@@ -115,8 +118,7 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
   s.watch();
   s.search_map(observation, sample);
   s.grow();
-  const double best_nat = s.hypotheses.alive().empty() ? 0 : s.hypotheses.alive().front().scan_nat;
-  s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), best_nat);
+  s.retrospective.remember(observation, s.keyframe, s.tempering_weight(), s.best_scan_nat());
   const PoseEstimate estimate = s.with_place(s.estimate(observation));
   s.settle();
   s.journal.estimate(estimate, s.hypotheses.alive(), s.status.belief());

@@ -10,7 +10,6 @@
 
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <stdexcept>
 
 namespace opal::python {
@@ -143,15 +142,12 @@ const char* const kSampleWords =
 Sample sample_of_ranges(const LaserModel& laser, const GivenRanges& ranges_m, const GivenArray& odometry,
                         double stamp_s) {
   const Pose2 T_odom_base = pose_of(odometry, "odometry");
-  if (!T_odom_base.position().allFinite() || !std::isfinite(T_odom_base.heading_rad()))
-    throw std::invalid_argument("odometry: not finite, expected x, y, heading [m, m, rad]");
-  if (!std::isfinite(stamp_s)) throw std::invalid_argument("stamp_s: not finite, expected seconds");
   RawScan raw;
   raw.stamp_s = stamp_s;
   raw.ranges_m = ranges_of(ranges_m, "ranges_m");
-  if (static_cast<int>(raw.ranges_m.size()) != laser.beams)
+  if (!raw.ranges_m.empty() && static_cast<int>(raw.ranges_m.size()) != laser.beams)
     throw std::invalid_argument("ranges_m: " + std::to_string(raw.ranges_m.size()) + " numbers, expected " +
-                                std::to_string(laser.beams) + ", one for each beam of the laser");
+                                std::to_string(laser.beams) + ", one for each beam of the laser, or none");
   return sample_of(make_scan(raw, laser), T_odom_base, laser.T_base_laser);
 }
 

@@ -220,6 +220,22 @@ TEST_CASE("after a reset a localizer is as new, whatever was before") {
   for (std::size_t k = 0; k < first.size(); ++k) CHECK(again[k] == first[k]);
 }
 
+TEST_CASE("odometry that is no number, or lies beyond the world, is as if it had not come") {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  Driven disturbed, fresh;
+  for (const Pose2& odometry : {Pose2(kNan, 0, 0), Pose2(0, 0, kNan), Pose2(1e300, 0, 0), Pose2(0, -1e300, 0)}) {
+    CHECK_FALSE(disturbed.see_at(Pose2(3, 4.5, 0.1), odometry));
+    disturbed.drive_on(3);
+    fresh.stamp_s = disturbed.stamp_s - 1.5;
+    fresh.drive_on(3);
+  }
+  disturbed.stamp_s = kNan;
+  CHECK_FALSE(disturbed.drive_to(Pose2(8, 4.5, 0.1)));
+  const std::vector<std::string> said = disturbed.heard.said(), expected = fresh.heard.said();
+  REQUIRE(said.size() == expected.size());
+  for (std::size_t k = 0; k < said.size(); ++k) CHECK(said[k] == expected[k]);
+}
+
 TEST_CASE("features of a laser are placed by its mount") {
   Driven robot;
   const Pose2 T_map_base(3, 4.5, 0.1);

@@ -62,10 +62,11 @@ class Logs(unittest.TestCase):
         self.assertEqual((len(scan), len(scan.free_bearings_rad), scan.invalid), (1, 3, 3))
         np.testing.assert_allclose(scan.points, [[2, 0]], atol=1e-9)
 
-    def test_an_empty_scan_and_a_longer_one_are_scans(self):
+    def test_an_empty_scan_is_a_scan_and_a_longer_one_is_of_another_laser(self):
         laser = opal.Laser(beams=3)
         self.assertEqual(laser.sample([], [0, 0, 0], 1).scan.points.shape, (0, 2))
-        self.assertEqual(laser.sample([1.0] * 5, [0, 0, 0], 1).scan.invalid, 2)
+        with self.assertRaisesRegex(ValueError, "ranges_m: 5 numbers, expected 3"):
+            laser.sample([1.0] * 5, [0, 0, 0], 1)
 
 
 if __name__ == "__main__":

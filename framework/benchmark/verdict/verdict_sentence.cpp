@@ -173,8 +173,7 @@ std::string disagreement_note(const MetricResult& result, double level) {
   if (result.p <= level)
     return fmt::format(
         "Alone, a difference in {} would be told (p = {}), but it does not hold after the correction for all "
-        "comparisons "
-        "of this experiment (p = {}).",
+        "comparisons of this experiment (p = {}).",
         name_in_words(result.metric), p_text(result.p), p_text(result.p_corrected));
   return "Query by query, a difference in " + name_in_words(result.metric) +
          " would be told (p = " + p_text(result.p_pairs) +

@@ -55,7 +55,11 @@ void print(const opal::MotionCalibration& drive, const opal::Pose2& T_base_laser
   std::printf("%d motions, %.1f m and %.1f rad by odometry\n\n%-28s %10s %10s %10s\n", drive.pairs, drive.driven_m,
               drive.turned_rad, "", "estimate", "+-", "described");
   const auto row = [](const char* name, double value, double sigma, double described) {
-    std::printf("%-28s %10.4f %10.4f %10.4f\n", name, value, sigma, described);
+    constexpr double kSaysNothing = 1000;
+    if (sigma < kSaysNothing)
+      std::printf("%-28s %10.4f %10.4f %10.4f\n", name, value, sigma, described);
+    else
+      std::printf("%-28s %10s %10s %10.4f\n", name, "not told", "", described);
   };
   row("mount heading [deg]", drive.mount_heading_rad.value * kDegrees, drive.mount_heading_rad.sigma * kDegrees,
       T_base_laser.heading_rad() * kDegrees);

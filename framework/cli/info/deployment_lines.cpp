@@ -32,7 +32,9 @@ const LogLaser* laser_that_is_read(const LogContents& contents) {
 }
 
 /// Logs of CARMEN state no angles: their lasers look half a turn to the front, from right to left.
-bool takes_half_a_turn(const LogLaser& laser) { return !laser.angle_min_rad && laser.beams > 1; }
+bool takes_half_a_turn(const LogLaser& laser) {
+  return !laser.angle_min_rad && laser.beams > 1 && laser.farthest_m > 0;  // one that sees nothing tells nothing
+}
 
 void add_half_a_turn(nlohmann::ordered_json& sensor, int beams) {
   const int gaps = beams % 2 == 0 ? beams : beams - 1;  // 180 and 181 beams are one degree apart

@@ -38,7 +38,8 @@ class Calibrate(Commands):
         def stand(words, end):
             words[end:end + 6] = ["0"] * 6
         log = self.drive(stand)
-        said = self.opal("calibrate", self.described(), log, "-o", "found.jsonld", exit_code=None)
+        said = self.opal("calibrate", self.described(), log, "-o", "found.jsonld", exit_code=1)
+        self.assertIn("not told", said)
         self.assertFalse((self.folder / "found.jsonld").exists(), said)
 
     def test_mirrored_scans_are_no_scale_and_nothing_is_written(self):

@@ -73,7 +73,7 @@ MISTAKES = [
             RUN, 0, ["no_return_m, 5 m, or farther", "they look like returns"],
             make=sensor(no_return_m=5, range_max_m=5)),
     Mistake("range limit of a shorter laser", "The configuration takes hits up to 3 m only.",
-            RUN, 1, ["range_max_m, 3 m, or farther", "they look like returns"], make=sensor(range_max_m=3)),
+            RUN, 0, ["range_max_m, 3 m, or farther", "they look like returns"], make=sensor(range_max_m=3)),
     Mistake("increment in degrees", "The angle from beam to beam is in degrees.", RUN, 3,
             ["config.jsonld", "/sensor/angle_increment_rad", "0.5", "cover a full turn"],
             make=sensor(angle_increment_rad=0.5), absent=["out"]),

@@ -93,4 +93,5 @@ class RunTest(unittest.TestCase):
 
     def marker(self, out="out"):
         file = self.folder / out / "unfinished.json"
-        return json.loads(file.read_text()) if file.exists() else None
+        text = file.read_text() if file.exists() else ""
+        return json.loads(text) if text else None  # it is empty while it is being written
