@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+using opal::TemporaryFolder;
 using opal::ros2::FileRecorder;
 
 TEST_CASE("a recording goes into the next free name, and what was recorded before stays") {
