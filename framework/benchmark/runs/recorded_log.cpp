@@ -91,12 +91,12 @@ Beyond beyond(const RecordedLog& log, double limit_m) {
 
 /// A laser says few different things where nothing returns. Empty: that is so.
 std::string doubt_of_limits(const RecordedLog& log, const opal::LaserModel& laser) {
-  constexpr double kLeastShare = 0.02;
   constexpr std::size_t kManyDifferent = 100;
   const bool ends_before = laser.range_max_m < laser.no_return_m;
+  const double least_share = ends_before ? 0.4 : 0.02;  // hits that are far may be left out, not most of them
   const double limit_m = ends_before ? laser.range_max_m : laser.no_return_m;
   const Beyond far = beyond(log, limit_m);
-  if (far.share < kLeastShare || far.different_cm.size() < kManyDifferent) return "";
+  if (far.share < least_share || far.different_cm.size() < kManyDifferent) return "";
   return sentence(
       "%.0f of 100 readings are %s, %g m, or farther, and they have %zu different ranges up to %.2f m: "
       "they look like returns",
