@@ -110,13 +110,15 @@ class OPAL_EXPORT MapStore {
   virtual std::vector<NearFeature> features_near(const NearQuery& query) const = 0;
   /// Adds what drives say of one version of a map: all of it or nothing. A document that is there already counts once,
   /// so that whoever does not know whether it has arrived adds it again.
-  /// @param version  that the drives were compared with, from 1 on.
+  /// @param building  name of the building.
+  /// @param version   that the drives were compared with, from 1 on.
   /// @param documents  JSON, a drive each.
   /// @return how many of them are new. @throws StoreError as `pull` does, and for what is no JSON.
   virtual int add_evidence(const std::string& building, int version,
                            const std::vector<std::string>& documents) const = 0;
   /// All that drives say of one version, in an order that does not depend on when it arrived.
-  /// @param version  0: the newest. @throws StoreError as `pull` does.
+  /// @param building  name of the building.
+  /// @param version   0: the newest. @throws StoreError as `pull` does.
   virtual std::vector<StoredEvidence> evidence(const std::string& building, int version) const = 0;
 };
 
