@@ -20,9 +20,9 @@ struct Bounds {
 };
 // A pose counts as right within 1 m and 10 degrees: a mount that is off by as much makes it wrong by itself. The scan
 // matcher bears with odometry of a wrong scale (as a logarithm), up to twice or half.
-constexpr Bounds kHeading_rad{0.05, 0.17, 0.06};
-constexpr Bounds kPosition_m{0.1, 0.5, 0.1};
-constexpr Bounds kScale{0.1, 0.69, 0.08};
+constexpr Bounds kHeading_rad{0.05, 0.17, ToldWithin::heading_rad};
+constexpr Bounds kPosition_m{0.1, 0.5, ToldWithin::position_m};
+constexpr Bounds kScale{0.1, 0.69, ToldWithin::scale};
 constexpr double kSigmas = 4;  // a difference is one from so many standard deviations on
 constexpr double kMostBetter = 0.8;
 constexpr int kFewestMotions = 5;

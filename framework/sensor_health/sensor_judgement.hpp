@@ -10,6 +10,11 @@
 
 namespace opal {
 
+/// One-sigma up to which a drive tells a number of the description; what it tells worse, nothing is said of.
+struct ToldWithin {
+  static constexpr double heading_rad = 0.06, position_m = 0.1, scale = 0.08;
+};
+
 /// What a calibration says of a description, subject by subject; subjects that are not known well enough are left out.
 OPAL_EXPORT std::vector<SensorFinding> judge_motion(const MotionCalibration& drive, const Pose2& T_base_laser);
 

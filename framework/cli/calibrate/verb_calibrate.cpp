@@ -82,30 +82,29 @@ void write_motions(const std::vector<Timed>& motions, const std::string& path) {
   opal::write_text(path, text);
 }
 
-/// What a deployment takes from a drive. What the drive tells worse than this stays as it is described.
+/// What a deployment takes from a drive. What the drive tells too badly stays as it is described.
 struct Learned {
-  static constexpr double kMostSigma_rad = 0.06, kMostSigma_m = 0.1, kMostSigmaOfScale = 0.08;
-  nlohmann::ordered_json sensor, odometry;  ///< to merge into the document
-  std::vector<std::string> left;            ///< names of what stays
+  nlohmann::ordered_json mount, odometry;  ///< to merge into the document
+  std::vector<std::string> left;           ///< names of what stays
 };
 
 Learned learned_of(const opal::MotionCalibration& drive) {
+  using opal::ToldWithin;
   Learned learned;
-  const auto take = [&](bool is_known, nlohmann::ordered_json& into, const char* key, double value, const char* name) {
-    if (is_known)
-      into[key] = value;
-    else if (learned.left.empty() || learned.left.back() != name)
+  const auto take = [&](bool is_told, nlohmann::ordered_json& into, const nlohmann::ordered_json& numbers,
+                        const char* name) {
+    if (is_told)
+      into.update(numbers);
+    else
       learned.left.emplace_back(name);
   };
-  const bool knows_position = drive.mount_position_sigma_m < Learned::kMostSigma_m;
-  nlohmann::ordered_json& mount = learned.sensor["T_base_laser"];
-  take(knows_position, mount, "x_m", drive.mount_position_m.x(), "the mount's position");
-  take(knows_position, mount, "y_m", drive.mount_position_m.y(), "the mount's position");
-  take(drive.mount_heading_rad.sigma < Learned::kMostSigma_rad, mount, "heading_rad", drive.mount_heading_rad.value,
-       "the mount's heading");
-  take(drive.distance_scale.sigma < Learned::kMostSigmaOfScale, learned.odometry, "distance_scale",
-       drive.distance_scale.value, "the distance scale");
-  take(drive.turn_scale.sigma < Learned::kMostSigmaOfScale, learned.odometry, "turn_scale", drive.turn_scale.value,
+  take(drive.mount_position_sigma_m < ToldWithin::position_m, learned.mount,
+       {{"x_m", drive.mount_position_m.x()}, {"y_m", drive.mount_position_m.y()}}, "the mount's position");
+  take(drive.mount_heading_rad.sigma < ToldWithin::heading_rad, learned.mount,
+       {{"heading_rad", drive.mount_heading_rad.value}}, "the mount's heading");
+  take(drive.distance_scale.sigma < ToldWithin::scale, learned.odometry,
+       {{"distance_scale", drive.distance_scale.value}}, "the distance scale");
+  take(drive.turn_scale.sigma < ToldWithin::scale, learned.odometry, {{"turn_scale", drive.turn_scale.value}},
        "the turn scale");
   return learned;
 }
@@ -116,12 +115,12 @@ int write_deployment(const opal::MotionCalibration& drive, const CalibrateOption
     std::printf("not written: a deployment cannot say that scans are mirrored\n");
     return kNo;
   }
-  if (learned.odometry.empty() && learned.sensor["T_base_laser"].empty()) {
+  if (learned.odometry.empty() && learned.mount.empty()) {
     std::printf("not written: the drive tells too little, expected one of some metres with turns\n");
     return kNo;
   }
   auto document = nlohmann::ordered_json::parse(std::ifstream(options.config));
-  document["sensor"].merge_patch(learned.sensor);
+  if (!learned.mount.empty()) document["sensor"]["T_base_laser"].merge_patch(learned.mount);
   if (!learned.odometry.empty()) document["odometry"].merge_patch(learned.odometry);
   opal::write_text(options.out, document.dump(2) + '\n');
   std::printf("written: %s\n", options.out.c_str());
@@ -145,7 +144,7 @@ std::optional<opal::MotionCalibration> calibration_of(std::vector<Timed>& motion
     std::vector<opal::MotionPair> pairs;
     for (const Timed& motion : motions) pairs.push_back(motion.pair);
     drive = opal::calibrate_motion(pairs, laser.T_base_laser);
-    if (!drive || !(drive->mount_heading_rad.sigma < Learned::kMostSigma_rad)) break;
+    if (!drive || !(drive->mount_heading_rad.sigma < opal::ToldWithin::heading_rad)) break;
     const double off_rad = drive->mount_heading_rad.value - laser.T_base_laser.heading_rad();
     if (std::abs(opal::wrap_angle(off_rad)) < kElsewhere_rad) break;
     laser.T_base_laser = opal::Pose2(drive->mount_position_m, drive->mount_heading_rad.value);
