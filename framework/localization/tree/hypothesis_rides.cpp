@@ -20,28 +20,34 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
   struct Arrival {
     HypothesisId from;
     Pose2 T_map_base;
-    double nat;
+    RetrospectiveVerification::Verdict past;
   };
   std::vector<Arrival> arrivals;
   for (Live& live : alive_) {
     const std::vector<Pose2> poses = elsewhere(live.hypothesis.T_map_local * T_local_base);
     if (poses.empty()) continue;
     live.hypothesis.log_likelihood -= std::log(1 + static_cast<double>(poses.size()));
-    for (const Pose2& pose : poses) arrivals.push_back({live.hypothesis.id, pose, live.hypothesis.log_likelihood});
+    RetrospectiveVerification::Verdict past;
+    past.nat = live.hypothesis.log_likelihood;
+    past.kidnapped_after = live.kidnapped_after;
+    past.inherited_nat = live.inherited_nat;
+    for (const Pose2& pose : poses) arrivals.push_back({live.hypothesis.id, pose, past});
     live.hypothesis.memories = {};
     live.ridden_nat = live.hypothesis.log_likelihood;
   }
-  for (const Arrival& arrival : arrivals) {
+  for (Arrival& arrival : arrivals) {
     Candidate candidate;
     candidate.T_map_base = arrival.T_map_base;
     if (Live* there = at_place_of(candidate, T_local_base)) {
-      there->hypothesis.log_likelihood = sum_of_nat(there->hypothesis.log_likelihood, arrival.nat);
+      there->hypothesis.log_likelihood = sum_of_nat(there->hypothesis.log_likelihood, arrival.past.nat);
+      there->ridden_nat = there->hypothesis.log_likelihood;
       continue;
     }
     Live live;
     live.hypothesis.T_map_local = arrival.T_map_base * T_local_base.inverse();
-    live.ridden_nat = arrival.nat;
-    insert(std::move(live), {{}, arrival.nat}, std::move(candidate), arrival.from);
+    live.ridden_nat = arrival.past.nat;
+    const double nat = arrival.past.nat;
+    insert(std::move(live), {std::move(arrival.past), nat}, std::move(candidate), arrival.from);
   }
   prune();
 }

@@ -130,6 +130,7 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
     ensemble_.remember(hypothesis, verdicts[k].scores, tempering_weight);
     live.scores = std::move(verdicts[k].scores);
     live.inherited_nat *= kept;
+    live.ridden_nat *= kept;
     if (!verdicts[k].veto.empty()) end(live, "veto by " + verdicts[k].veto);
   }
   std::erase_if(alive_, ended);
@@ -232,6 +233,7 @@ double HypothesisSet::settle() {
     live.kidnapped_after = {};
     live.inherited_nat = 0;
     live.hypothesis.log_likelihood -= inherited_nat;
+    live.ridden_nat = std::max(0.0, live.ridden_nat - inherited_nat);
   }
   std::erase_if(alive_, ended);
   return inherited_nat;

@@ -78,3 +78,19 @@ TEST_CASE("hypotheses outside of lifts stay as they are") {
   CHECK(lift.set.alive().size() == 1);
   CHECK(lift.set.alive().front().hypothesis.log_likelihood == before_nat);
 }
+
+TEST_CASE("evidence from before a ride fades like all that was gathered") {
+  Lift lift;
+  lift.ride();
+  const double before_nat = lift.set.alive().front().ridden_nat;
+  for (int k = 0; k < 10; ++k) lift.set.track(lift.observation(), 1, {}, Eigen::Vector2d::Zero());
+  CHECK(lift.set.alive().front().ridden_nat == Approx(before_nat * std::pow(TrackingOptions{}.evidence_memory, 10)));
+}
+
+TEST_CASE("a second ride leaves no evidence that is not from before it") {
+  Lift lift;
+  lift.ride();
+  lift.set.track(lift.observation(), 1, {}, Eigen::Vector2d::Zero());
+  lift.ride();
+  for (const Live& live : lift.set.alive()) CHECK(live.ridden_nat == Approx(live.hypothesis.log_likelihood));
+}
