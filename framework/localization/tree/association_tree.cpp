@@ -22,9 +22,32 @@ void AssociationTree::release(NodeId leaf) {
     Node& released = at(id);
     if (--released.users > 0) return;
     const NodeId parent = released.parent;
-    released = {};
-    free_.push_back(id);
+    free(id);
     id = parent;
+  }
+}
+
+void AssociationTree::free(NodeId id) {
+  at(id) = {};
+  free_.push_back(id);
+}
+
+void AssociationTree::trim(NodeId leaf, std::span<const Association> kept) {
+  const auto is_forgotten = [kept](const Association& pair) {
+    return std::none_of(kept.begin(), kept.end(),
+                        [&](const Association& other) { return other.local_feature == pair.local_feature; });
+  };
+  for (NodeId id = leaf; node(id).parent.exists();) {
+    const NodeId above = node(id).parent;
+    Node& inner = at(above);
+    if (!inner.parent.exists() || inner.users > 1) return;
+    std::erase_if(inner.pairs, is_forgotten);
+    if (inner.pairs.empty()) {
+      at(id).parent = inner.parent;
+      free(above);
+    } else {
+      id = above;
+    }
   }
 }
 

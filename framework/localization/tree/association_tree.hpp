@@ -2,6 +2,7 @@
 
 #include <opal/localization/scoring/hypothesis.hpp>
 
+#include <span>
 #include <vector>
 
 namespace opal {
@@ -22,6 +23,9 @@ class OPAL_EXPORT AssociationTree {
   NodeId add(NodeId parent, std::vector<Association> pairs);
   /// The hypothesis at this leaf is over, or has grown children: forget nodes that nobody needs any more.
   void release(NodeId leaf);
+  /// Forgets, of the nodes between root and leaf that no other leaf needs, the pairs that are not kept, and nodes that
+  /// have none left: a branch is no longer than what its hypothesis knows.
+  void trim(NodeId leaf, std::span<const Association> kept);
   const Node& node(NodeId id) const { return nodes_[id.number()]; }
   /// Pairs along the branch, root first.
   std::vector<Association> branch(NodeId leaf) const;
@@ -32,6 +36,7 @@ class OPAL_EXPORT AssociationTree {
 
  private:
   Node& at(NodeId id) { return nodes_[id.number()]; }
+  void free(NodeId id);
 
   std::vector<Node> nodes_;
   std::vector<NodeId> free_;

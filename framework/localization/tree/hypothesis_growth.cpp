@@ -163,6 +163,7 @@ void HypothesisSet::forget(const LocalMap& local_map) {
     });
     if (!unknown.empty()) listener_.dissociated(live, unknown, "the local map has forgotten it");
     if (!misfits.empty()) listener_.dissociated(live, misfits, "it no longer fits");
+    if (!unknown.empty() || !misfits.empty()) tree_.trim(live.leaf, live.hypothesis.associations);
   }
 }
 
