@@ -24,10 +24,10 @@ Pose2 PoseFilter::update(const Pose2& predicted, const Alignment& scan, double t
   if (!said.allFinite()) return scan.T_map_base;
   const Eigen::Vector3d step = step_between(predicted, scan.T_map_base);
   const Eigen::Matrix3d kept = known_here(predicted, T_local_base) * std::pow(options.memory, tempering_weight);
-  known_ = kept + tempering_weight * scan.by_points;
+  const double trust = robust_weight(step.head<2>().norm(), options.jump_m);
+  known_ = std::pow(trust, tempering_weight) * kept + tempering_weight * scan.by_points;
   T_local_base_ = T_local_base;
   if (kept.trace() < kNothing) return scan.T_map_base;
-  const double trust = robust_weight(step.head<2>().norm(), options.jump_m);
   const Eigen::Vector3d by_all = (trust * kept + said).ldlt().solve(said * step);
   return by_all.allFinite() ? stepped(predicted, by_all) : scan.T_map_base;
 }

@@ -150,3 +150,18 @@ TEST_CASE("a pose of which nothing is known is known to five metres and to the w
   CHECK(unknown(2, 2) == Approx(10).epsilon(0.001));
   CHECK(std::abs(unknown(0, 1)) < 1e-9);
 }
+
+TEST_CASE("a pose that dead reckoning has lost is not stated more exactly than it is") {
+  const Pose2 known(1, 2, 0.3), elsewhere = shifted(known, 0.8, 0);
+  PoseFilter filter = settled_at(known);
+  const auto sigma_m = [&] { return std::sqrt(filter.covariance()(0, 0)); };
+  const double settled_m = sigma_m();
+  Pose2 pose = known;
+  for (int k = 0; k < 20; ++k) {
+    pose = filter.update(pose, seen_from_all_sides(elsewhere), 0.1, known, {});
+    CAPTURE(k, distance_m(pose, elsewhere));
+    CHECK(distance_m(pose, elsewhere) < 6 * sigma_m());
+  }
+  CHECK(distance_m(pose, elsewhere) < 0.1);
+  CHECK(sigma_m() > settled_m);
+}
