@@ -60,10 +60,6 @@ void CandidateGenerator::sweep(const PatternInstance& observed, const PatternTab
     positions.push_back(position + u * along);
 }
 
-bool CandidateGenerator::is_in_region(const Point& position) const {
-  return !options_.region || (position - options_.region->center).norm() <= options_.region->radius_m;
-}
-
 std::size_t CandidateGenerator::look_up_newest(Inquiry& inquiry, std::size_t most) const {
   const PatternLookup& lookup = inquiry.lookups[inquiry.lookup];
   const PatternTable& mapped = index_of(lookup).patterns();
@@ -91,7 +87,7 @@ std::size_t CandidateGenerator::look_up_newest(Inquiry& inquiry, std::size_t mos
       sweep(lookup.observed, mapped, k, frame * way.T_frame_base.position(), positions);
       looked_at += positions.size();
       for (const Point& position : positions) {
-        if (!is_in_region(position)) continue;
+        if (!options_.may_be_at(position)) continue;
         const float likelihood_field = coarse_likelihood_field(on_map, *map_, position, inquiry.filter.bar());
         if (inquiry.filter.passes(likelihood_field))
           inquiry.places.push_back({position, heading_rad, likelihood_field, static_cast<int>(inquiry.lookup), k});

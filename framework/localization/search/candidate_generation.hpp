@@ -70,7 +70,6 @@ class OPAL_EXPORT CandidateGenerator {
   /// Poses by a few points in large cells; where a pattern sweeps, every third one.
   /// @return how many were looked at.
   std::size_t look_up_newest(Inquiry& inquiry, std::size_t most) const;
-  bool is_in_region(const Point& position) const;
   void sweep(const PatternInstance& observed, const PatternTable& table, int mapped, const Point& position,
              std::vector<Point>& positions) const;
   /// Likelihood-field score by all points.

@@ -109,7 +109,8 @@ std::vector<Candidate> GlobalSearch::above_and_below_best(const std::vector<Veri
   constexpr std::size_t kBest = 6;
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < std::min(kBest, found.size()); ++k)
-    for (const Pose2& pose : above_and_below(map_->map(), found[k].candidate.T_map_base)) candidates.push_back({pose});
+    for (const Pose2& pose : above_and_below(map_->map(), found[k].candidate.T_map_base))
+      if (options_.may_be_at(pose.position())) candidates.push_back({pose});
   return candidates;
 }
 

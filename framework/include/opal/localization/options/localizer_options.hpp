@@ -48,6 +48,11 @@ struct SearchOptions {
   double under_constrained_until_nat = 3;  ///< and only while no hypothesis has gathered this much
   bool from_stable = false;                ///< only stable local features may be looked up (Hendrikx 2023)
   std::optional<RegionPrior> region;       ///< none: the whole map
+
+  /// Whether the region admits a position of `base_link`; frame `map`.
+  bool may_be_at(const Point& position) const {
+    return !region || (position - region->center).norm() <= region->radius_m;
+  }
 };
 
 /// Retrospective verification of candidates by scans seen before.
