@@ -1,5 +1,6 @@
 #include <opal/map/view/map_view.hpp>
 
+#include "map/view/map_size.hpp"
 #include "map/view/support_lines.hpp"
 #include "map/view/surface_grid.hpp"
 #include "map/view/tile_cache.hpp"
@@ -63,6 +64,7 @@ std::vector<NumberedShape> shapes_of(const SemanticMap& map, const std::vector<M
 
 SurfaceGrid grid_of(const SemanticMap& map, const std::vector<MapFeatureNumber>& numbers, const Extent& bounds,
                     const std::string& kept_in) {
+  expect_small_enough(map, numbers, bounds.high - bounds.low);
   const TileLayout layout = TileLayout::around(bounds.low, bounds.high);
   const auto features = static_cast<int>(map.features().size());
   return {layout, TileCache(kept_in).tiles_of(layout, shapes_of(map, numbers), features)};
@@ -249,13 +251,17 @@ MapView::Crossing MapView::first_crossing(const Point& origin, const Point& targ
   for (double range = 0; range < length;) {
     const std::uint8_t cm = grid.distance_cm_in_cells(from + range * along);
     if (cm < kPassable_cm) {
+      Crossing first;
       for (MapFeatureNumber number : grid.nearest(origin + range * ray.direction)) {
         if (!number.exists()) continue;
         const Surface& surface = index_->surface(number);
         bool from_behind = false;
         const double meets = surface.is_circle() ? meets_circle(ray, surface) : meets_face(ray, surface, from_behind);
-        if (meets > 0) return {number, meets, from_behind};
+        // What it meets farther on is looked at when the walk gets there: something else may come first.
+        const bool is_here = meets > 0 && meets <= range + kStep_m;
+        if (is_here && (!first.feature.exists() || meets < first.range_m)) first = {number, meets, from_behind};
       }
+      if (first.feature.exists()) return first;
     }
     range += kStride_m[cm];
   }

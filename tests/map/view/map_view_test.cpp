@@ -135,3 +135,51 @@ TEST_CASE("likelihood_field with slack, and in large cells, is no less than what
 TEST_CASE("a sensor that perceives nothing of a map is refused by name") {
   CHECK_THROWS_WITH(MapView(map_of({kUpper}), "Camera"), "test: holds no feature that sensor 'Camera' can perceive");
 }
+
+TEST_CASE("a ray finds the nearer of two walls, however shallow it meets the other one") {
+  const Segment shallow{{0, 0}, {4, 0.2}}, across{{1, 1}, {1, -1}};  // along y = 0.1 they are met at x = 2 and x = 1
+  const std::vector<Geometry> walls =
+      GENERATE_COPY(std::vector<Geometry>{shallow, across}, std::vector<Geometry>{across, shallow});
+  const MapView view(map_of(walls), "PlanarLidar2D");
+  const auto met = view.first_crossing({-1, 0.1}, {6, 0.1}, 0);
+  REQUIRE(met.feature.exists());
+  CHECK(met.range_m == Approx(2));
+}
+
+TEST_CASE("what a ray meets first is what a walk over all walls finds") {
+  const auto walls = random_walls(60, 12);
+  const MapView view(map_of(walls), "PlanarLidar2D");
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> place(-5, 65);
+  int farther = 0, rays = 0;
+  for (int ray = 0; ray < 2000; ++ray) {
+    const Point from{place(random), place(random)}, to{place(random), place(random)};
+    const auto met = view.first_crossing(from, to, 0);
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const Geometry& wall : walls) {
+      const auto& face = std::get<Segment>(wall);
+      const Point normal = left_of(face.direction());
+      const double slope = normal.dot((to - from).normalized());
+      if (std::abs(slope) < 0.05) continue;
+      const double range_m = normal.dot(face.begin - from) / slope;
+      const double along_m = face.direction().dot(from + range_m * (to - from).normalized() - face.begin);
+      if (range_m > 0.01 && range_m < (to - from).norm() - 0.01 && along_m > 0 && along_m < face.length_m())
+        least_m = std::min(least_m, range_m);
+    }
+    if (std::isinf(least_m)) continue;
+    ++rays;
+    if (!met.feature.exists() || met.range_m > least_m + 0.01) ++farther;
+  }
+  CAPTURE(rays, farther);
+  CHECK(farther <= rays / 100);  // a cell names two walls at most, and three may be near it
+}
+
+TEST_CASE("a feature that stands far from all others is named, and takes no memory") {
+  const auto far = map_of({Segment{{0, 0}, {4, 0}}, Segment{{4, 0}, {4, 3}}, Segment{{2e5, 3e5}, {2e5 + 1, 3e5}}});
+  CHECK_THROWS_AS(MapView(far, "PlanarLidar2D"), MapError);
+  try {
+    MapView(far, "PlanarLidar2D");
+  } catch (const MapError& error) {
+    CHECK_THAT(error.what(), Catch::Contains(far->features()[2].id + " is 360.6 km from the middle of the others"));
+  }
+}
