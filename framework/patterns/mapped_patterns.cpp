@@ -13,6 +13,16 @@ MappedPatterns patterns_of_layer(const MapView& map, const std::vector<Named<Pat
   return mapped;
 }
 
+PatternTable table_of(const Named<PatternTemplate>& each, std::span<const Feature> features) {
+  PatternTable table;
+  try {
+    each_pattern(*each.part, features, [&table](const PatternInstance& pattern) { table.add(pattern); });
+  } catch (const PluginError& error) {
+    throw PluginError(each.name + ": " + error.what());
+  }
+  return table;
+}
+
 MappedPatterns all_patterns(const MapView& map, const std::vector<Named<PatternTemplate>>& templates) {
   MappedPatterns mapped;
   std::vector<Feature> features;
@@ -21,9 +31,7 @@ MappedPatterns all_patterns(const MapView& map, const std::vector<Named<PatternT
     features.push_back(std::move(member.feature));
   }
   for (const auto& each : templates) {
-    PatternTable table;
-    each_pattern(*each.part, features, [&table](const PatternInstance& pattern) { table.add(pattern); });
-    mapped.by_template.emplace_back(std::move(table));
+    mapped.by_template.emplace_back(table_of(each, features));
   }
   return mapped;
 }

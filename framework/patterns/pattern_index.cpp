@@ -30,7 +30,7 @@ Interval accepted_by(const Invariant& observed) {
 
 /// A k-d tree (Bentley 1975) over the invariants of all patterns. Each node halves its range of patterns at the median
 /// of the widest dimension, down to buckets of a few; children of node k are 2 k + 1 and 2 k + 2. Every node has a
-/// bounding box, so that whole subtrees are counted or skipped.
+/// bounding box, so that whole subtrees are counted or skipped. Patterns without invariants need no tree.
 struct PatternIndex::Tree {
   static constexpr std::size_t kBucket = 16;
 
@@ -45,6 +45,7 @@ struct PatternIndex::Tree {
     order.resize(patterns.size());
     std::iota(order.begin(), order.end(), 0);
     values = patterns.take_values();
+    if (dimensions == 0) return;  // all are alike
     Scratch scratch;
     build(scratch, 0, 0, order.size());
   }
@@ -102,7 +103,8 @@ struct PatternIndex::Tree {
   /// returns false.
   template <class Visit>
   bool search(const std::vector<Interval>& query, Visit& visit) const {
-    return order.empty() || search(query, 0, 0, order.size(), visit);
+    if (order.empty()) return true;
+    return dimensions == 0 ? visit(0, order.size()) : search(query, 0, 0, order.size(), visit);
   }
 
   template <class Visit>

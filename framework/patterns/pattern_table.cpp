@@ -1,6 +1,19 @@
 #include "patterns/pattern_table.hpp"
 
+#include <opal/common/error.hpp>
+
+#include <fmt/format.h>
+
 namespace opal {
+namespace {
+
+void expect_alike(const char* what, std::size_t found, std::size_t expected) {
+  if (found != expected)
+    throw PluginError(
+        fmt::format("a pattern has {} {}, expected {}, as the first one of its template", found, what, expected));
+}
+
+}  // namespace
 
 PatternTable::PatternTable(std::span<const PatternInstance> patterns) {
   for (const PatternInstance& pattern : patterns) add(pattern);
@@ -11,6 +24,8 @@ void PatternTable::add(const PatternInstance& pattern) {
     dimensions_ = pattern.invariants.size();
     slots_ = pattern.members.size();
   }
+  expect_alike("invariants", pattern.invariants.size(), dimensions_);
+  expect_alike("members", pattern.members.size(), slots_);
   const bool is_extended = pattern.extent_min_m != 0 || pattern.extent_max_m != 0;
   if (is_extended && extents_m_.empty()) extents_m_.resize(frames_.size());
   if (is_extended || !extents_m_.empty()) extents_m_.push_back({pattern.extent_min_m, pattern.extent_max_m});

@@ -14,6 +14,7 @@ class OPAL_EXPORT PatternTable {
  public:
   PatternTable() = default;
   explicit PatternTable(std::span<const PatternInstance> patterns);
+  /// Throws PluginError if it has another number of invariants or members than the first one.
   void add(const PatternInstance& pattern);
 
   std::size_t size() const { return frames_.size(); }

@@ -1,5 +1,7 @@
 #include "patterns/pattern_index.hpp"
 
+#include <opal/common/error.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -153,4 +155,20 @@ TEST_CASE("a table keeps how far each pattern extends, whichever of them do") {
       CHECK(table.extent_m(k) == std::array<double, 2>{patterns[k].extent_min_m, patterns[k].extent_max_m});
     CHECK(first.extent_m(0) == table.extent_m(0));
   }
+}
+
+TEST_CASE("patterns without invariants are all alike, however many there are") {
+  for (const int count : {0, 1, 16, 17, 1000}) {
+    const PatternIndex index(
+        PatternTable(std::vector<PatternInstance>(static_cast<std::size_t>(count), with_invariants({}))));
+    CHECK(index.find(with_invariants({})).size() == static_cast<std::size_t>(count));
+    CHECK(index.count(with_invariants({}), 5) == static_cast<std::size_t>(std::min(count, 5)));
+  }
+}
+
+TEST_CASE("a pattern with another number of invariants than the first of its template is refused") {
+  PatternTable table;
+  table.add(with_invariants({{1, 0.1, Comparison::equal}}));
+  CHECK_THROWS_AS(table.add(with_invariants({})), PluginError);
+  CHECK(table.size() == 1);
 }
