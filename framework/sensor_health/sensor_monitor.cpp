@@ -64,8 +64,7 @@ void SensorMonitor::clear() {
 }
 
 bool SensorMonitor::add(const Scan& scan, const Pose2& T_odom_base) {
-  const int ranges_before = ranges_.scans();
-  look_at_ranges(scan, T_odom_base);
+  const bool looked_at_ranges = look_at_ranges(scan, T_odom_base);
   const bool was_frozen = frozen_.is_frozen();
   frozen_.add(scan, T_odom_base);
   const auto pair = motions_ ? motions_->add(scan, T_odom_base) : std::nullopt;
@@ -73,7 +72,7 @@ bool SensorMonitor::add(const Scan& scan, const Pose2& T_odom_base) {
     take(*pair);
     judge_motions();
   }
-  if (!pair && ranges_.scans() == ranges_before && frozen_.is_frozen() == was_frozen) return false;
+  if (!pair && !looked_at_ranges && frozen_.is_frozen() == was_frozen) return false;
   std::vector<SensorFinding> now = judge_ranges(ranges_, described_);  // first: wrong ranges tell nothing of motions
   now.insert(now.end(), of_motions_.begin(), of_motions_.end());
   if (frozen_.is_frozen()) now.push_back(frozen_odometry(frozen_.changed_share()));
@@ -95,12 +94,13 @@ void SensorMonitor::take(const MotionPair& pair) {
 }
 
 /// Scans from one place say one thing.
-void SensorMonitor::look_at_ranges(const Scan& scan, const Pose2& T_odom_base) {
+bool SensorMonitor::look_at_ranges(const Scan& scan, const Pose2& T_odom_base) {
   if (T_odom_ranges_ && distance_m(*T_odom_ranges_, T_odom_base) < kOtherView_m &&
       angle_between_rad(*T_odom_ranges_, T_odom_base) < kOtherView_rad)
-    return;
+    return false;
   T_odom_ranges_ = T_odom_base;
   ranges_.add(scan);
+  return true;
 }
 
 /// The fit costs more than everything else here: it is made when there is a new motion.

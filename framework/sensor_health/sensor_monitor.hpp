@@ -30,7 +30,8 @@ class OPAL_EXPORT SensorMonitor {
 
  private:
   void take(const MotionPair& pair);
-  void look_at_ranges(const Scan& scan, const Pose2& T_odom_base);
+  /// @return false: the robot stands where the last one was taken.
+  bool look_at_ranges(const Scan& scan, const Pose2& T_odom_base);
   void judge_motions();
 
   LaserModel described_;

@@ -99,3 +99,20 @@ TEST_CASE("a laser of which two beams in a hundred hit something is described wr
   CHECK(found[0].found == Approx(0.01));
   CHECK_THAT(found[0].words, Catch::Contains("1.0 of 100 beams hit something between 0.05 and 20.00 m"));
 }
+
+TEST_CASE("a laser that goes blind after a long drive is noticed as soon as one that always was") {
+  RangeHabits habits = habits_of(20000, 0, 1);
+  REQUIRE(habits.scans() == RangeHabits::kScans);
+  for (int k = 0; k < RangeHabits::kScans; ++k) habits.add(beams(0, 0, 0));
+  CHECK(habits.usable_share() == 0);
+  CHECK_FALSE(judge_ranges(habits, LaserModel()).empty());
+}
+
+TEST_CASE("a range that begins to repeat after a long drive is noticed, and one that has ceased is not") {
+  RangeHabits habits = habits_of(20000, 0, 1);
+  for (int k = 0; k < 100; ++k) habits.add(beams(10, 8.5));
+  REQUIRE(habits.repeated_farthest());
+  CHECK(habits.repeated_farthest()->scan_share == Approx(100. / RangeHabits::kScans));
+  for (int k = 0; k < RangeHabits::kScans; ++k) habits.add(beams(1, 8.5));
+  CHECK_FALSE(habits.repeated_farthest());
+}
