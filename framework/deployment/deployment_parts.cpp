@@ -81,8 +81,12 @@ std::vector<std::string> allowed_patterns(const PipelinePlan& plan, const MaybeP
 }
 
 /// One of `types`.
+const RegisteredType& type_of(const std::string& name, const std::vector<RegisteredType>& types) {
+  return *std::find_if(types.begin(), types.end(), [&](const auto& type) { return type.info.name == name; });
+}
+
 const TypeInfo& info_of(const std::string& name, const std::vector<RegisteredType>& types) {
-  return std::find_if(types.begin(), types.end(), [&](const auto& type) { return type.info.name == name; })->info;
+  return type_of(name, types).info;
 }
 
 /// A pattern cannot be seen if the deployment has left out a detector that its features need.
@@ -113,6 +117,20 @@ std::vector<Named<T>> make_all(const std::vector<PartConfig>& parts, PluginKind 
   throw ConfigError(message);
 }
 
+/// A detector that asks for the noise of a range, and is not told, is told what the lasers are described with; of
+/// several, the most.
+void tell_range_noise(std::vector<PartConfig>& detectors, const std::vector<LaserModel>& lasers,
+                      const std::vector<RegisteredType>& types) {
+  constexpr const char* kName = "range_sigma_m";
+  double sigma_m = 0;
+  for (const LaserModel& laser : lasers) sigma_m = std::max(sigma_m, laser.range_sigma_m);
+  for (PartConfig& detector : detectors) {
+    const std::vector<OptionInfo>& options = type_of(detector.type, types).options;
+    const bool asks = std::any_of(options.begin(), options.end(), [&](const auto& o) { return o.name == kName; });
+    if (asks && !detector.options.contains(kName)) detector.options[kName] = sigma_m;
+  }
+}
+
 /// What a map calls for and a deployment leaves of it, before anything but classes is made.
 struct CalledFor {
   std::vector<RegisteredType> types;  ///< that there are
@@ -124,6 +142,7 @@ CalledFor called_for(const Deployment& deployment, const PluginRegistry& registr
   CalledFor parts{types_for(deployment, registry), {}, {}};
   const PipelinePlan plan = plan_pipeline(map, deployment.lasers.front().id, parts.types);
   parts.detectors = narrowed(plan.detectors, deployment.detectors);
+  tell_range_noise(parts.detectors, deployment.lasers, parts.types);
   parts.patterns = observable(narrowed(allowed_patterns(plan, deployment.patterns), deployment.patterns),
                               parts.detectors, parts.types);
   if (parts.detectors.empty()) refuse_empty(deployment, "detectors", plan);
