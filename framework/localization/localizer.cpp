@@ -9,6 +9,7 @@
 #include "localization/decision/status.hpp"
 #include "localization/decision/unmapped_walls.hpp"
 #include "localization/events/run_journal.hpp"
+#include "localization/guarded_parts.hpp"
 #include "localization/scoring/observation.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/map_search.hpp"
@@ -23,7 +24,7 @@ namespace opal {
 
 struct Localizer::State {
   State(LocalizerParts parts_given, EventSink* sink)
-      : parts(std::move(parts_given)),
+      : parts(guarded(std::move(parts_given), failures)),
         odometry(parts.odometry),
         sensors(parts.lasers, parts.matcher),
         local_map(parts.local_map, parts.matcher),
@@ -58,8 +59,8 @@ struct Localizer::State {
   std::vector<LocalFeatureId> pattern_of_best() const;
 
   NullEventSink nobody;
-  LocalizerParts parts;
   PluginFailures failures;
+  LocalizerParts parts;
   ScaledOdometry odometry;
   SensorMonitors sensors;
   LocalMap local_map;
@@ -130,10 +131,8 @@ std::optional<PoseEstimate> Localizer::update(const Sample& recorded) {
 /// A description that the drive contradicts turns every pose.
 void Localizer::State::check_sensors(const Sample& sample) {
   StageClock clock(sensor_s);
-  bool changed = false;
   const bool was_frozen = sensors.is_odometry_frozen();
-  failures.guard("scan matcher", [&] { changed = sensors.add(sample); });
-  if (!changed) return;
+  if (!sensors.add(sample)) return;
   if (was_frozen && !sensors.is_odometry_frozen()) forget_drive();
   status.contradict(sensors.contradiction());
   journal.sensor(sensors.findings());
@@ -226,24 +225,26 @@ void Localizer::State::watch() {
   if (rode) carry();
   if (hypotheses.alive().empty()) return kidnapping.reset();
   const Live& best = hypotheses.alive().front();
-  const bool suspected = kidnapping.suspected().has_value();
+  const bool suspected = kidnapping.is_suspicious();
   const bool established = status.believed() || best.kidnapped_after.exists();
   kidnapping.add({keyframe, tempering_weight(), local_map.last_match().inlier_share, best.scan_nat,
-                  best.hypothesis.log_likelihood, established});
+                  best.hypothesis.log_likelihood, established, best.kidnapped_after});
   retrospective.suspect(kidnapping.suspected());
-  search_now = !suspected && kidnapping.suspected().has_value();
+  search_now = !suspected && kidnapping.is_suspicious();
 }
 
 /// Once the best hypothesis by which the robot was kidnapped stands for itself, what was before is over.
 void Localizer::State::settle() {
   if (!status.localized() || !hypotheses.alive().front().kidnapped_after.exists()) return;
   retrospective.forget_until(hypotheses.alive().front().kidnapped_after);
-  status.settle(hypotheses.settle(), parts.stages.kidnapping.prior_nat);
+  const double inherited_nat = hypotheses.settle();
+  status.settle(inherited_nat, parts.stages.kidnapping.prior_nat);
+  kidnapping.settle(inherited_nat);
 }
 
 /// How many chances to search make one search: the surer the robot is, the less there is to find.
 int Localizer::State::searched_every() const {
-  if (status.localized()) return parts.stages.schedule.every_when_localized;
+  if (status.localized() && !search_now) return parts.stages.schedule.every_when_localized;
   const bool likely = status.probability() > parts.stages.schedule.likely_probability && !hypotheses.alive().empty();
   return likely && !search_now ? parts.stages.schedule.every_when_likely : 1;
 }

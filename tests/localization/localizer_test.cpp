@@ -291,3 +291,40 @@ TEST_CASE("odometry that stands while the robot drives is found out, and where t
   CHECK(moved->status != Status::localized);
   CHECK(robot.localizer.local_map().keyframes().size() == 1);
 }
+
+namespace {
+
+struct ThrowingTemplate : CornerTemplate {
+  std::optional<PatternInstance> match(std::span<const Feature* const>) const override {
+    throw std::runtime_error("of a template");
+  }
+};
+
+struct ThrowingMatcher : ScanMatcher {
+  ScanMatch match(std::span<const Point>, std::span<const Point>, const Pose2&, const Eigen::Vector3d&) const override {
+    throw std::runtime_error("of a matcher");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what a template or a scan matcher throws is counted, and the run goes on without it") {
+  const Driven robot;
+  LocalizerParts parts = robot.parts(fit_scorer(), {});
+  parts.patterns.push_back({"throwing", std::make_shared<ThrowingTemplate>()});
+  parts.matcher = std::make_shared<ThrowingMatcher>();
+  Localizer localizer(std::move(parts));
+  std::optional<PoseEstimate> estimate;
+  Pose2 T_map_base;
+  for (int k = 0; k < 20; ++k) {
+    T_map_base = Pose2(3 + 0.25 * k, 4.5, 0.1);
+    robot.detector->features = detected_from(*robot.map, T_map_base);
+    Scan scan = scan_from(*robot.map, T_map_base);
+    scan.stamp_s = 100 + k;
+    estimate = localizer.update(sample_of(std::move(scan), T_map_base, T_base_laser));
+  }
+  REQUIRE(estimate);
+  CHECK(distance_m(estimate->T_map_base, T_map_base) < 0.1);
+  CHECK(localizer.plugin_failures().at("throwing") > 0);
+  CHECK(localizer.plugin_failures().at("scan matcher") > 0);
+}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace opal {
 namespace {
@@ -31,41 +32,70 @@ void KidnapDetector::add(const Evidence& seen) {
   constexpr double kShareMemory = 0.8;
   usual_share_ = kShareMemory * usual_share_ + (1 - kShareMemory) * seen.match_share;
   if (seen.match_share < kContinuingShare) discontinued_ = seen.keyframe;
-  if (seen.established || suspicion_nat_ > 0)
-    suspicion_nat_ = std::clamp(suspicion_nat_ + wanted_nat() - seen.scan_nat, 0.0, kMostSuspicion_nat);
-  if (suspicion_nat_ == 0) {
+  turn_to(seen);
+  if (seen.established || watch_.suspicion_nat > 0)
+    watch_.suspicion_nat = std::clamp(watch_.suspicion_nat + wanted_nat() - seen.scan_nat, 0.0, kMostSuspicion_nat);
+  const double kept = 1 - seen.tempering_weight * (1 - evidence_memory_);
+  if (watch_.suspicion_nat == 0) {
     constexpr double kMemory = 0.9;
-    usual_nat_ = kMemory * usual_nat_ + (1 - kMemory) * seen.scan_nat;
-    last_good_ = {seen.keyframe, seen.gathered_nat};
+    watch_.usual_nat = kMemory * watch_.usual_nat + (1 - kMemory) * seen.scan_nat;
+    watch_.last_good = {seen.keyframe, seen.gathered_nat};
   } else {
-    last_good_.nat *= 1 - seen.tempering_weight * (1 - evidence_memory_);
+    watch_.last_good.nat *= kept;
   }
+  before_.last_good.nat *= kept;
+}
+
+/// What another place used to say, and that it no longer fits, is nothing against this one.
+void KidnapDetector::turn_to(const Evidence& seen) {
+  if (seen.kidnapped_after == watch_.kidnapped_after) return;
+  std::swap(watch_, before_);
+  if (seen.kidnapped_after == watch_.kidnapped_after) return;
+  watch_ = {};
+  watch_.kidnapped_after = seen.kidnapped_after;
+  watch_.last_good = {seen.keyframe, seen.gathered_nat};
+}
+
+void KidnapDetector::settle(double inherited_nat) {
+  watch_.kidnapped_after = {};
+  watch_.last_good.nat -= inherited_nat;
+  before_ = {};
 }
 
 void KidnapDetector::reset() {
-  suspicion_nat_ = 0;
-  usual_nat_ = 0;
+  watch_ = before_ = {};
   usual_share_ = 0;
   is_broken_ = false;
-  last_good_ = {};
   discontinued_ = {};
 }
 
-double KidnapDetector::share_of_usual_nat() const { return std::max(options_.scan_nat, kDrop * usual_nat_); }
+bool KidnapDetector::discontinued(const Watch& watch) const {
+  return discontinued_.exists() && discontinued_.next() >= watch.last_good.keyframe;
+}
 
-double KidnapDetector::wanted_nat() const { return discontinued() ? share_of_usual_nat() : options_.scan_nat; }
+double KidnapDetector::share_of_usual_nat() const { return std::max(options_.scan_nat, kDrop * watch_.usual_nat); }
+
+double KidnapDetector::wanted_nat() const { return discontinued(watch_) ? share_of_usual_nat() : options_.scan_nat; }
 
 double KidnapDetector::probability() const {
-  const double prior_nat = discontinued() ? options_.prior_nat : kUnseenPrior_nat;
-  return 1 / (1 + std::exp(-(suspicion_nat_ + prior_nat)));
+  const double prior_nat = discontinued(watch_) ? options_.prior_nat : kUnseenPrior_nat;
+  return 1 / (1 + std::exp(-(watch_.suspicion_nat + prior_nat)));
 }
 
 bool KidnapDetector::alarming(double scan_nat) const { return scan_nat < share_of_usual_nat() - options_.alarm_nat; }
 
+bool KidnapDetector::is_suspicious(const Watch& watch) const {
+  return watch.suspicion_nat >= kSearchFrom_nat && discontinued(watch);
+}
+
 std::optional<RetrospectiveVerification::Takeover> KidnapDetector::suspected() const {
-  if (suspicion_nat_ < kSearchFrom_nat || !discontinued()) return std::nullopt;
-  return RetrospectiveVerification::Takeover{last_good_.keyframe,
-                                             last_good_.nat + options_.prior_nat + kPlacePrior_nat};
+  const auto from = [this](const Watch& watch) {
+    return RetrospectiveVerification::Takeover{watch.last_good.keyframe,
+                                               watch.last_good.nat + options_.prior_nat + kPlacePrior_nat};
+  };
+  if (is_suspicious(watch_)) return from(watch_);
+  if (watch_.kidnapped_after.exists() && is_suspicious(before_)) return from(before_);
+  return std::nullopt;
 }
 
 }  // namespace opal

@@ -26,8 +26,15 @@ class OPAL_EXPORT KidnapDetector {
     double scan_nat = 0;          ///< what it says for the hypothesis
     double gathered_nat = 0;      ///< what the hypothesis has gathered, this scan included
     bool established = false;     ///< the hypothesis had been believed before: suspicion begins with nothing else
+    KeyframeId kidnapped_after =
+        {};  ///< by the hypothesis, the robot was kidnapped after this keyframe; none: it was not
   };
+  /// A best hypothesis by which the robot was kidnapped is watched for itself, from its first scan on. Suspicion
+  /// against the one before stays, for candidates, until that kidnapping is settled.
   void add(const Evidence& evidence);
+  /// The kidnapping that the best hypothesis rests on was one: nothing before it matters any more.
+  /// @param inherited_nat  what was taken off the evidence of all hypotheses.
+  void settle(double inherited_nat);
   void reset();
 
   /// The probability that the robot has been kidnapped, at the time that explains it best.
@@ -39,12 +46,25 @@ class OPAL_EXPORT KidnapDetector {
   /// kidnapped, however well the scan fits.
   bool is_broken() const { return is_broken_; }
 
-  /// Where there is reason to search the whole map anew.
+  /// There is reason to search the whole map anew: scans speak against the best hypothesis.
+  bool is_suspicious() const { return is_suspicious(watch_); }
+  /// The kidnapping that a candidate may rest on: from the best hypothesis, if there is suspicion against it, else from
+  /// the one that it took over from.
   std::optional<RetrospectiveVerification::Takeover> suspected() const;
 
  private:
+  /// What is held against one best hypothesis.
+  struct Watch {
+    KeyframeId kidnapped_after = {};  ///< by the hypothesis; none: it was not
+    double suspicion_nat = 0;
+    double usual_nat = 0;  ///< what scans said on average before there was suspicion
+    RetrospectiveVerification::Takeover last_good;
+  };
+
+  void turn_to(const Evidence& seen);
   /// Some scan since then, or just before, did not continue those before.
-  bool discontinued() const { return discontinued_.exists() && discontinued_.next() >= last_good_.keyframe; }
+  bool discontinued(const Watch& watch) const;
+  bool is_suspicious(const Watch& watch) const;
   /// What a scan has to say, or it is a reason for suspicion [nat]: where it does not continue those before, about what
   /// they said, which a place that looks alike by chance does not.
   double wanted_nat() const;
@@ -52,9 +72,8 @@ class OPAL_EXPORT KidnapDetector {
 
   KidnappingOptions options_;
   double evidence_memory_;
-  double suspicion_nat_ = 0;
-  double usual_nat_ = 0;  ///< what scans said on average before there was suspicion
-  RetrospectiveVerification::Takeover last_good_;
+  Watch watch_;             ///< of the best hypothesis
+  Watch before_;            ///< of the one that was the best before
   double usual_share_ = 0;  ///< of points on what was seen before
   bool is_broken_ = false;
   KeyframeId discontinued_;  ///< the newest keyframe that did not continue those before

@@ -96,6 +96,7 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
   const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
   const bool probable = estimate.probability > options_.localized_probability, leads = lead_.nat >= lead_asked_nat();
   sure_ = same && probable && leads ? sure_ + now.tempering_weight : 0;
+  unbroken_ = now.is_broken ? 0 : unbroken_ + now.tempering_weight;
   if (!same) agreement_.clear();
   agreement_.add(now.agreement, now.tempering_weight);
   constexpr double kMemory = 0.8;
@@ -112,7 +113,6 @@ Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_loc
     return because(Status::lost,
                    sentence("the newest scans do not fit here: kidnapped with probability %.3f, not below %.3f",
                             now.kidnapped, 1 - options_.localized_probability));
-  unbroken_ = now.is_broken ? 0 : unbroken_ + now.tempering_weight;
   if (!doubt && sure_ > 0 && unbroken_ < options_.localized_weight)
     return because(unproven(estimate),
                    sentence("%.2f of %.2f pieces of new evidence ago a scan broke off from those before: the robot may "

@@ -16,7 +16,7 @@ struct Watch {
   void see(double scan_nat, double match_share = 1, bool established = true) {
     gathered_nat = kDetectorMemory * gathered_nat + scan_nat;
     keyframe = keyframe.next();
-    detector.add({keyframe, 1, match_share, scan_nat, gathered_nat, established});
+    detector.add({keyframe, 1, match_share, scan_nat, gathered_nat, established, kidnapped_after});
   }
   void see_good(int scans) {
     for (int k = 0; k < scans; ++k) see(kGood_nat);
@@ -29,9 +29,12 @@ struct Watch {
     see(kBad_nat, 0);
     see_bad(scans_after);
   }
+  /// Another hypothesis is the best one from now on, by which the robot was kidnapped just now.
+  void take_over() { kidnapped_after = keyframe; }
   KidnapDetector detector{KidnappingOptions{}, kDetectorMemory};
   KeyframeId keyframe{0};
   double gathered_nat = 0;
+  KeyframeId kidnapped_after;
 };
 
 }  // namespace
@@ -216,4 +219,57 @@ TEST_CASE("a detector that is reset suspects nothing and knows of no usual scan"
   CHECK_FALSE(watch.detector.alarming(0));
   watch.see_bad(1);
   CHECK_FALSE(watch.detector.suspected());
+}
+
+TEST_CASE("a place where the robot was kidnapped to is not asked for what another place used to say") {
+  Watch watch;
+  for (int k = 0; k < 30; ++k) watch.see(10 * kGood_nat);
+  watch.be_kidnapped(10);
+  REQUIRE(watch.detector.is_suspicious());
+  watch.take_over();
+  watch.see_good(2);
+  CHECK_FALSE(watch.detector.is_suspicious());
+  CHECK(watch.detector.probability() < 0.01);
+  CHECK_FALSE(watch.detector.alarming(kGood_nat));
+}
+
+TEST_CASE("until a kidnapping is settled, other candidates may rest on it, too") {
+  Watch watch;
+  watch.see_good(10);
+  const KeyframeId last_good = watch.keyframe;
+  watch.be_kidnapped(10);
+  watch.take_over();
+  watch.see_good(3);
+  REQUIRE(watch.detector.suspected());
+  CHECK(watch.detector.suspected()->keyframe == last_good);
+  watch.kidnapped_after = {};
+  watch.detector.settle(5);
+  watch.see_good(1);
+  CHECK_FALSE(watch.detector.suspected());
+}
+
+TEST_CASE("a second kidnapping is one from the place of the first") {
+  Watch watch;
+  watch.see_good(10);
+  watch.be_kidnapped(10);
+  watch.take_over();
+  watch.see_good(10);
+  const KeyframeId last_good = watch.keyframe;
+  watch.be_kidnapped(10);
+  CHECK(watch.detector.is_suspicious());
+  REQUIRE(watch.detector.suspected());
+  CHECK(watch.detector.suspected()->keyframe == last_good);
+}
+
+TEST_CASE("a hypothesis that is the best one again is as suspicious as it was") {
+  Watch watch;
+  watch.see_good(10);
+  watch.be_kidnapped(10);
+  const double before = watch.detector.probability();
+  watch.take_over();
+  watch.see_good(5);
+  watch.kidnapped_after = {};
+  watch.see_bad(1);
+  CHECK(watch.detector.is_suspicious());
+  CHECK(watch.detector.probability() >= before);
 }

@@ -90,3 +90,16 @@ TEST_CASE("the probability that is the reason is the one that is told, which a p
   CHECK(estimate.probability == Approx(0.097).margin(0.001));
   CHECK_THAT(answer.estimator.belief().why, Catch::StartsWith("the probability is 0.09"));
 }
+
+TEST_CASE("a break is remembered, whatever else speaks against the place at that scan") {
+  Answer answer = localized_here();
+  Circumstances broken;
+  broken.is_broken = true;
+  broken.kidnapped = 0.02;
+  CHECK(answer.to({hypothesis(1, kHere, 20)}, broken).status == Status::lost);
+  Circumstances soon;
+  soon.tempering_weight = 0.1;
+  CHECK(answer.to({hypothesis(1, kHere, 20)}, soon).status != Status::localized);
+  CHECK_THAT(answer.estimator.belief().why, Catch::Contains("a scan broke off from those before"));
+  CHECK(answer.weight_until_localized(soon) == Approx(StatusOptions{}.localized_weight).margin(0.3));
+}
