@@ -1,6 +1,7 @@
 #include "localization/decision/status.hpp"
 
 #include <opal/common/sentence.hpp>
+#include "localization/decision/same_place.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +10,7 @@
 namespace opal {
 namespace {
 
-constexpr double kSamePlace_m = 0.7, kSamePlace_rad = 0.2;
 constexpr double kAlternativeProbability = 0.01;
-
-bool same_place(const Pose2& a, const Pose2& b) {
-  return distance_m(a, b) < kSamePlace_m && angle_between_rad(a, b) < kSamePlace_rad;
-}
 
 Status unproven(const PoseEstimate& estimate) {
   return estimate.alternatives.empty() ? Status::searching : Status::ambiguous;
@@ -66,14 +62,14 @@ void StatusEstimator::weigh(const std::vector<Live>& alive, const Pose2& T_local
     const Live& live = alive[k];
     const Pose2 pose = live.hypothesis.T_map_local * T_local_base;
     const double probability = belief_.hypotheses[k];
-    if (same_place(pose, estimate.T_map_base)) {
+    if (kSamePlace.same(pose, estimate.T_map_base)) {
       estimate.probability += probability;
       continue;
     }
     const double behind_nat = best_nat - live.hypothesis.log_likelihood;
     lead_.nat = std::min(lead_.nat, behind_nat);
     const auto alternative = std::find_if(estimate.alternatives.begin(), estimate.alternatives.end(),
-                                          [&](const auto& r) { return same_place(r.T_map_base, pose); });
+                                          [&](const auto& r) { return kSamePlace.same(r.T_map_base, pose); });
     if (alternative != estimate.alternatives.end())
       alternative->probability += probability;
     else if (probability > kAlternativeProbability || behind_nat < lead_asked_nat())
@@ -93,7 +89,7 @@ double StatusEstimator::weight_asked(double unmapped_walls_m) const {
 
 Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
                               const Circumstances& now) {
-  const bool same = last_.has_pose && same_place(T_map_local_ * T_local_base, estimate.T_map_base);
+  const bool same = last_.has_pose && kSamePlace.same(T_map_local_ * T_local_base, estimate.T_map_base);
   const bool probable = estimate.probability > options_.localized_probability, leads = lead_.nat >= lead_asked_nat();
   sure_ = same && probable && leads ? sure_ + now.tempering_weight : 0;
   unbroken_ = now.is_broken ? 0 : unbroken_ + now.tempering_weight;

@@ -13,6 +13,8 @@ namespace {
 constexpr int kFeaturesPerGeometry = 8;
 // Along a pattern's free direction: half of what alignment recovers from.
 constexpr double kSweepStep_m = 0.2;
+// Candidates nearer than this are one: alignment recovers from 0.4 m, and so finds either from the other.
+constexpr PlaceTolerance kProposedApart{0.35, 0.12};
 
 /// The `most` best features of each geometry.
 std::vector<SearchFeature> best_per_geometry(std::span<const SearchFeature> features, int most) {
@@ -182,7 +184,7 @@ CandidateGenerator::Proposal CandidateGenerator::propose(Inquiry inquiry) const 
   std::stable_sort(places.begin(), places.end(), nearer);
   std::vector<Pose2> poses;
   for (const Place& place : places) poses.emplace_back(place.position, place.heading_rad);
-  for (std::size_t k : distinct_places(poses, 0.35, 0.12, options_.candidates)) {
+  for (std::size_t k : distinct_places(poses, kProposedApart, static_cast<std::size_t>(options_.candidates))) {
     const Place& place = places[k];
     const PatternLookup& lookup = inquiry.lookups[place.lookup];
     proposal.candidates.push_back(
@@ -191,10 +193,9 @@ CandidateGenerator::Proposal CandidateGenerator::propose(Inquiry inquiry) const 
   return proposal;
 }
 
-std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, double distance, double angle,
-                                         std::size_t most) {
+std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, const PlaceTolerance& apart, std::size_t most) {
   std::unordered_map<std::int64_t, std::vector<std::size_t>> kept_by_cell;
-  const auto cell = [&](double v) { return static_cast<std::int64_t>(std::floor(v / distance)); };
+  const auto cell = [&](double v) { return static_cast<std::int64_t>(std::floor(v / apart.position_m)); };
   const auto key = [](std::int64_t i, std::int64_t j) { return i * 73856093 ^ j * 19349663; };
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < poses.size() && kept.size() < most; ++k) {
@@ -204,9 +205,7 @@ std::vector<std::size_t> distinct_places(std::span<const Pose2> poses, double di
       for (std::int64_t b = j - 1; b <= j + 1 && !taken; ++b) {
         const auto it = kept_by_cell.find(key(a, b));
         if (it == kept_by_cell.end()) continue;
-        for (std::size_t other : it->second)
-          taken = taken ||
-                  (distance_m(poses[other], poses[k]) < distance && angle_between_rad(poses[other], poses[k]) < angle);
+        for (std::size_t other : it->second) taken = taken || apart.same(poses[other], poses[k]);
       }
     if (taken) continue;
     kept_by_cell[key(i, j)].push_back(k);

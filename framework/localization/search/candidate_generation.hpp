@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/place_tolerance.hpp"
 #include "localization/search/coarse_to_fine.hpp"
 #include "localization/search/pattern_lookup.hpp"
 #include "patterns/mapped_patterns.hpp"
@@ -105,8 +106,8 @@ class CandidateGenerator::Inquiry {
   std::size_t next = 0;    ///< of these, to be looked at
 };
 
-/// The best candidates such that no two are within distance_m and angle_rad; at most `most`.
-OPAL_EXPORT std::vector<std::size_t> distinct_places(std::span<const Pose2> poses_best_first, double distance_m,
-                                                     double angle_rad, std::size_t most);
+/// The best candidates such that no two are at one place; at most `most`.
+OPAL_EXPORT std::vector<std::size_t> distinct_places(std::span<const Pose2> poses_best_first,
+                                                     const PlaceTolerance& apart, std::size_t most);
 
 }  // namespace opal

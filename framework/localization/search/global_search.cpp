@@ -14,6 +14,11 @@ namespace {
 // A few points, far apart, rank candidates nearly as all of them do.
 constexpr std::size_t kCoarsePoints = 40;
 constexpr double kCoarseSpacing_m = 0.2, kFewSpacing_m = 0.1;
+// Aligned candidates nearer than this are one place: alignment ends within a step or two of the same pose.
+constexpr PlaceTolerance kAlignedApart{0.2, 0.06};
+// Of the grid about a hint, in which neighbours are 0.25 m and 0.1 rad apart, no two neighbours are kept: alignment
+// reaches from one to the other.
+constexpr PlaceTolerance kHintedApart{0.3, 0.12};
 
 std::vector<const Hypothesis*> pointers_to(const std::vector<Hypothesis>& hypotheses) {
   std::vector<const Hypothesis*> pointers;
@@ -67,12 +72,11 @@ Hypothesis GlobalSearch::aligned(Candidate& candidate, const Observation& observ
 
 /// Best first, one per place.
 void GlobalSearch::keep_best(std::vector<VerifiedCandidate>& candidates, const Scene& scene, Result& result) const {
-  constexpr double kOnePlace_m = 0.2, kOnePlace_rad = 0.06;
   const auto keep = static_cast<std::size_t>(options_.hypotheses);
   std::stable_sort(candidates.begin(), candidates.end(), better);
   std::vector<Pose2> poses;
   for (const VerifiedCandidate& each : candidates) poses.push_back(each.candidate.T_map_base);
-  const std::vector<std::size_t> chosen = distinct_places(poses, kOnePlace_m, kOnePlace_rad, keep);
+  const std::vector<std::size_t> chosen = distinct_places(poses, kAlignedApart, keep);
   if (scene.keep_rejected && chosen.size() == keep)
     for (std::size_t k = chosen.back() + 1; k < candidates.size(); ++k)
       result.rejected.push_back({candidates[k], std::to_string(keep) + " places score better"});
@@ -84,7 +88,6 @@ void GlobalSearch::keep_best(std::vector<VerifiedCandidate>& candidates, const S
 /// The places about a hint where a few points lie best, one per place.
 std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::span<const Point> coarse) const {
   constexpr double kSigmas = 2, kMost_m = 2, kMost_rad = 0.6, kStep_m = 0.25, kStep_rad = 0.1;
-  constexpr double kApart_m = 0.3, kApart_rad = 0.12;
   constexpr std::size_t kPlaces = 20;
   const int steps = static_cast<int>(std::ceil(std::min(kMost_m, kSigmas * hint.sigma_m) / kStep_m));
   const int turns = static_cast<int>(std::ceil(std::min(kMost_rad, kSigmas * hint.sigma_rad) / kStep_rad));
@@ -100,7 +103,7 @@ std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::
   std::vector<Pose2> poses;
   for (const auto& [score, pose] : places) poses.push_back(pose);
   std::vector<Candidate> candidates;
-  for (std::size_t k : distinct_places(poses, kApart_m, kApart_rad, kPlaces)) candidates.push_back({poses[k]});
+  for (std::size_t k : distinct_places(poses, kHintedApart, kPlaces)) candidates.push_back({poses[k]});
   return candidates;
 }
 

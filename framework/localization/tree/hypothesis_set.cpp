@@ -1,6 +1,7 @@
 #include "localization/tree/hypothesis_set.hpp"
 
 #include <opal/common/sentence.hpp>
+#include "common/place_tolerance.hpp"
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>
@@ -11,7 +12,10 @@ namespace opal {
 namespace {
 
 // Hypotheses nearer than this are one: alignment brings both to the same pose.
-constexpr double kMerge_m = 0.3, kMerge_rad = 0.1;
+constexpr PlaceTolerance kMerge{0.3, 0.1};
+// A candidate nearer than this to a hypothesis renews it. The two come from different scans and priors, so one place
+// has them a little further apart than two hypotheses of one scan.
+constexpr PlaceTolerance kRenewed{kMerge.position_m + 0.1, kMerge.heading_rad + 0.05};
 // Hypotheses that get an alignment search when odometry is uncertain; the search costs as much as tracking fifty.
 constexpr int kSearchedHypotheses = 15;
 // A scan that puts a hypothesis this far from where it was known to be is half believed (PoseFilterOptions).
@@ -141,8 +145,7 @@ void HypothesisSet::track(const Observation& observation, double tempering_weigh
 Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_local_base) {
   const auto same_place = [&](const Live& live) {
     const Pose2 T_map_base = live.hypothesis.T_map_local * T_local_base;
-    return distance_m(T_map_base, candidate.T_map_base) < kMerge_m + 0.1 &&
-           angle_between_rad(T_map_base, candidate.T_map_base) < kMerge_rad + 0.05;
+    return kRenewed.same(T_map_base, candidate.T_map_base);
   };
   const auto found = std::find_if(alive_.begin(), alive_.end(), same_place);
   return found == alive_.end() ? nullptr : &*found;
@@ -247,7 +250,7 @@ void HypothesisSet::merge(const Pose2& T_local_base) {
       if (ended(alive_[b])) continue;
       const Pose2 T_a = alive_[a].hypothesis.T_map_local * T_local_base;
       const Pose2 T_b = alive_[b].hypothesis.T_map_local * T_local_base;
-      if (angle_between_rad(T_a, T_b) < kMerge_rad && distance_m(T_a, T_b) < kMerge_m)
+      if (kMerge.same(T_a, T_b))
         end(alive_[b], "same place as hypothesis " + to_string(alive_[a].hypothesis.id), alive_[a].hypothesis.id);
     }
   }

@@ -11,9 +11,4 @@ void ExplainedMoment::take(const RunFrame& frame) {
   searched_s = frame.time_s;
 }
 
-bool same_place(const Pose2& a, const Pose2& b) {
-  constexpr double kSamePlace_m = 0.7, kSamePlace_rad = 0.2;
-  return distance_m(a, b) < kSamePlace_m && angle_between_rad(a, b) < kSamePlace_rad;
-}
-
 }  // namespace opal

@@ -19,7 +19,4 @@ struct ExplainedMoment {
   double status_since_s = 0;
 };
 
-/// What the localizer's status takes for one place (status.cpp): hypotheses there share their probability.
-bool same_place(const Pose2& a, const Pose2& b);
-
 }  // namespace opal

@@ -1,4 +1,5 @@
 #include "common/phrases.hpp"
+#include "localization/decision/same_place.hpp"
 #include "report/quantity_text.hpp"
 #include "viewer/reading/id_format.hpp"
 #include "viewer/words/score_comparison.hpp"
@@ -17,7 +18,7 @@ std::vector<const TracedHypothesis*> alternatives_of(const TracedHypothesis& bes
   std::vector<const TracedHypothesis*> alternatives;
   for (const auto& [id, hypothesis] : state.alive())
     if (id != best.id && hypothesis.probability >= kLeastProbability &&
-        !same_place(hypothesis.T_map_base, best.T_map_base))
+        !kSamePlace.same(hypothesis.T_map_base, best.T_map_base))
       alternatives.push_back(&hypothesis);
   std::sort(alternatives.begin(), alternatives.end(), [](const auto* a, const auto* b) {
     return a->probability != b->probability ? a->probability > b->probability : a->id < b->id;
