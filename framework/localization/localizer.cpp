@@ -265,14 +265,14 @@ void Localizer::State::search_map(const Observation& observation, const Sample& 
   for (GlobalSearch::Result& found : searches.look(scene, T_odom_base, need, times)) {
     for (const GlobalSearch::Result::Rejected& rejected : found.rejected)
       journal.candidate_rejected(rejected.candidate, rejected.reason);
-    StageClock clock(times.verify_s);
+    StageClock clock(times.retrospect_s);
     hypotheses.spawn(std::move(found.candidates), observation, tempering_weight(), retrospective);
     journal.searched(found.looked_up, found.places);
   }
 }
 
 void Localizer::State::grow() {
-  StageClock clock(times.associate_s);
+  StageClock clock(times.grow_s);
   std::vector<const LocalFeature*> stable;
   for (const LocalFeature& feature : local_map.features())
     if (feature.stable) stable.push_back(&feature);

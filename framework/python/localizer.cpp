@@ -61,9 +61,10 @@ py::list local_features(Handle& self) {
 
 std::map<std::string, double> times_ms(Handle& self) {
   const StageTimes& times = self.localizer().last_times();
-  return {{"sensor", 1e3 * times.sensor_s},       {"detect", 1e3 * times.detect_s},
-          {"local_map", 1e3 * times.local_map_s}, {"associate", 1e3 * times.associate_s},
-          {"verify", 1e3 * times.verify_s},       {"track", 1e3 * times.track_s},
+  return {{"sensor", 1e3 * times.sensor_s},         {"detect", 1e3 * times.detect_s},
+          {"local_map", 1e3 * times.local_map_s},   {"track", 1e3 * times.track_s},
+          {"generate", 1e3 * times.generate_s},     {"search", 1e3 * times.search_s},
+          {"retrospect", 1e3 * times.retrospect_s}, {"grow", 1e3 * times.grow_s},
           {"status", 1e3 * times.status_s}};
 }
 

@@ -132,7 +132,8 @@ TEST_CASE("each update writes what it cost, stage by stage") {
   for (const ordered_json& cost : costs) {
     REQUIRE(cost.contains("cpu_ms"));
     double sum_ms = 0;
-    for (const char* stage : {"sensor", "detect", "local_map", "track", "associate", "verify", "status"})
+    for (const char* stage :
+         {"sensor", "detect", "local_map", "track", "generate", "search", "retrospect", "grow", "status"})
       sum_ms += cost["cpu_ms"].at(stage).get<double>();
     CHECK(cost["cpu_ms"].at("total").get<double>() == Approx(sum_ms).margin(0.01));
   }

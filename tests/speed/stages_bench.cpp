@@ -15,9 +15,10 @@ struct Stage {
   double StageTimes::*time;
 };
 
-constexpr Stage kStages[] = {{"sensor", &StageTimes::sensor_s},       {"detect", &StageTimes::detect_s},
-                             {"local map", &StageTimes::local_map_s}, {"track", &StageTimes::track_s},
-                             {"associate", &StageTimes::associate_s}, {"verify", &StageTimes::verify_s},
+constexpr Stage kStages[] = {{"sensor", &StageTimes::sensor_s},         {"detect", &StageTimes::detect_s},
+                             {"local map", &StageTimes::local_map_s},   {"track", &StageTimes::track_s},
+                             {"generate", &StageTimes::generate_s},     {"search", &StageTimes::search_s},
+                             {"retrospect", &StageTimes::retrospect_s}, {"grow", &StageTimes::grow_s},
                              {"status", &StageTimes::status_s}};
 
 double quantile_ms(std::vector<double> times_s, double share) {

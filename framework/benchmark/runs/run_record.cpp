@@ -8,9 +8,11 @@ void add(opal::StageTimes& sum, const opal::StageTimes& one) {
   sum.sensor_s += one.sensor_s;
   sum.detect_s += one.detect_s;
   sum.local_map_s += one.local_map_s;
-  sum.associate_s += one.associate_s;
-  sum.verify_s += one.verify_s;
   sum.track_s += one.track_s;
+  sum.generate_s += one.generate_s;
+  sum.search_s += one.search_s;
+  sum.retrospect_s += one.retrospect_s;
+  sum.grow_s += one.grow_s;
   sum.status_s += one.status_s;
 }
 

@@ -43,8 +43,10 @@ nlohmann::ordered_json summarize(const RunRecord& all, const BenchCost& cost) {
             {"detect", mean_ms(all.stages.detect_s)},
             {"local_map", mean_ms(all.stages.local_map_s)},
             {"track", mean_ms(all.stages.track_s)},
-            {"associate", mean_ms(all.stages.associate_s)},
-            {"verify", mean_ms(all.stages.verify_s)},
+            {"generate", mean_ms(all.stages.generate_s)},
+            {"search", mean_ms(all.stages.search_s)},
+            {"retrospect", mean_ms(all.stages.retrospect_s)},
+            {"grow", mean_ms(all.stages.grow_s)},
             {"status", mean_ms(all.stages.status_s)}}}};
 }
 

@@ -286,10 +286,11 @@ void RunJournal::cost(const StageTimes& times, double total_s) {
   observation_ = nullptr;
   if (!listening()) return;
   auto e = event("cost");
-  e["cpu_ms"] = {{"sensor", milliseconds(times.sensor_s)},       {"detect", milliseconds(times.detect_s)},
-                 {"local_map", milliseconds(times.local_map_s)}, {"track", milliseconds(times.track_s)},
-                 {"associate", milliseconds(times.associate_s)}, {"verify", milliseconds(times.verify_s)},
-                 {"status", milliseconds(times.status_s)},       {"total", milliseconds(total_s)}};
+  e["cpu_ms"] = {{"sensor", milliseconds(times.sensor_s)},         {"detect", milliseconds(times.detect_s)},
+                 {"local_map", milliseconds(times.local_map_s)},   {"track", milliseconds(times.track_s)},
+                 {"generate", milliseconds(times.generate_s)},     {"search", milliseconds(times.search_s)},
+                 {"retrospect", milliseconds(times.retrospect_s)}, {"grow", milliseconds(times.grow_s)},
+                 {"status", milliseconds(times.status_s)},         {"total", milliseconds(total_s)}};
   events_.write(e);
 }
 

@@ -154,7 +154,7 @@ std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> can
 }
 
 GlobalSearch::Ongoing GlobalSearch::begin(const Scene& scene, bool under_constrained, StageTimes& times) const {
-  const StageClock clock(times.associate_s);
+  const StageClock clock(times.generate_s);
   std::vector<Point> coarse = thinned_points(scene.sample, kCoarseSpacing_m, kCoarsePoints);
   std::vector<SearchFeature> features = features_for(scene.observation);
   Ongoing search(generator_.ask(features, coarse, false));
@@ -176,13 +176,13 @@ bool GlobalSearch::ask_more(Ongoing& search, StageTimes& times) const {
   const std::vector<VerifiedCandidate>& found = search.result.candidates;
   const bool found_good = !found.empty() && found.front().nat >= options_.under_constrained_below_nat;
   if (!std::exchange(search.may_ask_more, false) || found_good) return false;
-  const StageClock clock(times.associate_s);
+  const StageClock clock(times.generate_s);
   search.inquiry = generator_.ask(search.features, search.coarse, true);
   return true;
 }
 
-/// The robot has driven on since the search began.
-void GlobalSearch::verify_proposal(Ongoing& search, const Scene& scene) const {
+/// The robot has driven on since the search began: the candidates are where it is now.
+std::vector<Candidate> GlobalSearch::propose(Ongoing& search, const Scene& scene) const {
   CandidateGenerator::Proposal proposed = generator_.propose(std::move(search.inquiry));
   const Pose2 &T_local_begun = search.T_local_base, &T_local_base = scene.observation.local_map.T_local_base();
   if (!same(T_local_begun, T_local_base))
@@ -191,7 +191,7 @@ void GlobalSearch::verify_proposal(Ongoing& search, const Scene& scene) const {
   search.result.places += proposed.candidates.size();
   for (CandidateGenerator::LookedUp& pattern : proposed.looked_up)
     search.result.looked_up.push_back(std::move(pattern));
-  add_verified(std::move(proposed.candidates), scene, search.result);
+  return std::move(proposed.candidates);
 }
 
 void GlobalSearch::add_verified(std::vector<Candidate> candidates, const Scene& scene, Result& result) const {
@@ -207,21 +207,28 @@ GlobalSearch::Result GlobalSearch::finished(Result result, const Scene& scene) c
 
 std::optional<GlobalSearch::Result> GlobalSearch::go_on(Ongoing& search, const Scene& scene, StageTimes& times) const {
   do {
+    std::vector<Candidate> proposed;
     {
-      const StageClock clock(times.associate_s);
+      const StageClock clock(times.generate_s);
       if (!look_up(search)) return std::nullopt;
+      proposed = propose(search, scene);
     }
-    const StageClock clock(times.verify_s);
-    verify_proposal(search, scene);
+    const StageClock clock(times.search_s);
+    add_verified(std::move(proposed), scene, search.result);
   } while (ask_more(search, times));
-  const StageClock clock(times.verify_s);
+  const StageClock clock(times.search_s);
   return finished(std::move(search.result), scene);
 }
 
 GlobalSearch::Result GlobalSearch::look_near(const PoseHint& hint, const Scene& scene, StageTimes& times) const {
-  const StageClock clock(times.verify_s);
+  std::vector<Candidate> proposed;
+  {
+    const StageClock clock(times.generate_s);
+    proposed = candidates_near(hint, thinned_points(scene.sample, kCoarseSpacing_m, kCoarsePoints));
+  }
+  const StageClock clock(times.search_s);
   Result result;
-  add_verified(candidates_near(hint, thinned_points(scene.sample, kCoarseSpacing_m, kCoarsePoints)), scene, result);
+  add_verified(std::move(proposed), scene, result);
   return finished(std::move(result), scene);
 }
 

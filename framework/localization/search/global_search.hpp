@@ -51,14 +51,15 @@ class OPAL_EXPORT GlobalSearch {
   class Ongoing;
   /// What is looked for is what these scans show.
   /// @param under_constrained  patterns with a free parameter may be looked up, too.
-  /// @param times  associate_s grows.
+  /// @param times  generate_s grows.
   Ongoing begin(const Scene& scene, bool under_constrained, StageTimes& times) const;
   /// Looks at as many places as there is time for at a scan.
   /// @param scene  the newest scans, by which candidates are verified; poses are the robot's there.
-  /// @param times  associate_s and verify_s grow.
+  /// @param times  generate_s and search_s grow.
   /// @return what was found, once all places have been looked at; nothing before.
   std::optional<Result> go_on(Ongoing& search, const Scene& scene, StageTimes& times) const;
   /// Places about a hint, at once.
+  /// @param times  generate_s and search_s grow.
   Result look_near(const PoseHint& hint, const Scene& scene, StageTimes& times) const;
 
   /// A scan with fewer points tells no place.
@@ -74,7 +75,7 @@ class OPAL_EXPORT GlobalSearch {
   bool look_up(Ongoing& search) const;
   /// The patterns with a free parameter, where those that fix the pose found nothing good.
   bool ask_more(Ongoing& search, StageTimes& times) const;
-  void verify_proposal(Ongoing& search, const Scene& scene) const;
+  std::vector<Candidate> propose(Ongoing& search, const Scene& scene) const;
   void add_verified(std::vector<Candidate> candidates, const Scene& scene, Result& result) const;
   /// One candidate per place, and what is above and below them.
   Result finished(Result result, const Scene& scene) const;
