@@ -52,8 +52,9 @@ void bind_pose_estimate(py::module_& module) {
       .def_property_readonly(
           "covariance", [](const PoseEstimate& self) { return array_of(self.covariance); },
           "Of x, y, heading [m, m, rad], if the best hypothesis is right; shape (3, 3).")
-      .def_readonly("probability", &PoseEstimate::probability, "That the best hypothesis is right.")
-      .def_readonly("none", &PoseEstimate::none, "Probability that neither the best nor any other one is right.")
+      .def_readonly("probability", &PoseEstimate::probability,
+                    "That the robot is here: the sum over all hypotheses within 0.7 m and 0.2 rad of the best one.")
+      .def_readonly("none", &PoseEstimate::none, "Probability that no hypothesis is right.")
       .def_readonly("hypotheses", &PoseEstimate::hypotheses, "Number that are alive.")
       .def_readonly("alternatives", &PoseEstimate::alternatives, "Other places, most probable first.")
       .def("__repr__", [](const PoseEstimate& self) {
@@ -69,7 +70,8 @@ void bind_alternative(py::module_& module) {
       .def_property_readonly(
           "pose", [](const Alternative& self) { return array_of(self.T_map_base); },
           "Of the robot in the map; shape (3,).")
-      .def_readonly("probability", &Alternative::probability);
+      .def_readonly("probability", &Alternative::probability,
+                    "That the robot is there: the sum over all hypotheses of that place.");
 }
 
 IntArray pairs_of(const Hypothesis& hypothesis) {

@@ -26,10 +26,12 @@ struct PoseEstimate {
   Status status = Status::searching;  ///< what the pose is worth
   Pose2 T_map_base;                   ///< of the best hypothesis; meaningless while searching without hypotheses
   bool has_pose = false;              ///< false: there is no hypothesis
-  /// Of (x, y, heading) in the map frame [m, m, rad], if the best hypothesis is right. `probability` is that it is.
+  /// Of (x, y, heading) in the map frame [m, m, rad], if the robot is at this place.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double probability = 0;  ///< that the best hypothesis is right, "none of these" included
-  double none = 1;         ///< that neither the best nor any other hypothesis is right
+  /// That the robot is at this place: the sum over all hypotheses within 0.7 m and 0.2 rad of the best one, lowered by
+  /// the probability that the robot was kidnapped.
+  double probability = 0;
+  double none = 1;         ///< that no hypothesis is right, be it that the robot was kidnapped
   int hypotheses = 0;      ///< number that are alive
   HypothesisId best = {};  ///< the best one
   /// Building, storey and the pose in the storey's own frame, of the best hypothesis; empty names if the map holds no
@@ -39,7 +41,7 @@ struct PoseEstimate {
   struct Alternative {
     HypothesisId hypothesis = {};  ///< the best one there
     Pose2 T_map_base;              ///< of that hypothesis
-    double probability = 0;        ///< that it is right
+    double probability = 0;        ///< that the robot is there: a sum as `PoseEstimate::probability`
   };
   std::vector<Alternative> alternatives;  ///< at other places, most probable first
 };
