@@ -93,6 +93,23 @@ TEST_CASE("frames say what the events say") {
   }
 }
 
+TEST_CASE("a place says what it comes from: its template, or else what the event says") {
+  const auto spawned = [](int id, const std::string& from) {
+    return events_at(0, R"("event":"spawned","hypothesis":)" + std::to_string(id) +
+                            R"(,"T_map_base":[1,2,0],"log_likelihood":0,"pairs":[],)" + from);
+  };
+  const ReadRun run = read_text(
+      kHead + update(0, 1,
+                     spawned(0, R"("origin":"pattern","template":"opal:Row")") + spawned(1, R"("origin":"hint")") +
+                         spawned(2, R"("origin":"other_storey")") + spawned(3, R"("origin":"branch","parent":0)")));
+  const std::vector<RecordedSpawn>& spawns = run.frames.at(0).spawns;
+  REQUIRE(spawns.size() == 4);
+  CHECK(spawns[0].origin == "opal:Row");
+  CHECK(spawns[1].origin == "a hint");
+  CHECK(spawns[2].origin == "another storey");
+  CHECK(spawns[3].origin.empty());
+}
+
 TEST_CASE("truth is interpolated between what was recorded, and absent outside") {
   const std::string truth = R"({"event":"truth","poses":[[10,0,0,3.1],[12,2,4,-3.1]]})"
                             "\n";

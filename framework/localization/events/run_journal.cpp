@@ -154,12 +154,13 @@ RunJournal::Json RunJournal::findings_json(const Live& live) const {
   return json;
 }
 
-void RunJournal::spawned(const Live& live, HypothesisId parent, TemplateNumber pattern) {
+void RunJournal::spawned(const Live& live, const Beginning& beginning) {
   if (!listening()) return;
   auto e = event("spawned");
   e["hypothesis"] = live.hypothesis.id;
-  if (parent.exists()) e["parent"] = parent;
-  if (pattern.exists()) e["template"] = search_.pattern_name(pattern);
+  if (beginning.parent.exists()) e["parent"] = beginning.parent;
+  e["origin"] = name_of(beginning.origin);
+  if (beginning.pattern.exists()) e["template"] = search_.pattern_name(beginning.pattern);
   e["T_map_base"] = pose_json(T_map_base(live));
   e["log_likelihood"] = live.hypothesis.log_likelihood;
   e["pairs"] = pairs_json(live.hypothesis.associations);
@@ -211,11 +212,13 @@ void RunJournal::branch_rejected(const Live& parent, const Association& pair, co
 void RunJournal::candidate_rejected(const VerifiedCandidate& verified, const std::string& reason) {
   if (!listening()) return;
   const Candidate& candidate = verified.candidate;
-  rejected_.push_back({{"template", search_.pattern_name(candidate.pattern)},
-                       {"T_map_base", pose_json(candidate.T_map_base)},
-                       {"pairs", pairs_json(candidate.pairs)},
-                       {"nat", verified.nat},
-                       {"reason", reason}});
+  Json json{{"origin", name_of(candidate.origin)}};
+  if (candidate.pattern.exists()) json["template"] = search_.pattern_name(candidate.pattern);
+  json["T_map_base"] = pose_json(candidate.T_map_base);
+  json["pairs"] = pairs_json(candidate.pairs);
+  json["nat"] = verified.nat;
+  json["reason"] = reason;
+  rejected_.push_back(std::move(json));
 }
 
 void RunJournal::searched(std::span<const CandidateGenerator::LookedUp> looked_up, std::size_t proposed) {

@@ -32,7 +32,7 @@ class RunJournal final : public HypothesisListener {
   /// The localizer was reset.
   void reset();
 
-  void spawned(const Live& live, HypothesisId parent, TemplateNumber pattern) override;
+  void spawned(const Live& live, const Beginning& beginning) override;
   void ended(const Live& live, const Ending& ending) override;
   void associated(const Live& live, std::span<const Association> pairs) override;
   void dissociated(const Live& live, const std::vector<LocalFeatureId>& local_features,

@@ -188,7 +188,7 @@ CandidateGenerator::Proposal CandidateGenerator::propose(Inquiry inquiry) const 
     const Place& place = places[k];
     const PatternLookup& lookup = inquiry.lookups[place.lookup];
     proposal.candidates.push_back(
-        {poses[k], lookup.pattern, pair_up(lookup, place.mapped, poses[k], inquiry.features)});
+        {poses[k], Origin::pattern, lookup.pattern, pair_up(lookup, place.mapped, poses[k], inquiry.features)});
   }
   return proposal;
 }

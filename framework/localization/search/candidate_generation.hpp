@@ -1,12 +1,12 @@
 #pragma once
 
 #include "common/place_tolerance.hpp"
+#include "localization/search/candidate.hpp"
 #include "localization/search/coarse_to_fine.hpp"
 #include "localization/search/pattern_lookup.hpp"
 #include "patterns/mapped_patterns.hpp"
 
 #include <opal/common/named.hpp>
-#include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/map/view/map_view.hpp>
 
 #include <span>
@@ -18,13 +18,6 @@ namespace opal {
 struct SearchFeature {
   Feature feature;  ///< base_link frame
   LocalFeatureId local = {};
-};
-
-/// A pose at which an observed pattern would be a mapped one.
-struct Candidate {
-  Pose2 T_map_base;
-  TemplateNumber pattern = {};  ///< that proposed it; none: a hint did
-  std::vector<Association> pairs = {};
 };
 
 /// Looks observed patterns up among mapped ones. Built once per map.

@@ -103,7 +103,7 @@ std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::
   std::vector<Pose2> poses;
   for (const auto& [score, pose] : places) poses.push_back(pose);
   std::vector<Candidate> candidates;
-  for (std::size_t k : distinct_places(poses, kHintedApart, kPlaces)) candidates.push_back({poses[k]});
+  for (std::size_t k : distinct_places(poses, kHintedApart, kPlaces)) candidates.push_back({poses[k], Origin::hint});
   return candidates;
 }
 
@@ -113,7 +113,7 @@ std::vector<Candidate> GlobalSearch::above_and_below_best(const std::vector<Veri
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < std::min(kBest, found.size()); ++k)
     for (const Pose2& pose : above_and_below(map_->map(), found[k].candidate.T_map_base))
-      if (options_.may_be_at(pose.position())) candidates.push_back({pose});
+      if (options_.may_be_at(pose.position())) candidates.push_back({pose, Origin::other_storey});
   return candidates;
 }
 

@@ -65,10 +65,8 @@ class OPAL_EXPORT GlobalSearch {
   /// A scan with fewer points tells no place.
   static constexpr std::size_t kFewestPoints = 15;
 
-  /// Of a candidate: what proposed it.
-  std::string pattern_name(TemplateNumber pattern) const {
-    return pattern.exists() ? generator_.pattern_name(pattern) : "hint";
-  }
+  /// @param pattern  of a candidate that comes from one.
+  const std::string& pattern_name(TemplateNumber pattern) const { return generator_.pattern_name(pattern); }
 
  private:
   std::vector<SearchFeature> features_for(const Observation& seen) const;

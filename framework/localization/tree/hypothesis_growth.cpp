@@ -85,7 +85,7 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
     listener_.associated(child, std::span(&choice, 1));
   } else {
     child.hypothesis.id = new_id();
-    listener_.spawned(child, parent.hypothesis.id, {});
+    listener_.spawned(child, {Origin::branch, {}, parent.hypothesis.id});
   }
   return true;
 }

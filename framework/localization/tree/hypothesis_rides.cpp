@@ -38,6 +38,7 @@ void HypothesisSet::carry(const Elsewhere& elsewhere, const Pose2& T_local_base)
   for (Arrival& arrival : arrivals) {
     Candidate candidate;
     candidate.T_map_base = arrival.T_map_base;
+    candidate.origin = Origin::ride;
     if (Live* there = at_place_of(candidate, T_local_base)) {
       there->hypothesis.log_likelihood = sum_of_nat(there->hypothesis.log_likelihood, arrival.past.nat);
       there->ridden_nat = there->hypothesis.log_likelihood;

@@ -191,7 +191,7 @@ void HypothesisSet::insert(Live live, Spawned spawned, Candidate candidate, Hypo
   live.inherited_nat = spawned.past.inherited_nat;
   live.leaf = tree_.add({}, std::move(candidate.pairs));
   live.updates = 1;
-  listener_.spawned(live, from, candidate.pattern);
+  listener_.spawned(live, {candidate.origin, candidate.pattern, from});
   alive_.push_back(std::move(live));
 }
 

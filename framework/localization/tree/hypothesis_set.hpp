@@ -30,6 +30,13 @@ struct Live {
   std::vector<Score> scores;        ///< of the newest scan, in the ensemble's order
 };
 
+/// How a hypothesis began.
+struct Beginning {
+  Origin origin = Origin::pattern;
+  TemplateNumber pattern = {};  ///< the generator's template that it comes from, if it comes from one
+  HypothesisId parent = {};     ///< the hypothesis that it branches from, if it does
+};
+
 /// Why a hypothesis ended.
 struct Ending {
   std::string reason;             ///< in words
@@ -40,9 +47,7 @@ struct Ending {
 class OPAL_EXPORT HypothesisListener {
  public:
   virtual ~HypothesisListener() = default;
-  /// @param parent    the hypothesis that it branches from, if it does.
-  /// @param pattern   the generator's template that it comes from, if it comes from one.
-  virtual void spawned(const Live& live, HypothesisId parent, TemplateNumber pattern) = 0;
+  virtual void spawned(const Live& live, const Beginning& beginning) = 0;
   virtual void ended(const Live& live, const Ending& ending) = 0;
   virtual void associated(const Live& live, std::span<const Association> pairs) = 0;
   virtual void dissociated(const Live& live, const std::vector<LocalFeatureId>& local_features,

@@ -104,7 +104,7 @@ void write_local_features(const RunFrame& frame, RecordText& record) {
 
 void write_tree(const RunFrame& frame, RecordText& record) {
   write_list("spawned", frame.spawns, record, [&](const RecordedSpawn& spawn) {
-    record.id(spawn.id).id(spawn.parent).text(spawn.pattern_template).pose(spawn.T_map_base, kPoseDecimals);
+    record.id(spawn.id).id(spawn.parent).text(spawn.origin).pose(spawn.T_map_base, kPoseDecimals);
     record.number(spawn.log_likelihood, kNatDecimals);
     write_pairs(spawn.pairs, record);
   });
@@ -133,10 +133,7 @@ void write_search(const RecordedSearch& search, RecordText& record) {
     record.open('[').text(lookup.pattern_template).ids(lookup.local_features).integer(lookup.candidates).close(']');
   record.close(']').key("proposed").integer(search.proposed).key("rejected").open('[');
   for (const auto& rejected : search.rejected) {
-    record.open('[')
-        .text(rejected.pattern_template)
-        .pose(rejected.T_map_base, kPoseDecimals)
-        .number(rejected.nat, kNatDecimals);
+    record.open('[').text(rejected.origin).pose(rejected.T_map_base, kPoseDecimals).number(rejected.nat, kNatDecimals);
     write_pairs(rejected.pairs, record);
     record.text(rejected.reason).close(']');
   }

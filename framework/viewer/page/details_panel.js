@@ -82,7 +82,7 @@ export class DetailsPanel {
         ['Log-likelihood', `${fixed(hypothesis.end.nat, 2)} nat`],
         ['Last scan', `${fixed(hypothesis.end.scan_nat, 2)} nat`],
       );
-    const origin = hypothesis.parent >= 0 ? `branch of #${hypothesis.parent}` : shortName(hypothesis.template);
+    const origin = hypothesis.parent >= 0 ? `branch of #${hypothesis.parent}` : shortName(hypothesis.origin);
     facts.push(['Spawned', this.moment(at(hypothesis.spawnedFrame), hypothesis.spawnedFrame, origin && `, ${origin}`)]);
     if (over) facts.push(['Ended', this.moment(at(hypothesis.endFrame), hypothesis.endFrame)]);
     const list = element('dl', { class: 'facts' });

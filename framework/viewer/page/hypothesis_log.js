@@ -6,7 +6,7 @@ function spawnedNow(id, frame) {
   return {
     id,
     parent: -1,
-    template: '',
+    origin: '',
     spawnedFrame: frame,
     pose: null,
     nat: NaN,
@@ -61,12 +61,12 @@ export class HypothesisLog {
   }
 
   spawned(entry, frame, place) {
-    const [id, parent, template, x, y, heading, nat, pairs] = list(entry, place);
+    const [id, parent, origin, x, y, heading, nat, pairs] = list(entry, place);
     const hypothesis = this.of(id, frame, place);
     if (hypothesis.known) refuse(place, 'a new id', id);
     hypothesis.known = true;
     hypothesis.parent = integer(parent, place);
-    hypothesis.template = text(template ?? '', place);
+    hypothesis.origin = text(origin ?? '', place);
     hypothesis.pose = [x, y, heading].map((v) => coordinate(v, place));
     hypothesis.nat = numberOrNull(nat, place);
     hypothesis.pairs = pairsOf(pairs, this.features, place);

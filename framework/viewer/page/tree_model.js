@@ -165,7 +165,7 @@ export class TreeModel {
     if (open) rows.push(...found);
   }
 
-  refused(frame, [template, x, y, heading, , pairs, reason], k) {
+  refused(frame, [origin, x, y, heading, , pairs, reason], k) {
     return {
       key: `r${frame}.${k}`,
       level: 2,
@@ -175,7 +175,7 @@ export class TreeModel {
       state: 'tried',
       frame,
       words: `× ${nodeWords(pairs, this.recording.map)}`,
-      note: `rejected: ${reason} · ${shortName(String(template))} at ${poseWords([x, y, heading])}`,
+      note: `rejected: ${reason} · ${shortName(String(origin))} at ${poseWords([x, y, heading])}`,
     };
   }
 }

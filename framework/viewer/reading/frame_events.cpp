@@ -104,6 +104,15 @@ void read_pruned(const EventPlace& event, const FeaturePositions& features, RunF
   frame.ends.push_back(std::move(end));
 }
 
+/// The template of a pattern; else what "origin" says, in words where no other field tells it.
+std::string origin_of(const EventPlace& event) {
+  std::string pattern_template = optional_name(event, "template");
+  if (!pattern_template.empty()) return pattern_template;
+  const std::string origin = optional_name(event, "origin");
+  if (origin == "hint") return "a hint";
+  return origin == "other_storey" ? "another storey" : "";
+}
+
 void read_searched(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
   RecordedSearch& search = frame.search.emplace();
   if (const auto patterns = event.find("patterns"))
@@ -117,16 +126,15 @@ void read_searched(const EventPlace& event, const FeaturePositions& features, Ru
   if (const auto rejected = event.find("rejected"))
     for (std::size_t k = 0; k < rejected->elements(); ++k) {
       const EventPlace place = rejected->element(k);
-      search.rejected.push_back({optional_name(place, "template"), place.member("T_map_base").pose(),
-                                 read_pairs(place, features), optional_nat(place, "nat"),
-                                 place.member("reason").sentence()});
+      search.rejected.push_back({origin_of(place), place.member("T_map_base").pose(), read_pairs(place, features),
+                                 optional_nat(place, "nat"), place.member("reason").sentence()});
     }
 }
 
 void read_spawned(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {
   frame.spawns.push_back({event.member("hypothesis").id<HypothesisId>(), optional_hypothesis(event, "parent"),
-                          optional_name(event, "template"), event.member("T_map_base").pose(),
-                          optional_nat(event, "log_likelihood"), read_pairs(event, features)});
+                          origin_of(event), event.member("T_map_base").pose(), optional_nat(event, "log_likelihood"),
+                          read_pairs(event, features)});
 }
 
 void read_associated(const EventPlace& event, const FeaturePositions& features, RunFrame& frame) {

@@ -92,7 +92,7 @@ struct RecordedHypothesis {
 struct RecordedSpawn {
   HypothesisId id = {};
   HypothesisId parent = {};  ///< none: from a search
-  std::string pattern_template;
+  std::string origin;  ///< template of its pattern, or what else it comes from in words; empty: a parent, or unknown
   Pose2 T_map_base;
   double log_likelihood = 0;
   std::vector<RecordedPair> pairs;
@@ -132,7 +132,7 @@ struct RecordedSearch {
     int candidates = 0;
   };
   struct Rejected {
-    std::string pattern_template;
+    std::string origin;  ///< as of a spawn
     Pose2 T_map_base;
     std::vector<RecordedPair> pairs;
     double nat = 0;

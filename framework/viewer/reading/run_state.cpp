@@ -51,7 +51,7 @@ TracedHypothesis& RunState::traced(HypothesisId id) {
 void RunState::insert(const RecordedSpawn& spawn) {
   TracedHypothesis& hypothesis = traced(spawn.id);
   hypothesis.parent = spawn.parent;
-  hypothesis.pattern_template = spawn.pattern_template;
+  hypothesis.origin = spawn.origin;
   hypothesis.pairs = spawn.pairs;
   hypothesis.T_map_base = spawn.T_map_base;
   hypothesis.log_likelihood = spawn.log_likelihood;

@@ -11,7 +11,7 @@ namespace opal {
 struct TracedHypothesis {
   HypothesisId id = {};
   HypothesisId parent = {};
-  std::string pattern_template;
+  std::string origin;    ///< as RecordedSpawn
   double spawned_s = 0;  ///< time since the start of the time line
   KeyframeId spawned_keyframe = {};
   std::vector<RecordedPair> pairs;  ///< associations that hold now (at the end, if it has ended), oldest first

@@ -84,11 +84,11 @@ class Support {
 
 /// Empty if its spawn is not recorded.
 std::string origin_text(const TracedHypothesis& hypothesis) {
-  if (!hypothesis.parent.exists() && hypothesis.pattern_template.empty()) return {};
+  if (!hypothesis.parent.exists() && hypothesis.origin.empty()) return {};
   std::string text =
       hypothesis.parent.exists() ? fmt::format("branched from hypothesis {}", hypothesis.parent) : "spawned";
   text += " at " + seconds_text(hypothesis.spawned_s);
-  return hypothesis.pattern_template.empty() ? text : text + " from " + hypothesis.pattern_template;
+  return hypothesis.origin.empty() ? text : text + " from " + hypothesis.origin;
 }
 
 /// "on Third floor of GDC, there at (1.0, 2.0) m: "; empty if the map holds no storeys.

@@ -68,6 +68,7 @@ TEST_CASE("a candidate says what its pattern is on the map") {
   const auto found = searching.find().candidates;
   REQUIRE_FALSE(found.empty());
   const Candidate& best = found.front().candidate;
+  CHECK(best.origin == Origin::pattern);
   CHECK(searching.search.pattern_name(best.pattern) == "corner");
   REQUIRE(best.pairs.size() == 1);
   const auto& local = searching.robot.local_map().features();

@@ -84,5 +84,8 @@ TEST_CASE("a hint is looked at at once, however much of the map is left") {
   const auto found = searching.search.look_near({about, 0.5, 0.2}, {searching.robot.sample(), seen}, times);
   REQUIRE_FALSE(found.candidates.empty());
   CHECK(is_at(found.candidates.front(), kTruth));
-  CHECK_FALSE(found.candidates.front().candidate.pattern.exists());
+  for (const VerifiedCandidate& each : found.candidates) {
+    CHECK(each.candidate.origin == Origin::hint);
+    CHECK_FALSE(each.candidate.pattern.exists());
+  }
 }

@@ -6,7 +6,7 @@ namespace opal {
 
 /// Hears nothing; a test overrides what it wants to hear.
 struct DeafListener : HypothesisListener {
-  void spawned(const Live&, HypothesisId, TemplateNumber) override {}
+  void spawned(const Live&, const Beginning&) override {}
   void ended(const Live&, const Ending&) override {}
   void associated(const Live&, std::span<const Association>) override {}
   void dissociated(const Live&, const std::vector<LocalFeatureId>&, const std::string&) override {}

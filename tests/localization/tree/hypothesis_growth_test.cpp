@@ -12,7 +12,7 @@ namespace {
 struct CountingListener : DeafListener {
   int spawns = 0;
   std::vector<std::vector<LocalFeatureId>> taken_back;
-  void spawned(const Live&, HypothesisId, TemplateNumber) override { ++spawns; }
+  void spawned(const Live&, const Beginning&) override { ++spawns; }
   void dissociated(const Live&, const std::vector<LocalFeatureId>& features, const std::string&) override {
     taken_back.push_back(features);
   }

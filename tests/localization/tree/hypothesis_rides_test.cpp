@@ -11,8 +11,12 @@ using namespace opal::synthetic;
 namespace {
 
 struct Parents : DeafListener {
-  void spawned(const Live&, HypothesisId parent, TemplateNumber) override { parents.push_back(parent); }
+  void spawned(const Live&, const Beginning& beginning) override {
+    parents.push_back(beginning.parent);
+    origins.push_back(beginning.origin);
+  }
   std::vector<HypothesisId> parents;
+  std::vector<Origin> origins;
 };
 
 /// Hypotheses on storeys that lie at x = 0, 100, 200, all of them in a lift.
@@ -61,6 +65,7 @@ TEST_CASE("a ride shares the weight of a hypothesis alike among all storeys, and
   CHECK(std::log(sum) == Approx(before_nat));
   CHECK(lift.listener.parents.size() == 3);
   CHECK(lift.listener.parents[1] == lift.set.alive().front().hypothesis.id);
+  CHECK(lift.listener.origins[1] == Origin::ride);
 }
 
 TEST_CASE("a second ride makes no further hypotheses: it mixes those that there are") {

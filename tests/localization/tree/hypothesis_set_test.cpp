@@ -17,9 +17,9 @@ constexpr double kSpawn_nat = HypothesesOptions{}.spawn_nat, kPrune_nat = Hypoth
 
 /// Hears everything.
 struct Listener : DeafListener {
-  void spawned(const Live& live, HypothesisId parent, TemplateNumber) override {
+  void spawned(const Live& live, const Beginning& beginning) override {
     ++spawns[live.hypothesis.id];
-    parents[live.hypothesis.id] = parent;
+    parents[live.hypothesis.id] = beginning.parent;
   }
   void ended(const Live& live, const Ending& ending) override {
     ++ends[live.hypothesis.id];
