@@ -29,13 +29,13 @@ struct Localizer::State {
         sensors(parts.lasers, parts.matcher),
         local_map(parts.local_map, parts.matcher),
         ensemble(parts.scorers, parts.map, failures),
-        search(parts.map, parts.patterns, ensemble, parts.stages.search),
-        journal(sink ? *sink : nobody, parts.map, ensemble, search),
+        global_search(parts.map, parts.patterns, ensemble, parts.stages.search),
+        journal(sink ? *sink : nobody, parts.map, ensemble, global_search),
         retrospective(parts.map, ensemble, parts.stages.verification, parts.stages.tracking.evidence_memory),
         hypotheses(parts.map, ensemble, parts.stages, journal),
         kidnapping(parts.stages.kidnapping, parts.stages.tracking.evidence_memory),
         rides(parts.map, parts.stages.rides),
-        searches(search, parts.stages.schedule),
+        search_session(global_search, parts.stages.schedule),
         status(parts.stages.status, parts.stages.tracking.evidence_memory) {}
 
   void check_sensors(const Sample& sample);
@@ -65,15 +65,14 @@ struct Localizer::State {
   SensorMonitors sensors;
   LocalMap local_map;
   ScorerEnsemble ensemble;
-  GlobalSearch search;
+  GlobalSearch global_search;
   RunJournal journal;
   RetrospectiveVerification retrospective;
   HypothesisSet hypotheses;
   KidnapDetector kidnapping;
   RideWatch rides;
-  MapSearch searches;
+  MapSearch search_session;  ///< global searches from scan to scan
   StatusEstimator status;
-  std::vector<Hypothesis> alive;  ///< what hypotheses() shows
 
   bool started = false;
   double stamp_s = 0;
@@ -147,14 +146,14 @@ void Localizer::State::forget_drive() {
   rides.reset();
   status.reset();
   started = false;
-  searches.restart();
+  search_session.restart();
 }
 
 bool Localizer::State::is_keyframe(const Sample& sample) {
   const bool moved = moved_enough(sample.T_odom_base),
-             sees_other = !moved && !searches.has_hint() && fits_no_more(sample);
+             sees_other = !moved && !search_session.has_hint() && fits_no_more(sample);
   rode = rides.may_have_ridden(sample, best_pose_at(sample.T_odom_base), sees_other);
-  return rode || searches.has_hint() || moved || sees_other;
+  return rode || search_session.has_hint() || moved || sees_other;
 }
 
 bool Localizer::State::moved_enough(const Pose2& now) const {
@@ -205,7 +204,7 @@ void Localizer::State::track(const Observation& observation, const Sample& sampl
 void Localizer::State::carry() {
   hypotheses.carry([this](const Pose2& pose) { return rides.elsewhere(pose); }, local_map.T_local_base());
   local_map.keep_only({});
-  searches.abandon();
+  search_session.abandon();
   retrospective.forget_until(keyframe);
 }
 
@@ -262,7 +261,7 @@ void Localizer::State::search_map(const Observation& observation, const Sample& 
                              .every = searched_every(),
                              .under_constrained = !has_gathered_much() || kidnapping.suspected()};
   const GlobalSearch::Scene scene{sample, observation, journal.listening()};
-  for (GlobalSearch::Result& found : searches.look(scene, T_odom_base, need, times)) {
+  for (GlobalSearch::Result& found : search_session.look(scene, T_odom_base, need, times)) {
     for (const GlobalSearch::Result::Rejected& rejected : found.rejected)
       journal.candidate_rejected(rejected.candidate, rejected.reason);
     StageClock clock(times.retrospect_s);
@@ -296,10 +295,10 @@ PoseEstimate Localizer::estimate_at(double stamp_s, const Pose2& T_odom_base) co
   return state_->with_place(state_->status.at(stamp_s, T_local_base));
 }
 
-void Localizer::hint(const PoseHint& hint) { state_->searches.hint(hint); }
+void Localizer::hint(const PoseHint& hint) { state_->search_session.hint(hint); }
 
 void Localizer::reset() {
-  state_->searches.forget_hint();
+  state_->search_session.forget_hint();
   state_->sensors.clear();
   state_->forget_drive();
   state_->journal.reset();
@@ -312,10 +311,10 @@ void Localizer::keep_pattern() {
 const LocalMap& Localizer::local_map() const { return state_->local_map; }
 const MapView& Localizer::map() const { return *state_->parts.map; }
 
-const std::vector<Hypothesis>& Localizer::hypotheses() const {
-  state_->alive.clear();
-  for (const Live& live : state_->hypotheses.alive()) state_->alive.push_back(live.hypothesis);
-  return state_->alive;
+std::vector<Hypothesis> Localizer::hypotheses() const {
+  std::vector<Hypothesis> alive;
+  for (const Live& live : state_->hypotheses.alive()) alive.push_back(live.hypothesis);
+  return alive;
 }
 
 std::map<std::string, Score> Localizer::scores_of(HypothesisId hypothesis) const {

@@ -25,7 +25,7 @@ void LocalizerQueries::take(const RawScan& scan) {
 
 std::vector<Geometry> LocalizerQueries::pattern() const {
   std::vector<Geometry> pattern;
-  const auto& hypotheses = localizer_.hypotheses();
+  const std::vector<Hypothesis> hypotheses = localizer_.hypotheses();
   if (hypotheses.empty()) return pattern;
   const Pose2 T_base_local = localizer_.local_map().T_local_base_at(T_odom_base_).inverse();
   const auto& features = localizer_.local_map().features();

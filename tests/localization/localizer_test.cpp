@@ -97,7 +97,7 @@ TEST_CASE("a robot that drives about is found, and every estimate is written wit
   const auto estimates = robot.heard.of("estimate");
   REQUIRE(estimates.size() == 12);
   const ordered_json& last = estimates.back();
-  const auto& alive = robot.localizer.hypotheses();
+  const std::vector<Hypothesis> alive = robot.localizer.hypotheses();
   REQUIRE(last["hypotheses"].size() == alive.size());
   for (std::size_t k = 0; k < alive.size(); ++k)
     CHECK(last["hypotheses"][k]["log_likelihood"].get<double>() == Approx(alive[k].log_likelihood));

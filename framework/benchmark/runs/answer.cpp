@@ -29,8 +29,9 @@ std::vector<std::string> words_of(const std::vector<opal::SensorFinding>& findin
 
 std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer) {
   std::vector<NamedAssociation> named;
-  if (localizer.hypotheses().empty()) return named;
-  const opal::Hypothesis& best = localizer.hypotheses().front();
+  const std::vector<opal::Hypothesis> alive = localizer.hypotheses();
+  if (alive.empty()) return named;
+  const opal::Hypothesis& best = alive.front();
   const opal::SemanticMap& map = localizer.map().map();
   for (const opal::Association& pair : best.associations) {
     const opal::LocalFeature* local = find_local(localizer.local_map(), pair.local_feature);

@@ -33,7 +33,7 @@ std::vector<opal::Point> moved(const opal::Pose2& T_to_from, std::vector<opal::P
 std::vector<opal::DrawingScene::DrawnHypothesis> drawn_hypotheses(const opal::Localizer& localizer,
                                                                   const opal::PoseEstimate& estimate) {
   std::vector<opal::DrawingScene::DrawnHypothesis> drawn;
-  const auto& alive = localizer.hypotheses();
+  const std::vector<opal::Hypothesis> alive = localizer.hypotheses();
   for (const opal::Hypothesis& hypothesis : alive) {
     const double odds = std::exp(hypothesis.log_likelihood - alive.front().log_likelihood);
     drawn.push_back({hypothesis.T_map_local * localizer.local_map().T_local_base(), odds * estimate.probability});
@@ -48,7 +48,7 @@ std::string status_text(const opal::PoseEstimate& estimate) {
 
 void add_best(opal::DrawingScene& scene, const opal::Localizer& localizer, const opal::LaserModel& laser,
               const RunRecord& record) {
-  const opal::Pose2& T_map_local = localizer.hypotheses().front().T_map_local;
+  const opal::Pose2 T_map_local = localizer.hypotheses().front().T_map_local;
   const opal::Pose2 T_map_laser = T_map_local * localizer.local_map().T_local_base() * laser.T_base_laser;
   scene.scan_points = moved(T_map_laser, record.last_points);
   scene.free_space = moved(T_map_laser, seen_free(record.last_points));

@@ -10,7 +10,11 @@
 namespace opal {
 namespace {
 
+// A place with less is told only if its evidence comes near that of the best one: a large building has many such.
 constexpr double kAlternativeProbability = 0.01;
+// Share of the mean score that is kept at each scan: the newest five or so tell whether the robot is lost, and one
+// scan behind people does not.
+constexpr double kScanMemory = 0.8;
 
 Status unproven(const PoseEstimate& estimate) {
   return estimate.alternatives.empty() ? Status::searching : Status::ambiguous;
@@ -87,72 +91,69 @@ double StatusEstimator::weight_asked(double unmapped_walls_m) const {
   return std::max(options_.localized_weight, std::min(asked, options_.localized_most_weight));
 }
 
-Status StatusEstimator::judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
-                              const Circumstances& now) {
-  const bool same = last_.has_pose && kSamePlace.same(T_map_local_ * T_local_base, estimate.T_map_base);
+void StatusEstimator::gather(const Live& best, const PoseEstimate& estimate, const Circumstances& now, bool same) {
   const bool probable = estimate.probability > options_.localized_probability, leads = lead_.nat >= lead_asked_nat();
   sure_ = same && probable && leads ? sure_ + now.tempering_weight : 0;
   unbroken_ = now.is_broken ? 0 : unbroken_ + now.tempering_weight;
   if (!same) agreement_.clear();
   agreement_.add(now.agreement, now.tempering_weight);
-  constexpr double kMemory = 0.8;
-  mean_scan_nat_ = same ? kMemory * mean_scan_nat_ + (1 - kMemory) * alive.front().scan_nat : alive.front().scan_nat;
+  mean_scan_nat_ = same ? kScanMemory * mean_scan_nat_ + (1 - kScanMemory) * best.scan_nat : best.scan_nat;
+}
+
+StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2& T_local_base,
+                                                  const PoseEstimate& estimate, const Circumstances& now) {
+  const bool same = last_.has_pose && kSamePlace.same(T_map_local_ * T_local_base, estimate.T_map_base);
+  gather(best, estimate, now, same);
   if (!contradiction_.empty()) {
     sure_ = 0;  // what was seen under a wrong description is no evidence
-    return because(while_contradicted(estimate), contradiction_);
+    return {while_contradicted(estimate), contradiction_};
   }
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
-    return because(Status::lost, sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_,
-                                          options_.lost_scan_nat));
+    return {Status::lost,
+            sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_, options_.lost_scan_nat)};
   const bool doubt = estimate.probability * (1 - now.kidnapped) <= options_.localized_probability;
   if (was_localized_ && same && doubt && sure_ > 0)
-    return because(Status::lost,
-                   sentence("the newest scans do not fit here: kidnapped with probability %.3f, not below %.3f",
-                            now.kidnapped, 1 - options_.localized_probability));
+    return {Status::lost, sentence("the newest scans do not fit here: kidnapped with probability %.3f, not below %.3f",
+                                   now.kidnapped, 1 - options_.localized_probability)};
   if (!doubt && sure_ > 0 && unbroken_ < options_.localized_weight)
-    return because(unproven(estimate),
-                   sentence("%.2f of %.2f pieces of new evidence ago a scan broke off from those before: the robot may "
-                            "have been kidnapped",
-                            unbroken_, options_.localized_weight));
+    return {unproven(estimate),
+            sentence("%.2f of %.2f pieces of new evidence ago a scan broke off from those before: the robot may "
+                     "have been kidnapped",
+                     unbroken_, options_.localized_weight)};
   const double asked = weight_asked(now.unmapped_walls_m);
   const bool is_other_place = agreement_.share() < options_.localized_least_agreement;
   const Status status = sure_ >= asked && !doubt && !is_other_place ? Status::localized : unproven(estimate);
   if (sure_ > 0 && is_other_place)
-    return because(status,
-                   sentence("%.0f %% of the beams that the map speaks about pass through what it has: is it the "
-                            "map of this building?",
-                            100 * (1 - agreement_.share())));
-  if (sure_ > 0) return because_held(status, asked, now.unmapped_walls_m);
-  return because_unsure(status, same, estimate.probability * (1 - now.kidnapped));
+    return {status, sentence("%.0f %% of the beams that the map speaks about pass through what it has: is it the "
+                             "map of this building?",
+                             100 * (1 - agreement_.share()))};
+  if (sure_ > 0) return {status, why_held(asked, now.unmapped_walls_m)};
+  return {status, why_unsure(same, estimate.probability * (1 - now.kidnapped))};
 }
 
-Status StatusEstimator::because_unsure(Status status, bool same, double probability) {
+std::string StatusEstimator::why_unsure(bool same, double probability) const {
   const bool probable = probability > options_.localized_probability;
   if (!probable)
-    return because(status, sentence("the probability is %.3f, not above %.3f", rounded_down(probability),
-                                    options_.localized_probability));
-  if (!same) return because(status, "the best place has just changed");
-  return because(status, sentence("another place explains what was seen nearly as well: its evidence is %.1f nat less "
-                                  "of %.1f, and should be %.1f less",
-                                  lead_.nat, lead_.own_nat, lead_asked_nat()));
+    return sentence("the probability is %.3f, not above %.3f", rounded_down(probability),
+                    options_.localized_probability);
+  if (!same) return "the best place has just changed";
+  return sentence(
+      "another place explains what was seen nearly as well: its evidence is %.1f nat less "
+      "of %.1f, and should be %.1f less",
+      lead_.nat, lead_.own_nat, lead_asked_nat());
 }
 
-Status StatusEstimator::because_held(Status status, double asked, double unmapped_walls_m) {
+std::string StatusEstimator::why_held(double asked, double unmapped_walls_m) const {
   const std::string held =
       sentence("the probability that is asked for has held here for %.2f of %.2f pieces of new evidence", sure_, asked);
-  if (asked <= options_.localized_weight) return because(status, held);
+  if (asked <= options_.localized_weight) return held;
   std::string why;
   if (unmapped_walls_m > options_.localized_unmapped_m)
     why = sentence(", so many since %.1f m of straight walls that were seen are not on the map", unmapped_walls_m);
   if (agreement_.share() < options_.localized_agreement)
     why += sentence(", %s %.0f %% of the beams that the map speaks about pass through what it has",
                     why.empty() ? "so many since" : "and", 100 * (1 - agreement_.share()));
-  return because(status, held + why);
-}
-
-Status StatusEstimator::because(Status status, std::string why) {
-  belief_.why = std::move(why);
-  return status;
+  return held + why;
 }
 
 Status StatusEstimator::while_contradicted(const PoseEstimate& estimate) const {
@@ -180,7 +181,9 @@ PoseEstimate StatusEstimator::estimate(const std::vector<Live>& alive, const Pos
   estimate.T_map_base = alive.front().hypothesis.T_map_local * T_local_base;
   estimate.covariance = alive.front().pose.covariance();
   weigh(alive, T_local_base, estimate);
-  estimate.status = judge(alive, T_local_base, estimate, now);
+  Judgement judged = judge(alive.front(), T_local_base, estimate, now);
+  estimate.status = judged.status;
+  belief_.why = std::move(judged.why);
   reckon_with(now.kidnapped, estimate);
   was_localized_ = was_localized_ || estimate.status == Status::localized;
   T_map_local_ = alive.front().hypothesis.T_map_local;

@@ -57,17 +57,22 @@ class OPAL_EXPORT StatusEstimator {
  private:
   void believe(const std::vector<Live>& alive);
   void weigh(const std::vector<Live>& alive, const Pose2& T_local_base, PoseEstimate& estimate);
-  Status judge(const std::vector<Live>& alive, const Pose2& T_local_base, const PoseEstimate& estimate,
-               const Circumstances& now);
+  /// A status, and why it is what it is, in words.
+  struct Judgement {
+    Status status;
+    std::string why;
+  };
+  Judgement judge(const Live& best, const Pose2& T_local_base, const PoseEstimate& estimate, const Circumstances& now);
+  /// Takes what the newest scan says of the best place. @param same  it is the one of before.
+  void gather(const Live& best, const PoseEstimate& estimate, const Circumstances& now, bool same);
   /// @return for how many pieces of new evidence the required probability has to hold.
   double weight_asked(double unmapped_walls_m) const;
   double lead_asked_nat() const { return options_.localized_lead * lead_.own_nat; }
   void reckon_with(double kidnapped, PoseEstimate& estimate);
-  /// The status is what it is since the required probability has held for so long, and no longer.
-  Status because_held(Status status, double asked, double unmapped_walls_m);
-  /// The required probability has not been held at all. @param same  the best place is the one of before.
-  Status because_unsure(Status status, bool same, double probability);
-  Status because(Status status, std::string why);
+  /// The required probability has held for so long, and no longer.
+  std::string why_held(double asked, double unmapped_walls_m) const;
+  /// The required probability has not held at all. @param same  the best place is the one of before.
+  std::string why_unsure(bool same, double probability) const;
   Status while_contradicted(const PoseEstimate& estimate) const;
 
   StatusOptions options_;

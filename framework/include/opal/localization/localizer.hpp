@@ -76,7 +76,7 @@ class OPAL_EXPORT Localizer {
   const LocalMap& local_map() const;  ///< as the newest keyframe left it
   const MapView& map() const;         ///< the one it was made with
   /// Alive, best first.
-  const std::vector<Hypothesis>& hypotheses() const;
+  std::vector<Hypothesis> hypotheses() const;
   /// Latest opinions on a hypothesis, by scorer name; empty if there is no such hypothesis.
   std::map<std::string, Score> scores_of(HypothesisId hypothesis) const;
   /// What the drive says of the sensor description, of all of which it has told enough. While one of them contradicts
