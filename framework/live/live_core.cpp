@@ -58,11 +58,9 @@ double LiveCore::waited_since(double stamp_s, double received_s) {
   return waited_s;
 }
 
-void LiveCore::hint(const Pose2& T_map_base, double sigma_m, double sigma_rad) {
-  localizer_.hint({T_map_base, sigma_m, sigma_rad});
-}
+void LiveCore::hint(const PoseHint& hint) { localizer_.hint(hint); }
 
-void LiveCore::forget() { localizer_.reset(); }
+void LiveCore::reset() { localizer_.reset(); }
 
 std::vector<HealthFinding> LiveCore::health(double received_s) const {
   std::vector<HealthFinding> findings = health_.findings(received_s);

@@ -15,15 +15,11 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_of(Clock::time_point time) { return std::chrono::duration<double>(time.time_since_epoch()).count(); }
 
-struct Hint {
-  Pose2 T_map_base;
-  double sigma_m, sigma_rad;
-};
-struct Forget {};
+struct Reset {};
 
 /// What the localizing thread is asked to do.
 struct Task {
-  std::variant<LogRecord, Hint, Forget> what;
+  std::variant<LogRecord, PoseHint, Reset> what;
   double received_s;
   double now_s;
 
@@ -53,9 +49,8 @@ struct LiveLocalizer::State {
 };
 
 void LiveLocalizer::State::carry_out(const Task& task) {
-  if (const auto* hint = std::get_if<Hint>(&task.what))
-    return core.hint(hint->T_map_base, hint->sigma_m, hint->sigma_rad);
-  if (std::holds_alternative<Forget>(task.what)) return core.forget();
+  if (const auto* hint = std::get_if<PoseHint>(&task.what)) return core.hint(*hint);
+  if (std::holds_alternative<Reset>(task.what)) return core.reset();
   core.take(std::get<LogRecord>(task.what), task.received_s, task.now_s,
             [&](LiveAnswer answer) { publish(std::move(answer), task); });
 }
@@ -95,11 +90,9 @@ void LiveLocalizer::take(LogRecord record, double now_s) {
   state_->tasks.give({std::move(record), seconds_of(Clock::now()), now_s});
 }
 
-void LiveLocalizer::hint(const Pose2& T_map_base, double sigma_m, double sigma_rad) {
-  state_->tasks.give({Hint{T_map_base, sigma_m, sigma_rad}, 0, 0});
-}
+void LiveLocalizer::hint(const PoseHint& hint) { state_->tasks.give({hint, 0, 0}); }
 
-void LiveLocalizer::forget() { state_->tasks.give({Forget{}, 0, 0}); }
+void LiveLocalizer::reset() { state_->tasks.give({Reset{}, 0, 0}); }
 
 LiveAnswer LiveLocalizer::newest() const {
   const std::lock_guard lock(state_->mutex);

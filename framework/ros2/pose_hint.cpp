@@ -20,11 +20,11 @@ double sigma_of(double variance, double otherwise) {
 
 }  // namespace
 
-std::optional<PoseHint> decode_pose_hint(recording::Bytes message) {
+std::optional<FramedHint> decode_pose_hint(recording::Bytes message) {
   recording::WireReader wire(message, recording::Wire::cdr);
   wire.skip_numbers(2, sizeof(std::uint32_t));
-  PoseHint hint;
-  hint.frame = recording::without_slash(wire.text());
+  FramedHint framed;
+  framed.frame = recording::without_slash(wire.text());
   double pose[7], covariance[36];
   for (double& value : pose) value = wire.number<double>();
   for (double& value : covariance) value = wire.number<double>();
@@ -32,10 +32,10 @@ std::optional<PoseHint> decode_pose_hint(recording::Bytes message) {
   const double norm = std::sqrt(x * x + y * y + z * z + w * w);
   const bool is_pose = std::isfinite(pose[0]) && std::isfinite(pose[1]) && norm > 0.5 && norm < 2;
   if (!wire.ok() || !is_pose) return std::nullopt;
-  hint.T_map_base = Pose2(pose[0], pose[1], std::atan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z));
-  hint.sigma_m = sigma_of(std::max(covariance[kCovarianceX], covariance[kCovarianceY]), kRvizSigmaM);
-  hint.sigma_rad = sigma_of(covariance[kCovarianceHeading], kRvizSigmaRad);
-  return hint;
+  framed.hint.T_map_base = Pose2(pose[0], pose[1], std::atan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z));
+  framed.hint.sigma_m = sigma_of(std::max(covariance[kCovarianceX], covariance[kCovarianceY]), kRvizSigmaM);
+  framed.hint.sigma_rad = sigma_of(covariance[kCovarianceHeading], kRvizSigmaRad);
+  return framed;
 }
 
 std::optional<double> decode_clock(recording::Bytes message) {

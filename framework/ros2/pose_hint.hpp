@@ -2,20 +2,22 @@
 
 #include "ros2/incoming.hpp"
 
-#include <opal/common/geometry.hpp>
+#include <opal/localization/search/pose_hint.hpp>
+
+#include <optional>
+#include <string>
 
 namespace opal::ros2 {
 
-/// Where somebody says that the robot is.
-struct PoseHint {
+/// A hint as it was received: somebody may say it in another frame than the map's.
+struct FramedHint {
   std::string frame;
-  Pose2 T_map_base;
-  double sigma_m = 0, sigma_rad = 0;
+  PoseHint hint;
 };
 
 /// geometry_msgs/PoseWithCovarianceStamped. @return nullopt for a damaged message. A covariance of zeros is replaced by
 /// that of RViz.
-std::optional<PoseHint> decode_pose_hint(recording::Bytes message);
+std::optional<FramedHint> decode_pose_hint(recording::Bytes message);
 /// rosgraph_msgs/Clock, in seconds.
 std::optional<double> decode_clock(recording::Bytes message);
 /// The only topic of odometry, or /odom; empty if there is none, or several.

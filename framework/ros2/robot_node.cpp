@@ -101,7 +101,7 @@ void RobotNode::route(recording::ReceivedMessage message) {
   if (message.topic.name == topics.initial_pose) return hint_at(message);
   if (message.topic.name == topics.clock) return set_clock(message);
   if (message.topic.name == topics.forget) {
-    if (live_) live_->forget();
+    if (live_) live_->reset();
     std::cerr << "ros2: asked on " << topics.forget << " to forget everything\n";
     return;
   }
@@ -160,10 +160,10 @@ void RobotNode::begin() {
   before_.insert(before_.begin(), mounts.begin(), mounts.end());
   live_ = std::make_unique<LiveLocalizer>(make_parts_(before_), LiveOptions{}, events_);
   if (const auto pose = memory_.recall()) {
-    live_->hint(*pose, kMemorySigmaM, kMemorySigmaRad);
+    live_->hint({*pose, kMemorySigmaM, kMemorySigmaRad});
     std::cerr << "ros2: the pose of the last run is taken as a hint\n";
   }
-  if (early_hint_) live_->hint(early_hint_->T_map_base, early_hint_->sigma_m, early_hint_->sigma_rad);
+  if (early_hint_) live_->hint(*early_hint_);
   for (LogRecord& record : before_) localize(std::move(record), std::numeric_limits<double>::quiet_NaN());
   before_.clear();
   announcer_ = std::jthread([this](const std::stop_token& stop) { announce(stop); });
@@ -184,17 +184,17 @@ void RobotNode::announce(const std::stop_token& stop) {
 }
 
 void RobotNode::hint_at(const recording::ReceivedMessage& message) {
-  const std::optional<PoseHint> hint = decode_pose_hint(message.bytes());
-  if (!hint || hint->frame != options_.frames.map) {
+  const std::optional<FramedHint> framed = decode_pose_hint(message.bytes());
+  if (!framed || framed->frame != options_.frames.map) {
     std::cerr << "ros2: " << message.topic.name << ": "
-              << (hint ? "frame " + in_quotes(hint->frame) : std::string("no pose")) << ", expected a pose in frame "
-              << in_quotes(options_.frames.map) << '\n';
+              << (framed ? "frame " + in_quotes(framed->frame) : std::string("no pose"))
+              << ", expected a pose in frame " << in_quotes(options_.frames.map) << '\n';
     return;
   }
   if (live_)
-    live_->hint(hint->T_map_base, hint->sigma_m, hint->sigma_rad);
+    live_->hint(framed->hint);
   else
-    early_hint_ = hint;
+    early_hint_ = framed->hint;
 }
 
 void RobotNode::set_clock(const recording::ReceivedMessage& message) {

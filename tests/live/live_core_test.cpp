@@ -170,11 +170,11 @@ TEST_CASE("a laser that is described backwards is named, and nothing is called l
 
 TEST_CASE("a good hint finds the place at once, and a bad one changes nothing in the end") {
   LiveCore helped(robot().parts(), {}, nullptr);
-  helped.hint(robot().truth_at(0.2) * Pose2(0.3, -0.2, 0.1), 0.3, 0.15);
+  helped.hint({robot().truth_at(0.2) * Pose2(0.3, -0.2, 0.1), 0.3, 0.15});
   const std::vector<simulation::Arrival> start(robot().arrivals.begin(), robot().arrivals.begin() + 60);
   CHECK(is_right(played(helped, start).answers.back()));
   LiveCore misled(robot().parts(), {}, nullptr);
-  misled.hint(Pose2(-3, 50, 2), 0.5, 0.2);
+  misled.hint({Pose2(-3, 50, 2), 0.5, 0.2});
   const Played all = played(misled, robot().arrivals);
   CHECK(is_localized(all.answers.back()));
   CHECK(is_right(all.answers.back()));

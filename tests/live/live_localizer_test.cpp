@@ -57,11 +57,11 @@ TEST_CASE("a full queue drops the oldest records, counts them, and makes nobody 
   CHECK(live.counts().at("dropped from a full queue") > 0);
 }
 
-TEST_CASE("whoever forgets starts anew") {
+TEST_CASE("after a reset a live localizer starts anew") {
   LiveLocalizer live(short_drive().parts(), with_room());
   for (const simulation::Arrival& arrival : short_drive().arrivals) live.take(arrival.record);
   REQUIRE(live.drain(60));
-  live.forget();
+  live.reset();
   RawScan later = std::get<RawScan>(short_drive().arrivals[short_drive().arrivals.size() / 2].record.index() == 1
                                         ? short_drive().arrivals[short_drive().arrivals.size() / 2].record
                                         : short_drive().recording.scans.front().scan);

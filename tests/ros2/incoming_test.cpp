@@ -53,13 +53,13 @@ TEST_CASE("a topic that is not there is told, with others of its type") {
 }
 
 TEST_CASE("a pose of RViz becomes a hint with its spread") {
-  const auto hint = decode_pose_hint(as_bytes(hint_bytes(1, 2.5, 0.04)));
-  REQUIRE(hint);
-  CHECK(hint->frame == "map");
-  CHECK(hint->T_map_base.x() == 1);
-  CHECK(hint->T_map_base.heading_rad() == Approx(2.5));
-  CHECK(hint->sigma_m == Approx(0.2));
-  CHECK(decode_pose_hint(as_bytes(hint_bytes(1, 2.5, 0)))->sigma_m == Approx(0.5));
+  const auto framed = decode_pose_hint(as_bytes(hint_bytes(1, 2.5, 0.04)));
+  REQUIRE(framed);
+  CHECK(framed->frame == "map");
+  CHECK(framed->hint.T_map_base.x() == 1);
+  CHECK(framed->hint.T_map_base.heading_rad() == Approx(2.5));
+  CHECK(framed->hint.sigma_m == Approx(0.2));
+  CHECK(decode_pose_hint(as_bytes(hint_bytes(1, 2.5, 0)))->hint.sigma_m == Approx(0.5));
 }
 
 TEST_CASE("a hint that is no pose, or cut anywhere, is none") {

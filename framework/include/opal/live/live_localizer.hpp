@@ -54,10 +54,9 @@ class OPAL_EXPORT LiveLocalizer {
   /// @param now_s  by the clock that stamps are made with, by which late stamps are noticed; NaN: not known.
   void take(LogRecord record, double now_s = std::numeric_limits<double>::quiet_NaN());
   /// The robot may be here. It is one more place to look at, and is believed only as far as scans support it.
-  /// @param T_map_base  about where. @param sigma_m, sigma_rad  one standard deviation, of position and heading.
-  void hint(const Pose2& T_map_base, double sigma_m, double sigma_rad);
+  void hint(const PoseHint& hint);
   /// As if nothing had been seen.
-  void forget();
+  void reset();
 
   /// The newest answer; its number is 0 before the first one. Health is as of now.
   LiveAnswer newest() const;
