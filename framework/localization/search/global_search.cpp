@@ -1,6 +1,7 @@
 #include "localization/search/global_search.hpp"
 
 #include "common/stage_clock.hpp"
+#include "localization/alignment/pose_grid.hpp"
 #include "localization/alignment/registration.hpp"
 #include "localization/scoring/observation.hpp"
 
@@ -89,16 +90,12 @@ void GlobalSearch::keep_best(std::vector<VerifiedCandidate>& candidates, const S
 std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::span<const Point> coarse) const {
   constexpr double kSigmas = 2, kMost_m = 2, kMost_rad = 0.6, kStep_m = 0.25, kStep_rad = 0.1;
   constexpr std::size_t kPlaces = 20;
-  const int steps = static_cast<int>(std::ceil(std::min(kMost_m, kSigmas * hint.sigma_m) / kStep_m));
-  const int turns = static_cast<int>(std::ceil(std::min(kMost_rad, kSigmas * hint.sigma_rad) / kStep_rad));
+  const PoseGrid grid = PoseGrid::covering(std::min(kMost_m, kSigmas * hint.sigma_m),
+                                           std::min(kMost_rad, kSigmas * hint.sigma_rad), kStep_m, kStep_rad);
   std::vector<std::pair<double, Pose2>> places;
-  for (int turn = -turns; turn <= turns; ++turn)
-    for (int i = -steps; i <= steps; ++i)
-      for (int j = -steps; j <= steps; ++j) {
-        const Pose2 pose(hint.T_map_base.x() + i * kStep_m, hint.T_map_base.y() + j * kStep_m,
-                         hint.T_map_base.heading_rad() + turn * kStep_rad);
-        places.emplace_back(likelihood_field_score(*map_, coarse, pose), pose);
-      }
+  for_each_pose(hint.T_map_base, grid, [&](const Pose2& pose, const GridSteps&) {
+    places.emplace_back(likelihood_field_score(*map_, coarse, pose), pose);
+  });
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Pose2> poses;
   for (const auto& [score, pose] : places) poses.push_back(pose);

@@ -2,6 +2,7 @@
 
 #include <opal/common/sentence.hpp>
 #include "common/place_tolerance.hpp"
+#include "localization/alignment/pose_grid.hpp"
 #include "localization/alignment/registration.hpp"
 
 #include <algorithm>
@@ -67,23 +68,19 @@ void HypothesisSet::end(Live& live, const std::string& reason, HypothesisId merg
 
 Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Point> coarse,
                                       const Eigen::Vector2d& window) const {
-  constexpr double kStep_m = 0.1, kStep_rad = 0.03, kCostOfDistance = 0.02;
-  const int steps = static_cast<int>(std::ceil(window.x() / kStep_m));
-  const int turns = static_cast<int>(std::ceil(window.y() / kStep_rad));
+  const PoseGrid grid = PoseGrid::covering(window.x(), window.y(), 0.1, 0.03);
+  constexpr double kCostOfDistance = 0.02;
   Pose2 best = predicted;
   double best_value = -1;
-  for (int turn = -turns; turn <= turns; ++turn)
-    for (int i = -steps; i <= steps; ++i)
-      for (int j = -steps; j <= steps; ++j) {
-        const Pose2 pose(predicted.x() + i * kStep_m, predicted.y() + j * kStep_m,
-                         predicted.heading_rad() + turn * kStep_rad);
-        const double far = std::hypot(i, j) * kStep_m / window.x() + std::abs(turn) * kStep_rad / window.y();
-        const double value = likelihood_field_score(*map_, coarse, pose) - kCostOfDistance * far;
-        if (value > best_value) {
-          best_value = value;
-          best = pose;
-        }
-      }
+  for_each_pose(predicted, grid, [&](const Pose2& pose, const GridSteps& at) {
+    const double far =
+        std::hypot(at.x, at.y) * grid.step_m / window.x() + std::abs(at.turn) * grid.step_rad / window.y();
+    const double value = likelihood_field_score(*map_, coarse, pose) - kCostOfDistance * far;
+    if (value > best_value) {
+      best_value = value;
+      best = pose;
+    }
+  });
   return best;
 }
 
