@@ -2,6 +2,7 @@
 
 #include "common/plugin_failures.hpp"
 #include "common/stage_clock.hpp"
+#include "localization/alignment/coarse_points.hpp"
 #include "localization/alignment/pose_step.hpp"
 #include "localization/alignment/registration.hpp"
 #include "localization/decision/kidnap_detector.hpp"
@@ -21,6 +22,13 @@
 #include <utility>
 
 namespace opal {
+namespace {
+
+// After a smaller step of odometry that no scan match confirms, alignment needs no search: it recovers from all that
+// odometry may be wrong by.
+constexpr double kSafeStep_m = 0.2, kSafeTurn_rad = 0.1;
+
+}  // namespace
 
 struct Localizer::State {
   State(LocalizerParts parts_given, EventSink* sink)
@@ -192,12 +200,10 @@ PoseEstimate Localizer::State::estimate(const Observation& observation) {
 void Localizer::State::track(const Observation& observation, const Sample& sample) {
   StageClock clock(times.track_s);
   // Where the scan matcher could not tell, odometry may be wrong by its usual share.
+  const bool is_unchecked = started && !local_map.last_match().converged;
   Eigen::Vector2d window(0, 0);
-  if (started && !local_map.last_match().converged && (step_m > 0.2 || turn_rad > 0.1))
-    window = odometry_window(step_m, turn_rad);
-  constexpr std::size_t kCoarsePoints = 40;  // of the alignment search after odometry has failed
-  const std::vector<Point> coarse = thinned_points(sample, 0.2, kCoarsePoints);
-  hypotheses.track(observation, tempering_weight(), coarse, window);
+  if (is_unchecked && (step_m > kSafeStep_m || turn_rad > kSafeTurn_rad)) window = odometry_window(step_m, turn_rad);
+  hypotheses.track(observation, tempering_weight(), coarse_points(sample), window);
 }
 
 /// What was seen before a ride was seen on another storey, perhaps.

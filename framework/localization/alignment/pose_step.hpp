@@ -19,7 +19,15 @@ inline Pose2 stepped(const Pose2& pose, const Eigen::Vector3d& step) {
 
 /// How far off odometry may be after a step, in position [m] and heading [rad].
 inline Eigen::Vector2d odometry_window(double step_m, double turn_rad) {
-  return {std::min(0.5, 0.1 + 0.15 * step_m), std::min(0.35, 0.04 + 0.1 * turn_rad + 0.08 * step_m)};
+  // Wheels that slip or are not as large as said: a share of what was driven and turned, and heading is lost by
+  // driving.
+  constexpr double kDrift = 0.15, kTurnDrift = 0.1, kDrift_rad_per_m = 0.08;
+  // What is wrong even after a short step: the stamps of odometry and scan.
+  constexpr double kLeast_m = 0.1, kLeast_rad = 0.04;
+  // The time of the search grows with the third power of the window.
+  constexpr double kMost_m = 0.5, kMost_rad = 0.35;
+  return {std::min(kMost_m, kLeast_m + kDrift * step_m),
+          std::min(kMost_rad, kLeast_rad + kTurnDrift * turn_rad + kDrift_rad_per_m * step_m)};
 }
 
 /// How much a residual counts that may be an outlier: 1 at 0, a quarter at `scale` (Geman and McClure 1985).

@@ -85,7 +85,10 @@ class OPAL_EXPORT CandidateGenerator {
 
 class CandidateGenerator::Inquiry {
   friend CandidateGenerator;
-  explicit Inquiry(std::size_t close_looks) : filter(close_looks, 30) {}
+  explicit Inquiry(std::size_t close_looks) : filter(close_looks, kOneInPasses) {}
+
+  /// The best one of so many places passes: a search keeps a few hundred of some thousand.
+  static constexpr std::size_t kOneInPasses = 30;
 
   bool under_constrained = false;
   std::vector<SearchFeature> features;  ///< the best ones

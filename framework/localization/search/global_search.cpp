@@ -1,6 +1,7 @@
 #include "localization/search/global_search.hpp"
 
 #include "common/stage_clock.hpp"
+#include "localization/alignment/coarse_points.hpp"
 #include "localization/alignment/pose_grid.hpp"
 #include "localization/alignment/registration.hpp"
 #include "localization/scoring/observation.hpp"
@@ -12,13 +13,19 @@
 namespace opal {
 namespace {
 
-// A few points, far apart, rank candidates nearly as all of them do.
-constexpr std::size_t kCoarsePoints = 40;
-constexpr double kCoarseSpacing_m = 0.2, kFewSpacing_m = 0.1;
+// Of the few points by which scorers judge all candidates: nearer to each other than coarse points, for beams tell more
+// than a likelihood field.
+constexpr double kFewSpacing_m = 0.1;
+// How a candidate is aligned. Its guess comes from a pattern or a grid, and is worth less than dead reckoning: it holds
+// the candidate only where the scan says nothing. Weights are relative to a point's.
+constexpr double kGuessPosition = 0.01, kGuessHeading = 0.05;
+constexpr int kIterations = 4;  // one less than usual: a candidate is aligned twice
+// The grid about a hint: two standard deviations, but no more than time allows, in steps that alignment recovers from.
+constexpr double kHintSigmas = 2, kHintMost_m = 2, kHintMost_rad = 0.6, kHintStep_m = 0.25, kHintStep_rad = 0.1;
+constexpr std::size_t kHintPlaces = 20;  // that scorers judge
 // Aligned candidates nearer than this are one place: alignment ends within a step or two of the same pose.
 constexpr PlaceTolerance kAlignedApart{0.2, 0.06};
-// Of the grid about a hint, in which neighbours are 0.25 m and 0.1 rad apart, no two neighbours are kept: alignment
-// reaches from one to the other.
+// Of the grid about a hint no two neighbours are kept: alignment reaches from one to the other.
 constexpr PlaceTolerance kHintedApart{0.3, 0.12};
 
 std::vector<const Hypothesis*> pointers_to(const std::vector<Hypothesis>& hypotheses) {
@@ -59,10 +66,10 @@ std::vector<SearchFeature> GlobalSearch::features_for(const Observation& seen) c
 /// Moves the candidate to where the scan fits best. @return the hypothesis that it would be.
 Hypothesis GlobalSearch::aligned(Candidate& candidate, const Observation& observation, double sigma_m) const {
   RefinementOptions refinement;
-  refinement.iterations = 4;
+  refinement.iterations = kIterations;
   refinement.sigma_m = sigma_m;
-  refinement.prior_position = 0.01;
-  refinement.prior_heading = 0.05;
+  refinement.prior_position = kGuessPosition;
+  refinement.prior_heading = kGuessHeading;
   Pose2& pose = candidate.T_map_base;
   pose = refine_on_map(*map_, observation.scans, pose, refinement);
   Hypothesis trial;
@@ -88,10 +95,9 @@ void GlobalSearch::keep_best(std::vector<VerifiedCandidate>& candidates, const S
 
 /// The places about a hint where a few points lie best, one per place.
 std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::span<const Point> coarse) const {
-  constexpr double kSigmas = 2, kMost_m = 2, kMost_rad = 0.6, kStep_m = 0.25, kStep_rad = 0.1;
-  constexpr std::size_t kPlaces = 20;
-  const PoseGrid grid = PoseGrid::covering(std::min(kMost_m, kSigmas * hint.sigma_m),
-                                           std::min(kMost_rad, kSigmas * hint.sigma_rad), kStep_m, kStep_rad);
+  const PoseGrid grid =
+      PoseGrid::covering(std::min(kHintMost_m, kHintSigmas * hint.sigma_m),
+                         std::min(kHintMost_rad, kHintSigmas * hint.sigma_rad), kHintStep_m, kHintStep_rad);
   std::vector<std::pair<double, Pose2>> places;
   for_each_pose(hint.T_map_base, grid, [&](const Pose2& pose, const GridSteps&) {
     places.emplace_back(likelihood_field_score(*map_, coarse, pose), pose);
@@ -100,7 +106,8 @@ std::vector<Candidate> GlobalSearch::candidates_near(const PoseHint& hint, std::
   std::vector<Pose2> poses;
   for (const auto& [score, pose] : places) poses.push_back(pose);
   std::vector<Candidate> candidates;
-  for (std::size_t k : distinct_places(poses, kHintedApart, kPlaces)) candidates.push_back({poses[k], Origin::hint});
+  for (std::size_t k : distinct_places(poses, kHintedApart, kHintPlaces))
+    candidates.push_back({poses[k], Origin::hint});
   return candidates;
 }
 
@@ -152,7 +159,7 @@ std::vector<VerifiedCandidate> GlobalSearch::verified(std::vector<Candidate> can
 
 GlobalSearch::Ongoing GlobalSearch::begin(const Scene& scene, bool under_constrained, StageTimes& times) const {
   const StageClock clock(times.generate_s);
-  std::vector<Point> coarse = thinned_points(scene.sample, kCoarseSpacing_m, kCoarsePoints);
+  std::vector<Point> coarse = coarse_points(scene.sample);
   std::vector<SearchFeature> features = features_for(scene.observation);
   Ongoing search(generator_.ask(features, coarse, false));
   search.T_local_base = scene.observation.local_map.T_local_base();
@@ -221,7 +228,7 @@ GlobalSearch::Result GlobalSearch::look_near(const PoseHint& hint, const Scene& 
   std::vector<Candidate> proposed;
   {
     const StageClock clock(times.generate_s);
-    proposed = candidates_near(hint, thinned_points(scene.sample, kCoarseSpacing_m, kCoarsePoints));
+    proposed = candidates_near(hint, coarse_points(scene.sample));
   }
   const StageClock clock(times.search_s);
   Result result;

@@ -2,8 +2,6 @@
 
 #include <opal/common/sentence.hpp>
 #include "common/place_tolerance.hpp"
-#include "localization/alignment/pose_grid.hpp"
-#include "localization/alignment/registration.hpp"
 
 #include <algorithm>
 #include <map>
@@ -17,8 +15,9 @@ constexpr PlaceTolerance kMerge{0.3, 0.1};
 // A candidate nearer than this to a hypothesis renews it. The two come from different scans and priors, so one place
 // has them a little further apart than two hypotheses of one scan.
 constexpr PlaceTolerance kRenewed{kMerge.position_m + 0.1, kMerge.heading_rad + 0.05};
-// Hypotheses that get an alignment search when odometry is uncertain; the search costs as much as tracking fifty.
-constexpr int kSearchedHypotheses = 15;
+// A candidate that gains less over a hypothesis at its place is as good as that: alignment from another guess ends a
+// little elsewhere.
+constexpr double kRenewalGain_nat = 0.3;
 // A scan that puts a hypothesis this far from where it was known to be is half believed (PoseFilterOptions).
 constexpr double kPoseJump_m = 0.2;
 
@@ -66,50 +65,6 @@ void HypothesisSet::end(Live& live, const std::string& reason, HypothesisId merg
   live.leaf = {};
 }
 
-Pose2 HypothesisSet::search_alignment(const Pose2& predicted, std::span<const Point> coarse,
-                                      const Eigen::Vector2d& window) const {
-  const PoseGrid grid = PoseGrid::covering(window.x(), window.y(), 0.1, 0.03);
-  constexpr double kCostOfDistance = 0.02;
-  Pose2 best = predicted;
-  double best_value = -1;
-  for_each_pose(predicted, grid, [&](const Pose2& pose, const GridSteps& at) {
-    const double far =
-        std::hypot(at.x, at.y) * grid.step_m / window.x() + std::abs(at.turn) * grid.step_rad / window.y();
-    const double value = likelihood_field_score(*map_, coarse, pose) - kCostOfDistance * far;
-    if (value > best_value) {
-      best_value = value;
-      best = pose;
-    }
-  });
-  return best;
-}
-
-Alignment HypothesisSet::align(const Pose2& predicted, const Observation& observation) const {
-  if (growth_.register_by_associations || observation.points() == 0) return {predicted};
-  RefinementOptions refinement;
-  refinement.prior_position = tracking_.prior_position;
-  refinement.prior_heading = tracking_.prior_heading;
-  return align_with_map(*map_, observation.scans, predicted, refinement);
-}
-
-auto HypothesisSet::align_all(const Observation& observation, std::span<const Point> coarse,
-                              const Eigen::Vector2d& window) -> std::vector<Moved> {
-  const Pose2& T_local_base = observation.local_map.T_local_base();
-  std::vector<Moved> moved;
-  int rank = 0;
-  for (Live& live : alive_) {
-    Pose2 predicted = live.hypothesis.T_map_local * T_local_base;
-    if (observation.points() > 0 && window.x() > 0 && rank++ < kSearchedHypotheses) {
-      predicted = search_alignment(predicted, coarse, window);
-      live.pose.reset();  // dead reckoning has failed, and what was known goes with it
-    }
-    // The scan is judged where it fits best: a wall that is not where the map says is the map's error, not its own.
-    moved.push_back({predicted, align(predicted, observation)});
-    live.hypothesis.T_map_local = moved.back().scan.T_map_base * T_local_base.inverse();
-  }
-  return moved;
-}
-
 void HypothesisSet::track(const Observation& observation, double tempering_weight, std::span<const Point> coarse,
                           const Eigen::Vector2d& window) {
   const Pose2& T_local_base = observation.local_map.T_local_base();
@@ -151,7 +106,7 @@ Live* HypothesisSet::at_place_of(const Candidate& candidate, const Pose2& T_loca
 void HypothesisSet::renew(Live& old, const Pose2& T_map_local, ScorerEnsemble::Verdict verdict,
                           const Observation& observation) const {
   const double gain = verdict.nat - ensemble_.decide(as_new(old.hypothesis), observation);
-  if (gain <= 0.3) return;
+  if (gain <= kRenewalGain_nat) return;
   old.hypothesis.log_likelihood += gain;
   old.hypothesis.T_map_local = T_map_local;
   old.pose.reset();
