@@ -136,9 +136,10 @@ std::vector<CandidateGenerator::Place> CandidateGenerator::nearest_places(Inquir
   constexpr std::size_t kSweepsLookedAt = 3000;
   const auto close_looks = static_cast<std::size_t>(options_.close_looks);
   std::vector<Place> places = std::move(inquiry.places);
-  keep_nearest(places, inquiry.under_constrained ? kSweepsLookedAt : close_looks);
-  look_closely(places, inquiry, inquiry.under_constrained ? kSweepStep_m / 2 : 0);
-  if (!inquiry.under_constrained) return places;
+  const bool sweeps = inquiry.kind == PatternKind::under_constrained;
+  keep_nearest(places, sweeps ? kSweepsLookedAt : close_looks);
+  look_closely(places, inquiry, sweeps ? kSweepStep_m / 2 : 0);
+  if (!sweeps) return places;
   keep_nearest(places, close_looks);
   places = with_neighbours(places, inquiry);
   look_closely(places, inquiry, 0);
@@ -162,13 +163,13 @@ std::vector<Association> CandidateGenerator::pair_up(const PatternLookup& lookup
 }
 
 CandidateGenerator::Inquiry CandidateGenerator::ask(std::span<const SearchFeature> features,
-                                                    std::span<const Point> coarse, bool under_constrained) const {
+                                                    std::span<const Point> coarse, PatternKind kind) const {
   Inquiry inquiry(static_cast<std::size_t>(options_.close_looks));
-  inquiry.under_constrained = under_constrained;
+  inquiry.kind = kind;
   inquiry.features = best_per_geometry(features, kFeaturesPerGeometry);
   std::vector<Feature> best;
   for (const SearchFeature& each : inquiry.features) best.push_back(each.feature);
-  inquiry.lookups = choose_lookups(templates_, best, options_, under_constrained);
+  inquiry.lookups = choose_lookups(templates_, best, options_, kind);
   for (const PatternLookup& lookup : inquiry.lookups) inquiry.points.emplace_back(lookup.observed, coarse);
   return inquiry;
 }

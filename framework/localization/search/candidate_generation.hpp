@@ -30,8 +30,8 @@ class OPAL_EXPORT CandidateGenerator {
   class Inquiry;
   /// @param features  that patterns may be made of.
   /// @param coarse  a few dozen scan points, base_link, by which places are filtered.
-  /// @param under_constrained   look up patterns with a free parameter (true), or those that fix the pose (false).
-  Inquiry ask(std::span<const SearchFeature> features, std::span<const Point> coarse, bool under_constrained) const;
+  /// @param kind  of patterns to look up.
+  Inquiry ask(std::span<const SearchFeature> features, std::span<const Point> coarse, PatternKind kind) const;
   /// Looks at further places of the map, each of them once: until there are no more, or `most` have been looked at.
   /// @return true if there are no more.
   bool look_up(Inquiry& inquiry, std::size_t most) const;
@@ -90,7 +90,7 @@ class CandidateGenerator::Inquiry {
   /// The best one of so many places passes: a search keeps a few hundred of some thousand.
   static constexpr std::size_t kOneInPasses = 30;
 
-  bool under_constrained = false;
+  PatternKind kind = PatternKind::constrained;
   std::vector<SearchFeature> features;  ///< the best ones
   std::vector<PatternLookup> lookups;
   std::vector<TellingPoints> points;  ///< of each lookup

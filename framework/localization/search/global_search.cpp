@@ -161,7 +161,7 @@ GlobalSearch::Ongoing GlobalSearch::begin(const Scene& scene, bool under_constra
   const StageClock clock(times.generate_s);
   std::vector<Point> coarse = coarse_points(scene.sample);
   std::vector<SearchFeature> features = features_for(scene.observation);
-  Ongoing search(generator_.ask(features, coarse, false));
+  Ongoing search(generator_.ask(features, coarse, PatternKind::constrained));
   search.T_local_base = scene.observation.local_map.T_local_base();
   search.features = std::move(features);
   search.coarse = std::move(coarse);
@@ -181,7 +181,7 @@ bool GlobalSearch::ask_more(Ongoing& search, StageTimes& times) const {
   const bool found_good = !found.empty() && found.front().nat >= options_.under_constrained_below_nat;
   if (!std::exchange(search.may_ask_more, false) || found_good) return false;
   const StageClock clock(times.generate_s);
-  search.inquiry = generator_.ask(search.features, search.coarse, true);
+  search.inquiry = generator_.ask(search.features, search.coarse, PatternKind::under_constrained);
   return true;
 }
 

@@ -43,14 +43,15 @@ void keep_rarest(std::vector<PatternLookup>& lookups, std::size_t most_places, s
 /// Well supported ones of one template; of those, the ones that the map has, and that the index expects least often.
 std::vector<PatternLookup> shortlist(const MappedTemplate& mapped, TemplateNumber pattern,
                                      std::span<const Feature> features, const SearchOptions& options,
-                                     bool under_constrained) {
+                                     PatternKind kind) {
   std::vector<PatternLookup> lookups;
   for (PatternInstance& observed : find_patterns(*mapped.part, features))
-    if (is_under_constrained(observed) == under_constrained) lookups.push_back({pattern, std::move(observed), 0});
+    if (kind_of(observed) == kind) lookups.push_back({pattern, std::move(observed), 0});
   std::stable_sort(lookups.begin(), lookups.end(), [&](const PatternLookup& a, const PatternLookup& b) {
     return support_of(a.observed, features) > support_of(b.observed, features);
   });
-  const auto most = static_cast<std::size_t>(under_constrained ? options.under_constrained_patterns : options.patterns);
+  const bool is_free = kind == PatternKind::under_constrained;
+  const auto most = static_cast<std::size_t>(is_free ? options.under_constrained_patterns : options.patterns);
   if (lookups.size() > most) lookups.erase(lookups.begin() + static_cast<std::ptrdiff_t>(most), lookups.end());
   const std::size_t in_time = most_places_in_time(options);
   for (PatternLookup& lookup : lookups) lookup.expected = mapped.index.count(lookup.observed, in_time);
@@ -85,11 +86,11 @@ double weight_of(const Feature& feature) {
 }
 
 std::vector<PatternLookup> choose_lookups(std::span<const MappedTemplate> templates, std::span<const Feature> features,
-                                          const SearchOptions& options, bool under_constrained) {
+                                          const SearchOptions& options, PatternKind kind) {
   constexpr std::size_t kFewest = 3;
   std::vector<PatternLookup> chosen;
   for (std::size_t k = 0; k < templates.size(); ++k)
-    for (PatternLookup& lookup : shortlist(templates[k], TemplateNumber(k), features, options, under_constrained))
+    for (PatternLookup& lookup : shortlist(templates[k], TemplateNumber(k), features, options, kind))
       chosen.push_back(std::move(lookup));
   if (options.places > 0) keep_rarest(chosen, static_cast<std::size_t>(options.places), kFewest);
   leave_out_parts(chosen);

@@ -66,10 +66,8 @@ std::optional<double> HypothesisSet::register_anew(Live& live, const LocalMap& l
   return std::nullopt;
 }
 
-/// @param first  the child goes on as its parent; later ones are hypotheses of their own.
-/// @return false if the choice does not fit.
-bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bool first, const LocalMap& local_map,
-                               Live& child) {
+bool HypothesisSet::grow_child(const Live& parent, const Association& choice, Identity identity,
+                               const LocalMap& local_map, Live& child) {
   child = parent;
   child.hypothesis.associations.push_back(choice);
   child.not_on_map = parent.not_on_map;
@@ -81,7 +79,7 @@ bool HypothesisSet::grow_child(const Live& parent, const Association& choice, bo
       return false;
     }
   child.leaf = tree_.add(parent.leaf, {choice});
-  if (first) {
+  if (identity == Identity::of_parent) {
     listener_.associated(child, std::span(&choice, 1));
   } else {
     child.hypothesis.id = new_id();
@@ -99,8 +97,10 @@ void HypothesisSet::branch(const LocalFeature& feature, const LocalMap& local_ma
     }
     const std::size_t before = grown.size();
     Live child;
-    for (const Association& choice : choices_for(live, feature))
-      if (grow_child(live, choice, grown.size() == before, local_map, child)) grown.push_back(std::move(child));
+    for (const Association& choice : choices_for(live, feature)) {
+      const Identity identity = grown.size() == before ? Identity::of_parent : Identity::own;
+      if (grow_child(live, choice, identity, local_map, child)) grown.push_back(std::move(child));
+    }
     if (grown.size() == before)
       end(live, "local feature " + to_string(feature.id) + " fits nothing that is left to choose");
     else

@@ -106,7 +106,11 @@ class OPAL_EXPORT HypothesisSet {
   void branch(const LocalFeature& feature, const LocalMap& local_map);
   /// @return the worst error [m] if an association is an outlier under the new registration, else nothing.
   std::optional<double> register_anew(Live& live, const LocalMap& local_map) const;
-  bool grow_child(const Live& parent, const Association& choice, bool first, const LocalMap& local_map, Live& child);
+  /// Whether a child goes on as its parent, as the first one does, or is a hypothesis of its own.
+  enum class Identity { of_parent, own };
+  /// @return false if the choice does not fit.
+  bool grow_child(const Live& parent, const Association& choice, Identity identity, const LocalMap& local_map,
+                  Live& child);
   /// The hypothesis that is where the candidate is, or none.
   Live* at_place_of(const Candidate& candidate, const Pose2& T_local_base);
   /// Moves an old hypothesis to where a candidate at its place has it, if that is clearly better aligned; both are

@@ -30,7 +30,8 @@ std::vector<CandidateGenerator::LookedUp> looked_up(int corners, int places) {
   SearchOptions options;
   options.places = places;
   const CandidateGenerator generator(view_of(room()), {{"corner", std::make_shared<CornerTemplate>()}}, options);
-  CandidateGenerator::Inquiry inquiry = generator.ask(corners_in_a_row(corners), coarse_points(), false);
+  CandidateGenerator::Inquiry inquiry =
+      generator.ask(corners_in_a_row(corners), coarse_points(), PatternKind::constrained);
   generator.look_up(inquiry, 1000000);
   return generator.propose(std::move(inquiry)).looked_up;
 }

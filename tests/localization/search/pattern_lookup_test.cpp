@@ -34,7 +34,8 @@ std::vector<std::size_t> expected(const std::vector<std::size_t>& counts, const 
   for (std::size_t k = 0; k < counts.size(); ++k)
     features.push_back({"acme:Point", Point(static_cast<double>(k + 1), 0)});
   std::vector<std::size_t> numbers;
-  for (const PatternLookup& lookup : choose_lookups(templates_with(counts), features, options, false))
+  for (const PatternLookup& lookup :
+       choose_lookups(templates_with(counts), features, options, PatternKind::constrained))
     numbers.push_back(lookup.expected);
   return numbers;
 }
