@@ -30,7 +30,8 @@ const Fields<TemperingOptions>& fields_of(const TemperingOptions&) {
   static const Fields<O> all = {
       {"distance_m", &O::distance_m, "m", 0.001, 1000,
        "driving that makes a scan a whole, independent piece of evidence"},
-      {"angle_rad", &O::angle_rad, "rad", 0.001, 1000, "turning that does"},
+      {"angle_rad", &O::angle_rad, "rad", 0.001, 1000,
+       "turning that makes a scan a whole, independent piece of evidence"},
       {"least_weight", &O::least_weight, "", 0, 1, "weight of a scan that was taken where the one before was"},
   };
   return all;
@@ -39,12 +40,12 @@ const Fields<TemperingOptions>& fields_of(const TemperingOptions&) {
 const Fields<SearchScheduleOptions>& fields_of(const SearchScheduleOptions&) {
   using O = SearchScheduleOptions;
   static const Fields<O> all = {
-      {"every_m", &O::every_m, "m", 0, 1000, "driving between chances to search"},
-      {"every_rad", &O::every_rad, "rad", 0, 1000, "turning between chances to search"},
+      {"every_m", &O::every_m, "m", 0, 1000, "driving that brings a chance to search"},
+      {"every_rad", &O::every_rad, "rad", 0, 1000, "turning that brings a chance to search"},
       {"every_when_localized", &O::every_when_localized, "", 1, kMany, "chances that make one search while localized"},
       {"every_when_likely", &O::every_when_likely, "", 1, kMany,
-       "chances that make one search while one place is likely"},
-      {"likely_probability", &O::likely_probability, "", 0, 1, "a place with more than this is likely"},
+       "chances that make one search while the best place is likely"},
+      {"likely_probability", &O::likely_probability, "", 0, 1, "probability above which the best place is likely"},
   };
   return all;
 }
@@ -57,15 +58,15 @@ const Fields<SearchOptions>& fields_of(const SearchOptions&) {
       {"places", &O::places, "", 0, kMany, "candidates per search of all templates together; 0: any number"},
       {"places_per_scan", &O::places_per_scan, "", 0, kMany,
        "places looked at per scan: a search that has more goes on at the next ones; 0: any number"},
-      {"close_looks", &O::close_looks, "", 1, kMany, "candidates that are judged by all points of a thinned scan"},
+      {"close_looks", &O::close_looks, "", 1, kMany, "places that are judged by all points of a thinned scan"},
       {"candidates", &O::candidates, "", 1, kMany, "candidates kept by likelihood-field score, one per place"},
-      {"hypotheses", &O::hypotheses, "", 1, kMany, "candidates kept by the scorers"},
+      {"hypotheses", &O::hypotheses, "", 1, kMany, "candidates kept by the scorers, one per place"},
       {"under_constrained_patterns", &O::under_constrained_patterns, "", 1, 1000,
        "patterns with a free parameter looked up per scan"},
       {"under_constrained_below_nat", &O::under_constrained_below_nat, "nat", -kMany, kMany,
-       "they are looked up if no candidate scores this"},
+       "patterns with a free parameter are looked up if no candidate scores this"},
       {"under_constrained_until_nat", &O::under_constrained_until_nat, "nat", -kMany, kMany,
-       "and only while no hypothesis has gathered this much"},
+       "patterns with a free parameter are looked up while no hypothesis has gathered this much"},
       {"from_stable", &O::from_stable, "", 0, 0, "only stable local features are looked up (Hendrikx 2023)"},
   };
   return all;
@@ -93,10 +94,10 @@ const Fields<GrowthOptions>& fields_of(const GrowthOptions&) {
       {"register_by_associations", &O::register_by_associations, "", 0, 0,
        "pose from associations instead of scan and surfaces"},
       {"registration_horizon", &O::registration_horizon, "", 2, 1000, "last associations that give that pose"},
-      {"gate_m", &O::gate_m, "m", 0, 100, "distance of a local feature from its mapped counterpart"},
-      {"gate_rad", &O::gate_rad, "rad", 0, 4, "angle between them"},
-      {"outlier_m", &O::outlier_m, "m", 0, 100, "an association that is this far off rejects the hypothesis"},
-      {"outlier_rad", &O::outlier_rad, "rad", 0, 4, "or turned by this"},
+      {"gate_m", &O::gate_m, "m", 0, 100, "most distance of a local feature from its mapped counterpart"},
+      {"gate_rad", &O::gate_rad, "rad", 0, 4, "most angle between a local feature and its mapped counterpart"},
+      {"outlier_m", &O::outlier_m, "m", 0, 100, "an association that is farther off is given up"},
+      {"outlier_rad", &O::outlier_rad, "rad", 0, 4, "an association that is turned by more is given up"},
   };
   return all;
 }
@@ -105,8 +106,8 @@ const Fields<TrackingOptions>& fields_of(const TrackingOptions&) {
   using O = TrackingOptions;
   static const Fields<O> all = {
       {"evidence_memory", &O::evidence_memory, "", 0, 1, "share of gathered evidence kept per whole piece of evidence"},
-      {"prior_position", &O::prior_position, "", 0, kMany, "weight of dead reckoning in alignment, per scan point"},
-      {"prior_heading", &O::prior_heading, "", 0, kMany, "the same for the heading"},
+      {"prior_position", &O::prior_position, "", 0, kMany, "weight per scan point of dead reckoning's position"},
+      {"prior_heading", &O::prior_heading, "", 0, kMany, "weight per scan point of dead reckoning's heading"},
       {"pose_memory", &O::pose_memory, "", 0, 1,
        "share of what is known of a pose that is kept per whole piece of evidence; 0: the newest scan decides"},
   };
@@ -128,23 +129,25 @@ const Fields<StatusOptions>& fields_of(const StatusOptions&) {
   static const Fields<O> all = {
       {"none_scan_nat", &O::none_scan_nat, "nat", -kMany, kMany,
        "what a scan says for a wrong pose at a place that is not on the map"},
-      {"localized_probability", &O::localized_probability, "", 0, 1, "probability above which a pose may be localized"},
-      {"localized_weight", &O::localized_weight, "", 0, kMany, "sum of tempering weights over which it must hold"},
+      {"localized_probability", &O::localized_probability, "", 0, 1, "probability that the best place must exceed"},
+      {"localized_weight", &O::localized_weight, "", 0, kMany,
+       "sum of tempering weights over which the best place must have that probability"},
       {"localized_weight_per_m", &O::localized_weight_per_m, "1/m", 0, kMany,
-       "more of it per metre of straight walls that are seen and not mapped"},
-      {"localized_unmapped_m", &O::localized_unmapped_m, "m", 0, kMany, "so many metres of these walls cost nothing"},
+       "additional tempering weight required per metre of unmapped wall beyond localized_unmapped_m"},
+      {"localized_unmapped_m", &O::localized_unmapped_m, "m", 0, kMany,
+       "straight walls around the robot that may be missing on the map without further evidence"},
       {"localized_agreement", &O::localized_agreement, "", 0, 1,
-       "share of the beams that end on mapped surfaces, of those that end there or pass through; below, more is asked "
-       "for"},
+       "least share of beams that end on mapped surfaces, of those that end there or pass through, without further "
+       "evidence"},
       {"localized_weight_per_share", &O::localized_weight_per_share, "", 0, kMany,
-       "more of the sum of tempering weights, times what the share lacks"},
+       "additional tempering weight required per unit by which that share is below localized_agreement"},
       {"localized_least_agreement", &O::localized_least_agreement, "", 0, 1,
-       "the same share below which nothing is localized, whatever else speaks for it"},
+       "share of beams that end on mapped surfaces below which no evidence is enough"},
       {"localized_lead", &O::localized_lead, "", 0, 1,
        "share of its evidence by which the best place must lead over any other place"},
-      {"localized_most_weight", &O::localized_most_weight, "", 0, kMany, "whatever is missing, this is enough"},
+      {"localized_most_weight", &O::localized_most_weight, "", 0, kMany, "most tempering weight that is ever required"},
       {"lost_scan_nat", &O::lost_scan_nat, "nat", -kMany, kMany,
-       "mean of the newest scans below which the robot is lost"},
+       "mean score of the newest scans below which the robot is lost"},
   };
   return all;
 }

@@ -32,7 +32,7 @@ struct LiveOptions {
   double silent_after_s = 1;       ///< a sensor that says nothing for longer, and for five of its intervals, is silent
   double missing_after_s = 3;      ///< a sensor that has said nothing since the first record is missing
   double late_s = 0.5;             ///< records arrive later than this after their stamps: doubtful
-  double early_s = 0.1;            ///< ... or earlier than this before them: two clocks
+  double early_s = 0.1;            ///< records arrive earlier than this before their stamps: two clocks differ
   double told_for_s = 3;           ///< what was odd in the records is told for so long
   std::size_t most_queued = 2000;  ///< records (hints, too); when one more comes, the oldest one is dropped and counted
 };

@@ -27,8 +27,8 @@ namespace opal {
 
 /// When a scan becomes a keyframe: by the odometry since the last one.
 struct KeyframeOptions {
-  double distance_m = 0.1;  ///< driven more than this, or
-  double angle_rad = 0.2;   ///< turned more than this
+  double distance_m = 0.1;  ///< driving after which the next scan is a keyframe
+  double angle_rad = 0.2;   ///< turning after which the next scan is a keyframe
 };
 
 /// Everything a localizer is made of. `Deployment` (deployment.hpp) builds it from files.
