@@ -160,7 +160,7 @@ ScorerConfig read_scorer(ConfigObject object) {
   scorer.part = read_part(object);
   const std::string role = object.text("role", "decides");
   if (role != "decides" && role != "observes") object.refuse("role", "\"decides\" or \"observes\"");
-  scorer.decides = role == "decides";
+  scorer.role = role == "decides" ? ScorerRole::decides : ScorerRole::observes;
   scorer.weight = object.number("weight", 1, {0, 1000});
   object.expect_no_more();
   return scorer;
@@ -168,7 +168,7 @@ ScorerConfig read_scorer(ConfigObject object) {
 
 bool decides_already(const std::vector<ScorerConfig>& scorers, const ScorerConfig& scorer) {
   return std::any_of(scorers.begin(), scorers.end(), [&](const ScorerConfig& other) {
-    return other.decides && scorer.decides && other.part.type == scorer.part.type &&
+    return other.decides() && scorer.decides() && other.part.type == scorer.part.type &&
            other.part.options == scorer.part.options;
   });
 }
@@ -184,7 +184,7 @@ std::vector<ScorerConfig> read_scorers(ConfigObject& document) {
     if (decides_already(scorers, scorer))
       object.refuse("@type",
                     "a scorer that does not decide already with these options: its evidence would count twice");
-    decided = decided || (scorer.decides && scorer.weight > 0);
+    decided = decided || (scorer.decides() && scorer.weight > 0);
     scorers.push_back(std::move(scorer));
   }
   if (!decided) throw ConfigError(document.where("scorers") + ": no scorer decides, expected " + kExpected);

@@ -233,7 +233,7 @@ LocalizerParts build_parts(const Deployment& deployment, const PluginRegistry& p
     parts.scorers.push_back(
         {scorer.name.empty() ? scorer.part.type : scorer.name,
          make_part<HypothesisScorer>(scorer.part, PluginKind::hypothesis_scorer, deployment.file, registry),
-         scorer.decides, scorer.weight});
+         scorer.role, scorer.weight});
   parts.stages = deployment.stages;
   return parts;
 }

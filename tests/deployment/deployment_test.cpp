@@ -74,7 +74,7 @@ TEST_CASE("a deployment that says nothing has the defaults of its structs") {
   CHECK_FALSE(deployment.detectors);
   CHECK_FALSE(deployment.patterns);
   REQUIRE(deployment.scorers.size() == 1);
-  CHECK(deployment.scorers[0].decides);
+  CHECK(deployment.scorers[0].decides());
   CHECK(deployment.scorers[0].weight == 1);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a deployment is read whole") {
   CHECK(deployment.patterns->empty());
   REQUIRE(deployment.scorers.size() == 2);
   CHECK(deployment.scorers[0].weight == 0.5);
-  CHECK_FALSE(deployment.scorers[1].decides);
+  CHECK_FALSE(deployment.scorers[1].decides());
   CHECK(deployment.stages.hypotheses.max_hypotheses == 7);
 }
 

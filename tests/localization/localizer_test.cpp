@@ -61,7 +61,7 @@ struct Driven {
     parts.lasers[0].T_base_laser = T_base_laser;
     parts.detectors = {{"told", detector}};
     parts.patterns = {{"corner", std::make_shared<CornerTemplate>()}};
-    parts.scorers = {{"scorer", std::move(scorer), true, 1}};
+    parts.scorers = {{"scorer", std::move(scorer), ScorerRole::decides, 1}};
     parts.stages = options;
     return parts;
   }

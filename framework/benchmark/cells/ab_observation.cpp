@@ -5,11 +5,11 @@
 std::vector<ObservedScorer> let_observe(opal::Deployment& deployment, const opal::ab::Arm& arm, bool decides) {
   std::vector<ObservedScorer> observed;
   for (opal::ScorerConfig scorer : arm.deployment.scorers) {
-    if (!scorer.decides) continue;
+    if (!scorer.decides()) continue;
     const std::string type = scorer.part.type;
     observed.push_back({decides ? type : arm.name + ": " + type, scorer.weight});
     if (decides) continue;
-    scorer.decides = false;
+    scorer.role = opal::ScorerRole::observes;
     scorer.name = observed.back().name;
     deployment.scorers.push_back(std::move(scorer));
   }

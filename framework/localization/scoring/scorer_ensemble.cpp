@@ -85,7 +85,7 @@ bool ScorerEnsemble::judges_associations() const {
 double ScorerEnsemble::decide(const Hypothesis& hypothesis, const Observation& observation) const {
   double nat = 0;
   for (std::size_t k = 0; k < scorers_.size(); ++k)
-    if (scorers_[k].decides) nat += scorers_[k].weight * ask(k, hypothesis, observation).log_likelihood;
+    if (scorers_[k].decides()) nat += scorers_[k].weight * ask(k, hypothesis, observation).log_likelihood;
   return nat;
 }
 
@@ -93,7 +93,7 @@ std::vector<double> ScorerEnsemble::decide_all(Hypotheses hypotheses, const Obse
   std::vector<double> nats(hypotheses.size(), 0.0);
   for (std::size_t k = 0; k < scorers_.size(); ++k) {
     const double weight = scorers_[k].weight;
-    if (!scorers_[k].decides) continue;
+    if (!scorers_[k].decides()) continue;
     if (takes_many(k)) {
       const std::vector<Score> scores = ask_all(k, hypotheses, observation);
       for (std::size_t i = 0; i < nats.size(); ++i) nats[i] += weight * scores[i].log_likelihood;
@@ -107,7 +107,7 @@ std::vector<double> ScorerEnsemble::decide_all(Hypotheses hypotheses, const Obse
 
 void ScorerEnsemble::add(Verdict& verdict, std::size_t number, Score score) const {
   const ActiveScorer& scorer = scorers_[number];
-  if (scorer.decides) {
+  if (scorer.decides()) {
     verdict.nat += scorer.weight * score.log_likelihood;
     if (verdict.veto.empty() && !score.veto.empty()) verdict.veto = scorer.name + ": " + score.veto;
   }

@@ -61,7 +61,7 @@ Places seen_once(const std::optional<PoseHint>& hint, std::vector<Named<PatternT
   parts.lasers[0].T_base_laser = T_base_laser;
   parts.detectors = {{"told", detector}};
   parts.patterns = std::move(templates);
-  parts.scorers = {{"fit", fit_scorer(), true, 1}};
+  parts.scorers = {{"fit", fit_scorer(), ScorerRole::decides, 1}};
   Places places;
   Localizer localizer(std::move(parts), &places);
   if (hint) localizer.hint({T_map_base * hint->T_map_base, hint->sigma_m, hint->sigma_rad});

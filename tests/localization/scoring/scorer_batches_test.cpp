@@ -86,7 +86,7 @@ struct Three {
 };
 
 ActiveScorer always(const std::string& name, double nat, double weight = 1, const std::string& veto = {}) {
-  return {name, constant_scorer(nat, veto), true, weight};
+  return {name, constant_scorer(nat, veto), ScorerRole::decides, weight};
 }
 
 }  // namespace
@@ -95,8 +95,8 @@ TEST_CASE("many hypotheses are judged as one after the other, and a scorer that 
   const Three three;
   const auto batch = std::make_shared<BatchOfIds>();
   const Judges judges(three.map, {always("a", 2, 0.5),
-                                  {"ids", batch, true, 2},
-                                  {"b", constant_scorer(100), false, 1},
+                                  {"ids", batch, ScorerRole::decides, 2},
+                                  {"b", constant_scorer(100), ScorerRole::observes, 1},
                                   always("strict", 1, 1, "through a wall")});
   const auto verdicts = judges.ensemble.judge_all(three.pointers, three.seen);
   const auto nats = judges.ensemble.decide_all(three.pointers, three.seen);
@@ -115,7 +115,7 @@ TEST_CASE("many hypotheses are judged as one after the other, and a scorer that 
 TEST_CASE("no hypotheses are no question") {
   const Three three;
   const auto batch = std::make_shared<BatchOfIds>();
-  const Judges judges(three.map, {{"ids", batch, true, 1}});
+  const Judges judges(three.map, {{"ids", batch, ScorerRole::decides, 1}});
   CHECK(judges.ensemble.judge_all({}, three.seen).empty());
   CHECK(judges.ensemble.decide_all({}, three.seen).empty());
   CHECK(batch->calls == 0);
@@ -123,15 +123,15 @@ TEST_CASE("no hypotheses are no question") {
 
 TEST_CASE("a batch of another size is no opinion, and is counted") {
   const Three three;
-  const Judges judges(three.map, {always("a", 2), {"ids", std::make_shared<BatchOfIds>(1), true, 1}});
+  const Judges judges(three.map, {always("a", 2), {"ids", std::make_shared<BatchOfIds>(1), ScorerRole::decides, 1}});
   CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{2, 2, 2});
   CHECK(judges.failures.counts().at("ids") == 1);
 }
 
 TEST_CASE("of a batch only the score that is not finite is left out") {
   const Three three;
-  const Judges judges(three.map,
-                      {{"ids", std::make_shared<BatchOfIds>(0, std::numeric_limits<double>::infinity()), true, 1}});
+  const Judges judges(three.map, {{"ids", std::make_shared<BatchOfIds>(0, std::numeric_limits<double>::infinity()),
+                                   ScorerRole::decides, 1}});
   CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{0, 1, 2});
   CHECK(judges.failures.counts().at("ids") == 1);
 }
@@ -139,7 +139,7 @@ TEST_CASE("of a batch only the score that is not finite is left out") {
 TEST_CASE("a scorer that remembers is asked once, with the memory of each hypothesis") {
   Three three;
   const auto batch = std::make_shared<BatchOfMemories>();
-  const Judges judges(three.map, {always("a", 2), {"remembers", batch, true, 1}});
+  const Judges judges(three.map, {always("a", 2), {"remembers", batch, ScorerRole::decides, 1}});
   CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{12, 12, 12});
   const auto verdicts = judges.ensemble.judge_all(three.pointers, three.seen);
   CHECK(batch->calls == 2);

@@ -25,19 +25,19 @@ struct Moment {
 };
 
 ActiveScorer deciding(const std::string& name, double nat, double weight = 1, const std::string& veto = {}) {
-  return {name, constant_scorer(nat, veto), true, weight};
+  return {name, constant_scorer(nat, veto), ScorerRole::decides, weight};
 }
 ActiveScorer observing(const std::string& name, double nat, const std::string& veto = {}) {
-  return {name, constant_scorer(nat, veto), false, 1};
+  return {name, constant_scorer(nat, veto), ScorerRole::observes, 1};
 }
 ActiveScorer throwing(const std::string& name) {
   return {name, std::make_shared<ToldScorer>([](const Hypothesis&, const Observation&) -> Score {
             throw std::runtime_error("no idea");
           }),
-          true, 1};
+          ScorerRole::decides, 1};
 }
 ActiveScorer counting(const std::string& name, double weight = 1) {
-  return {name, std::make_shared<CountingScorer>(), true, weight};
+  return {name, std::make_shared<CountingScorer>(), ScorerRole::decides, weight};
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ TEST_CASE("a score that is no number contributes nothing, its veto neither, and 
 TEST_CASE("an observer that throws changes nothing for those that decide") {
   const Moment moment;
   ActiveScorer bad = throwing("bad");
-  bad.decides = false;
+  bad.role = ScorerRole::observes;
   const Judges judges(moment.map, {bad, deciding("good", 2)});
   CHECK(judges.ensemble.judge(moment.hypothesis, moment.seen).nat == 2);
 }
@@ -127,7 +127,7 @@ TEST_CASE("a scorer that made no memory is never asked without one") {
     }
   };
   const Moment moment;
-  const Judges judges(moment.map, {{"forgetful", std::make_shared<Forgetful>(), true, 1}});
+  const Judges judges(moment.map, {{"forgetful", std::make_shared<Forgetful>(), ScorerRole::decides, 1}});
   CHECK(judges.failures.counts().at("forgetful") == 1);
   judges.ensemble.decide(moment.hypothesis, moment.seen);
 }
@@ -189,7 +189,7 @@ TEST_CASE("a memory of its own is null where the scorer remembers nothing") {
 
 TEST_CASE("associations matter to the ensemble if they matter to any scorer") {
   const Moment moment;
-  const ActiveScorer by_scan{"scan", fit_scorer(), true, 1};
+  const ActiveScorer by_scan{"scan", fit_scorer(), ScorerRole::decides, 1};
   CHECK_FALSE(Judges(moment.map, {by_scan}).ensemble.judges_associations());
   CHECK(Judges(moment.map, {by_scan, deciding("a", 0)}).ensemble.judges_associations());
 }

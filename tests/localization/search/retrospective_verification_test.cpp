@@ -21,7 +21,7 @@ VerificationOptions verification_options(int scans = 40) {
 
 /// A robot that drives through the room from its left to its right, and remembers.
 struct Past {
-  explicit Past(std::vector<ActiveScorer> scorers = {{"fit", fit_scorer(), true, 1}},
+  explicit Past(std::vector<ActiveScorer> scorers = {{"fit", fit_scorer(), ScorerRole::decides, 1}},
                 const VerificationOptions& given = verification_options(), double memory = kMemory)
       : judges(map, std::move(scorers)), past(map, judges.ensemble, given, memory) {}
   void see(double tempering_weight = 1, double best_nat = 2.9) {
@@ -50,7 +50,7 @@ struct Past {
 
 /// Each scan says this for every hypothesis.
 Past past_of(double nat, const VerificationOptions& given = verification_options(), double memory = kMemory) {
-  return Past({{"constant", constant_scorer(nat), true, 1}}, given, memory);
+  return Past({{"constant", constant_scorer(nat), ScorerRole::decides, 1}}, given, memory);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ TEST_CASE("a scan is kept for every whole piece of evidence, and the first one a
 }
 
 TEST_CASE("no more scans are kept than asked for, the newest ones") {
-  Past past({{"fit", fit_scorer(), true, 1}}, verification_options(3));
+  Past past({{"fit", fit_scorer(), ScorerRole::decides, 1}}, verification_options(3));
   past.see_scans(10);
   CHECK(past.truth().scans == 3);
   past.past.forget_until(KeyframeId(7));
@@ -85,7 +85,7 @@ TEST_CASE("no more scans are kept than asked for, the newest ones") {
 }
 
 TEST_CASE("who may keep no scan verifies nothing") {
-  Past past({{"fit", fit_scorer(), true, 1}}, verification_options(0));
+  Past past({{"fit", fit_scorer(), ScorerRole::decides, 1}}, verification_options(0));
   past.see_scans(10);
   CHECK(past.truth().scans == 0);
   CHECK(past.past.since_newest(0.3) == 1);
@@ -144,7 +144,7 @@ TEST_CASE("evidence of old scans counts as much less as tracking has forgotten o
 }
 
 TEST_CASE("a candidate meets the scans before as something new: what it saw of them it remembers") {
-  Past past({{"count", std::make_shared<CountingScorer>(), true, 1}});
+  Past past({{"count", std::make_shared<CountingScorer>(), ScorerRole::decides, 1}});
   past.see_scans(4);
   const auto verdict = past.truth();
   Hypothesis hypothesis;
@@ -153,7 +153,7 @@ TEST_CASE("a candidate meets the scans before as something new: what it saw of t
 }
 
 TEST_CASE("verifying a hypothesis leaves its own memories alone") {
-  Past past({{"count", std::make_shared<CountingScorer>(), true, 1}});
+  Past past({{"count", std::make_shared<CountingScorer>(), ScorerRole::decides, 1}});
   past.see_scans(4);
   Hypothesis hypothesis = past.robot.truth();
   past.judges.ensemble.remember(hypothesis, past.judges.ensemble.judge(hypothesis, past.robot.observation()).scores, 1);
@@ -230,7 +230,7 @@ TEST_CASE("a kidnapping excuses nothing that was seen since then") {
 }
 
 TEST_CASE("in retrospect no scan is more than one whole piece of evidence to a scorer") {
-  Past past({{"count", std::make_shared<CountingScorer>(), true, 1}});
+  Past past({{"count", std::make_shared<CountingScorer>(), ScorerRole::decides, 1}});
   past.see(0.6);
   past.see_scans(2, 0.6);
   Hypothesis hypothesis;

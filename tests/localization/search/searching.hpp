@@ -16,7 +16,7 @@ struct Searching {
   explicit Searching(const Features& features = room(), const Pose2& T_map_base = kTruth,
                      const SearchOptions& options = {}, std::vector<Named<PatternTemplate>> templates = {corners()})
       : map(view_of(features)),
-        judges(map, {{"fit", fit_scorer(), true, 1}}),
+        judges(map, {{"fit", fit_scorer(), ScorerRole::decides, 1}}),
         robot(map, T_map_base),
         search(map, std::move(templates), judges.ensemble, options) {}
   GlobalSearch::Result find(bool under_constrained = true, bool keep_rejected = false) const {

@@ -22,7 +22,7 @@ struct CountingListener : DeafListener {
 struct Growing {
   Growing(const Features& mapped, const LocalizerOptions& options)
       : map(view_of(mapped)),
-        judges(map, {{"constant", constant_scorer(1), true, 1}}),
+        judges(map, {{"constant", constant_scorer(1), ScorerRole::decides, 1}}),
         past(map, judges.ensemble, no_earlier_scans(), 1),
         set(map, judges.ensemble, options, listener) {
     see({});
@@ -104,7 +104,7 @@ TEST_CASE("how far a scan moves and turns a hypothesis depends on how much dead 
     LocalizerOptions options;
     options.tracking.prior_position = prior_position;
     options.tracking.prior_heading = prior_heading;
-    Judges judges(map, {{"constant", constant_scorer(1), true, 1}});
+    Judges judges(map, {{"constant", constant_scorer(1), ScorerRole::decides, 1}});
     RetrospectiveVerification past(map, judges.ensemble, no_earlier_scans(), 1);
     CountingListener listener;
     HypothesisSet set(map, judges.ensemble, options, listener);

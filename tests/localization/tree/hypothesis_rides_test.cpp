@@ -46,7 +46,7 @@ struct Lift {
 
   Parents listener;
   std::shared_ptr<const MapView> map = view_of({{"opal:Column", Circle{{0, 50}, 0.2}}});
-  Judges judges{map, {{"told", constant_scorer(1), true, 1}}};
+  Judges judges{map, {{"told", constant_scorer(1), ScorerRole::decides, 1}}};
   RetrospectiveVerification past{map, judges.ensemble, no_earlier_scans(), 1};
   LocalMap local_map{{}, nullptr};
   HypothesisSet set{map, judges.ensemble, {}, listener};

@@ -48,7 +48,7 @@ struct Line {
   explicit Line(const LocalizerOptions& options = {}, const Features& features = {column(0, 50)},
                 std::shared_ptr<const HypothesisScorer> second = constant_scorer(0))
       : map(view_of(features)),
-        judges(map, {{"told", told(), true, 1}, {"second", std::move(second), false, 1}}),
+        judges(map, {{"told", told(), ScorerRole::decides, 1}, {"second", std::move(second), ScorerRole::observes, 1}}),
         past(map, judges.ensemble, no_earlier_scans(), 1),
         set(map, judges.ensemble, options, listener) {
     see({}, Pose2());
@@ -432,7 +432,7 @@ const Pose2 kTruth(6.5, 4.2, 0.4);
 struct InRoom {
   explicit InRoom(const Features& features = room(), std::shared_ptr<const HypothesisScorer> scorer = fit_scorer())
       : map(view_of(features)),
-        judges(map, {{"only", std::move(scorer), true, 1}}),
+        judges(map, {{"only", std::move(scorer), ScorerRole::decides, 1}}),
         past(map, judges.ensemble, {}, 0.99),
         set(map, judges.ensemble, {}, listener) {}
   void spawn(const std::vector<Pose2>& poses, double tempering_weight = 1) {

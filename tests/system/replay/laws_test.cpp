@@ -95,7 +95,7 @@ TEST_CASE("the same log gives the same answer again") {
 TEST_CASE("a scorer or detector that throws in the middle of a run is skipped and counted, and the run goes on") {
   const RecordedSite site("malaga-demo");
   LocalizerParts parts = site.parts();
-  parts.scorers.push_back({"test:Throwing", std::make_shared<ThrowingScorer>(), true, 1.0});
+  parts.scorers.push_back({"test:Throwing", std::make_shared<ThrowingScorer>(), ScorerRole::decides, 1.0});
   parts.detectors.push_back({"test:NeverWorks", std::make_shared<ThrowingDetector>()});
   Localizer faulty(parts), sound(site.parts());
   const auto a = replay(sound, site.samples), b = replay(faulty, site.samples);

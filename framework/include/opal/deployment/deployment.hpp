@@ -23,10 +23,12 @@ struct PartConfig {
 
 /// One scorer that a deployment asks for, and what its opinion is worth.
 struct ScorerConfig {
-  PartConfig part;        ///< the scorer's type and options
-  bool decides = true;    ///< "role": "decides" or "observes"
-  double weight = 1;      ///< of its scores in the decision
-  std::string name = {};  ///< by which its scores are known; empty: its type
+  PartConfig part;                        ///< the scorer's type and options
+  ScorerRole role = ScorerRole::decides;  ///< whether it decides
+  double weight = 1;                      ///< of its scores in the decision
+  std::string name = {};                  ///< by which its scores are known; empty: its type
+
+  bool decides() const { return role == ScorerRole::decides; }  ///< its scores take part in the decision
 };
 
 /// How Opal runs in one building with one robot: a document of configs/. Every field has a default except the
