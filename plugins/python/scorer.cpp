@@ -39,7 +39,7 @@ py::list associations_of(Hypotheses hypotheses) {
   return all;
 }
 
-/// opal.plugin.Hypotheses of these.
+/// opal.plugin.Hypotheses of these. Their memories are null, and left out, for a class that remembers nothing.
 py::object hypotheses_for_python(Hypotheses hypotheses, Memories memories, const opal::Pose2& T_local_base,
                                  bool with_associations) {
   Doubles poses = table(hypotheses.size(), 3), frames = table(hypotheses.size(), 3);
@@ -49,7 +49,8 @@ py::object hypotheses_for_python(Hypotheses hypotheses, Memories memories, const
     frame = put(frame, hypothesis->T_map_local);
   }
   py::list states;
-  for (const opal::ScorerMemory* memory : memories) states.append(state_of(*memory));
+  for (const opal::ScorerMemory* memory : memories)
+    if (memory != nullptr) states.append(state_of(*memory));
   return host_module().attr("Hypotheses")(poses, frames, with_associations ? associations_of(hypotheses) : py::list(),
                                           states);
 }
@@ -136,21 +137,15 @@ std::unique_ptr<opal::ScorerMemory> PythonScorer::new_memory(const opal::MapView
   });
 }
 
-std::vector<opal::Score> PythonScorer::score_all(Hypotheses hypotheses, const opal::Observation& observation,
-                                                 const opal::MapView& map) const {
-  return score_all(hypotheses, {}, observation, map);
-}
-
 std::vector<opal::Score> PythonScorer::score_all(Hypotheses hypotheses, Memories memories,
                                                  const opal::Observation& observation, const opal::MapView& map) const {
-  if (hypotheses.empty()) return {};
   return scores_of(answer_of(object_, hypotheses, memories, observation, map, judges_associations_), hypotheses.size());
 }
 
 opal::Score PythonScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                 const opal::MapView& map, const opal::ScorerMemory* memory) const {
   const opal::Hypothesis* only = &hypothesis;
-  return score_all({&only, 1}, {&memory, memory != nullptr ? 1u : 0u}, observation, map).front();
+  return score_all({&only, 1}, {&memory, 1}, observation, map).front();
 }
 
 void PythonScorer::remember(opal::ScorerMemory& memory, const opal::ScorerMemory& seen, double weight) const {

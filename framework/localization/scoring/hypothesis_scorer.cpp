@@ -1,10 +1,7 @@
-#include <opal/localization/scoring/batch_scorer.hpp>
 #include <opal/localization/scoring/hypothesis_scorer.hpp>
 
 namespace opal {
 
-BatchScorer::~BatchScorer() = default;
-RememberingBatchScorer::~RememberingBatchScorer() = default;
 HypothesisScorer::~HypothesisScorer() = default;
 
 std::unique_ptr<ScorerMemory> HypothesisScorer::new_memory(const MapView&) const { return nullptr; }
@@ -12,6 +9,16 @@ std::unique_ptr<ScorerMemory> HypothesisScorer::new_memory(const MapView&) const
 Score HypothesisScorer::score_new(const Hypothesis& hypothesis, const Observation& observation,
                                   const MapView& map) const {
   return score(hypothesis, observation, map, new_memory(map).get());
+}
+
+std::vector<Score> HypothesisScorer::score_all(std::span<const Hypothesis* const> hypotheses,
+                                               std::span<const ScorerMemory* const> memories,
+                                               const Observation& observation, const MapView& map) const {
+  std::vector<Score> scores;
+  scores.reserve(hypotheses.size());
+  for (std::size_t k = 0; k < hypotheses.size(); ++k)
+    scores.push_back(score(*hypotheses[k], observation, map, memories[k]));
+  return scores;
 }
 
 void HypothesisScorer::remember(ScorerMemory&, const ScorerMemory&, double) const {}

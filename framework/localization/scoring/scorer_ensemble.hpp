@@ -3,7 +3,6 @@
 #include "common/plugin_failures.hpp"
 
 #include <opal/localization/scoring/active_scorer.hpp>
-#include <opal/localization/scoring/batch_scorer.hpp>
 #include <opal/map/view/map_view.hpp>
 
 #include <memory>
@@ -13,7 +12,8 @@
 
 namespace opal {
 
-/// Asks the scorers. A scorer that throws contributes nothing to that scan and is counted.
+/// Asks the scorers. A scorer that throws contributes nothing to the hypotheses that it was asked about, and is
+/// counted.
 class OPAL_EXPORT ScorerEnsemble {
  public:
   /// @param failures  counts what scorers throw; must outlive this.
@@ -33,7 +33,7 @@ class OPAL_EXPORT ScorerEnsemble {
   Verdict judge(const Hypothesis& hypothesis, const Observation& observation) const;
 
   using Hypotheses = std::span<const Hypothesis* const>;
-  /// `decide` of each, in one call of a scorer that can.
+  /// `decide` of each, in one call of each scorer.
   std::vector<double> decide_all(Hypotheses hypotheses, const Observation& observation) const;
   /// `judge` of each, likewise.
   std::vector<Verdict> judge_all(Hypotheses hypotheses, const Observation& observation) const;
@@ -54,14 +54,11 @@ class OPAL_EXPORT ScorerEnsemble {
   const std::vector<ActiveScorer>& scorers() const { return scorers_; }
 
  private:
-  Score ask(std::size_t scorer, const Hypothesis& hypothesis, const Observation& observation) const;
-  /// Whether one call of the scorer judges many.
-  bool takes_many(std::size_t scorer) const { return batches_[scorer] || remembering_[scorer]; }
-  std::vector<Score> ask_in_one_call(std::size_t scorer, Hypotheses hypotheses, const Observation& observation) const;
+  /// One score for each hypothesis, whatever the scorer does.
+  std::vector<Score> ask(std::size_t scorer, Hypotheses hypotheses, const Observation& observation) const;
   const ScorerMemories& memories_of(const Hypothesis& hypothesis) const {
     return hypothesis.memories.empty() ? new_memories_ : hypothesis.memories;
   }
-  std::vector<Score> ask_all(std::size_t scorer, Hypotheses hypotheses, const Observation& observation) const;
   /// A score that is no number counts as a failure, and says nothing.
   void expect_finite(Score& score, const std::string& name) const;
   void add(Verdict& verdict, std::size_t scorer, Score score) const;
@@ -69,9 +66,6 @@ class OPAL_EXPORT ScorerEnsemble {
   std::vector<ActiveScorer> scorers_;
   std::shared_ptr<const MapView> map_;
   PluginFailures& failures_;
-  /// By scorer, with or without a memory; both null: it is asked about one after the other.
-  std::vector<const BatchScorer*> batches_;
-  std::vector<const RememberingBatchScorer*> remembering_;
   std::vector<bool> usable_;     ///< by scorer: it made the memory that it wants, or wants none
   ScorerMemories new_memories_;  ///< of a hypothesis that has met nothing yet
 };

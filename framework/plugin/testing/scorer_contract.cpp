@@ -126,6 +126,7 @@ class Judging {
         check(name, hypothesis, visit.observation(), view);
         check_poor(name, hypothesis, visit.observation(), view);
       }
+      check_together(visit, view);
       for (const Pose2& motion : {Pose2(3.25, -7.5, 0), Pose2(-11.3, 4.7, 0.83)}) check_moved(visit, view, motion);
     }
     return violations_.take();
@@ -164,6 +165,28 @@ class Judging {
     check_findings(name, hypothesis, seen, view);
     check_memory({scorer_, name, hypothesis, seen, view}, violations_);
     if (!scorer_.judges_associations()) check_without_associations(name, *score, hypothesis, seen, view);
+  }
+
+  /// Last bits may differ: who judges many at once may add up in another order.
+  void check_together(const Visit& visit, const MapView& view) {
+    const std::vector<NamedHypothesis> named = hypotheses_near(visit.truth());
+    const Observation seen = visit.observation();
+    std::vector<const Hypothesis*> all;
+    for (const NamedHypothesis& each : named) all.push_back(&each.hypothesis);
+    std::vector<Score> scores;
+    violations_.expect_no_throw("all hypotheses together", [&] {
+      const auto memory = scorer_.new_memory(view);
+      scores = scorer_.score_all(all, std::vector<const ScorerMemory*>(all.size(), memory.get()), seen, view);
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const double alone = scorer_.score(*all[k], seen, view, memory.get()).log_likelihood;
+        if (scores.size() == all.size() && std::isfinite(alone) &&
+            !(std::abs(scores[k].log_likelihood - alone) <= 1e-9 * (1 + std::abs(alone))))
+          violations_.add("together", "gives " + named[k].name + " another score when it judges many in one call");
+      }
+      if (scores.size() != all.size())
+        violations_.add("together", "gives " + std::to_string(scores.size()) + " scores for " +
+                                        std::to_string(all.size()) + " hypotheses in one call");
+    });
   }
 
   void check_without_associations(const std::string& name, const Score& score, Hypothesis hypothesis,

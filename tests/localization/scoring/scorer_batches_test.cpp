@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <limits>
+#include <stdexcept>
 
 using namespace opal;
 using namespace opal::synthetic;
@@ -12,18 +13,20 @@ using namespace opal::synthetic;
 namespace {
 
 /// Says the id of each hypothesis, in one call; and how often it was called. It gives `surplus` scores too many.
-class BatchOfIds final : public HypothesisScorer, public BatchScorer {
+class BatchOfIds final : public HypothesisScorer {
  public:
   explicit BatchOfIds(std::size_t surplus = 0, double first = 0) : surplus_(surplus), first_(first) {}
 
   Score score(const Hypothesis& hypothesis, const Observation&, const MapView&, const ScorerMemory*) const override {
     return {double(hypothesis.id.number()), {}, {}};
   }
-  std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses, const Observation& seen,
+  std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses,
+                               std::span<const ScorerMemory* const> memories, const Observation& seen,
                                const MapView& map) const override {
     ++calls;
-    std::vector<Score> scores;
-    for (const Hypothesis* hypothesis : hypotheses) scores.push_back(score(*hypothesis, seen, map, nullptr));
+    CHECK(std::vector<const ScorerMemory*>(memories.begin(), memories.end()) ==
+          std::vector<const ScorerMemory*>(hypotheses.size()));  // it remembers nothing
+    std::vector<Score> scores = HypothesisScorer::score_all(hypotheses, memories, seen, map);
     if (first_ != 0) scores.front().log_likelihood = first_;
     scores.resize(scores.size() + surplus_);
     return scores;
@@ -43,7 +46,7 @@ struct Number final : ScorerMemory {
 };
 
 /// Says what it remembers of each hypothesis, in one call. Every scan adds the id of the hypothesis.
-class BatchOfMemories final : public HypothesisScorer, public BatchScorer, public RememberingBatchScorer {
+class BatchOfMemories final : public HypothesisScorer {
  public:
   std::unique_ptr<ScorerMemory> new_memory(const MapView&) const override { return std::make_unique<Number>(10); }
   Score score(const Hypothesis& hypothesis, const Observation&, const MapView&,
@@ -51,17 +54,11 @@ class BatchOfMemories final : public HypothesisScorer, public BatchScorer, publi
     const double value = static_cast<const Number&>(*memory).value;
     return {value, {}, {}, std::make_shared<Number>(hypothesis.id.number())};
   }
-  std::vector<Score> score_all(std::span<const Hypothesis* const>, const Observation&, const MapView&) const override {
-    FAIL("a scorer that remembers was asked without memories");
-    return {};
-  }
   std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses,
                                std::span<const ScorerMemory* const> memories, const Observation& seen,
                                const MapView& map) const override {
     ++calls;
-    std::vector<Score> scores;
-    for (std::size_t k = 0; k < hypotheses.size(); ++k) scores.push_back(score(*hypotheses[k], seen, map, memories[k]));
-    return scores;
+    return HypothesisScorer::score_all(hypotheses, memories, seen, map);
   }
   void remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const override {
     static_cast<Number&>(memory).value += weight * static_cast<const Number&>(seen).value;
@@ -91,7 +88,7 @@ ActiveScorer always(const std::string& name, double nat, double weight = 1, cons
 
 }  // namespace
 
-TEST_CASE("many hypotheses are judged as one after the other, and a scorer that can is asked once") {
+TEST_CASE("many hypotheses are judged as one after the other, and each scorer is asked once") {
   const Three three;
   const auto batch = std::make_shared<BatchOfIds>();
   const Judges judges(three.map, {always("a", 2, 0.5),
@@ -100,7 +97,7 @@ TEST_CASE("many hypotheses are judged as one after the other, and a scorer that 
                                   always("strict", 1, 1, "through a wall")});
   const auto verdicts = judges.ensemble.judge_all(three.pointers, three.seen);
   const auto nats = judges.ensemble.decide_all(three.pointers, three.seen);
-  CHECK(batch->calls == 2);
+  CHECK(batch->calls == 2);  // one for the verdicts, one for the decisions
   REQUIRE(verdicts.size() == 3);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto alone = judges.ensemble.judge(three.all[k], three.seen);
@@ -146,4 +143,16 @@ TEST_CASE("a scorer that remembers is asked once, with the memory of each hypoth
   for (std::size_t k = 0; k < 3; ++k) judges.ensemble.remember(three.all[k], verdicts[k].scores, 0.5);
   CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{12, 12.5, 13});
   CHECK(judges.ensemble.judge(three.all[2], three.seen).nat == 13);
+}
+
+TEST_CASE("a scorer that throws at one of many hypotheses says nothing of any, and is counted once") {
+  const Three three;
+  const auto choosy = std::make_shared<ToldScorer>([](const Hypothesis& hypothesis, const Observation&) {
+    if (hypothesis.id == HypothesisId(1)) throw std::runtime_error("not this one");
+    return Score{5, {}, {}};
+  });
+  const Judges judges(three.map, {always("a", 2), {"choosy", choosy, true, 1}});
+  CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{2, 2, 2});
+  CHECK(judges.failures.counts().at("choosy") == 1);
+  CHECK(judges.ensemble.decide(three.all[0], three.seen) == 7);
 }

@@ -243,6 +243,28 @@ TEST_CASE("a scorer that breaks a promise is told which") {
   CHECK(offences([](const Hypothesis&, const Observation& seen) { return static_cast<double>(seen.points()); }) == "");
 }
 
+TEST_CASE("a scorer that judges many hypotheses otherwise than one is told so") {
+  struct Scorer final : HypothesisScorer {
+    double surplus_nat = 0;
+    std::size_t surplus_scores = 0;
+    Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory*) const override {
+      return {1, {}, {}};
+    }
+    std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses, std::span<const ScorerMemory* const>,
+                                 const Observation&, const MapView&) const override {
+      return std::vector<Score>(hypotheses.size() + surplus_scores, Score{1 + surplus_nat, {}, {}});
+    }
+  };
+  Scorer scorer;
+  const auto offences = [&] { return text(testing::scorer_violations(scorer, {"acme:Scorer", {}, {}})); };
+  CHECK(offences() == "");
+  scorer.surplus_nat = 0.001;
+  CHECK_THAT(offences(), Contains("gives the true hypothesis another score when it judges many in one call"));
+  scorer.surplus_nat = 0;
+  scorer.surplus_scores = 1;
+  CHECK_THAT(offences(), Contains("gives 8 scores for 7 hypotheses in one call"));
+}
+
 TEST_CASE("a scorer that explains itself badly is told so") {
   struct Scorer final : HypothesisScorer {
     Finding finding;

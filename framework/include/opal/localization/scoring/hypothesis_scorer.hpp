@@ -5,6 +5,7 @@
 #include <opal/map/view/map_view.hpp>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace opal {
@@ -20,7 +21,7 @@ class OPAL_EXPORT HypothesisScorer {
   virtual ~HypothesisScorer();
 
   /// What is remembered of a hypothesis that has met nothing yet. Asked once for each map; every hypothesis begins with
-  /// a copy. Null, the default: this scorer remembers nothing, and the three functions with a memory are not used.
+  /// a copy. Null, the default: this scorer remembers nothing; `remember` and `fade` are not called.
   virtual std::unique_ptr<ScorerMemory> new_memory(const MapView& map) const;
 
   /// The robot under this hypothesis stands at hypothesis.T_map_local * observation.local_map.T_local_base().
@@ -31,7 +32,19 @@ class OPAL_EXPORT HypothesisScorer {
   virtual Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
                       const ScorerMemory* memory) const = 0;
 
-  /// The same for a hypothesis that has met nothing yet.
+  /// What `score` gives for each of them; this is what the framework calls. By default `score` is called for one after
+  /// the other. A scorer overrides it where a call is dear, or where hypotheses can share work. If it throws, it
+  /// contributes nothing to any of them.
+  /// @param hypotheses   none of them null; never empty.
+  /// @param memories     of the hypotheses, in the same order, as for `score`; the same one may come several times.
+  /// @param observation  what the robot sees now.
+  /// @param map          the map that the hypotheses refer to.
+  /// @return as many scores, in the same order.
+  virtual std::vector<Score> score_all(std::span<const Hypothesis* const> hypotheses,
+                                       std::span<const ScorerMemory* const> memories, const Observation& observation,
+                                       const MapView& map) const;
+
+  /// `score` for a hypothesis that has met nothing yet.
   Score score_new(const Hypothesis& hypothesis, const Observation& observation, const MapView& map) const;
 
   /// Adds to a memory what one scan has shown (Score::seen).

@@ -25,10 +25,10 @@ struct ScorerTrial {
 
 /// What every scorer promises (hypothesis_scorer.hpp): finite scores with a named breakdown, whether the
 /// hypothesis is right, wrong or far outside the map, and whether the observation is rich or empty; the same
-/// arguments give the same score; map and registration moved together give that score too. A scorer with a memory also
-/// promises: a copy is equal and independent, a score leaves the memory as it is, and `remember` and `fade` do not
-/// throw and keep scores finite. A scorer without one returns nothing in Score::seen. `score` gets no memory only if
-/// `new_memory` gives none.
+/// arguments give the same score, also among many in one call; map and registration moved together give that score too.
+/// A scorer with a memory also promises: a copy is equal and independent, a score leaves the memory as it is, and
+/// `remember` and `fade` do not throw and keep scores finite. A scorer without one returns nothing in Score::seen.
+/// `score` gets no memory only if `new_memory` gives none.
 /// @return violations, one sentence each; empty for a good citizen.
 OPAL_EXPORT std::vector<std::string> scorer_violations(const HypothesisScorer& scorer, const TypeInfo& type,
                                                        const ScorerTrial& trial = {});
