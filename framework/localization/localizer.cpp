@@ -11,7 +11,7 @@
 #include "localization/decision/unmapped_walls.hpp"
 #include "localization/events/run_journal.hpp"
 #include "localization/guarded_parts.hpp"
-#include "localization/scoring/observation.hpp"
+#include "localization/observation/observation.hpp"
 #include "localization/scoring/scorer_ensemble.hpp"
 #include "localization/search/map_search.hpp"
 #include "localization/tree/hypothesis_set.hpp"

@@ -5,7 +5,7 @@
 
 #include "local_map/local_map_odometry.hpp"
 #include "localization/alignment/pose_step.hpp"
-#include "localization/scoring/observation.hpp"
+#include "localization/observation/observation.hpp"
 #include "survey/fused_motion.hpp"
 #include "survey/odometry_direction.hpp"
 #include "survey/scan_on_map.hpp"

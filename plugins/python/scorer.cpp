@@ -40,12 +40,12 @@ py::list associations_of(Hypotheses hypotheses) {
 }
 
 /// opal.plugin.Hypotheses of these. Their memories are null, and left out, for a class that remembers nothing.
-py::object hypotheses_for_python(Hypotheses hypotheses, Memories memories, const opal::Pose2& T_local_base,
+py::object hypotheses_for_python(Hypotheses hypotheses, Memories memories, const opal::Observation& observation,
                                  bool with_associations) {
   Doubles poses = table(hypotheses.size(), 3), frames = table(hypotheses.size(), 3);
   double *pose = poses.mutable_data(), *frame = frames.mutable_data();
   for (const opal::Hypothesis* hypothesis : hypotheses) {
-    pose = put(pose, hypothesis->T_map_local * T_local_base);
+    pose = put(pose, observation.T_map_base(hypothesis->T_map_local));
     frame = put(frame, hypothesis->T_map_local);
   }
   py::list states;
@@ -98,7 +98,7 @@ Answer answer_of(const PythonObject& object, Hypotheses hypotheses, Memories mem
                  const opal::Observation& observation, const opal::MapView& map, bool with_associations) {
   return in_python([&] {
     const py::object said = object.attribute("score")(
-        hypotheses_for_python(hypotheses, memories, observation.local_map.T_local_base(), with_associations),
+        hypotheses_for_python(hypotheses, memories, observation, with_associations),
         observation_for_python(observation), py::cast(&map, py::return_value_policy::reference));
     const py::tuple checked = host_module().attr("checked_scores")(object.get(), said, hypotheses.size());
     return Answer{checked[0].cast<std::vector<double>>(), checked[1].cast<std::map<std::string, std::vector<double>>>(),

@@ -77,12 +77,12 @@ std::string beam_without_return(double bearing_rad) {
 
 std::vector<opal::Finding> BeamScorer::explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                                const opal::MapView& map) const {
-  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   Passages passages(map);
   for (const opal::ObservedScan& scan : observation.scans) {
     const Point eye = T_map_base * scan.laser_position;
     for (std::size_t k = 0; k < scan.points.size(); ++k) {
-      const std::string beam = k < scan.beams.size() ? "beam " + std::to_string(scan.beams[k]) : "a beam";
+      const std::string beam = "beam " + std::to_string(scan.beams[k]);
       passages.add(beam, eye, T_map_base * scan.points[k], margin_at((scan.points[k] - scan.laser_position).norm()));
     }
     const double range = std::min(scan.range_max_m, free_range_m_);

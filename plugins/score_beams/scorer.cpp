@@ -147,15 +147,12 @@ double BeamScorer::conflict(const Tally& tally, double each, const Encounters& b
 
 BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                       const opal::MapView& map, const Encounters& before) const {
-  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   Tally tally;
   for (const opal::ObservedScan& scan : observation.scans) {
     const Point eye = T_map_base * scan.laser_position;
-    std::vector<opal::EvidenceCell> as_now;
-    if (scan.evidence_cells.empty()) as_now = observation.local_map.evidence_cells(scan.points);
-    const std::vector<opal::EvidenceCell>& evidence_cells = scan.evidence_cells.empty() ? as_now : scan.evidence_cells;
     for (std::size_t k = 0; k < scan.points.size(); ++k)
-      judge_return(map, eye, T_map_base * scan.points[k], evidence_cells[k], tally);
+      judge_return(map, eye, T_map_base * scan.points[k], scan.evidence_cells[k], tally);
     for (double bearing : scan.free_bearings_rad)
       judge_free(map, eye, bearing + T_map_base.heading_rad(), scan.range_max_m, tally);
   }

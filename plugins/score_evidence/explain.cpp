@@ -26,7 +26,7 @@ opal::Finding unexplained(const opal::Feature& placed) {
 std::vector<opal::Finding> EvidenceScorer::explain(const opal::Hypothesis& hypothesis,
                                                    const opal::Observation& observation,
                                                    const opal::MapView& map) const {
-  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   std::vector<opal::Feature> missed;
   for (std::size_t k = 0; k < observation.features.size(); ++k)
     if (opal::Feature placed = transformed(T_map_base, observation.features[k]);

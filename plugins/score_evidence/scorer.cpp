@@ -69,7 +69,7 @@ bool EvidenceScorer::matches(const opal::Feature& observed, const Point& eye, co
 
 opal::Score EvidenceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                   const opal::MapView& map, const opal::ScorerMemory*) const {
-  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   double matched = 0, missed = 0;
   int matches = 0;
   for (std::size_t k = 0; k < observation.features.size(); ++k) {

@@ -133,7 +133,7 @@ std::vector<FreeSpaceScorer::Overlap> FreeSpaceScorer::overlaps(const Pose2& T_m
 
 opal::Score FreeSpaceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                    const opal::MapView& map, const opal::ScorerMemory*) const {
-  const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   double overlap_m = 0;
   for (const Overlap& overlap : overlaps(T_map_base, observation, map)) overlap_m += overlap.length_m;
   opal::Score score{-weight_nat_per_m_ * std::min(overlap_m, most_m_), {}, {{"overlap_m", overlap_m}}};
@@ -146,7 +146,7 @@ std::vector<opal::Finding> FreeSpaceScorer::explain(const opal::Hypothesis& hypo
                                                     const opal::Observation& observation,
                                                     const opal::MapView& map) const {
   constexpr std::size_t kMostFindings = 3;
-  const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   std::vector<Overlap> found = overlaps(T_map_base, observation, map);
   std::stable_sort(found.begin(), found.end(),
                    [](const Overlap& a, const Overlap& b) { return a.length_m > b.length_m; });

@@ -142,7 +142,7 @@ TEST_CASE("each update writes what it cost, stage by stage") {
 TEST_CASE("a status is written when it changes, and not before it changes again") {
   Pose2 truth;
   Driven robot(std::make_shared<ToldScorer>([&](const Hypothesis& hypothesis, const Observation& seen) {
-    const Pose2 T_map_base = hypothesis.T_map_local * seen.local_map.T_local_base();
+    const Pose2 T_map_base = seen.T_map_base(hypothesis.T_map_local);
     return Score{distance_m(T_map_base, truth) < 1 ? 5. : -5., {}, {}};
   }));
   std::vector<std::string> changes;
@@ -247,12 +247,15 @@ TEST_CASE("features of a laser are placed by its mount") {
   CHECK((anchor_of(column) - Point(3, 2.2)).norm() < 1e-6);
 }
 
-TEST_CASE("scorers are told of every feature which laser saw it") {
+TEST_CASE("scorers are told the laser of every feature, and the beam and the evidence cell of every return") {
   int told = 0;
   bool all_known = true;
   Driven robot(std::make_shared<ToldScorer>([&](const Hypothesis&, const Observation& seen) {
     told += seen.features.empty() ? 0 : 1;
     all_known = all_known && seen.feature_scans == std::vector<int>(seen.features.size(), 0);
+    for (const ObservedScan& scan : seen.scans)
+      all_known =
+          all_known && scan.beams.size() == scan.points.size() && scan.evidence_cells.size() == scan.points.size();
     return Score{1, {}, {}};
   }));
   robot.drive_on(4);

@@ -1,7 +1,7 @@
 #include "synthetic_scene.hpp"
 
 #include "localization/alignment/registration.hpp"
-#include "localization/scoring/observation.hpp"
+#include "localization/observation/observation.hpp"
 
 #include <array>
 #include <numbers>
@@ -138,7 +138,7 @@ namespace {
 struct FitScorer : HypothesisScorer {
   Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
               const ScorerMemory*) const override {
-    const Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+    const Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
     return {6 * (likelihood_field_score(map, observation.scans.front().points, T_map_base) - 0.5), {}, {}};
   }
   bool judges_associations() const override { return false; }

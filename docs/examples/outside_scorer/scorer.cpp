@@ -9,7 +9,7 @@ LikelihoodFieldScorer::LikelihoodFieldScorer(const nlohmann::json& options)
 opal::Score LikelihoodFieldScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                          const opal::MapView& map, const opal::ScorerMemory*) const {
   if (observation.points() == 0) return {0, {}, {{"near", 0}}};
-  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   // Densities of a return's distance from the nearest surface: about a surface, and anywhere in the field.
   const double peak_per_m = 2 / (sigma_m_ * std::sqrt(2 * std::numbers::pi));
   const double anywhere_per_m = 1 / opal::MapView::clearance_cap_m();

@@ -45,7 +45,7 @@ void NewObjectsScorer::fade(opal::ScorerMemory& memory, double weight) const {
 
 SeenObjects NewObjectsScorer::seen_now(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
                                        const opal::MapView& map) const {
-  const opal::Pose2 T_map_base = hypothesis.T_map_local * observation.local_map.T_local_base();
+  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   const double share = 1.0 / static_cast<double>(observation.points());
   SeenObjects now;
   for (const opal::ObservedScan& scan : observation.scans) {  // one a laser

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "localization/scoring/observation.hpp"
+#include "localization/observation/observation.hpp"
 
 #include <vector>
 

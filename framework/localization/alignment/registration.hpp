@@ -1,7 +1,7 @@
 #pragma once
 
 #include <opal/common/geometry.hpp>
-#include <opal/localization/scoring/score.hpp>
+#include <opal/localization/observation/observation.hpp>
 #include <opal/map/view/map_view.hpp>
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/localization/scoring/score.hpp>
+#include <opal/localization/observation/observation.hpp>
 #include <opal/map/view/map_view.hpp>
 
 namespace opal {

@@ -1,6 +1,6 @@
 #include "localization/events/run_journal.hpp"
 
-#include "localization/scoring/observation.hpp"
+#include "localization/observation/observation.hpp"
 
 #include <opal/sensing/free_space.hpp>
 #include "common/json/event_json.hpp"
@@ -51,9 +51,7 @@ RunJournal::Json RunJournal::event(const char* kind) const {
   return {{"event", kind}, {"stamp_s", stamp_s_}, {"keyframe", keyframe_}};
 }
 
-Pose2 RunJournal::T_map_base(const Live& live) const {
-  return live.hypothesis.T_map_local * observation_->local_map.T_local_base();
-}
+Pose2 RunJournal::T_map_base(const Live& live) const { return observation_->T_map_base(live.hypothesis.T_map_local); }
 
 void RunJournal::reset() {
   written_.clear();

@@ -4,7 +4,7 @@
 #include "localization/alignment/coarse_points.hpp"
 #include "localization/alignment/pose_grid.hpp"
 #include "localization/alignment/registration.hpp"
-#include "localization/scoring/observation.hpp"
+#include "localization/observation/observation.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -130,6 +130,7 @@ Observation GlobalSearch::with_few_points(const Scene& scene) {
     few.scans.push_back({.laser_position = full.scans[k].laser_position,
                          .points = seen[k].points,
                          .range_max_m = full.scans[k].range_max_m,
+                         .beams = seen[k].beams,
                          .evidence_cells = full.local_map.evidence_cells(seen[k].points)});
   return few;
 }

@@ -22,6 +22,7 @@ std::vector<ObservedScan> every_other_beam(const std::vector<ObservedScan>& scan
                     .points = every_other(scan.points),
                     .free_bearings_rad = every_other(scan.free_bearings_rad),
                     .range_max_m = scan.range_max_m,
+                    .beams = every_other(scan.beams),
                     .evidence_cells = every_other(scan.evidence_cells)});
   return half;
 }

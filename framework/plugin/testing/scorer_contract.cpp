@@ -4,10 +4,12 @@
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/scorer_memory_laws.hpp"
 #include "plugin/testing/violations.hpp"
+#include "plugin/testing/visit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace opal::testing {
 namespace {
@@ -26,90 +28,6 @@ std::shared_ptr<const SemanticMap> moved(const SemanticMap& map, const Pose2& mo
   std::vector<MapFeature> features = map.features();
   for (MapFeature& feature : features) feature.geometry = transformed(motion, feature.geometry);
   return SemanticMap::make(map.name(), map.objects(), std::move(features), map.patterns());
-}
-
-/// A robot that has driven a little, and what it then sees: the truth to judge hypotheses against.
-class Visit {
- public:
-  Visit(const MapView& view, const Pose2& T_map_base) : local_map_(LocalMapOptions{}, nullptr) {
-    std::vector<Geometry> surfaces;
-    for (const MapFeatureNumber number : view.features()) surfaces.push_back(view.feature(number).geometry);
-    const int steps = 4;
-    for (int step = 0; step < steps; ++step) {
-      const Pose2 T_odom_base(0.1 * (step - steps + 1), 0, 0);
-      scan_ = simulated_scan(surfaces, T_map_base * T_odom_base, static_cast<unsigned>(step));
-      see_features(view, T_map_base * T_odom_base);
-      local_map_.add(sample_of(scan_, T_odom_base), features_);
-    }
-    associate(T_map_base);
-  }
-
-  const Hypothesis& truth() const { return truth_; }
-
-  Observation observation() const {
-    ObservedScan seen{.range_max_m = scan_.range_max_m};
-    for (std::size_t i = 0; i < scan_.points.size(); i += 4) seen.points.push_back(scan_.points[i].position);
-    for (std::size_t i = 0; i < scan_.free_bearings_rad.size(); i += 4)
-      seen.free_bearings_rad.push_back(scan_.free_bearings_rad[i]);
-    return {local_map_, {std::move(seen)}, features_};
-  }
-
- private:
-  void see_features(const MapView& view, const Pose2& T_map_base) {
-    features_.clear();
-    numbers_.clear();
-    for (const MapFeatureNumber number : view.within(T_map_base.position(), 6.0)) {
-      Feature feature;
-      feature.type = view.feature(number).type;
-      feature.geometry = transformed(T_map_base.inverse(), view.feature(number).geometry);
-      const bool two =
-          kind_of(feature.geometry) == GeometryKind::point || kind_of(feature.geometry) == GeometryKind::segment;
-      feature.covariance = Eigen::Vector3d(1e-4, 1e-4, two ? 0.0 : 1e-4).asDiagonal();
-      if (const auto* face = std::get_if<Segment>(&feature.geometry)) feature.support_m = face->length_m();
-      features_.push_back(feature);
-      numbers_.push_back(number);
-    }
-  }
-
-  void associate(const Pose2& T_map_base) {
-    truth_.id = HypothesisId(1);
-    truth_.T_map_local = T_map_base * local_map_.T_local_base().inverse();
-    const std::vector<LocalFeatureId>& local = local_map_.last_associations();
-    for (std::size_t i = 0; i < local.size() && i < numbers_.size(); ++i)
-      if (local[i].exists()) truth_.associations.push_back({local[i], numbers_[i]});
-  }
-
-  LocalMap local_map_;
-  Scan scan_;
-  std::vector<Feature> features_;
-  std::vector<MapFeatureNumber> numbers_;
-  Hypothesis truth_;
-};
-
-struct NamedHypothesis {
-  std::string name;
-  Hypothesis hypothesis;
-};
-
-/// The truth and what differs from it.
-std::vector<NamedHypothesis> hypotheses_near(const Hypothesis& truth) {
-  const auto with_pose = [&](const Pose2& T) {
-    Hypothesis other = truth;
-    other.T_map_local = T;
-    return other;
-  };
-  Hypothesis alone = truth, denied = truth, unknown = truth;
-  alone.associations.clear();
-  for (Association& association : denied.associations) association.map_feature = {};
-  for (Association& association : unknown.associations)
-    association.local_feature = LocalFeatureId(association.local_feature.number() + 100000);
-  return {{"the true hypothesis", truth},
-          {"a hypothesis 0.3 m off", with_pose(truth.T_map_local * Pose2(0.3, 0, 0.05))},
-          {"a hypothesis that is turned round", with_pose(truth.T_map_local * Pose2(0, 0, 3))},
-          {"a hypothesis 10 km outside the map", with_pose(Pose2(1e4, -1e4, 1))},
-          {"a hypothesis without associations", alone},
-          {"a hypothesis that associates everything with nothing on the map", denied},
-          {"a hypothesis whose local features are forgotten", unknown}};
 }
 
 class Judging {
@@ -218,13 +136,20 @@ class Judging {
     const LocalMap nothing(LocalMapOptions{}, nullptr);
     check(name + " of an empty observation", hypothesis, Observation{nothing, {}}, view);
     Observation dark = seen;
-    dark.scans.front().points.clear();
+    ObservedScan& scan = dark.scans.front();
+    const ObservedScan full = std::exchange(scan, {.laser_position = scan.laser_position,
+                                                   .free_bearings_rad = scan.free_bearings_rad,
+                                                   .range_max_m = scan.range_max_m});
     dark.features.clear();
+    dark.feature_scans.clear();
     check(name + " of a scan without returns", hypothesis, dark, view);
-    Observation point = dark;
-    point.scans.front().free_bearings_rad.clear();
-    if (seen.points() > 0) point.scans.front().points.push_back(seen.scans.front().points.front());
-    check(name + " of a scan with one return", hypothesis, point, view);
+    scan.free_bearings_rad.clear();
+    if (!full.points.empty()) {
+      scan.points = {full.points.front()};
+      scan.beams = {full.beams.front()};
+      scan.evidence_cells = {full.evidence_cells.front()};
+    }
+    check(name + " of a scan with one return", hypothesis, dark, view);
     check(name + " of two lasers", hypothesis, seen_by_two(seen), view);
   }
 
@@ -233,7 +158,7 @@ class Judging {
     ObservedScan second = seen.scans.front();
     second.laser_position = Point(-0.2, 0);
     seen.scans.push_back(std::move(second));
-    for (std::size_t k = 0; k < seen.features.size(); ++k) seen.feature_scans.push_back(static_cast<int>(k % 2));
+    for (std::size_t k = 0; k < seen.features.size(); ++k) seen.feature_scans[k] = static_cast<int>(k % 2);
     return seen;
   }
 

@@ -55,7 +55,7 @@ struct Line {
   }
   std::shared_ptr<const HypothesisScorer> told() {
     return std::make_shared<ToldScorer>([this](const Hypothesis& hypothesis, const Observation& seen) {
-      const double x_m = (hypothesis.T_map_local * seen.local_map.T_local_base()).x();
+      const double x_m = (seen.T_map_base(hypothesis.T_map_local)).x();
       return Score{nat_at(x_m), veto_at(x_m), {}};
     });
   }

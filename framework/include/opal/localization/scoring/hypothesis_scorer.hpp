@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/localization/observation/observation.hpp>
 #include <opal/localization/scoring/hypothesis.hpp>
 #include <opal/localization/scoring/score.hpp>
 #include <opal/map/view/map_view.hpp>
@@ -24,7 +25,7 @@ class OPAL_EXPORT HypothesisScorer {
   /// a copy. Null, the default: this scorer remembers nothing; `remember` and `fade` are not called.
   virtual std::unique_ptr<ScorerMemory> new_memory(const MapView& map) const;
 
-  /// The robot under this hypothesis stands at hypothesis.T_map_local * observation.local_map.T_local_base().
+  /// The robot under this hypothesis stands at observation.T_map_base(hypothesis.T_map_local).
   /// @param hypothesis   what is judged: its registration and its associations.
   /// @param observation  what the robot sees now.
   /// @param map          the map that the hypothesis refers to.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "localization/scoring/seen_features.hpp"
+#include "localization/observation/seen_features.hpp"
 
-#include <opal/localization/scoring/score.hpp>
+#include <opal/localization/observation/observation.hpp>
 #include <opal/sensing/sample.hpp>
 
 #include <vector>

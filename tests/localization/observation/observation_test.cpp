@@ -1,4 +1,4 @@
-#include "localization/scoring/observation.hpp"
+#include "localization/observation/observation.hpp"
 
 #include "tests/localization/synthetic_scene.hpp"
 
@@ -78,6 +78,22 @@ TEST_CASE("every observed point has a beam and an evidence cell, and there are f
   CHECK(scan.beams.size() == scan.points.size());
   CHECK(scan.evidence_cells.size() == scan.points.size());
   CHECK(scan.free_bearings_rad.size() == 25);
+}
+
+TEST_CASE("the right hypothesis places the robot where it stands") {
+  Robot robot(view_of(room()), kInRoom);
+  robot.drive_to(kInRoom * Pose2(0.5, 0.1, 0.2));
+  const Pose2 T_map_base = robot.observation().T_map_base(robot.truth().T_map_local);
+  CHECK(distance_m(T_map_base, robot.T_map_base()) == Approx(0).margin(1e-9));
+  CHECK(wrap_angle(T_map_base.heading_rad() - robot.T_map_base().heading_rad()) == Approx(0).margin(1e-9));
+}
+
+TEST_CASE("a feature is seen from the laser of its own scan") {
+  const Robot robot(view_of(room()), kInRoom);
+  const ObservedScan front{.laser_position = {0.3, 0}}, rear{.laser_position = {-0.4, 0.1}};
+  const Observation seen{robot.local_map(), {front, rear}, {Feature(), Feature()}, {1, 0}};
+  CHECK(seen.viewpoint_of(0) == rear.laser_position);
+  CHECK(seen.viewpoint_of(1) == front.laser_position);
 }
 
 TEST_CASE("an empty scan is an empty observation") {

@@ -1,4 +1,4 @@
-#include "localization/scoring/observation.hpp"
+#include "localization/observation/observation.hpp"
 
 namespace opal {
 namespace {

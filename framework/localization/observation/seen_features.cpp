@@ -1,4 +1,4 @@
-#include "localization/scoring/seen_features.hpp"
+#include "localization/observation/seen_features.hpp"
 
 namespace opal {
 
