@@ -51,13 +51,12 @@ class OPAL_EXPORT HypothesisScorer {
   /// Adds to a memory what one scan has shown (Score::seen).
   /// @param memory  what this scorer made; it is changed.
   /// @param seen    Score::seen of that scan.
-  /// @param weight  share of a whole, independent piece of evidence that the scan is: in (0, 1] while tracking. In
-  ///                retrospective verification a scan stands for those just before it as well: in (0, 2).
+  /// @param weight  share of a whole, independent piece of evidence that the scan is, in (0, 1].
   virtual void remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const;
 
   /// Lets a memory fade as one more scan is tracked; called before `remember`, not in retrospective verification.
   /// @param memory  what this scorer made; it is changed.
-  /// @param weight  as for `remember`, in (0, 1].
+  /// @param weight  as for `remember`.
   virtual void fade(ScorerMemory& memory, double weight) const;
 
   /// Whether a score depends on Hypothesis::associations. A candidate is ranked with those by which it was found, and
