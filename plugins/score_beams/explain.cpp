@@ -10,8 +10,6 @@ using opal::Point;
 
 namespace {
 
-constexpr std::size_t kMostFindings = 3;
-
 /// The beams that pass through one mapped object.
 struct Passage {
   int beams = 0;
@@ -46,7 +44,6 @@ class Passages {
       if (passage.map_feature.exists()) order.push_back(&passage);
     std::stable_sort(order.begin(), order.end(),
                      [](const Passage* a, const Passage* b) { return a->beams > b->beams; });
-    if (order.size() > kMostFindings) order.resize(kMostFindings);
     std::vector<opal::Finding> findings;
     for (const Passage* passage : order) findings.push_back({words(*passage), passage->map_feature, passage->line});
     return findings;

@@ -6,8 +6,6 @@
 
 namespace {
 
-constexpr std::size_t kMostFindings = 3;
-
 double size_m(const opal::Feature& feature) {
   const auto* segment = std::get_if<opal::Segment>(&feature.geometry);
   return segment ? segment->length_m() : 0;
@@ -34,7 +32,6 @@ std::vector<opal::Finding> EvidenceScorer::explain(const opal::Hypothesis& hypot
       missed.push_back(std::move(placed));
   std::stable_sort(missed.begin(), missed.end(),
                    [](const opal::Feature& a, const opal::Feature& b) { return size_m(a) > size_m(b); });
-  if (missed.size() > kMostFindings) missed.resize(kMostFindings);
   std::vector<opal::Finding> findings;
   for (const opal::Feature& feature : missed) findings.push_back(unexplained(feature));
   return findings;

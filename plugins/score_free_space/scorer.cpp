@@ -145,12 +145,10 @@ opal::Score FreeSpaceScorer::score(const opal::Hypothesis& hypothesis, const opa
 std::vector<opal::Finding> FreeSpaceScorer::explain(const opal::Hypothesis& hypothesis,
                                                     const opal::Observation& observation,
                                                     const opal::MapView& map) const {
-  constexpr std::size_t kMostFindings = 3;
   const Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   std::vector<Overlap> found = overlaps(T_map_base, observation, map);
   std::stable_sort(found.begin(), found.end(),
                    [](const Overlap& a, const Overlap& b) { return a.length_m > b.length_m; });
-  if (found.size() > kMostFindings) found.resize(kMostFindings);
   std::vector<opal::Finding> findings;
   for (const Overlap& overlap : found) {
     findings.push_back({metres(overlap.length_m) + " of " +

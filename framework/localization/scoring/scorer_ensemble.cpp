@@ -41,10 +41,12 @@ std::vector<Score> ScorerEnsemble::ask(std::size_t number, Hypotheses hypotheses
 
 std::vector<ScorerEnsemble::NamedFinding> ScorerEnsemble::explain(const Hypothesis& hypothesis,
                                                                   const Observation& observation) const {
+  constexpr std::size_t kMostFindings = 3;  // more of one scorer nobody reads
   std::vector<NamedFinding> all;
   for (const ActiveScorer& scorer : scorers_) {
     std::vector<Finding> findings;
     failures_.guard(scorer.name, [&] { findings = scorer.part->explain(hypothesis, observation, *map_); });
+    if (findings.size() > kMostFindings) findings.resize(kMostFindings);
     for (Finding& finding : findings) all.push_back({scorer.name, std::move(finding)});
   }
   return all;

@@ -44,7 +44,7 @@ class OPAL_EXPORT ScorerEnsemble {
   /// Lets what the scorers remember of the hypothesis fade, as one more scan is tracked.
   void fade(Hypothesis& hypothesis, double weight) const;
 
-  /// What all scorers can say about a hypothesis in words, with their names.
+  /// What all scorers can say about a hypothesis in words, with their names: the first three findings of each.
   struct NamedFinding {
     std::string scorer;
     Finding finding;

@@ -194,6 +194,24 @@ TEST_CASE("associations matter to the ensemble if they matter to any scorer") {
   CHECK(Judges(moment.map, {by_scan, deciding("a", 0)}).ensemble.judges_associations());
 }
 
+TEST_CASE("of many findings of a scorer the first three are told, whatever others find") {
+  struct Talkative : HypothesisScorer {
+    Score score(const Hypothesis&, const Observation&, const MapView&, const ScorerMemory*) const override {
+      return {};
+    }
+    std::vector<Finding> explain(const Hypothesis&, const Observation&, const MapView&) const override {
+      return {{"1", {}, {}}, {"2", {}, {}}, {"3", {}, {}}, {"4", {}, {}}};
+    }
+  };
+  const Moment moment;
+  const auto talkative = std::make_shared<Talkative>();
+  const Judges judges(moment.map, {{"a", talkative}, {"b", talkative}});
+  std::string told;
+  for (const auto& [scorer, finding] : judges.ensemble.explain(moment.hypothesis, moment.seen))
+    told += scorer + finding.words + " ";
+  CHECK(told == "a1 a2 a3 b1 b2 b3 ");
+}
+
 TEST_CASE("a scorer that cannot explain itself leaves the others' findings") {
   struct Speaking : HypothesisScorer {
     explicit Speaking(bool fails) : fails_(fails) {}

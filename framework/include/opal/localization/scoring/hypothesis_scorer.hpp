@@ -63,9 +63,9 @@ class OPAL_EXPORT HypothesisScorer {
   /// begins with what the scan alone says of it: a scorer that says no is asked once for both.
   virtual bool judges_associations() const;
 
-  /// What speaks against the hypothesis by the same arguments, most weighty first; a few findings at most, all of them
-  /// facts about this scan. Asked only when somebody listens to the event stream, for the best hypothesis and for those
-  /// that end.
+  /// What speaks against the hypothesis by the same arguments, most weighty first: the framework tells the first three.
+  /// All of them are facts about this scan. Asked only when somebody listens to the event stream, for the best
+  /// hypothesis and for those that end.
   virtual std::vector<Finding> explain(const Hypothesis& hypothesis, const Observation& observation,
                                        const MapView& map) const;
 };
