@@ -5,28 +5,15 @@
 namespace {
 
 using opal::GeometryKind;
-using Options = nlohmann::json;
-using Made = std::unique_ptr<opal::PatternTemplate>;
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:ColumnPair", /*consumes*/ {"opal:Column"}, /*produces*/ {}}, [](const Options& options) -> Made {
-    return std::make_unique<PointPair>(std::array{GeometryKind::circle, GeometryKind::circle}, options);
-  });
-  registrar.add({"opal:CornerPair", /*consumes*/ {"opal:Corner"}, /*produces*/ {}}, [](const Options& options) -> Made {
-    return std::make_unique<PointPair>(std::array{GeometryKind::oriented_point, GeometryKind::oriented_point}, options);
-  });
-  registrar.add(
-      {"opal:ColumnCornerPair", /*consumes*/ {"opal:Column", "opal:Corner"}, /*produces*/ {}},
-      [](const Options& options) -> Made {
-        return std::make_unique<PointPair>(std::array{GeometryKind::circle, GeometryKind::oriented_point}, options);
-      });
-  registrar.add(
-      {"opal:ColumnWallPair", /*consumes*/ {"opal:Column", "opal:Wall"}, /*produces*/ {}},
-      [](const Options& options) -> Made { return std::make_unique<PairWithWall>(GeometryKind::circle, options); });
-  registrar.add({"opal:CornerWallPair", /*consumes*/ {"opal:Corner", "opal:Wall"}, /*produces*/ {}},
-                [](const Options& options) -> Made {
-                  return std::make_unique<PairWithWall>(GeometryKind::oriented_point, options);
-                });
+  constexpr GeometryKind column = GeometryKind::circle, corner = GeometryKind::oriented_point;
+  registrar.add<PointPair>({.name = "opal:ColumnPair", .consumes = {"opal:Column"}}, std::array{column, column});
+  registrar.add<PointPair>({.name = "opal:CornerPair", .consumes = {"opal:Corner"}}, std::array{corner, corner});
+  registrar.add<PointPair>({.name = "opal:ColumnCornerPair", .consumes = {"opal:Column", "opal:Corner"}},
+                           std::array{column, corner});
+  registrar.add<PairWithWall>({.name = "opal:ColumnWallPair", .consumes = {"opal:Column", "opal:Wall"}}, column);
+  registrar.add<PairWithWall>({.name = "opal:CornerWallPair", .consumes = {"opal:Corner", "opal:Wall"}}, corner);
 }
 
 }  // namespace

@@ -5,10 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:CornerPose", /*consumes*/ {"opal:Corner"}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::PatternTemplate> {
-                  return std::make_unique<CornerPose>(options);
-                });
+  registrar.add<CornerPose>({.name = "opal:CornerPose", .consumes = {"opal:Corner"}});
 }
 
 }  // namespace

@@ -5,21 +5,12 @@
 namespace {
 
 using opal::GeometryKind;
-using Options = nlohmann::json;
-using Made = std::unique_ptr<opal::PatternTemplate>;
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:LShape", /*consumes*/ {"opal:Column"}, /*produces*/ {}}, [](const Options& options) -> Made {
-    return std::make_unique<LShape>(GeometryKind::circle, GeometryKind::circle, options);
-  });
-  registrar.add({"opal:LShapeCorners", /*consumes*/ {"opal:Corner"}, /*produces*/ {}},
-                [](const Options& options) -> Made {
-                  return std::make_unique<LShape>(GeometryKind::oriented_point, GeometryKind::oriented_point, options);
-                });
-  registrar.add({"opal:LShapeMixed", /*consumes*/ {"opal:Corner", "opal:Column"}, /*produces*/ {}},
-                [](const Options& options) -> Made {
-                  return std::make_unique<LShape>(GeometryKind::oriented_point, GeometryKind::circle, options);
-                });
+  constexpr GeometryKind column = GeometryKind::circle, corner = GeometryKind::oriented_point;
+  registrar.add<LShape>({.name = "opal:LShape", .consumes = {"opal:Column"}}, column, column);
+  registrar.add<LShape>({.name = "opal:LShapeCorners", .consumes = {"opal:Corner"}}, corner, corner);
+  registrar.add<LShape>({.name = "opal:LShapeMixed", .consumes = {"opal:Corner", "opal:Column"}}, corner, column);
 }
 
 }  // namespace

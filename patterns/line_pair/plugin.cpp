@@ -5,10 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:LinePair", /*consumes*/ {"opal:Wall"}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::PatternTemplate> {
-                  return std::make_unique<LinePair>(options);
-                });
+  registrar.add<LinePair>({.name = "opal:LinePair", .consumes = {"opal:Wall"}});
 }
 
 }  // namespace

@@ -5,10 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:WallSweep", /*consumes*/ {"opal:Wall"}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::PatternTemplate> {
-                  return std::make_unique<WallSweep>(options);
-                });
+  registrar.add<WallSweep>({.name = "opal:WallSweep", .consumes = {"opal:Wall"}});
 }
 
 }  // namespace

@@ -17,10 +17,8 @@ opal::boxes::BoxOptions options_from(const nlohmann::json& json) {
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:BoxDetector", /*consumes*/ {}, /*produces*/ {"opal:PillarCorner"}},
-                [](const nlohmann::json& json) -> std::unique_ptr<opal::FeatureDetector> {
-                  return std::make_unique<opal::boxes::BoxDetector>(options_from(json));
-                });
+  registrar.add<opal::boxes::BoxDetector>({.name = "opal:BoxDetector", .produces = {"opal:PillarCorner"}},
+                                          options_from);
 }
 
 }  // namespace

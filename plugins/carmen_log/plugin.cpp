@@ -4,11 +4,10 @@
 
 namespace {
 
+std::string laser_messages(const nlohmann::json& options) { return options.at("laser_message"); }
+
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:CarmenLog", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::LogSource> {
-                  return std::make_unique<opal::carmen_log::CarmenLog>(options.at("laser_message"));
-                });
+  registrar.add<opal::carmen_log::CarmenLog>({.name = "opal:CarmenLog"}, laser_messages);
 }
 
 }  // namespace

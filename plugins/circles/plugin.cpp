@@ -17,10 +17,8 @@ opal::circles::CircleOptions options_from(const nlohmann::json& json) {
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:CircleDetector", /*consumes*/ {}, /*produces*/ {"opal:Column"}},
-                [](const nlohmann::json& json) -> std::unique_ptr<opal::FeatureDetector> {
-                  return std::make_unique<opal::circles::CircleDetector>(options_from(json));
-                });
+  registrar.add<opal::circles::CircleDetector>({.name = "opal:CircleDetector", .produces = {"opal:Column"}},
+                                               options_from);
 }
 
 }  // namespace

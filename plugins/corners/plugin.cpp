@@ -18,10 +18,8 @@ opal::corners::CornerOptions options_from(const nlohmann::json& json) {
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:CornerDetector", /*consumes*/ {}, /*produces*/ {"opal:Corner"}},
-                [](const nlohmann::json& json) -> std::unique_ptr<opal::FeatureDetector> {
-                  return std::make_unique<opal::corners::CornerDetector>(options_from(json));
-                });
+  registrar.add<opal::corners::CornerDetector>({.name = "opal:CornerDetector", .produces = {"opal:Corner"}},
+                                               options_from);
 }
 
 }  // namespace

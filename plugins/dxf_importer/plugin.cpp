@@ -5,10 +5,8 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:DxfImporter", /*consumes*/ {}, /*produces*/ {"opal:Wall", "opal:Corner", "opal:Column"}},
-                opal::Factory<opal::MapImporter>([](const nlohmann::json& options) {
-                  return std::make_unique<opal::dxf_importer::DxfImporter>(options);
-                }));
+  registrar.add<opal::dxf_importer::DxfImporter>(
+      {.name = "opal:DxfImporter", .produces = {"opal:Wall", "opal:Corner", "opal:Column"}});
 }
 
 }  // namespace

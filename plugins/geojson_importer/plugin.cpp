@@ -5,10 +5,8 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:GeoJsonImporter", /*consumes*/ {}, /*produces*/ {"opal:Wall", "opal:Corner", "opal:Column"}},
-                opal::Factory<opal::MapImporter>([](const nlohmann::json& options) {
-                  return std::make_unique<opal::geojson_importer::GeoJsonImporter>(options);
-                }));
+  registrar.add<opal::geojson_importer::GeoJsonImporter>(
+      {.name = "opal:GeoJsonImporter", .produces = {"opal:Wall", "opal:Corner", "opal:Column"}});
 }
 
 }  // namespace

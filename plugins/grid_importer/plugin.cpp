@@ -4,19 +4,19 @@
 
 namespace {
 
-std::unique_ptr<opal::MapImporter> make_importer(const nlohmann::json& options) {
+opal::grid_importer::VectorizerLimits limits_from(const nlohmann::json& options) {
   opal::grid_importer::VectorizerLimits limits;
   limits.bridge_gap_m = options.at("bridge_gap_m");
   limits.line_tolerance_m = options.at("line_tolerance_m");
   limits.min_face_m = options.at("min_face_m");
   limits.max_column_radius_m = options.at("max_column_radius_m");
   limits.thicken_m = options.at("thicken_m");
-  return std::make_unique<opal::grid_importer::GridImporter>(limits);
+  return limits;
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:GridImporter", /*consumes*/ {}, /*produces*/ {"opal:Wall", "opal:Corner", "opal:Column"}},
-                opal::Factory<opal::MapImporter>(make_importer));
+  registrar.add<opal::grid_importer::GridImporter>(
+      {.name = "opal:GridImporter", .produces = {"opal:Wall", "opal:Corner", "opal:Column"}}, limits_from);
 }
 
 }  // namespace

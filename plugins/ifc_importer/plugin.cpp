@@ -4,7 +4,7 @@
 
 namespace {
 
-std::unique_ptr<opal::MapImporter> make_importer(const nlohmann::json& options) {
+opal::ifc_importer::ImportOptions options_from(const nlohmann::json& options) {
   opal::ifc_importer::ImportOptions chosen;
   chosen.storey = options.at("storey");
   if (!options.at("z_m").is_null()) chosen.z_m = options.at("z_m").get<double>();
@@ -13,12 +13,12 @@ std::unique_ptr<opal::MapImporter> make_importer(const nlohmann::json& options) 
   chosen.origin_m = {options.at("origin_x_m").get<double>(), options.at("origin_y_m").get<double>()};
   for (const auto& [class_name, word] : options.at("classes").items())
     chosen.classes[class_name] = word.get<std::string>();
-  return std::make_unique<opal::ifc_importer::IfcImporter>(std::move(chosen));
+  return chosen;
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:IfcImporter", /*consumes*/ {}, /*produces*/ {"opal:Wall", "opal:Corner", "opal:Column"}},
-                opal::Factory<opal::MapImporter>(make_importer));
+  registrar.add<opal::ifc_importer::IfcImporter>(
+      {.name = "opal:IfcImporter", .produces = {"opal:Wall", "opal:Corner", "opal:Column"}}, options_from);
 }
 
 }  // namespace

@@ -20,10 +20,7 @@ opal::LineExtractionOptions options_from(const nlohmann::json& json) {
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:LineDetector", /*consumes*/ {}, /*produces*/ {"opal:Wall"}},
-                [](const nlohmann::json& json) -> std::unique_ptr<opal::FeatureDetector> {
-                  return std::make_unique<opal::lines::LineDetector>(options_from(json));
-                });
+  registrar.add<opal::lines::LineDetector>({.name = "opal:LineDetector", .produces = {"opal:Wall"}}, options_from);
 }
 
 }  // namespace

@@ -5,10 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:McapLog", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::LogSource> {
-                  return std::make_unique<opal::mcap_log::McapLog>(opal::recording::topic_choice(options));
-                });
+  registrar.add<opal::mcap_log::McapLog>({.name = "opal:McapLog"}, opal::recording::topic_choice);
 }
 
 }  // namespace

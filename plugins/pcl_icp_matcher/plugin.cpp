@@ -16,10 +16,7 @@ opal::pcl_icp::MatcherOptions options_from(const nlohmann::json& json) {
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:PclIcpMatcher", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& json) -> std::unique_ptr<opal::ScanMatcher> {
-                  return std::make_unique<opal::pcl_icp::PclIcpMatcher>(options_from(json));
-                });
+  registrar.add<opal::pcl_icp::PclIcpMatcher>({.name = "opal:PclIcpMatcher"}, options_from);
 }
 
 }  // namespace

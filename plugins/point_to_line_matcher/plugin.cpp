@@ -18,10 +18,7 @@ opal::point_to_line::MatcherOptions options_from(const nlohmann::json& json) {
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:PointToLineMatcher", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& json) -> std::unique_ptr<opal::ScanMatcher> {
-                  return std::make_unique<opal::point_to_line::PointToLineMatcher>(options_from(json));
-                });
+  registrar.add<opal::point_to_line::PointToLineMatcher>({.name = "opal:PointToLineMatcher"}, options_from);
 }
 
 }  // namespace

@@ -4,15 +4,15 @@
 
 namespace {
 
-std::unique_ptr<opal::MapStore> make_store(const nlohmann::json& options) {
+opal::postgis_store::ServerOptions server_from(const nlohmann::json& options) {
   opal::postgis_store::ServerOptions server;
   server.connect_timeout_s = options.at("connect_timeout_s");
   server.lock_timeout_s = options.at("lock_timeout_s");
-  return std::make_unique<opal::postgis_store::PostgisStore>(server);
+  return server;
 }
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:PostgisStore", /*consumes*/ {}, /*produces*/ {}}, opal::Factory<opal::MapStore>(make_store));
+  registrar.add<opal::postgis_store::PostgisStore>({.name = "opal:PostgisStore"}, server_from);
 }
 
 }  // namespace

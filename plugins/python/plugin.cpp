@@ -7,19 +7,9 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  using Options = nlohmann::json;
-  registrar.add({"opal:PythonDetector", /*consumes*/ {}, /*produces*/ {"opal:FoundByPython"}},
-                [](const Options& options) -> std::unique_ptr<opal::FeatureDetector> {
-                  return std::make_unique<PythonDetector>(options);
-                });
-  registrar.add({"opal:PythonPattern", /*consumes*/ {}, /*produces*/ {}},
-                [](const Options& options) -> std::unique_ptr<opal::PatternTemplate> {
-                  return std::make_unique<PythonPattern>(options);
-                });
-  registrar.add({"opal:PythonScorer", /*consumes*/ {}, /*produces*/ {}},
-                [](const Options& options) -> std::unique_ptr<opal::HypothesisScorer> {
-                  return std::make_unique<PythonScorer>(options);
-                });
+  registrar.add<PythonDetector>({.name = "opal:PythonDetector", .produces = {"opal:FoundByPython"}});
+  registrar.add<PythonPattern>({.name = "opal:PythonPattern"});
+  registrar.add<PythonScorer>({.name = "opal:PythonScorer"});
 }
 
 }  // namespace

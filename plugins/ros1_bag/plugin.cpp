@@ -5,10 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:Ros1Bag", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::LogSource> {
-                  return std::make_unique<opal::ros1_bag::Ros1Bag>(opal::recording::topic_choice(options));
-                });
+  registrar.add<opal::ros1_bag::Ros1Bag>({.name = "opal:Ros1Bag"}, opal::recording::topic_choice);
 }
 
 }  // namespace

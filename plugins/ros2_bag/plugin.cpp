@@ -5,10 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:Ros2Bag", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::LogSource> {
-                  return std::make_unique<opal::ros2_bag::Ros2Bag>(opal::recording::topic_choice(options));
-                });
+  registrar.add<opal::ros2_bag::Ros2Bag>({.name = "opal:Ros2Bag"}, opal::recording::topic_choice);
 }
 
 }  // namespace

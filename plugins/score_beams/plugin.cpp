@@ -4,12 +4,7 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:Beams", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
-                  return std::make_unique<BeamScorer>(options);
-                });
-}
+void register_types(opal::Registrar& registrar) { registrar.add<BeamScorer>({.name = "opal:Beams"}); }
 
 }  // namespace
 

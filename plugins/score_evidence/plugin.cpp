@@ -4,12 +4,7 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:Evidence", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
-                  return std::make_unique<EvidenceScorer>(options);
-                });
-}
+void register_types(opal::Registrar& registrar) { registrar.add<EvidenceScorer>({.name = "opal:Evidence"}); }
 
 }  // namespace
 

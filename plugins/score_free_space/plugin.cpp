@@ -4,12 +4,7 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:FreeSpace", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
-                  return std::make_unique<FreeSpaceScorer>(options);
-                });
-}
+void register_types(opal::Registrar& registrar) { registrar.add<FreeSpaceScorer>({.name = "opal:FreeSpace"}); }
 
 }  // namespace
 

@@ -4,12 +4,7 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) {
-  registrar.add({"opal:LackOfFit", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
-                  return std::make_unique<LackOfFitScorer>(options);
-                });
-}
+void register_types(opal::Registrar& registrar) { registrar.add<LackOfFitScorer>({.name = "opal:LackOfFit"}); }
 
 }  // namespace
 

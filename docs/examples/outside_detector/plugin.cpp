@@ -5,8 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"acme:PostDetector", /*consumes*/ {}, /*produces*/ {"acme:Post"}},
-                [](const nlohmann::json& options) { return std::make_unique<PostDetector>(options); });
+  registrar.add<PostDetector>({.name = "acme:PostDetector", .produces = {"acme:Post"}});
 }
 
 }  // namespace

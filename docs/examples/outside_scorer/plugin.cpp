@@ -5,10 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"acme:LikelihoodField", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
-                  return std::make_unique<LikelihoodFieldScorer>(options);
-                });
+  registrar.add<LikelihoodFieldScorer>({.name = "acme:LikelihoodField"});
 }
 
 }  // namespace

@@ -4,12 +4,7 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) {
-  registrar.add({"acme:NewObjects", /*consumes*/ {}, /*produces*/ {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
-                  return std::make_unique<NewObjectsScorer>(options);
-                });
-}
+void register_types(opal::Registrar& registrar) { registrar.add<NewObjectsScorer>({.name = "acme:NewObjects"}); }
 
 }  // namespace
 

@@ -35,12 +35,7 @@ class FaultyScorer final : public opal::HypothesisScorer {
   mutable int asked_ = 0;
 };
 
-void register_types(opal::Registrar& registrar) {
-  registrar.add({"faulty:Scorer", {}, {}},
-                [](const nlohmann::json& options) -> std::unique_ptr<opal::HypothesisScorer> {
-                  return std::make_unique<FaultyScorer>(options);
-                });
-}
+void register_types(opal::Registrar& registrar) { registrar.add<FaultyScorer>({.name = "faulty:Scorer"}); }
 
 }  // namespace
 

@@ -22,10 +22,10 @@ class CountingDetector final : public opal::FeatureDetector {
   int count_;
 };
 
+int count_from(const nlohmann::json& options) { return options.at("count"); }
+
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"bad:good", {}, {"bad:Thing"}}, [](const nlohmann::json& options) {
-    return std::make_unique<CountingDetector>(options.at("count").get<int>());
-  });
+  registrar.add<CountingDetector>({.name = "bad:good", .produces = {"bad:Thing"}}, count_from);
 }
 
 }  // namespace

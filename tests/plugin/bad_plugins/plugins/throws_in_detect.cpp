@@ -6,14 +6,14 @@ namespace {
 
 class ThrowingDetector final : public opal::FeatureDetector {
  public:
+  explicit ThrowingDetector(const nlohmann::json&) {}
   std::vector<opal::Feature> detect(const opal::Scan&) const override {
     throw std::runtime_error("this detector fails on every scan");
   }
 };
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add({"bad:throws_in_detect", {}, {"bad:Thing"}},
-                [](const nlohmann::json&) { return std::make_unique<ThrowingDetector>(); });
+  registrar.add<ThrowingDetector>({.name = "bad:throws_in_detect", .produces = {"bad:Thing"}});
 }
 
 }  // namespace

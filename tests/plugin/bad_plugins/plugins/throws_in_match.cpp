@@ -6,16 +6,14 @@ namespace {
 
 class ThrowingPattern final : public opal::PatternTemplate {
  public:
+  explicit ThrowingPattern(const nlohmann::json&) {}
   opal::PatternShape shape() const override { return {{opal::GeometryKind::segment}, 5.0}; }
   std::optional<opal::PatternInstance> match(std::span<const opal::Feature* const>) const override {
     throw std::runtime_error("this pattern fails on every tuple");
   }
 };
 
-void register_types(opal::Registrar& registrar) {
-  registrar.add({"bad:throws_in_match", {}, {}},
-                [](const nlohmann::json&) { return std::make_unique<ThrowingPattern>(); });
-}
+void register_types(opal::Registrar& registrar) { registrar.add<ThrowingPattern>({.name = "bad:throws_in_match"}); }
 
 }  // namespace
 
