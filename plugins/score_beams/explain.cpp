@@ -1,9 +1,9 @@
 #include "scorer.hpp"
 
+#include <fmt/format.h>
 #include <opal/map/object_words.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 using opal::Point;
@@ -52,11 +52,9 @@ class Passages {
  private:
   std::string words(const Passage& passage) const {
     const std::string object = object_words(map_.map(), map_.feature(passage.map_feature).object);
-    char depth[32];
-    std::snprintf(depth, sizeof depth, "%.1f m", passage.depth_m);
-    if (passage.beams == 1) return passage.beam + " passes " + depth + " through " + object;
-    return std::to_string(passage.beams) + " of " + std::to_string(judged_) + " judged beams pass through " + object +
-           ", at most " + depth;
+    if (passage.beams == 1) return fmt::format("{} passes {:.2f} m through {}", passage.beam, passage.depth_m, object);
+    return fmt::format("{} of {} judged beams pass through {}, at most {:.2f} m", passage.beams, judged_, object,
+                       passage.depth_m);
   }
 
   const opal::MapView& map_;
@@ -65,9 +63,7 @@ class Passages {
 };
 
 std::string beam_without_return(double bearing_rad) {
-  char text[64];
-  std::snprintf(text, sizeof text, "the beam at %.0f deg, which met nothing,", bearing_rad * 180 / std::numbers::pi);
-  return text;
+  return fmt::format("the beam at {:.0f} deg, which met nothing,", bearing_rad * 180 / std::numbers::pi);
 }
 
 }  // namespace
@@ -79,7 +75,7 @@ std::vector<opal::Finding> BeamScorer::explain(const opal::Hypothesis& hypothesi
   for (const opal::ObservedScan& scan : observation.scans) {
     const Point eye = T_map_base * scan.laser_position;
     for (std::size_t k = 0; k < scan.points.size(); ++k) {
-      const std::string beam = "beam " + std::to_string(scan.beams[k]);
+      const std::string beam = fmt::format("beam {}", scan.beams[k]);
       passages.add(beam, eye, T_map_base * scan.points[k], margin_at((scan.points[k] - scan.laser_position).norm()));
     }
     const double range = std::min(scan.range_max_m, free_range_m_);

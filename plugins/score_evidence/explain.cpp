@@ -13,7 +13,7 @@ double size_m(const opal::Feature& feature) {
 
 opal::Finding unexplained(const opal::Feature& placed) {
   const auto* segment = std::get_if<opal::Segment>(&placed.geometry);
-  const std::string length = segment ? fmt::format(" of {:.1f} m", segment->length_m()) : "";
+  const std::string length = segment ? fmt::format(" of {:.2f} m", segment->length_m()) : "";
   std::vector<opal::Point> line;
   if (segment) line = {segment->begin, segment->end};
   return {fmt::format("a seen {}{} matches nothing on the map", placed.type, length), {}, line};

@@ -34,8 +34,6 @@ std::vector<Point> outline_of(const opal::ObservedScan& seen, const opal::FreeSp
   return free_space_outline(scan, Pose2(seen.laser_position, 0), options);
 }
 
-std::string metres(double length_m) { return fmt::format("{:.1f} m", length_m); }
-
 }  // namespace
 
 struct FreeSpaceScorer::Memory {
@@ -138,7 +136,7 @@ opal::Score FreeSpaceScorer::score(const opal::Hypothesis& hypothesis, const opa
   for (const Overlap& overlap : overlaps(T_map_base, observation, map)) overlap_m += overlap.length_m;
   opal::Score score{-weight_nat_per_m_ * std::min(overlap_m, most_m_), {}, {{"overlap_m", overlap_m}}};
   if (veto_m_ > 0 && overlap_m > veto_m_)
-    score.veto = metres(overlap_m) + " of mapped geometry stand in free space, more than " + metres(veto_m_);
+    score.veto = fmt::format("{:.2f} m of mapped geometry stand in free space, more than {:.2f} m", overlap_m, veto_m_);
   return score;
 }
 
@@ -151,9 +149,8 @@ std::vector<opal::Finding> FreeSpaceScorer::explain(const opal::Hypothesis& hypo
                    [](const Overlap& a, const Overlap& b) { return a.length_m > b.length_m; });
   std::vector<opal::Finding> findings;
   for (const Overlap& overlap : found) {
-    findings.push_back({metres(overlap.length_m) + " of " +
-                            object_words(map.map(), map.feature(overlap.map_feature).object) +
-                            " stand where the scan shows free space",
+    findings.push_back({fmt::format("{:.2f} m of {} stand where the scan shows free space", overlap.length_m,
+                                    object_words(map.map(), map.feature(overlap.map_feature).object)),
                         overlap.map_feature,
                         {T_map_base * overlap.longest.begin, T_map_base * overlap.longest.end}});
   }

@@ -73,7 +73,7 @@ opal::Score LackOfFitScorer::score(const opal::Hypothesis& hypothesis, const opa
       {},
       {{"matched", matched}, {"fit", fit}, {"not_on_map", double(all.unmatched)}, {"worst_m", all.worst_m}}};
   if (veto_m_ > 0 && all.worst_m > veto_m_)
-    score.veto = fmt::format("an association is {:f} m off, more than {:f}", all.worst_m, veto_m_);
+    score.veto = fmt::format("an association is {:.2f} m off, more than {:.2f} m", all.worst_m, veto_m_);
   return score;
 }
 
@@ -86,9 +86,8 @@ std::vector<opal::Finding> LackOfFitScorer::explain(const opal::Hypothesis& hypo
   const opal::MapObject& object = map.map().object(mapped.object);
   const opal::LocalFeature* local = find(observation.local_map, fit.worst.local_feature);
   const opal::Geometry placed = transformed(hypothesis.T_map_local, local->feature.geometry);
-  const std::string off = fmt::format("{:.2f} m", fit.worst_m);
-  return {{fmt::format("local feature {} is {} off {} {}, more than any other", to_string(fit.worst.local_feature), off,
-                       object.type, object.id),
+  return {{fmt::format("local feature {} is {:.2f} m off {} {}, more than any other",
+                       to_string(fit.worst.local_feature), fit.worst_m, object.type, object.id),
            fit.worst.map_feature,
            {anchor_of(placed), anchor_of(mapped.geometry)}}};
 }

@@ -44,7 +44,7 @@ TEST_CASE("what stands within the margin of the room's edge is no evidence") {
 TEST_CASE("more overlap than is allowed ends a hypothesis, and says how much it was") {
   const auto strict = free_space_scorer({{"veto_m", 1.0}});
   CHECK(strict->score_new(at(Pose2()), seen_around(), map_of({{"Wall", kWall}})).veto ==
-        "2.0 m of mapped geometry stand in free space, more than 1.0 m");
+        "2.00 m of mapped geometry stand in free space, more than 1.00 m");
   CHECK(strict->score_new(at(Pose2(-3, 0, 0)), seen_around(), map_of({{"Wall", kWall}}))
             .veto.empty());  // 6 m before the robot
 }
@@ -75,7 +75,7 @@ TEST_CASE("an explanation names the object and where it stands, in the map") {
   const auto findings =
       free_space_scorer()->explain(at(Pose2(10, 0, 0)), seen_around(), map_of({{"Wall", Segment{{13, -1}, {13, 1}}}}));
   REQUIRE(findings.size() == 1);
-  CHECK(findings[0].words == "2.0 m of Wall thing-0 stand where the scan shows free space");
+  CHECK(findings[0].words == "2.00 m of Wall thing-0 stand where the scan shows free space");
   CHECK(findings[0].map_feature == MapFeatureNumber(0));
   REQUIRE(findings[0].line.size() == 2);
   CHECK(findings[0].line[0].x() == Approx(13));

@@ -25,7 +25,7 @@ struct Score {
 
 /// One thing that a scorer saw for or against a hypothesis, for people.
 struct Finding {
-  std::string words;                  ///< "beam 221 passes 1.8 m through opal:Wall wall-12"
+  std::string words;                  ///< "beam 221 passes 1.82 m through Wall wall-12"
   MapFeatureNumber map_feature = {};  ///< none: it is about no feature
   std::vector<Point> line;            ///< where: two points in the `map` frame [m], or empty
 };
