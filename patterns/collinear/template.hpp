@@ -3,17 +3,21 @@
 #include <opal/patterns/pattern_member.hpp>
 #include <opal/patterns/pattern_template.hpp>
 
+namespace opal::collinear {
+
 /// Three features in a line (Hendrikx 2023, 4.3.3): the angle of eq. 4.1 at the middle one is straight. Slots: end,
 /// middle, end, the shorter leg first. Dimensions: both legs, then what the middle member and the ends say of
 /// themselves. Where the legs hardly differ, both pairings are possible, and the pattern is symmetric.
-class Collinear final : public opal::PatternTemplate {
+class Collinear final : public PatternTemplate {
  public:
-  Collinear(opal::GeometryKind ends, opal::GeometryKind middle, const nlohmann::json& options);
-  opal::PatternShape shape() const override;
-  std::optional<opal::PatternInstance> match(std::span<const opal::Feature* const> features) const override;
+  Collinear(GeometryKind ends, GeometryKind middle, const nlohmann::json& options);
+  PatternShape shape() const override;
+  std::optional<PatternInstance> match(std::span<const Feature* const> features) const override;
 
  private:
-  opal::GeometryKind ends_, middle_;
+  GeometryKind ends_, middle_;
   double reach_m_, min_distance_m_, angle_tolerance_rad_, distance_tolerance_m_;
-  opal::MemberTolerance tolerance_;
+  MemberTolerance tolerance_;
 };
+
+}  // namespace opal::collinear

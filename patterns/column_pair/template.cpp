@@ -2,9 +2,7 @@
 
 #include <tuple>
 
-using opal::Comparison;
-using opal::Point;
-
+namespace opal::column_pair {
 namespace {
 
 /// One order of two members is accepted: by their difference, or where there is none at all, by place.
@@ -15,26 +13,26 @@ bool goes_first(double difference, const Point& a, const Point& b) {
 
 }  // namespace
 
-PointPair::PointPair(std::array<opal::GeometryKind, 2> kinds, const nlohmann::json& options)
+PointPair::PointPair(std::array<GeometryKind, 2> kinds, const nlohmann::json& options)
     : kinds_(kinds),
       reach_m_(options.at("reach_m")),
       min_distance_m_(options.at("min_distance_m")),
       distance_tolerance_m_(options.at("distance_tolerance_m")),
-      tolerance_(opal::read_member_tolerance(options)) {}
+      tolerance_(read_member_tolerance(options)) {}
 
-opal::PatternShape PointPair::shape() const { return {{kinds_[0], kinds_[1]}, reach_m_}; }
+PatternShape PointPair::shape() const { return {{kinds_[0], kinds_[1]}, reach_m_}; }
 
-std::optional<opal::PatternInstance> PointPair::match(std::span<const opal::Feature* const> features) const {
-  const opal::Geometry &a = features[0]->geometry, &b = features[1]->geometry;
+std::optional<PatternInstance> PointPair::match(std::span<const Feature* const> features) const {
+  const Geometry &a = features[0]->geometry, &b = features[1]->geometry;
   const Point at_a = anchor_of(a), at_b = anchor_of(b), way = at_b - at_a;
   const double distance = way.norm();
   if (!(distance >= min_distance_m_)) return std::nullopt;  // NaN too
   const Point axis = way / distance;
-  opal::PatternInstance instance;
+  PatternInstance instance;
   instance.members = {0, 1};
   instance.invariants = {{distance, distance_tolerance_m_, Comparison::equal}};
   if (kinds_[0] == kinds_[1]) {
-    const opal::MemberRank rank = rank_members(a, axis, b, -axis, tolerance_);
+    const MemberRank rank = rank_members(a, axis, b, -axis, tolerance_);
     if (!goes_first(rank.difference, at_a, at_b)) return std::nullopt;
     instance.symmetric = std::abs(rank.difference) < rank.tolerance;
     append_exchangeable(a, axis, b, -axis, tolerance_, instance.invariants);
@@ -46,26 +44,26 @@ std::optional<opal::PatternInstance> PointPair::match(std::span<const opal::Feat
   return instance;
 }
 
-PairWithWall::PairWithWall(opal::GeometryKind kind, const nlohmann::json& options)
+PairWithWall::PairWithWall(GeometryKind kind, const nlohmann::json& options)
     : kind_(kind),
       reach_m_(options.at("reach_m")),
       min_distance_m_(options.at("min_distance_m")),
       distance_tolerance_m_(options.at("distance_tolerance_m")),
       min_length_m_(options.at("min_length_m")),
       length_slack_m_(options.at("length_slack_m")),
-      tolerance_(opal::read_member_tolerance(options)) {}
+      tolerance_(read_member_tolerance(options)) {}
 
-opal::PatternShape PairWithWall::shape() const { return {{kind_, opal::GeometryKind::segment}, reach_m_}; }
+PatternShape PairWithWall::shape() const { return {{kind_, GeometryKind::segment}, reach_m_}; }
 
-std::optional<opal::PatternInstance> PairWithWall::match(std::span<const opal::Feature* const> features) const {
-  const opal::Geometry& member = features[0]->geometry;
-  const auto& face = std::get<opal::Segment>(features[1]->geometry);
+std::optional<PatternInstance> PairWithWall::match(std::span<const Feature* const> features) const {
+  const Geometry& member = features[0]->geometry;
+  const auto& face = std::get<Segment>(features[1]->geometry);
   if (!(face.length_m() >= min_length_m_)) return std::nullopt;  // NaN too
   const Point along = face.direction(), from_face = anchor_of(member) - face.begin;
   const double distance = face.normal().dot(from_face);
   if (!(distance >= min_distance_m_)) return std::nullopt;  // behind the face nobody sees both
   const double foot = along.dot(from_face);
-  opal::PatternInstance instance;
+  PatternInstance instance;
   instance.members = {0, 1};
   instance.invariants = {{distance, distance_tolerance_m_, Comparison::equal},
                          {-foot, length_slack_m_, Comparison::mapped_at_most},
@@ -74,3 +72,5 @@ std::optional<opal::PatternInstance> PairWithWall::match(std::span<const opal::F
   instance.frame = {face.begin + foot * along, face.heading_rad()};
   return instance;
 }
+
+}  // namespace opal::column_pair

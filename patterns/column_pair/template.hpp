@@ -5,32 +5,36 @@
 
 #include <array>
 
+namespace opal::column_pair {
+
 /// Two features that have a place, columns or corners: the column_pair pattern of Hendrikx (2023), 4.3.1. Dimensions:
 /// their distance, then what each member says of itself (opal/pattern_member.hpp). Members of one kind are ordered by
 /// these numbers; where they hardly differ, the pattern is symmetric.
-class PointPair final : public opal::PatternTemplate {
+class PointPair final : public PatternTemplate {
  public:
-  PointPair(std::array<opal::GeometryKind, 2> kinds, const nlohmann::json& options);
-  opal::PatternShape shape() const override;
-  std::optional<opal::PatternInstance> match(std::span<const opal::Feature* const> features) const override;
+  PointPair(std::array<GeometryKind, 2> kinds, const nlohmann::json& options);
+  PatternShape shape() const override;
+  std::optional<PatternInstance> match(std::span<const Feature* const> features) const override;
 
  private:
-  std::array<opal::GeometryKind, 2> kinds_;
+  std::array<GeometryKind, 2> kinds_;
   double reach_m_, min_distance_m_, distance_tolerance_m_;
-  opal::MemberTolerance tolerance_;
+  MemberTolerance tolerance_;
 };
 
 /// A feature that has a place, and a face that it does not lie on. The face gives the direction, the feature the place
 /// along it. Dimensions: the distance from the face's line; where the face begins and ends, seen from the feature's
 /// foot (an observed face may be a part of the mapped one); what the feature says of itself.
-class PairWithWall final : public opal::PatternTemplate {
+class PairWithWall final : public PatternTemplate {
  public:
-  PairWithWall(opal::GeometryKind kind, const nlohmann::json& options);
-  opal::PatternShape shape() const override;
-  std::optional<opal::PatternInstance> match(std::span<const opal::Feature* const> features) const override;
+  PairWithWall(GeometryKind kind, const nlohmann::json& options);
+  PatternShape shape() const override;
+  std::optional<PatternInstance> match(std::span<const Feature* const> features) const override;
 
  private:
-  opal::GeometryKind kind_;
+  GeometryKind kind_;
   double reach_m_, min_distance_m_, distance_tolerance_m_, min_length_m_, length_slack_m_;
-  opal::MemberTolerance tolerance_;
+  MemberTolerance tolerance_;
 };
+
+}  // namespace opal::column_pair

@@ -5,7 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add<CornerPose>({.name = "opal:CornerPose", .consumes = {"opal:Corner"}});
+  registrar.add<opal::corner_pose::CornerPose>({.name = "opal:CornerPose", .consumes = {"opal:Corner"}});
 }
 
 }  // namespace

@@ -4,13 +4,17 @@
 
 #include <nlohmann/json.hpp>
 
+namespace opal::corner_pose {
+
 /// One corner: a point with a direction fixes the pose. Invariant: the angle that is open to view.
-class CornerPose final : public opal::PatternTemplate {
+class CornerPose final : public PatternTemplate {
  public:
   explicit CornerPose(const nlohmann::json& options);
-  opal::PatternShape shape() const override;
-  std::optional<opal::PatternInstance> match(std::span<const opal::Feature* const> features) const override;
+  PatternShape shape() const override;
+  std::optional<PatternInstance> match(std::span<const Feature* const> features) const override;
 
  private:
   double opening_tolerance_rad_;
 };
+
+}  // namespace opal::corner_pose

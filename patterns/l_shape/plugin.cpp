@@ -8,9 +8,10 @@ using opal::GeometryKind;
 
 void register_types(opal::Registrar& registrar) {
   constexpr GeometryKind column = GeometryKind::circle, corner = GeometryKind::oriented_point;
-  registrar.add<LShape>({.name = "opal:LShape", .consumes = {"opal:Column"}}, column, column);
-  registrar.add<LShape>({.name = "opal:LShapeCorners", .consumes = {"opal:Corner"}}, corner, corner);
-  registrar.add<LShape>({.name = "opal:LShapeMixed", .consumes = {"opal:Corner", "opal:Column"}}, corner, column);
+  registrar.add<opal::l_shape::LShape>({.name = "opal:LShape", .consumes = {"opal:Column"}}, column, column);
+  registrar.add<opal::l_shape::LShape>({.name = "opal:LShapeCorners", .consumes = {"opal:Corner"}}, corner, corner);
+  registrar.add<opal::l_shape::LShape>({.name = "opal:LShapeMixed", .consumes = {"opal:Corner", "opal:Column"}}, corner,
+                                       column);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add<LinePair>({.name = "opal:LinePair", .consumes = {"opal:Wall"}});
+  registrar.add<opal::line_pair::LinePair>({.name = "opal:LinePair", .consumes = {"opal:Wall"}});
 }
 
 }  // namespace

@@ -1,10 +1,6 @@
 #include "template.hpp"
 
-using opal::Comparison;
-using opal::cross;
-using opal::Invariant;
-using opal::Point;
-using opal::Segment;
+namespace opal::line_pair {
 
 LinePair::LinePair(const nlohmann::json& options)
     : reach_m_(options.at("reach_m")),
@@ -14,11 +10,9 @@ LinePair::LinePair(const nlohmann::json& options)
       length_slack_m_(options.at("length_slack_m")),
       length_slack_share_(options.at("length_slack_share")) {}
 
-opal::PatternShape LinePair::shape() const {
-  return {{opal::GeometryKind::segment, opal::GeometryKind::segment}, reach_m_};
-}
+PatternShape LinePair::shape() const { return {{GeometryKind::segment, GeometryKind::segment}, reach_m_}; }
 
-std::optional<opal::PatternInstance> LinePair::match(std::span<const opal::Feature* const> features) const {
+std::optional<PatternInstance> LinePair::match(std::span<const Feature* const> features) const {
   const auto& first = std::get<Segment>(features[0]->geometry);
   const auto& second = std::get<Segment>(features[1]->geometry);
   if (!(first.length_m() >= min_length_m_ && second.length_m() >= min_length_m_)) return std::nullopt;  // NaN too
@@ -27,7 +21,7 @@ std::optional<opal::PatternInstance> LinePair::match(std::span<const opal::Featu
   if (!(turn >= min_turn_rad_ && turn <= std::numbers::pi - min_turn_rad_)) return std::nullopt;
 
   const Point meeting = first.begin + u * (cross(second.begin - first.begin, v) / cross(u, v));
-  opal::PatternInstance instance;
+  PatternInstance instance;
   instance.members = {0, 1};
   instance.invariants = {{turn, turn_tolerance_rad_, Comparison::equal}};
   for (const auto& [segment, along] : {std::pair{first, u}, std::pair{second, v}}) {
@@ -40,3 +34,5 @@ std::optional<opal::PatternInstance> LinePair::match(std::span<const opal::Featu
   instance.frame = {meeting, std::atan2((u + v).y(), (u + v).x())};
   return instance;
 }
+
+}  // namespace opal::line_pair

@@ -5,7 +5,7 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add<WallSweep>({.name = "opal:WallSweep", .consumes = {"opal:Wall"}});
+  registrar.add<opal::wall_sweep::WallSweep>({.name = "opal:WallSweep", .consumes = {"opal:Wall"}});
 }
 
 }  // namespace

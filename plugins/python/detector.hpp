@@ -5,13 +5,17 @@
 #include <opal/plugin/self_describing.hpp>
 #include <opal/sensing/feature_detector.hpp>
 
+namespace opal::python_classes {
+
 /// A detector that is a class of Python: `detect(self, scan)` gives a list of opal.Feature.
-class PythonDetector final : public opal::FeatureDetector, public opal::SelfDescribing {
+class PythonDetector final : public FeatureDetector, public SelfDescribing {
  public:
   explicit PythonDetector(const nlohmann::json& options) : object_(options, "detect") {}
-  std::vector<opal::Feature> detect(const opal::Scan& scan) const override;
-  opal::TypeInfo type_info() const override { return object_.type_info(); }
+  std::vector<Feature> detect(const Scan& scan) const override;
+  TypeInfo type_info() const override { return object_.type_info(); }
 
  private:
   PythonObject object_;
 };
+
+}  // namespace opal::python_classes

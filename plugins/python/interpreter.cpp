@@ -9,6 +9,8 @@
 #include <mutex>
 #include <sstream>
 
+namespace opal::python_classes {
+
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
@@ -30,8 +32,7 @@ void initialize() {
   if (PyStatus_Exception(status) == 0) status = Py_InitializeFromConfig(&config);
   PyConfig_Clear(&config);
   if (PyStatus_Exception(status) != 0)
-    throw opal::PluginError(std::string("Python cannot be started: ") +
-                            (status.err_msg ? status.err_msg : "no reason"));
+    throw PluginError(std::string("Python cannot be started: ") + (status.err_msg ? status.err_msg : "no reason"));
 }
 
 /// The package of this build or installation goes first: another one would be of another libopal.so.
@@ -83,3 +84,5 @@ void start_python() {
 }
 
 py::module_ host_module() { return py::module_::import("opal.plugin"); }
+
+}  // namespace opal::python_classes

@@ -7,9 +7,10 @@
 namespace {
 
 void register_types(opal::Registrar& registrar) {
-  registrar.add<PythonDetector>({.name = "opal:PythonDetector", .produces = {"opal:FoundByPython"}});
-  registrar.add<PythonPattern>({.name = "opal:PythonPattern"});
-  registrar.add<PythonScorer>({.name = "opal:PythonScorer"});
+  registrar.add<opal::python_classes::PythonDetector>(
+      {.name = "opal:PythonDetector", .produces = {"opal:FoundByPython"}});
+  registrar.add<opal::python_classes::PythonPattern>({.name = "opal:PythonPattern"});
+  registrar.add<opal::python_classes::PythonScorer>({.name = "opal:PythonScorer"});
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <pybind11/stl.h>
 
+namespace opal::python_classes {
+
 namespace py = pybind11;
 
 namespace {
@@ -35,7 +37,7 @@ std::string words_of(const py::error_already_set& error) {
   }
 }
 
-void refuse(const std::string& words) { throw opal::PluginError(words); }
+void refuse(const std::string& words) { throw PluginError(words); }
 
 PythonObject::PythonObject(const nlohmann::json& options, const char* method) {
   start_python();
@@ -49,3 +51,5 @@ PythonObject::PythonObject(const nlohmann::json& options, const char* method) {
     info_ = {source, names("consumes"), names("produces")};
   });
 }
+
+}  // namespace opal::python_classes

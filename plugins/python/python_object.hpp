@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+namespace opal::python_classes {
+
 /// An object of Python that may be held and given up without the lock.
 std::shared_ptr<pybind11::object> held(pybind11::object object);
 
@@ -15,20 +17,20 @@ std::shared_ptr<pybind11::object> held(pybind11::object object);
 class PythonObject {
  public:
   /// @param options  of the host's type: "class" and "options".
-  /// @param method  that the class must have. @throws opal::PluginError: file, line and what Python said.
+  /// @param method  that the class must have. @throws PluginError: file, line and what Python said.
   PythonObject(const nlohmann::json& options, const char* method);
 
   const pybind11::object& get() const { return *object_; }
   pybind11::object attribute(const char* name) const { return object_->attr(name); }
   /// Name, `consumes` and `produces` of the class.
-  const opal::TypeInfo& type_info() const { return info_; }
+  const TypeInfo& type_info() const { return info_; }
 
  private:
   std::shared_ptr<pybind11::object> object_;
-  opal::TypeInfo info_;
+  TypeInfo info_;
 };
 
-/// Calls Python with its lock. What it raises becomes an opal::PluginError with file and line of the last frame.
+/// Calls Python with its lock. What it raises becomes an PluginError with file and line of the last frame.
 template <class Call>
 auto in_python(Call&& call);
 
@@ -47,3 +49,5 @@ auto in_python(Call&& call) {
     refuse(error.what());
   }
 }
+
+}  // namespace opal::python_classes

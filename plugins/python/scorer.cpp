@@ -6,19 +6,21 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+namespace opal::python_classes {
+
 namespace py = pybind11;
 
 namespace {
 
 using Doubles = py::array_t<double>;
-using Hypotheses = std::span<const opal::Hypothesis* const>;
-using Memories = std::span<const opal::ScorerMemory* const>;
+using Hypotheses = std::span<const Hypothesis* const>;
+using Memories = std::span<const ScorerMemory* const>;
 
 Doubles table(std::size_t rows, std::size_t columns) {
   return Doubles({static_cast<py::ssize_t>(rows), static_cast<py::ssize_t>(columns)});
 }
 
-double* put(double* out, const opal::Pose2& pose) {
+double* put(double* out, const Pose2& pose) {
   *out++ = pose.x();
   *out++ = pose.y();
   *out++ = pose.heading_rad();
@@ -27,10 +29,10 @@ double* put(double* out, const opal::Pose2& pose) {
 
 py::list associations_of(Hypotheses hypotheses) {
   py::list all;
-  for (const opal::Hypothesis* hypothesis : hypotheses) {
+  for (const Hypothesis* hypothesis : hypotheses) {
     py::array_t<int> pairs({static_cast<py::ssize_t>(hypothesis->associations.size()), py::ssize_t{2}});
     int* out = pairs.mutable_data();
-    for (const opal::Association& pair : hypothesis->associations) {
+    for (const Association& pair : hypothesis->associations) {
       *out++ = pair.local_feature.number();
       *out++ = pair.map_feature.number();
     }
@@ -40,31 +42,31 @@ py::list associations_of(Hypotheses hypotheses) {
 }
 
 /// opal.plugin.Hypotheses of these. Their memories are null, and left out, for a class that remembers nothing.
-py::object hypotheses_for_python(Hypotheses hypotheses, Memories memories, const opal::Observation& observation,
+py::object hypotheses_for_python(Hypotheses hypotheses, Memories memories, const Observation& observation,
                                  bool with_associations) {
   Doubles poses = table(hypotheses.size(), 3), frames = table(hypotheses.size(), 3);
   double *pose = poses.mutable_data(), *frame = frames.mutable_data();
-  for (const opal::Hypothesis* hypothesis : hypotheses) {
+  for (const Hypothesis* hypothesis : hypotheses) {
     pose = put(pose, observation.T_map_base(hypothesis->T_map_local));
     frame = put(frame, hypothesis->T_map_local);
   }
   py::list states;
-  for (const opal::ScorerMemory* memory : memories)
+  for (const ScorerMemory* memory : memories)
     if (memory != nullptr) states.append(state_of(*memory));
   return host_module().attr("Hypotheses")(poses, frames, with_associations ? associations_of(hypotheses) : py::list(),
                                           states);
 }
 
 /// opal.plugin.Observation: scans after scans.
-py::object observation_for_python(const opal::Observation& observation) {
+py::object observation_for_python(const Observation& observation) {
   const std::size_t count = observation.points();
   Doubles points = table(count, 2), lasers = table(observation.scans.size(), 2);
   py::array_t<int> scans(static_cast<py::ssize_t>(count));
   py::list free_bearings, range_max;
   double *point = points.mutable_data(), *laser = lasers.mutable_data();
   int *scan = scans.mutable_data(), number = 0;
-  for (const opal::ObservedScan& seen : observation.scans) {
-    for (const opal::Point& p : seen.points) {
+  for (const ObservedScan& seen : observation.scans) {
+    for (const Point& p : seen.points) {
       *point++ = p.x();
       *point++ = p.y();
       *scan++ = number;
@@ -84,18 +86,18 @@ struct Answer {
   std::vector<double> nats;
   std::map<std::string, std::vector<double>> breakdown;
   std::vector<std::string> vetoes;
-  std::vector<std::shared_ptr<const opal::ScorerMemory>> seen;
+  std::vector<std::shared_ptr<const ScorerMemory>> seen;
 };
 
-std::vector<std::shared_ptr<const opal::ScorerMemory>> seen_in(const py::list& states) {
-  std::vector<std::shared_ptr<const opal::ScorerMemory>> seen;
+std::vector<std::shared_ptr<const ScorerMemory>> seen_in(const py::list& states) {
+  std::vector<std::shared_ptr<const ScorerMemory>> seen;
   for (const py::handle& state : states)
     seen.push_back(std::make_shared<PythonMemory>(py::reinterpret_borrow<py::object>(state)));
   return seen;
 }
 
-Answer answer_of(const PythonObject& object, Hypotheses hypotheses, Memories memories,
-                 const opal::Observation& observation, const opal::MapView& map, bool with_associations) {
+Answer answer_of(const PythonObject& object, Hypotheses hypotheses, Memories memories, const Observation& observation,
+                 const MapView& map, bool with_associations) {
   return in_python([&] {
     const py::object said = object.attribute("score")(
         hypotheses_for_python(hypotheses, memories, observation, with_associations),
@@ -106,8 +108,8 @@ Answer answer_of(const PythonObject& object, Hypotheses hypotheses, Memories mem
   });
 }
 
-std::vector<opal::Score> scores_of(Answer answer, std::size_t count) {
-  std::vector<opal::Score> scores(count);
+std::vector<Score> scores_of(Answer answer, std::size_t count) {
+  std::vector<Score> scores(count);
   for (std::size_t k = 0; k < count; ++k) {
     scores[k].log_likelihood = answer.nats[k];
     if (!answer.vetoes.empty()) scores[k].veto = std::move(answer.vetoes[k]);
@@ -129,7 +131,7 @@ PythonScorer::PythonScorer(const nlohmann::json& options) : object_(options, "sc
   });
 }
 
-std::unique_ptr<opal::ScorerMemory> PythonScorer::new_memory(const opal::MapView& map) const {
+std::unique_ptr<ScorerMemory> PythonScorer::new_memory(const MapView& map) const {
   if (!remembers_) return nullptr;
   return in_python([&] {
     return std::make_unique<PythonMemory>(
@@ -137,21 +139,23 @@ std::unique_ptr<opal::ScorerMemory> PythonScorer::new_memory(const opal::MapView
   });
 }
 
-std::vector<opal::Score> PythonScorer::score_all(Hypotheses hypotheses, Memories memories,
-                                                 const opal::Observation& observation, const opal::MapView& map) const {
+std::vector<Score> PythonScorer::score_all(Hypotheses hypotheses, Memories memories, const Observation& observation,
+                                           const MapView& map) const {
   return scores_of(answer_of(object_, hypotheses, memories, observation, map, judges_associations_), hypotheses.size());
 }
 
-opal::Score PythonScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                const opal::MapView& map, const opal::ScorerMemory* memory) const {
-  const opal::Hypothesis* only = &hypothesis;
+Score PythonScorer::score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
+                          const ScorerMemory* memory) const {
+  const Hypothesis* only = &hypothesis;
   return score_all({&only, 1}, {&memory, 1}, observation, map).front();
 }
 
-void PythonScorer::remember(opal::ScorerMemory& memory, const opal::ScorerMemory& seen, double weight) const {
+void PythonScorer::remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const {
   in_python([&] { change(memory, object_.attribute("remember")(state_of(memory), state_of(seen), weight)); });
 }
 
-void PythonScorer::fade(opal::ScorerMemory& memory, double weight) const {
+void PythonScorer::fade(ScorerMemory& memory, double weight) const {
   if (fades_) in_python([&] { change(memory, object_.attribute("fade")(state_of(memory), weight)); });
 }
+
+}  // namespace opal::python_classes

@@ -1,5 +1,6 @@
 #include "encounters.hpp"
 
+namespace opal::score_beams {
 namespace {
 
 template <class Thing>
@@ -27,3 +28,5 @@ void Encounters::add(const Encounters& newer, double weight) {
   add_all(objects_met, newer.objects_met, weight);
   add_all(objects_passed, newer.objects_passed, weight);
 }
+
+}  // namespace opal::score_beams

@@ -10,6 +10,8 @@
 #include <memory>
 #include <vector>
 
+namespace opal::score_beams {
+
 /// Amounts by things of a kind, in the order of their numbers.
 template <class Thing>
 class AmountsBy {
@@ -47,18 +49,19 @@ class AmountsBy {
 /// What the beams have met so far if a hypothesis is right. Seeing the same wall again is hardly new evidence: the
 /// scorer counts what is not in here yet. In beams of a hundred where nothing else is said, summed over whole pieces of
 /// evidence.
-struct Encounters final : opal::ScorerMemory {
-  AmountsBy<opal::EvidenceCell> cells_met;    ///< beams that ended there, on a mapped surface
-  AmountsBy<opal::WallLineNumber> lines_met;  ///< beams that ended there
-  AmountsBy<FaceEndNumber> ends_met;          ///< how often it was seen, each time by how near
-  AmountsBy<opal::WallLineNumber>
-      lines_ended;  ///< ends of its faces that were seen, each by what its sightings are worth
-  AmountsBy<opal::MapObjectNumber> objects_met;     ///< beams that ended there
-  AmountsBy<opal::MapObjectNumber> objects_passed;  ///< beams that passed through it
+struct Encounters final : ScorerMemory {
+  AmountsBy<EvidenceCell> cells_met;       ///< beams that ended there, on a mapped surface
+  AmountsBy<WallLineNumber> lines_met;     ///< beams that ended there
+  AmountsBy<FaceEndNumber> ends_met;       ///< how often it was seen, each time by how near
+  AmountsBy<WallLineNumber> lines_ended;   ///< ends of its faces that were seen, each by what its sightings are worth
+  AmountsBy<MapObjectNumber> objects_met;  ///< beams that ended there
+  AmountsBy<MapObjectNumber> objects_passed;  ///< beams that passed through it
 
   std::shared_ptr<const FaceEnds> face_ends;  ///< of the map; null in what one scan adds
 
-  std::unique_ptr<opal::ScorerMemory> copy() const override { return std::make_unique<Encounters>(*this); }
+  std::unique_ptr<ScorerMemory> copy() const override { return std::make_unique<Encounters>(*this); }
   void fade(double keep);
   void add(const Encounters& newer, double weight);
 };
+
+}  // namespace opal::score_beams

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <map>
 
-using opal::Point;
-
+namespace opal::score_beams {
 namespace {
 
 /// The beams that pass through one mapped object.
@@ -15,13 +14,13 @@ struct Passage {
   int beams = 0;
   double depth_m = 0;  ///< how far the deepest of them reaches beyond the surface
   std::string beam;    ///< its name
-  opal::MapFeatureNumber map_feature;
+  MapFeatureNumber map_feature;
   std::vector<Point> line;
 };
 
 class Passages {
  public:
-  explicit Passages(const opal::MapView& map) : map_(map) {}
+  explicit Passages(const MapView& map) : map_(map) {}
 
   void add(const std::string& beam, const Point& eye, const Point& end, double margin_m) {
     ++judged_;
@@ -38,13 +37,13 @@ class Passages {
   }
 
   /// Those with most beams first.
-  std::vector<opal::Finding> findings() const {
+  std::vector<Finding> findings() const {
     std::vector<const Passage*> order;
     for (const auto& [object, passage] : by_object_)
       if (passage.map_feature.exists()) order.push_back(&passage);
     std::stable_sort(order.begin(), order.end(),
                      [](const Passage* a, const Passage* b) { return a->beams > b->beams; });
-    std::vector<opal::Finding> findings;
+    std::vector<Finding> findings;
     for (const Passage* passage : order) findings.push_back({words(*passage), passage->map_feature, passage->line});
     return findings;
   }
@@ -57,9 +56,9 @@ class Passages {
                        passage.depth_m);
   }
 
-  const opal::MapView& map_;
+  const MapView& map_;
   int judged_ = 0;
-  std::map<opal::MapObjectNumber, Passage> by_object_;
+  std::map<MapObjectNumber, Passage> by_object_;
 };
 
 std::string beam_without_return(double bearing_rad) {
@@ -68,11 +67,11 @@ std::string beam_without_return(double bearing_rad) {
 
 }  // namespace
 
-std::vector<opal::Finding> BeamScorer::explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                               const opal::MapView& map) const {
-  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
+std::vector<Finding> BeamScorer::explain(const Hypothesis& hypothesis, const Observation& observation,
+                                         const MapView& map) const {
+  const Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   Passages passages(map);
-  for (const opal::ObservedScan& scan : observation.scans) {
+  for (const ObservedScan& scan : observation.scans) {
     const Point eye = T_map_base * scan.laser_position;
     for (std::size_t k = 0; k < scan.points.size(); ++k) {
       const std::string beam = fmt::format("beam {}", scan.beams[k]);
@@ -80,8 +79,10 @@ std::vector<opal::Finding> BeamScorer::explain(const opal::Hypothesis& hypothesi
     }
     const double range = std::min(scan.range_max_m, free_range_m_);
     for (double bearing : scan.free_bearings_rad)
-      passages.add(beam_without_return(bearing), eye,
-                   T_map_base * (scan.laser_position + range * opal::unit_vector(bearing)), margin_at(range));
+      passages.add(beam_without_return(bearing), eye, T_map_base * (scan.laser_position + range * unit_vector(bearing)),
+                   margin_at(range));
   }
   return passages.findings();
 }
+
+}  // namespace opal::score_beams

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+namespace opal::score_beams {
 namespace {
 
 /// In gates: 1 on the ellipse, less inside.
 double gates_between(const FaceEnds::End& end, const Point& p, const EndGate& gate) {
   const Point off = p - end.position;
-  return std::hypot(end.direction.dot(off) / gate.along_m, opal::cross(end.direction, off) / gate.across_m);
+  return std::hypot(end.direction.dot(off) / gate.along_m, cross(end.direction, off) / gate.across_m);
 }
 
 /// 2 m, or more in a map so wide that there would be too many of them.
@@ -23,12 +24,12 @@ int cell_at(double offset_m, double cell_m, int cells) {
 }
 
 /// Whether another face that looks to the same side carries on where this one ends.
-bool goes_on(const opal::MapView& map, opal::MapFeatureNumber number, const Point& end, const Point& outwards) {
+bool goes_on(const MapView& map, MapFeatureNumber number, const Point& end, const Point& outwards) {
   constexpr double kBeyond_m = 0.3, kBeside_m = 0.15, kRounding_m = 0.01, kLeastCosine = 0.97;
   const Point beyond = end + kBeyond_m * outwards;
-  const std::vector<opal::MapFeatureNumber> near = map.within(beyond, kBeside_m + kRounding_m);
-  return std::any_of(near.begin(), near.end(), [&](opal::MapFeatureNumber number_there) {
-    const opal::Surface& other = map.surface(number_there);
+  const std::vector<MapFeatureNumber> near = map.within(beyond, kBeside_m + kRounding_m);
+  return std::any_of(near.begin(), near.end(), [&](MapFeatureNumber number_there) {
+    const Surface& other = map.surface(number_there);
     return number_there != number && other.direction.dot(map.surface(number).direction) > kLeastCosine &&
            other.distance_m(beyond) <= kBeside_m;
   });
@@ -36,10 +37,10 @@ bool goes_on(const opal::MapView& map, opal::MapFeatureNumber number, const Poin
 
 }  // namespace
 
-FaceEnds FaceEnds::of(const opal::MapView& map) {
+FaceEnds FaceEnds::of(const MapView& map) {
   std::vector<End> found;
-  for (opal::MapFeatureNumber number : map.features()) {
-    const opal::Surface& face = map.surface(number);
+  for (MapFeatureNumber number : map.features()) {
+    const Surface& face = map.surface(number);
     if (face.is_circle()) continue;
     const Point end = face.origin + face.size_m * face.direction;
     if (!goes_on(map, number, face.origin, -face.direction))
@@ -91,3 +92,5 @@ FaceEnd FaceEnds::nearest(const Point& p, const Point& direction, Tip tip, const
   }
   return best;
 }
+
+}  // namespace opal::score_beams

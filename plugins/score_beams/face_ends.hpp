@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-using opal::Point;
+namespace opal::score_beams {
 
 /// Which of a face's two ends, seen with the visible side on the left of begin -> end.
 enum class Tip { begin, end };
@@ -19,9 +19,9 @@ struct EndGate {
 
 /// An end of a mapped face.
 struct FaceEnd;
-using FaceEndNumber = opal::Id<FaceEnd>;
+using FaceEndNumber = Id<FaceEnd>;
 struct FaceEnd {
-  opal::MapFeatureNumber face = {};  ///< none: there is no such end
+  MapFeatureNumber face = {};  ///< none: there is no such end
   Tip tip = Tip::begin;
   double gates = 1;  ///< how far off, in the gate's semi-axes, 0 to 1
 
@@ -36,14 +36,14 @@ class FaceEnds {
   struct End {
     Point position;
     Point direction;  ///< of its face, unit
-    opal::MapFeatureNumber face = {};
+    MapFeatureNumber face = {};
     Tip tip = Tip::begin;
   };
 
   FaceEnds() = default;
   explicit FaceEnds(std::vector<End> ends);
   /// Those of all faces that the map's sensor can perceive.
-  static FaceEnds of(const opal::MapView& map);
+  static FaceEnds of(const MapView& map);
   /// The end of a mapped face that an end seen at `p` may be, the nearest one within the gate.
   /// @param direction  of the face that was seen, unit.
   FaceEnd nearest(const Point& p, const Point& direction, Tip tip, const EndGate& gate) const;
@@ -59,3 +59,5 @@ class FaceEnds {
   std::vector<End> ends_;             ///< those of one cell together
   std::vector<std::uint32_t> first_;  ///< by cell, row after row, and one more: of its ends in ends_
 };
+
+}  // namespace opal::score_beams

@@ -4,7 +4,9 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) { registrar.add<BeamScorer>({.name = "opal:Beams"}); }
+void register_types(opal::Registrar& registrar) {
+  registrar.add<opal::score_beams::BeamScorer>({.name = "opal:Beams"});
+}
 
 }  // namespace
 

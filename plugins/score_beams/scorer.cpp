@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-using opal::Point;
-
+namespace opal::score_beams {
 namespace {
 
 /// What is seen again and again is worth ever less: `enough` of it count half of `enough`, and any amount less than
@@ -13,12 +12,12 @@ double worth(double amount, double enough) { return amount / (1 + amount / enoug
 }  // namespace
 
 struct BeamScorer::Tally {
-  SumsBy<opal::EvidenceCell> matched;        ///< beams that end on a mapped surface
-  SumsBy<opal::WallLineNumber> lines;        ///< the same, with those beyond an absent object
-  SumsBy<FaceEndNumber> ends;                ///< ends of faces that were seen where the map has one
-  SumsBy<opal::WallLineNumber> ended_lines;  ///< what these sightings are worth, by the mapped face's line
-  SumsBy<opal::MapObjectNumber> ended;       ///< beams that end on a mapped surface of it
-  SumsBy<opal::MapObjectNumber> passed;      ///< beams that pass through it
+  SumsBy<EvidenceCell> matched;        ///< beams that end on a mapped surface
+  SumsBy<WallLineNumber> lines;        ///< the same, with those beyond an absent object
+  SumsBy<FaceEndNumber> ends;          ///< ends of faces that were seen where the map has one
+  SumsBy<WallLineNumber> ended_lines;  ///< what these sightings are worth, by the mapped face's line
+  SumsBy<MapObjectNumber> ended;       ///< beams that end on a mapped surface of it
+  SumsBy<MapObjectNumber> passed;      ///< beams that pass through it
   int beams = 0;
   double hits = 0, hits_behind = 0, other_side = 0, early = 0, throughs = 0, free_throughs = 0;
 };
@@ -53,11 +52,11 @@ double BeamScorer::likelihood_field(double distance_m, double range_m) const {
   return std::exp(-0.5 * z * z);
 }
 
-void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const Point& end,
-                              opal::EvidenceCell evidence_cell, Tally& tally) const {
+void BeamScorer::judge_return(const MapView& map, const Point& eye, const Point& end, EvidenceCell evidence_cell,
+                              Tally& tally) const {
   constexpr double kLeast = 0.05, kStepBack_m = 0.02, kCrossed_m = 0.1;
   const double range = (end - eye).norm();
-  const opal::MapFeatureNumber nearest = map.nearest_facing(end, end - eye);
+  const MapFeatureNumber nearest = map.nearest_facing(end, end - eye);
   const double hit = nearest.exists() ? likelihood_field(map.surface(nearest).distance_m(end), range) : 0;
   ++tally.beams;
   if (hit > kLeast) tally.lines.add(map.surface(nearest).line, hit);
@@ -89,9 +88,9 @@ void BeamScorer::judge_return(const opal::MapView& map, const Point& eye, const 
 
 /// Where a wall stops is hardly anywhere met by chance: false places have walls where there are walls, but they end
 /// elsewhere.
-void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
-                            const Encounters& before, Tally& tally) const {
-  const auto* face = std::get_if<opal::Segment>(&seen.geometry);
+void BeamScorer::judge_ends(const MapView& map, const Pose2& T_map_base, const Feature& seen, const Encounters& before,
+                            Tally& tally) const {
+  const auto* face = std::get_if<Segment>(&seen.geometry);
   if (!face) return;
   for (const Tip tip : {Tip::begin, Tip::end}) {
     const bool at_begin = tip == Tip::begin;
@@ -107,10 +106,10 @@ void BeamScorer::judge_ends(const opal::MapView& map, const opal::Pose2& T_map_b
   }
 }
 
-void BeamScorer::judge_free(const opal::MapView& map, const Point& eye, double bearing_rad, double range_max_m,
+void BeamScorer::judge_free(const MapView& map, const Point& eye, double bearing_rad, double range_max_m,
                             Tally& tally) const {
   const double range = std::min(range_max_m, free_range_m_);
-  const Point end = eye + range * opal::unit_vector(bearing_rad);
+  const Point end = eye + range * unit_vector(bearing_rad);
   ++tally.beams;
   if (map.first_crossing(eye, end, margin_at(range)).feature.exists()) tally.free_throughs += 1;
 }
@@ -131,11 +130,11 @@ double BeamScorer::news(const SumsBy<Thing>& beams, double each, double enough, 
 /// is passed through wherever it is looked at, one that is there nowhere; if it is both, the pose is wrong.
 double BeamScorer::conflict(const Tally& tally, double each, const Encounters& before) const {
   double beams = 0;
-  using Beams = SumsBy<opal::MapObjectNumber>;
-  using Before = AmountsBy<opal::MapObjectNumber>;
+  using Beams = SumsBy<MapObjectNumber>;
+  using Before = AmountsBy<MapObjectNumber>;
   const auto add = [&](const Beams& these, const Before& these_before, const Beams& others,
                        const Before& others_before) {
-    these.each([&](opal::MapObjectNumber object, double count) {
+    these.each([&](MapObjectNumber object, double count) {
       const double against = others_before.of(object) + each * others.of(object);
       beams += count * against / (against + these_before.of(object) + each * count);
     });
@@ -145,11 +144,11 @@ double BeamScorer::conflict(const Tally& tally, double each, const Encounters& b
   return beams * each / 100;
 }
 
-BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                      const opal::MapView& map, const Encounters& before) const {
-  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
+BeamScorer::Tally BeamScorer::compare(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
+                                      const Encounters& before) const {
+  const Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   Tally tally;
-  for (const opal::ObservedScan& scan : observation.scans) {
+  for (const ObservedScan& scan : observation.scans) {
     const Point eye = T_map_base * scan.laser_position;
     for (std::size_t k = 0; k < scan.points.size(); ++k)
       judge_return(map, eye, T_map_base * scan.points[k], scan.evidence_cells[k], tally);
@@ -157,26 +156,26 @@ BeamScorer::Tally BeamScorer::compare(const opal::Hypothesis& hypothesis, const 
       judge_free(map, eye, bearing + T_map_base.heading_rad(), scan.range_max_m, tally);
   }
   if (end_ > 0)
-    for (const opal::Feature& seen : observation.features) judge_ends(map, T_map_base, seen, before, tally);
+    for (const Feature& seen : observation.features) judge_ends(map, T_map_base, seen, before, tally);
   return tally;
 }
 
-std::unique_ptr<opal::ScorerMemory> BeamScorer::new_memory(const opal::MapView& map) const {
+std::unique_ptr<ScorerMemory> BeamScorer::new_memory(const MapView& map) const {
   auto nothing_met = std::make_unique<Encounters>();
   nothing_met->face_ends = std::make_shared<const FaceEnds>(end_ > 0 ? FaceEnds::of(map) : FaceEnds());
   return nothing_met;
 }
 
-void BeamScorer::remember(opal::ScorerMemory& memory, const opal::ScorerMemory& seen, double weight) const {
+void BeamScorer::remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const {
   static_cast<Encounters&>(memory).add(static_cast<const Encounters&>(seen), weight);
 }
 
-void BeamScorer::fade(opal::ScorerMemory& memory, double weight) const {
+void BeamScorer::fade(ScorerMemory& memory, double weight) const {
   static_cast<Encounters&>(memory).fade(1 - weight * (1 - encounter_memory_));
 }
 
-opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                              const opal::MapView& map, const opal::ScorerMemory* memory) const {
+Score BeamScorer::score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
+                        const ScorerMemory* memory) const {
   const auto& before = static_cast<const Encounters&>(*memory);
   const Tally tally = compare(hypothesis, observation, map, before);
   // Lasers that look elsewhere tell as much each as one alone does.
@@ -189,7 +188,7 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
   const double ends = news(tally.ended_lines, 1, enough_ends_, before.lines_ended, now.lines_ended);
   const double passed = news(tally.passed, each, enough_, before.objects_passed, now.objects_passed);
   const double met = tally.hits + tally.hits_behind + tally.other_side;
-  tally.ended.each([&](opal::MapObjectNumber object, double count) { now.objects_met.add(object, each * count); });
+  tally.ended.each([&](MapObjectNumber object, double count) { now.objects_met.add(object, each * count); });
   tally.ends.each([&](FaceEndNumber end, double sightings) { now.ends_met.add(end, sightings); });
   const double nat = match_ * matched + line_ * lines + end_ * ends - absent_ * passed -
                      conflict_ * conflict(tally, each, before) +
@@ -203,3 +202,5 @@ opal::Score BeamScorer::score(const opal::Hypothesis& hypothesis, const opal::Ob
       {{"hit", tally.hits / all}, {"short", (tally.beams - tally.hits - throughs) / all}, {"through", throughs / all}},
       seen};
 }
+
+}  // namespace opal::score_beams

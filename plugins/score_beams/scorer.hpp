@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+namespace opal::score_beams {
+
 /// Casts the scan's beams against the mapped surfaces, and counts evidence cells of the local map rather than beams:
 /// forty beams that end on one evidence cell are one coincidence, and so are forty beams that pass through one mapped
 /// object; and what the hypothesis has met before is hardly news. What is one thing is decided by what is seen, not by
@@ -33,34 +35,33 @@
 /// is that of a conditional logit model (McFadden 1974) of the true pose among its alternatives, fitted to recorded
 /// scans on intact, simplified and damaged maps; the weights of evidence cells and ends were chosen by whole runs on
 /// them (docs/notebook/evidence.md).
-class BeamScorer final : public opal::HypothesisScorer {
+class BeamScorer final : public HypothesisScorer {
  public:
   explicit BeamScorer(const nlohmann::json& options);
-  std::unique_ptr<opal::ScorerMemory> new_memory(const opal::MapView& map) const override;
-  opal::Score score(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map,
-                    const opal::ScorerMemory* memory) const override;
-  void remember(opal::ScorerMemory& memory, const opal::ScorerMemory& seen, double weight) const override;
-  void fade(opal::ScorerMemory& memory, double weight) const override;
+  std::unique_ptr<ScorerMemory> new_memory(const MapView& map) const override;
+  Score score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
+              const ScorerMemory* memory) const override;
+  void remember(ScorerMemory& memory, const ScorerMemory& seen, double weight) const override;
+  void fade(ScorerMemory& memory, double weight) const override;
   bool judges_associations() const override { return false; }
   /// The mapped objects that beams pass through, each with the beam that does so deepest.
-  std::vector<opal::Finding> explain(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                     const opal::MapView& map) const override;
+  std::vector<Finding> explain(const Hypothesis& hypothesis, const Observation& observation,
+                               const MapView& map) const override;
 
  private:
   struct Tally;
   /// The scan's beams and ends beside the map, from where the hypothesis has the robot.
-  Tally compare(const opal::Hypothesis& hypothesis, const opal::Observation& observation, const opal::MapView& map,
+  Tally compare(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
                 const Encounters& before) const;
   /// Sum of what the amounts are worth beyond what was met `before`; adds them to `now`.
   template <class Thing>
   static double news(const SumsBy<Thing>& beams, double each, double enough, const AmountsBy<Thing>& before,
                      AmountsBy<Thing>& now);
-  void judge_return(const opal::MapView& map, const opal::Point& eye, const opal::Point& end,
-                    opal::EvidenceCell evidence_cell, Tally& tally) const;
-  void judge_ends(const opal::MapView& map, const opal::Pose2& T_map_base, const opal::Feature& seen,
-                  const Encounters& before, Tally& tally) const;
-  void judge_free(const opal::MapView& map, const opal::Point& eye, double bearing_rad, double range_max_m,
+  void judge_return(const MapView& map, const Point& eye, const Point& end, EvidenceCell evidence_cell,
+                    Tally& tally) const;
+  void judge_ends(const MapView& map, const Pose2& T_map_base, const Feature& seen, const Encounters& before,
                   Tally& tally) const;
+  void judge_free(const MapView& map, const Point& eye, double bearing_rad, double range_max_m, Tally& tally) const;
 
   double margin_at(double range_m) const { return margin_m_ + margin_per_m_ * range_m; }
   double conflict(const Tally& tally, double each, const Encounters& before) const;
@@ -73,3 +74,5 @@ class BeamScorer final : public opal::HypothesisScorer {
   EndGate end_gate_;
   int min_beams_;
 };
+
+}  // namespace opal::score_beams

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+namespace opal::score_beams {
+
 /// Sums for the few dozen things of a kind that one scan meets. Things beyond what there is room for share the last
 /// sum.
 template <class Thing>
@@ -42,3 +44,5 @@ class SumsBy {
   std::array<Sum, 128> sums_;
   std::size_t size_ = 0, last_ = 0;
 };
+
+}  // namespace opal::score_beams

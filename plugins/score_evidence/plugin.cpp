@@ -4,7 +4,9 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) { registrar.add<EvidenceScorer>({.name = "opal:Evidence"}); }
+void register_types(opal::Registrar& registrar) {
+  registrar.add<opal::score_evidence::EvidenceScorer>({.name = "opal:Evidence"});
+}
 
 }  // namespace
 

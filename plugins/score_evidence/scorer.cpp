@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-using opal::Point;
-using opal::Segment;
-
+namespace opal::score_evidence {
 namespace {
 
 // Across its ends a face of a scan is known to about a range's noise [m]: the shorter it is, the less its heading says.
@@ -37,14 +35,13 @@ EvidenceScorer::EvidenceScorer(const nlohmann::json& options)
       gate_chi2_(options.at("gate_chi2")),
       unmatched_nat_(options.at("unmatched_nat")) {}
 
-EvidenceScorer::Match EvidenceScorer::match_face(const Segment& observed, const Point& eye,
-                                                 const opal::MapView& map) const {
+EvidenceScorer::Match EvidenceScorer::match_face(const Segment& observed, const Point& eye, const MapView& map) const {
   const Point middle = observed.midpoint();
-  const opal::MapFeatureNumber number = map.nearest_facing(middle, middle - eye);
+  const MapFeatureNumber number = map.nearest_facing(middle, middle - eye);
   const auto* face = number.exists() ? std::get_if<Segment>(&map.feature(number).geometry) : nullptr;
   if (!face) return {};
   const double length = std::max(observed.length_m(), kLeastLength_m);
-  const double angle = opal::wrap_angle(observed.heading_rad() - face->heading_rad());
+  const double angle = wrap_angle(observed.heading_rad() - face->heading_rad());
   const double angle_sigma = sigma_rad_ + kEndSigma_m / length;
   const double offset = face->normal().dot(middle - face->begin);
   const double chi2 = std::pow(angle / angle_sigma, 2) + std::pow(offset / sigma_m_, 2);
@@ -57,12 +54,12 @@ EvidenceScorer::Match EvidenceScorer::match_face(const Segment& observed, const 
   return {true, -0.5 * chi2 + std::log(density / clutter_per_m_rad_), share};
 }
 
-EvidenceScorer::Match EvidenceScorer::match_point(const opal::Feature& observed, const opal::MapView& map) const {
+EvidenceScorer::Match EvidenceScorer::match_point(const Feature& observed, const MapView& map) const {
   const Point place = anchor_of(observed.geometry);
   const double gate_m = std::sqrt(gate_chi2_) * sigma_m_;
   Match best;
-  for (opal::MapFeatureNumber number : map.within(place, gate_m + kLookupMargin_m)) {
-    const opal::MapFeature& mapped = map.feature(number);
+  for (MapFeatureNumber number : map.within(place, gate_m + kLookupMargin_m)) {
+    const MapFeature& mapped = map.feature(number);
     if (mapped.type != observed.type || kind_of(mapped.geometry) != kind_of(observed.geometry)) continue;
     const double distance = (anchor_of(mapped.geometry) - place).norm();
     const double chi2 = std::pow(distance / sigma_m_, 2);
@@ -74,23 +71,22 @@ EvidenceScorer::Match EvidenceScorer::match_point(const opal::Feature& observed,
   return best;
 }
 
-EvidenceScorer::Match EvidenceScorer::best_match(const opal::Feature& observed, const Point& eye,
-                                                 const opal::MapView& map) const {
+EvidenceScorer::Match EvidenceScorer::best_match(const Feature& observed, const Point& eye, const MapView& map) const {
   const auto* segment = std::get_if<Segment>(&observed.geometry);
   return segment ? match_face(*segment, eye, map) : match_point(observed, map);
 }
 
-bool EvidenceScorer::matches(const opal::Feature& observed, const Point& eye, const opal::MapView& map) const {
+bool EvidenceScorer::matches(const Feature& observed, const Point& eye, const MapView& map) const {
   return best_match(observed, eye, map).found;
 }
 
-opal::Score EvidenceScorer::score(const opal::Hypothesis& hypothesis, const opal::Observation& observation,
-                                  const opal::MapView& map, const opal::ScorerMemory*) const {
-  const opal::Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
+Score EvidenceScorer::score(const Hypothesis& hypothesis, const Observation& observation, const MapView& map,
+                            const ScorerMemory*) const {
+  const Pose2 T_map_base = observation.T_map_base(hypothesis.T_map_local);
   double matched = 0, missed = 0;
   int matches = 0;
   for (std::size_t k = 0; k < observation.features.size(); ++k) {
-    const opal::Feature placed = transformed(T_map_base, observation.features[k]);
+    const Feature placed = transformed(T_map_base, observation.features[k]);
     const Point eye = T_map_base * observation.viewpoint_of(k);
     const auto* segment = std::get_if<Segment>(&placed.geometry);
     const double size = segment ? std::min(1.0, segment->length_m() / kWholeLength_m) : 1.0;
@@ -105,3 +101,5 @@ opal::Score EvidenceScorer::score(const opal::Hypothesis& hypothesis, const opal
   return {
       weight_ * (matched + missed) / n, {}, {{"matches", double(matches)}, {"matched", matched}, {"missed", missed}}};
 }
+
+}  // namespace opal::score_evidence

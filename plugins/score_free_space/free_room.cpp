@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-using opal::Point;
-using opal::Segment;
-
+namespace opal::score_free_space {
 namespace {
 
 namespace bg = boost::geometry;
@@ -71,9 +69,9 @@ std::vector<Segment> FreeRoom::inside(const Segment& segment, double depth) cons
   std::vector<double> cuts{0, 1};
   for (const Segment& edge : edges_) {
     const Point along = edge.end - edge.begin, to = edge.begin - segment.begin;
-    const double d = opal::cross(way, along);
+    const double d = cross(way, along);
     if (d == 0) continue;
-    const double at = opal::cross(to, along) / d, on = opal::cross(to, way) / d;
+    const double at = cross(to, along) / d, on = cross(to, way) / d;
     if (at > 0 && at < 1 && on >= 0 && on <= 1) cuts.push_back(at);
   }
   std::sort(cuts.begin(), cuts.end());
@@ -85,3 +83,5 @@ std::vector<Segment> FreeRoom::inside(const Segment& segment, double depth) cons
   }
   return parts;
 }
+
+}  // namespace opal::score_free_space

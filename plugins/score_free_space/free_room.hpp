@@ -5,21 +5,25 @@
 #include <array>
 #include <vector>
 
+namespace opal::score_free_space {
+
 /// Room that is surely empty: the outline of a scan's beams, shrunk. It may fall into several pieces. Frame: base_link
 /// [m].
 class FreeRoom {
  public:
   /// @param outline  not closed; simple but for rounding.
   /// @param margin_m  by which it is shrunk (a negative buffer).
-  FreeRoom(const std::vector<opal::Point>& outline, double margin_m);
+  FreeRoom(const std::vector<Point>& outline, double margin_m);
 
   /// The parts of a segment that lie inside, no less than depth_m from the edge in their middle.
-  std::vector<opal::Segment> inside(const opal::Segment& segment, double depth_m) const;
+  std::vector<Segment> inside(const Segment& segment, double depth_m) const;
 
  private:
-  bool holds(const opal::Point& p) const;
-  double depth_m(const opal::Point& p) const;
+  bool holds(const Point& p) const;
+  double depth_m(const Point& p) const;
 
-  std::vector<opal::Segment> edges_;
-  std::array<opal::Point, 2> box_{opal::Point::Zero(), opal::Point::Zero()};
+  std::vector<Segment> edges_;
+  std::array<Point, 2> box_{Point::Zero(), Point::Zero()};
 };
+
+}  // namespace opal::score_free_space

@@ -4,7 +4,9 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) { registrar.add<FreeSpaceScorer>({.name = "opal:FreeSpace"}); }
+void register_types(opal::Registrar& registrar) {
+  registrar.add<opal::score_free_space::FreeSpaceScorer>({.name = "opal:FreeSpace"});
+}
 
 }  // namespace
 

@@ -4,7 +4,9 @@
 
 namespace {
 
-void register_types(opal::Registrar& registrar) { registrar.add<LackOfFitScorer>({.name = "opal:LackOfFit"}); }
+void register_types(opal::Registrar& registrar) {
+  registrar.add<opal::score_lack_of_fit::LackOfFitScorer>({.name = "opal:LackOfFit"});
+}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <random>
 
 using namespace opal;
+using namespace opal::score_beams;
 
 namespace {
 
