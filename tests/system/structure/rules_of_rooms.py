@@ -14,6 +14,7 @@ def breaks(root, rooms):
     yield from circles(includes, rooms)
     yield from doors(root, includes)
     yield from descriptions(root, rooms)
+    yield from dependencies(root, includes, rooms)
     yield from library(root, rooms)
     yield from picture(root, rooms)
 
@@ -129,6 +130,41 @@ def descriptions(root, rooms):
         if rooms.order.index(named[1]) < last:
             yield page, number, f"names '{named[1]}' below a room that is below it in {rooms.path.name}"
         last = rooms.order.index(named[1])
+
+
+DEPENDENCIES = re.compile(r"\| may depend on \|(.*)\|\s*$")
+PATH = re.compile(r"`([\w/]+)`")
+
+
+def row_of(readme):
+    """Number and text of the row 'may depend on' of a README; None if there is none."""
+    rows = ((number, DEPENDENCIES.match(line)) for number, line in enumerate(readme.read_text().splitlines(), 1))
+    return next(((number, found[1]) for number, found in rows if found), None)
+
+
+def permits(row, room, target, rooms):
+    """Whether the row of `room` names `target`, or a room around it. Its own folders belong to a room."""
+    whole = "the library" in row and target in rooms.groups.get("libopal.so", [])
+    named = [room, *PATH.findall(row)]
+    return whole or "all rooms" in row or any(target == name or target.startswith(name + "/") for name in named)
+
+
+def dependencies(root, includes, rooms):
+    """A room includes no more than the row 'may depend on' of its README names, and the row names rooms."""
+    used = collections.defaultdict(dict)
+    for _, room, include, target in includes:
+        if room != target:
+            used[room].setdefault(target, include)
+    for room in rooms.order:
+        readme = root / "framework" / room / "README.md"
+        number, row = (readme.is_file() and row_of(readme)) or (1, "")
+        for name in PATH.findall(row):
+            if not any(one == name or one.startswith(name + "/") for one in rooms.order):
+                yield readme, number, f"may depend on '{name}', which is no room"
+        for target, include in sorted(used[room].items()):
+            if not permits(row, room, target, rooms):
+                yield readme, number, (f"does not say that '{room}' may depend on '{target}', but "
+                                       f"{include.file.relative_to(root)}:{include.line} includes {include.header}")
 
 
 def library(root, rooms):

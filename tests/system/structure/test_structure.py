@@ -82,6 +82,20 @@ class RulesOfRooms(Tree):
         self.write("framework/high/high.cpp", '#include "high.hpp"\n')
         self.assertIn("is no path below framework/", self.broken(rules_of_rooms.doors, self.root, self.includes())[0])
 
+    def test_a_room_depends_on_what_its_readme_names(self):
+        rooms = self.rooms("low", "high", "high/inner")
+        self.write("framework/high/inner/inner.hpp", '#include "low/low.hpp"\n#include <opal/high/door.hpp>\n')
+        self.write("framework/high/inner/README.md", "| may depend on | `high`, `lost`; Eigen |\n")
+        for row, told in (("`low`", 0), ("all rooms", 0), ("no other room", 1)):
+            self.write("framework/high/README.md", f"# High\n| may depend on | {row} |\n")
+            found = self.broken(rules_of_rooms.dependencies, self.root, self.includes(), rooms)
+            self.assertEqual(len(found), told + 2, row)
+        self.assertEqual(found, [
+            "framework/high/README.md:2: does not say that 'high' may depend on 'low', but framework/high/high.hpp:2 includes low/low.hpp",
+            "framework/high/inner/README.md:1: may depend on 'lost', which is no room",
+            "framework/high/inner/README.md:1: does not say that 'high/inner' may depend on 'low', but "
+            "framework/high/inner/inner.hpp:1 includes low/low.hpp"])
+
     def test_a_folder_that_is_no_room_is_told(self):
         told = self.broken(rules_of_rooms.folders_and_table, self.root, self.rooms("low", "gone"))
         self.assertEqual(len(told), 2)
