@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMaxImageBytes = (std::uint64_t{1} << 28) + 4096;
 constexpr std::uint64_t kMaxYamlBytes = std::uint64_t{1} << 20;
 
-/// Pixel values as map_server reads them, one object per grid (nav2_map_server, map_io.cpp, documents the rules).
+/// Pixel values as map_server reads them, one object per grid (map_io of nav2_map_server documents the rules).
 class PixelRules {
  public:
   PixelRules(const GreyImage& image, const GridDescription& description) : image_(image), description_(description) {}

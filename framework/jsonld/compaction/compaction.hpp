@@ -45,7 +45,7 @@ class Compactor {
     bool in(const char* container) const { return definition && definition->contains(container); }
   };
 
-  // json_ld_compaction.cpp: elements
+  // compaction.cpp: elements
   Json compact(const ContextPtr& active, Property property, const Json& element);
   Json compact_array(const ContextPtr& active, Property property, const Json& element);
   Json compact_object(ContextPtr active, Property property, const Json& element);
@@ -54,7 +54,7 @@ class Compactor {
   void compact_types(Object& object, const ContextPtr& active, const Json& value);
   void compact_reverse(Object& object, const ContextPtr& active, const Json& value);
 
-  // json_ld_compaction_properties.cpp: values of properties
+  // properties.cpp: values of properties
   void compact_property(Object& object, const ContextPtr& active, const std::string& iri, const Json& values);
   Json& nest_of(Json& result, const ActiveContext& active, const TermDefinition* definition);
   Json& map_at(Json& result, const std::string& key) const;
@@ -66,7 +66,7 @@ class Compactor {
   Json take_property_index(const ContextPtr& active, Item& item);
   Json take_type_key(const ContextPtr& active, Item& item);
 
-  // json_ld_iri_compaction.cpp: names and plain values
+  // iri_compaction.cpp: names and plain values
   const InverseContext& inverse_of(const ContextPtr& active);
   /// IRI Compaction (6.2.2). @param value  what the IRI is a property of, if anything.
   std::string compact_iri(const ContextPtr& active, const std::string& iri, bool vocabulary,

@@ -49,7 +49,7 @@ class Expander {
   using Property = const std::string*;
   using Nests = std::map<std::string, const Json*>;
 
-  // json_ld_expansion.cpp: elements
+  // expansion.cpp: elements
   ContextPtr initial_context();
   Json expand(const ContextPtr& active, Property property, const Json& element, const Place& place,
               bool from_map = false);
@@ -67,7 +67,7 @@ class Expander {
   Json finish_container(Json result, const Place& place) const;
   Json mark(Json object, const Place& place) const;
 
-  // json_ld_expansion_entries.cpp: entries of an object
+  // entries.cpp: entries of an object
   void expand_entries(Object& object, const ContextPtr& active, Property property, const Json& element,
                       const Place& place);
   void expand_nested(Object& object, const ContextPtr& active, const std::string& key, const Json& nested,
@@ -77,7 +77,7 @@ class Expander {
   Json expand_property_value(const ContextPtr& active, const std::string& key, const Json& value, const Place& place);
   void add_reversed(Json& result, const std::string& iri, Json values, const Place& place) const;
 
-  // json_ld_expansion_keywords.cpp: entries whose key is a keyword
+  // keywords.cpp: entries whose key is a keyword
   void expand_keyword(Object& object, const ContextPtr& active, Property property, const std::string& keyword,
                       const Json& value, const Place& place);
   Json expand_id(const ActiveContext& active, const Json& value, const Place& place) const;
@@ -88,7 +88,7 @@ class Expander {
   void expand_reverse(Object& object, const ContextPtr& active, const Json& value, const Place& place);
   void expand_value_entry(Object& object, const Json& value, const Place& place) const;
 
-  // json_ld_expansion_maps.cpp: containers that are objects
+  // maps.cpp: containers that are objects
   Json expand_language_map(const ActiveContext& active, const TermDefinition& definition, const Json& value,
                            const Place& place) const;
   Json expand_index_map(const ContextPtr& active, const TermDefinition& definition, const std::string& key,
@@ -100,7 +100,7 @@ class Expander {
   void add_property_index(Json& item, const ActiveContext& active, const std::string& index_key,
                           const std::string& index, const Place& place) const;
 
-  // json_ld_expansion_framing.cpp: what only frames may say
+  // framing_keywords.cpp: what only frames may say
   bool expand_frame_keyword(Object& object, const ContextPtr& active, Property property, const std::string& keyword,
                             const Json& value, const Place& place);
   Json expand_default(const ContextPtr& active, Property property, const Json& value, const Place& place);
@@ -108,7 +108,7 @@ class Expander {
   Json expand_type_pattern(const ActiveContext& active, const Json& value, const Place& place) const;
   static Json expand_text_pattern(const std::string& keyword, const Json& value, const Place& place);
 
-  // json_ld_value.cpp: scalars
+  // value.cpp: scalars
   Json expand_value(const ActiveContext& active, const TermDefinition* definition, const Json& value,
                     const Place& place) const;
   /// JSON-LD drops, or takes for an IRI, what the context does not define.

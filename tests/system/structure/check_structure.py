@@ -8,6 +8,7 @@ import argparse
 import pathlib
 import sys
 
+import rules_of_comments
 import rules_of_rooms
 import rules_of_size
 import rules_of_types
@@ -20,6 +21,7 @@ def all_breaks(root, tables):
     return [*rules_of_rooms.breaks(root, rooms),
             *rules_of_size.breaks(root, tables / "exceptions.txt"),
             *rules_of_types.breaks(root),
+            *rules_of_comments.breaks(root),
             *rules_of_words.breaks(root, tables / "words.txt")]
 
 

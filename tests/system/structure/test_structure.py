@@ -5,6 +5,7 @@ import tempfile
 import unittest
 
 import compile_commands
+import rules_of_comments
 import rules_of_rooms
 import rules_of_size
 import rules_of_types
@@ -137,6 +138,16 @@ class RulesOfTypes(Tree):
         self.write("plugins/c/c.hpp", "namespace opal::c {\nstruct A {};\n}\nnamespace opal {\nenum class A { x };\n}\n")
         self.assertEqual(self.broken(rules_of_types.breaks, self.root),
                          ["plugins/c/c.hpp:5: defines opal::A, as framework/a/a.hpp does: the linker takes both for one"])
+
+
+class RulesOfComments(Tree):
+    def test_a_source_that_a_comment_names_is_there(self):
+        self.write("framework/a/a.hpp", "")
+        self.write("framework/a/a.cpp", '#include <boost/dll/info.hpp>\n// a.hpp, a/a.hpp and info.hpp\nconst char* x = "gone.cpp";\n'
+                   "/* text\n  b/a.hpp */ // gone.cpp:\n")
+        self.assertEqual(self.broken(rules_of_comments.breaks, self.root),
+                         ["framework/a/a.cpp:5: names b/a.hpp, which is no file of the tree",
+                          "framework/a/a.cpp:5: names gone.cpp, which is no file of the tree"])
 
 
 class RulesOfWords(Tree):
