@@ -1,7 +1,7 @@
 #include "evaluation/kidnapping.hpp"
 
 #include "common/csv_table.hpp"
-#include "evaluation/median.hpp"
+#include <opal/common/quantile.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "evaluation/place_verdict.hpp"
 
-#include "evaluation/median.hpp"
+#include <opal/common/quantile.hpp>
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,7 @@
 #include "recording/ros_contents.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/quantile.hpp>
 #include "recording/cloud_tally.hpp"
 #include "recording/fixed_frames.hpp"
 #include "sensing/log_tally.hpp"
@@ -189,13 +190,13 @@ void MessageTally::tell(LogContents& contents) const {
   for (const auto& [topic, seen] : lasers_) {
     contents.lasers.push_back(seen.laser);
     seen.tally.tell(contents.lasers.back());
-    contents.lasers.back().recorded_after_s = median_or_zero(seen.delays_s);
+    contents.lasers.back().recorded_after_s = median_of(seen.delays_s).value_or(0);
     contents.lasers.back().mount = mount_of(contents.lasers.back().frame);
   }
   for (const auto& [topic, seen] : odometries_) {
     contents.odometries.push_back(seen.odometry);
     seen.tally.tell(contents.odometries.back());
-    contents.odometries.back().recorded_after_s = median_or_zero(seen.delays_s);
+    contents.odometries.back().recorded_after_s = median_of(seen.delays_s).value_or(0);
   }
   for (const auto& [link, seen] : transforms_.by_link())
     contents.transforms.push_back({link.first, link.second, seen.topic, seen.messages, seen.is_static, seen.moves});

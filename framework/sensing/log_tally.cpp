@@ -1,5 +1,7 @@
 #include "sensing/log_tally.hpp"
 
+#include <opal/common/quantile.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,13 +15,6 @@ constexpr double kSameFarthestShare = 0.005;
 
 }  // namespace
 
-double median_or_zero(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void StampTally::tell(LogTopic& topic) const {
   topic.messages = static_cast<std::int64_t>(stamps_s_.size());
   if (stamps_s_.empty()) return;
@@ -29,7 +24,7 @@ void StampTally::tell(LogTopic& topic) const {
   topic.last_s = stamps_s.back();
   std::vector<double> intervals_s;
   for (std::size_t i = 1; i < stamps_s.size(); ++i) intervals_s.push_back(stamps_s[i] - stamps_s[i - 1]);
-  topic.interval_s = median_or_zero(intervals_s);
+  topic.interval_s = median_of(intervals_s).value_or(0);
   for (std::size_t i = 0; i < intervals_s.size(); ++i) {
     if (intervals_s[i] > std::max(kGapS, kGapIntervals * topic.interval_s)) ++topic.gaps;
     if (intervals_s[i] <= topic.longest_gap_s) continue;

@@ -4,9 +4,6 @@
 
 namespace opal {
 
-/// The median; 0 of nothing.
-OPAL_EXPORT double median_or_zero(std::vector<double> values);
-
 /// Rate and pauses of a topic, from the times of its messages. They may come in any order.
 class OPAL_EXPORT StampTally {
  public:

@@ -2,6 +2,7 @@
 
 #include "map_assembly.hpp"
 
+#include <opal/common/quantile.hpp>
 #include <opal/common/sentence.hpp>
 
 #include <algorithm>
@@ -17,13 +18,6 @@ namespace {
 constexpr double kExplained_m = 0.15;
 // Walls are thinner than this, at least their part that a LiDAR smears.
 constexpr double kMaxThickness_m = 1.0;
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + k, values.end());
-  return values[static_cast<std::size_t>(k)];
-}
 
 long count(const OccupancyGrid& grid, Occupancy occupancy) {
   return std::count(grid.cells().begin(), grid.cells().end(), occupancy);
@@ -103,8 +97,9 @@ std::string about_fit(const std::vector<double>& distances, double res) {
   std::vector<double> found;
   std::copy_if(distances.begin(), distances.end(), std::back_inserter(found),
                [](double d) { return std::isfinite(d); });
-  return sentence("boundary cells lie %.3f m from the nearest feature (median; p90 %.3f m)", quantile(found, 0.5) * res,
-                  quantile(found, 0.9) * res);
+  std::sort(found.begin(), found.end());
+  return sentence("boundary cells lie %.3f m from the nearest feature (median; p90 %.3f m)", quantile_of(found, 0.5).value_or(0) * res,
+                  quantile_of(found, 0.9).value_or(0) * res);
 }
 
 std::string about_left_out(const std::vector<double>& distances) {
@@ -132,9 +127,10 @@ std::string about_smear(const OccupancyGrid& grid, const std::vector<Face>& face
     for (double along = 1; along < face.length(); along += 2)
       if (const double depth = thickness(grid, line.at(along), -line.normal()); depth > 0) depths.push_back(depth);
   }
+  std::sort(depths.begin(), depths.end());
   const double res = grid.resolution_m();
   return sentence("walls are %.2f m of occupied cells thick behind their faces (median; p90 %.2f m)",
-                  quantile(depths, 0.5) * res, quantile(depths, 0.9) * res);
+                  quantile_of(depths, 0.5).value_or(0) * res, quantile_of(depths, 0.9).value_or(0) * res);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "benchmark/runs/event_file.hpp"
 #include "benchmark/runs/localize_run.hpp"
-#include "benchmark/runs/quantile.hpp"
+#include <opal/common/quantile.hpp>
 #include "session/session.hpp"
 
 #include "benchmark/ab/records/program_files.hpp"
@@ -59,7 +59,7 @@ std::map<std::string, double> costs_of(const RunRecord& record) {
   if (cpu_ms.empty()) return {};
   std::sort(cpu_ms.begin(), cpu_ms.end());
   return {{"cpu_ms", std::accumulate(cpu_ms.begin(), cpu_ms.end(), 0.0) / static_cast<double>(cpu_ms.size())},
-          {"cpu_ms_p99", quantile(cpu_ms, 0.99)}};
+          {"cpu_ms_p99", opal::quantile_of(cpu_ms, 0.99).value_or(0)}};
 }
 
 std::string failure_of(const std::map<std::string, int>& plugin_failures) {

@@ -1,6 +1,6 @@
 #include "benchmark/runs/window_answer.hpp"
 
-#include "evaluation/median.hpp"
+#include <opal/common/quantile.hpp>
 #include "report/quantity_text.hpp"
 #include "report/status_text.hpp"
 

@@ -2,6 +2,8 @@
 
 #include "common/random.hpp"
 
+#include <opal/common/quantile.hpp>
+
 #include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
@@ -50,6 +52,10 @@ std::vector<double> sorted_numbers(std::vector<double> values) {
   return values;
 }
 
+double quantile_or_nan(std::span<const double> sorted, double share) {
+  return quantile_of(sorted, share).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
 /// Efron (1987), equation 6.6; 0 if all are equal.
 double acceleration(std::span<const double> jackknife) {
   const double mean = std::accumulate(jackknife.begin(), jackknife.end(), 0.0) / static_cast<double>(jackknife.size());
@@ -72,18 +78,9 @@ std::vector<double> bootstrap(std::span<const std::size_t> cluster_sizes, const 
   return values;
 }
 
-double quantile_of(std::span<const double> sorted, double share) {
-  if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
-  const std::size_t below = static_cast<std::size_t>(place), above = std::min(below + 1, sorted.size() - 1);
-  const double part = place - static_cast<double>(below);
-  if (part == 0 || std::isinf(sorted[below])) return sorted[below];
-  return sorted[below] + part * (sorted[above] - sorted[below]);
-}
-
 Interval percentile_interval(std::vector<double> values, double level) {
   const std::vector<double> sorted = sorted_numbers(std::move(values));
-  return {quantile_of(sorted, level / 2), quantile_of(sorted, 1 - level / 2)};
+  return {quantile_or_nan(sorted, level / 2), quantile_or_nan(sorted, 1 - level / 2)};
 }
 
 Interval bca_interval(std::vector<double> values, double estimate, std::span<const double> jackknife, double level) {
@@ -96,7 +93,7 @@ Interval bca_interval(std::vector<double> values, double estimate, std::span<con
   const double bias = quantile(normal, share), a = acceleration(jackknife);
   const auto corrected = [&](double at) {
     const double z = bias + quantile(normal, at);
-    return quantile_of(sorted, cdf(normal, bias + z / (1 - a * z)));
+    return quantile_or_nan(sorted, cdf(normal, bias + z / (1 - a * z)));
   };
   return {corrected(level / 2), corrected(1 - level / 2)};
 }

@@ -27,7 +27,7 @@ struct BootstrapOptions {
 std::vector<double> bootstrap(std::span<const std::size_t> cluster_sizes, const Statistic& statistic,
                               const BootstrapOptions& options);
 
-/// Of the values, the ends that leave level / 2 out at each side, interpolated linearly (Hyndman & Fan 1996, type 7);
+/// Of the values, the ends that leave level / 2 out at each side, interpolated linearly (opal/common/quantile.hpp);
 /// NaN are not counted. With few clusters it is too narrow: docs/ab_statistics.md has its coverage.
 Interval percentile_interval(std::vector<double> values, double level);
 
@@ -37,8 +37,5 @@ Interval bca_interval(std::vector<double> values, double estimate, std::span<con
 
 /// The statistic without each cluster in turn.
 std::vector<double> jackknife(std::span<const std::size_t> cluster_sizes, const Statistic& statistic);
-
-/// Interpolated linearly. @param sorted  increasing; infinite values may be among them. NaN if there is none.
-double quantile_of(std::span<const double> sorted, double share);
 
 }  // namespace opal::statistics

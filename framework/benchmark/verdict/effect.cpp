@@ -1,7 +1,8 @@
 #include "benchmark/verdict/effect.hpp"
 
-#include "benchmark/statistics/cluster_bootstrap.hpp"
 #include "benchmark/statistics/wilcoxon.hpp"
+
+#include <opal/common/quantile.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,10 @@ namespace opal::statistics {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+double median_or_nan(std::vector<double> values) {
+  return median_of(std::move(values)).value_or(std::numeric_limits<double>::quiet_NaN());
+}
 
 std::vector<ClusterSum> sums_of(Pairs pairs, std::span<const double> scores, Independent independent) {
   return independent == Independent::clusters ? cluster_sums(pairs, scores) : single_sums(scores);
@@ -53,8 +58,8 @@ Effect proportion_effect(Pairs pairs, Independent independent, double level) {
 Effect cost_effect(Pairs pairs, Independent independent, double level) {
   const std::vector<double> logs = scores(pairs, Metric::Kind::cost);
   const Interval interval = cluster_t_interval(sums_of(pairs, logs, independent), level);
-  return {median(side(pairs, &PairedValue::a)),
-          median(side(pairs, &PairedValue::b)),
+  return {median_or_nan(side(pairs, &PairedValue::a)),
+          median_or_nan(side(pairs, &PairedValue::b)),
           std::exp(mean_of(logs)),
           {std::exp(interval.low), std::exp(interval.high)}};
 }
@@ -99,7 +104,7 @@ Interval median_interval(Pairs pairs, Independent independent, double level) {
 }
 
 Effect distance_effect(Pairs pairs, Independent independent, double level) {
-  return {median(side(pairs, &PairedValue::a)), median(side(pairs, &PairedValue::b)), median(differences(pairs)),
+  return {median_or_nan(side(pairs, &PairedValue::a)), median_or_nan(side(pairs, &PairedValue::b)), median_or_nan(differences(pairs)),
           median_interval(pairs, independent, level)};
 }
 
@@ -133,11 +138,6 @@ PairedCounts counts_of(Pairs pairs) {
       ++(pair.b > 0.5 ? counts.only_b : counts.neither);
   }
   return counts;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return quantile_of(values, 0.5);
 }
 
 }  // namespace opal::statistics

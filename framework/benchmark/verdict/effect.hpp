@@ -18,7 +18,4 @@ double p_of(Pairs pairs, Metric::Kind kind, Independent independent);
 
 PairedCounts counts_of(Pairs pairs);
 
-/// Of numbers that may be infinite; NaN if there is none.
-double median(std::vector<double> values);
-
 }  // namespace opal::statistics

@@ -3,6 +3,8 @@
 #include "benchmark/statistics/cluster_bootstrap.hpp"
 #include "benchmark/verdict/pair_scores.hpp"
 
+#include <opal/common/quantile.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -22,8 +24,7 @@ class WeightedMedian {
 
   double of(const Weights& weights) const {
     const int total = std::accumulate(weights.begin(), weights.end(), 0);
-    const std::vector<double> middle{at((total - 1) / 2, weights), at(total / 2, weights)};
-    return quantile_of(middle, 0.5);
+    return *median_of({at((total - 1) / 2, weights), at(total / 2, weights)});
   }
 
  private:

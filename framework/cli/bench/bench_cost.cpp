@@ -1,6 +1,6 @@
 #include "cli/bench/bench_cost.hpp"
 
-#include "benchmark/runs/quantile.hpp"
+#include <opal/common/quantile.hpp>
 
 #include <malloc.h>
 #include <sys/resource.h>
@@ -31,8 +31,8 @@ nlohmann::ordered_json summarize(const RunRecord& all, const BenchCost& cost) {
   return {{"queries", cost.queries},
           {"updates", cpu.size()},
           {"cpu_ms_mean", std::accumulate(cpu.begin(), cpu.end(), 0.0) / n},
-          {"cpu_ms_median", quantile(cpu, 0.5)},
-          {"cpu_ms_p99", quantile(cpu, 0.99)},
+          {"cpu_ms_median", opal::quantile_of(cpu, 0.5).value_or(0)},
+          {"cpu_ms_p99", opal::quantile_of(cpu, 0.99).value_or(0)},
           {"cpu_ms_max", cpu.empty() ? 0 : cpu.back()},
           {"peak_rss_mb", peak_rss_mb()},
           {"localizer_mb", cost.localizer_mb},

@@ -1,6 +1,6 @@
 #include "cli/track/track_output.hpp"
 
-#include "benchmark/runs/quantile.hpp"
+#include <opal/common/quantile.hpp>
 
 #include "benchmark/runs/run_picture.hpp"
 
@@ -92,13 +92,14 @@ void TrackOutput::write() const {
   std::sort(cpu.begin(), cpu.end());
   const double mean =
       std::accumulate(cpu.begin(), cpu.end(), 0.0) / std::max<double>(1, static_cast<double>(cpu.size()));
+  const double p99_ms = opal::quantile_of(cpu, 0.99).value_or(0);
   const nlohmann::ordered_json summary = {{"updates", cpu.size()},
                                           {"cpu_ms_mean", mean},
-                                          {"cpu_ms_p99", quantile(cpu, 0.99)},
-                                          {"cpu_ms_max", quantile(cpu, 1)},
+                                          {"cpu_ms_p99", p99_ms},
+                                          {"cpu_ms_max", cpu.empty() ? 0 : cpu.back()},
                                           {"windows", windows_}};
   opal::write_text(file("summary.json"), summary.dump(2) + '\n');
-  std::printf("CPU per update: mean %.2f ms, 99 %% %.2f ms over %zu updates\n", mean, quantile(cpu, 0.99), cpu.size());
+  std::printf("CPU per update: mean %.2f ms, 99 %% %.2f ms over %zu updates\n", mean, p99_ms, cpu.size());
   opal::DrawingScene scene;
   scene.title = worst_.id + (truth_ ? ", the window tracked worst" : "");
   scene.map = map_;

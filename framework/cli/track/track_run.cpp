@@ -1,6 +1,6 @@
 #include "cli/track/track_run.hpp"
 
-#include "benchmark/runs/quantile.hpp"
+#include <opal/common/quantile.hpp>
 
 #include "common/stage_clock.hpp"
 
@@ -45,5 +45,5 @@ TrackErrors errors_of(const std::vector<opal::ResultRow>& rows, const opal::Grou
     if (const auto pose = truth.T_map_laser_at(row.stamp_s)) errors_m.push_back(distance_m(*pose, row.T_map_laser));
   if (errors_m.empty()) return {};
   std::sort(errors_m.begin(), errors_m.end());
-  return {errors_m.size(), errors_m.back(), quantile(errors_m, 0.95), quantile(errors_m, 0.5)};
+  return {errors_m.size(), errors_m.back(), *opal::quantile_of(errors_m, 0.95), *opal::quantile_of(errors_m, 0.5)};
 }

@@ -72,14 +72,6 @@ TEST_CASE("the bootstrap draws whole clusters, or pairs within each") {
         std::vector<double>{2, 3});
 }
 
-TEST_CASE("quantiles of numbers of which some are infinite") {
-  const std::vector<double> sorted{-kInfinite, 0, 1, kInfinite};
-  CHECK(quantile_of(sorted, 0.5) == 0.5);
-  CHECK(quantile_of(sorted, 0.1) == -kInfinite);
-  CHECK(quantile_of(sorted, 0.9) == kInfinite);
-  CHECK(std::isnan(quantile_of({}, 0.5)));
-}
-
 TEST_CASE("no pair differs: nothing is told, and the interval of the difference still has a width") {
   const PairedCounts none{90, 0, 0, 8};
   CHECK(mcnemar(none).exact == 1);

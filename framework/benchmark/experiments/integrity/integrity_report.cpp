@@ -3,6 +3,8 @@
 #include "benchmark/experiments/kit/order_statistics.hpp"
 #include "benchmark/statistics/share_bound.hpp"
 
+#include <opal/common/quantile.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,15 +38,13 @@ const std::vector<Aspect>& aspects() {
 }
 
 /// Of those that have the value; `share` 0.5: the median. Those without count as never.
-double quantile_of(const std::vector<const JudgedDrive*>& drives, std::optional<double> IntegrityRun::*value,
+double quantile_over(const std::vector<const JudgedDrive*>& drives, std::optional<double> IntegrityRun::*value,
                    double share) {
   std::vector<double> values;
   for (const JudgedDrive* drive : drives)
     if (drive->failure.empty()) values.push_back((drive->run.*value).value_or(kNever));
-  if (values.empty()) return kNever;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  std::sort(values.begin(), values.end());
+  return opal::quantile_of(values, share).value_or(kNever);
 }
 
 template <class Test>
@@ -61,7 +61,7 @@ std::string per_thousand(double share) { return fmt::format("{:.1f}", 1000 * sha
 std::string value_text(const std::optional<double>& value) { return value ? fmt::format("{:.2f}", *value) : ""; }
 
 nlohmann::json quantile_json(const Stratum& stratum, double share) {
-  const double after_m = quantile_of(stratum.drives, &IntegrityRun::localized_after_m, share);
+  const double after_m = quantile_over(stratum.drives, &IntegrityRun::localized_after_m, share);
   return std::isfinite(after_m) ? nlohmann::json(after_m) : nlohmann::json();
 }
 
@@ -101,7 +101,7 @@ std::vector<Stratum> strata_of(std::span<const JudgedDrive> drives) {
 
 std::string bound_sentence(const Stratum& all) {
   if (all.drives.empty()) return "No drive has ended yet.";
-  const double median_m = quantile_of(all.drives, &IntegrityRun::localized_after_m, 0.5);
+  const double median_m = quantile_over(all.drives, &IntegrityRun::localized_after_m, 0.5);
   return fmt::format(
       "At most {} of 1,000 drives call a wrong pose localized for longer than 1 s (95 % confidence, {} of {} drives "
       "did). {} % of the drives are sure of their pose at some time, half of all after {} m.",
@@ -119,8 +119,8 @@ Table strata_table(const std::vector<Stratum>& strata) {
     table.rows.push_back({stratum.aspect, stratum.value, std::to_string(stratum.drives.size()),
                           std::to_string(stratum.false_drives()), per_thousand(stratum.false_share().high),
                           number(100.0 * static_cast<double>(localized_drives(stratum)) / whole, 1),
-                          number(quantile_of(stratum.drives, &IntegrityRun::localized_after_m, 0.5), 1),
-                          number(quantile_of(stratum.drives, &IntegrityRun::localized_after_m, 0.95), 1)});
+                          number(quantile_over(stratum.drives, &IntegrityRun::localized_after_m, 0.5), 1),
+                          number(quantile_over(stratum.drives, &IntegrityRun::localized_after_m, 0.95), 1)});
   }
   table.grouped = true;
   return table;

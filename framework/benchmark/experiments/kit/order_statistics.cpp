@@ -1,6 +1,6 @@
 #include "benchmark/experiments/kit/order_statistics.hpp"
 
-#include "benchmark/verdict/effect.hpp"
+#include <opal/common/quantile.hpp>
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 namespace opal::experiments {
 
-double median(std::vector<double> values) { return values.empty() ? kNever : statistics::median(std::move(values)); }
+double median(std::vector<double> values) { return median_of(std::move(values)).value_or(kNever); }
 
 Interval median_interval(std::vector<double> values) {
   if (values.empty()) return {kNever, kNever};

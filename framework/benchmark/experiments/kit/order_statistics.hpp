@@ -11,7 +11,7 @@ namespace opal::experiments {
 /// A run in which something never happened counts as this: it has a rank, and no value.
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// The middle value, or between two of them (statistics::median); `kNever` if there is none.
+/// median_of(); `kNever` if there is none.
 double median(std::vector<double> values);
 
 /// An interval that holds the median of where the values come from with at least 95 %, whatever their

@@ -1,6 +1,6 @@
 #include "benchmark/experiments/storeys/storey_report.hpp"
 
-#include "evaluation/median.hpp"
+#include <opal/common/quantile.hpp>
 
 #include <fmt/format.h>
 
