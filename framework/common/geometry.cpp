@@ -49,4 +49,15 @@ double distance_m(const Segment& segment, const Point& point) {
   return (point - segment.begin - u * along).norm();
 }
 
+bool is_crossed_by_ray(const Segment& segment, const Point& from) {
+  const Point &a = segment.begin, &b = segment.end;
+  if ((a.y() > from.y()) == (b.y() > from.y())) return false;
+  return from.x() < a.x() + (from.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+}
+
+bool is_within(std::span<const Segment> edges, const Point& point) {
+  return std::count_if(edges.begin(), edges.end(), [&](const Segment& e) { return is_crossed_by_ray(e, point); }) % 2 ==
+         1;
+}
+
 }  // namespace opal

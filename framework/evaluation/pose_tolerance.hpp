@@ -2,14 +2,13 @@
 
 #include <opal/common/geometry.hpp>
 
-#include <numbers>
 
 namespace opal {
 
 /// How far a pose may be off the truth, in position and in heading, and still be right.
 struct PoseTolerance {
   double position_m = 1.0;
-  double heading_rad = 10 * std::numbers::pi / 180;
+  double heading_rad = radians(10);
 
   /// Both errors are below their limits. @param said, truth  in the same frame.
   bool holds(const Pose2& said, const Pose2& truth) const {
@@ -21,6 +20,6 @@ struct PoseTolerance {
 /// Every success, false positive and summary judges a pose by this.
 inline constexpr PoseTolerance kRightPose{};
 /// What is called "strict".
-inline constexpr PoseTolerance kStrictlyRightPose{0.5, 5 * std::numbers::pi / 180};
+inline constexpr PoseTolerance kStrictlyRightPose{0.5, radians(5)};
 
 }  // namespace opal

@@ -71,8 +71,6 @@ double number_in(const Place& object, const std::string& name, double minimum, d
   return object.member(name, expected).number(minimum, maximum, expected);
 }
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-
 }  // namespace
 
 LaserModel read_site_laser(const std::string& path) {

@@ -6,16 +6,11 @@
 namespace opal {
 namespace {
 
-/// Whether a ray to the right crosses the ring an odd number of times.
+/// Whether a ray along the x axis crosses the ring an odd number of times.
 bool crosses_oddly(const std::vector<Point>& ring, const Point& p) {
-  bool odd = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point& a = ring[k];
-    const Point& b = ring[(k + 1) % ring.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    odd ^= p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-  }
-  return odd;
+  bool is_odd = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) is_odd ^= is_crossed_by_ray({ring[k], ring[(k + 1) % ring.size()]}, p);
+  return is_odd;
 }
 
 PlanBoxes::Box box_of(const std::vector<std::vector<Point>>& rings) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace opal {
 
@@ -36,7 +35,7 @@ std::string place_text(const Point& place) {
 
 std::string pose_text(const Pose2& pose) {
   return fmt::format("{}, heading {} deg", place_text(pose.position()),
-                     fixed_text(pose.heading_rad() * 180 / std::numbers::pi, 1));
+                     fixed_text(degrees(pose.heading_rad()), 1));
 }
 
 }  // namespace opal

@@ -12,7 +12,6 @@
 namespace opal {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 const RawScan* scan_of(const LogRecord& record, const LaserModel& laser) {
   const auto* raw = std::get_if<RawScan>(&record);
@@ -73,8 +72,8 @@ void check_log(std::span<const LogRecord> records, const LaserModel& laser, cons
   throw ConfigError(
       sentence("%s: beams begin at %.3f degrees and are %.4f degrees apart, but %s states %.3f and %.4f; "
                "correct them, or set geometry_from_log",
-               described_in.c_str(), laser.angle_min_rad * kDegrees, laser.angle_increment_rad * kDegrees, log.c_str(),
-               *stated->angle_min_rad * kDegrees, *stated->angle_increment_rad * kDegrees));
+               described_in.c_str(), degrees(laser.angle_min_rad), degrees(laser.angle_increment_rad), log.c_str(),
+               degrees(*stated->angle_min_rad), degrees(*stated->angle_increment_rad)));
 }
 
 std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::vector<LaserModel> described,

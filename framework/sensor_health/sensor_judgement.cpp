@@ -3,7 +3,6 @@
 #include <opal/common/sentence.hpp>
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -28,7 +27,6 @@ constexpr double kMostBetter = 0.8;
 constexpr int kFewestMotions = 5;
 constexpr double kLeastTurned_rad = 0.8, kLeastDriven_m = 0.8;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// A standing robot's scans lie over each other to a few centimetres; people in them do not move all of it.
 constexpr double kMoves_m = 0.1, kMoves_rad = 0.08;
@@ -67,7 +65,7 @@ std::optional<SensorFinding> turn_finding(const MotionCalibration& drive) {
 }
 
 std::string guess_of_heading(double off_rad, double heading_rad) {
-  const double off_deg = std::abs(off_rad) * kDegrees, quarters = std::round(heading_rad * kDegrees / 90);
+  const double off_deg = degrees(std::abs(off_rad)), quarters = std::round(degrees(heading_rad) / 90);
   if (off_deg > 150)
     return sentence(": scans move backwards when odometry moves forwards: is the laser mounted at %.0f degrees?",
                     quarters == -2 ? 180 : 90 * quarters + 0.0);
@@ -82,7 +80,7 @@ std::optional<SensorFinding> heading_finding(const MotionCalibration& drive, con
   if (!verdict) return std::nullopt;
   std::string words =
       sentence("the laser looks %.1f +- %.1f degrees to the left of the driving direction, and is described at %.1f",
-               heading.value * kDegrees, heading.sigma * kDegrees, T_base_laser.heading_rad() * kDegrees);
+               degrees(heading.value), degrees(heading.sigma), degrees(T_base_laser.heading_rad()));
   words += *verdict == Verdict::fine ? ending_of(*verdict) : guess_of_heading(off_rad, heading.value);
   return SensorFinding{Subject::mount_heading,     *verdict,      heading.value,
                        T_base_laser.heading_rad(), heading.sigma, words};

@@ -74,10 +74,7 @@ class OpenArea {
     bool is_inside = false;
     for (const Segment& edge : edges_) {
       if (has_border(edge, p, along)) return true;
-      const bool is_across = (edge.begin.y() > p.y()) != (edge.end.y() > p.y());
-      if (!is_across) continue;
-      const double part = (p.y() - edge.begin.y()) / (edge.end.y() - edge.begin.y());
-      if (edge.begin.x() + part * (edge.end.x() - edge.begin.x()) > p.x()) is_inside = !is_inside;
+      is_inside ^= is_crossed_by_ray(edge, p);
     }
     return is_inside;
   }

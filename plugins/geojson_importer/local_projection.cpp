@@ -5,16 +5,16 @@ namespace {
 
 constexpr double kEquator_m = 6378137;  // WGS 84
 constexpr double kFlattening = 1 / 298.257223563;
-constexpr double kRadPerDegree = std::numbers::pi / 180;
+constexpr double kDegree_rad = radians(1);
 
 }  // namespace
 
 LocalProjection::LocalProjection(const Point& origin_deg) : origin_deg_(origin_deg) {
-  const double latitude = origin_deg.y() * kRadPerDegree;
+  const double latitude = origin_deg.y() * kDegree_rad;
   const double eccentricity2 = kFlattening * (2 - kFlattening);
   const double w = std::sqrt(1 - eccentricity2 * std::sin(latitude) * std::sin(latitude));
   const double across = kEquator_m / w, along = kEquator_m * (1 - eccentricity2) / (w * w * w);  // radii of curvature
-  metres_per_degree_ = Point(across * std::cos(latitude), along) * kRadPerDegree;
+  metres_per_degree_ = Point(across * std::cos(latitude), along) * kDegree_rad;
   tangent_ = std::abs(std::tan(latitude));
 }
 

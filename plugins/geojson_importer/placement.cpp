@@ -17,10 +17,10 @@ namespace {
 // No building is smaller than 5 cm, and none is larger than 0.05 degrees (5 km).
 constexpr double kGeographicExtent = 0.05;
 constexpr double kHighestLatitude_deg = 85;
-constexpr double kDegreesPerRad = 180 / std::numbers::pi;
+constexpr double kRadian_deg = degrees(1);
 constexpr double kWebRadius_m = 6378137;
 // Names of coordinate systems end so: longitude and latitude, and the plane of web maps, whose metres are none.
-constexpr std::array kDegrees{"CRS84", ":4326", "/4326"};
+constexpr std::array kSystemsInDegrees{"CRS84", ":4326", "/4326"};
 constexpr std::array kWebMercator{":3857", "/3857", ":900913", ":102100"};
 
 struct Bounds {
@@ -60,7 +60,7 @@ bool ends_with_any(const std::string& name, const std::array<const char*, N>& en
 
 Point degrees_of_web_mercator(const Point& p) {
   return Point(p.x() / kWebRadius_m, 2 * std::atan(std::exp(p.y() / kWebRadius_m)) - std::numbers::pi / 2) *
-         kDegreesPerRad;
+         kRadian_deg;
 }
 
 std::string project(const std::string& path, const PlacementOptions& options, FeatureCollection& collection) {
@@ -100,7 +100,7 @@ bool is_in_degrees(const PlacementOptions& options, FeatureCollection& collectio
       visit_positions(feature.shapes, [](Point& p) { p = degrees_of_web_mercator(p); });
     sentences.push_back("coordinates of web maps (" + collection.crs + "), to longitude and latitude");
   }
-  const bool is_said = is_web_mercator || ends_with_any(collection.crs, kDegrees);
+  const bool is_said = is_web_mercator || ends_with_any(collection.crs, kSystemsInDegrees);
   const bool is_likely = collection.crs.empty() && building_of(collection).looks_like_degrees();
   return options.is_geographic.value_or(is_said || is_likely);
 }

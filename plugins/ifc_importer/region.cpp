@@ -15,16 +15,6 @@ constexpr double kBesides_m = 4e-5;
 constexpr std::size_t kCircleCorners = 16;
 constexpr double kRoundness = 2e-3;  // of the radius
 
-bool has_odd_crossings(const std::vector<Segment>& edges, const Point& p) {
-  bool odd = false;
-  for (const Segment& e : edges)
-    if ((e.begin.y() > p.y()) != (e.end.y() > p.y())) {
-      const double x = e.begin.x() + (p.y() - e.begin.y()) / (e.end.y() - e.begin.y()) * (e.end.x() - e.begin.x());
-      odd ^= x > p.x();
-    }
-  return odd;
-}
-
 void collect(const Region& region, std::vector<Segment>& edges, std::vector<const Region*>& half_planes) {
   edges.insert(edges.end(), region.edges.begin(), region.edges.end());
   if (region.kind == Region::Kind::half_plane) half_planes.push_back(&region);
@@ -70,7 +60,7 @@ bool Region::contains(const Point& p) const {
   switch (kind) {
     case Kind::nothing: return false;
     case Kind::everything: return true;
-    case Kind::inside: return box.contains(p) && has_odd_crossings(edges, p);
+    case Kind::inside: return box.contains(p) && is_within(edges, p);
     case Kind::half_plane: return outward.dot(p - point) < 0;
     case Kind::unite: return std::any_of(operands.begin(), operands.end(), holds);
     case Kind::intersect: return std::all_of(operands.begin(), operands.end(), holds);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <set>
 
 namespace opal::ifc_importer {
@@ -190,7 +189,7 @@ std::vector<std::string> report(const Building& building, const LevelChoice& lev
   append(what_is_missing(elements));
   if (building.north_rad)
     sentences.push_back(
-        sentence("true north is at %.1f degrees from the x axis", *building.north_rad * 180 / std::numbers::pi));
+        sentence("true north is at %.1f degrees from the x axis", degrees(*building.north_rad)));
   sentences.push_back(building.georeference ? "georeferenced in " + building.georeference->crs : "not georeferenced");
   append(building.notes);
   return sentences;

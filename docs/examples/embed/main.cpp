@@ -5,7 +5,6 @@
 #include <opal/sensing/replay.hpp>
 
 #include <cstdio>
-#include <numbers>
 
 /// What is described beside libopal.so. A plugin is opened when something of it is needed.
 opal::PluginRegistry plugins() {
@@ -18,7 +17,7 @@ opal::PluginRegistry plugins() {
 void print(const opal::PoseEstimate& answer) {
   std::printf("%.2f s: %s", answer.stamp_s, opal::name_of(answer.status));
   const opal::Pose2& pose = answer.T_map_base;
-  const double heading_deg = pose.heading_rad() * 180 / std::numbers::pi;
+  const double heading_deg = opal::degrees(pose.heading_rad());
   if (answer.has_pose) std::printf(", x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(), heading_deg);
   std::printf("\n");
 }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numbers>
 
 namespace {
 
@@ -46,7 +45,7 @@ std::vector<NamedAssociation> associations_of(const opal::Localizer& localizer) 
 
 std::string pose_words(const opal::Pose2& pose) {
   return fmt::format("x {:.2f} m, y {:.2f} m, heading {:.1f} deg", pose.x(), pose.y(),
-                     pose.heading_rad() * 180 / std::numbers::pi);
+                     opal::degrees(pose.heading_rad()));
 }
 
 std::string place_words(const opal::Localizer& localizer, const opal::Pose2& T_map_base) {

@@ -51,7 +51,6 @@ std::vector<Timed> motions_of(const std::vector<opal::LogRecord>& records, const
 }
 
 void print(const opal::MotionCalibration& drive, const opal::Pose2& T_base_laser) {
-  constexpr double kDegrees = 180 / std::numbers::pi;
   std::printf("%d motions, %.1f m and %.1f rad by odometry\n\n%-28s %10s %10s %10s\n", drive.pairs, drive.driven_m,
               drive.turned_rad, "", "estimate", "+-", "described");
   const auto row = [](const char* name, double value, double sigma, double described) {
@@ -61,8 +60,8 @@ void print(const opal::MotionCalibration& drive, const opal::Pose2& T_base_laser
     else
       std::printf("%-28s %10s %10s %10.4f\n", name, "not told", "", described);
   };
-  row("mount heading [deg]", drive.mount_heading_rad.value * kDegrees, drive.mount_heading_rad.sigma * kDegrees,
-      T_base_laser.heading_rad() * kDegrees);
+  row("mount heading [deg]", opal::degrees(drive.mount_heading_rad.value), opal::degrees(drive.mount_heading_rad.sigma),
+      opal::degrees(T_base_laser.heading_rad()));
   row("mount x [m]", drive.mount_position_m.x(), drive.mount_position_sigma_m, T_base_laser.x());
   row("mount y [m]", drive.mount_position_m.y(), drive.mount_position_sigma_m, T_base_laser.y());
   row("odometry, distance scale", drive.distance_scale.value, drive.distance_scale.sigma, 1);

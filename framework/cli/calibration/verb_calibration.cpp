@@ -11,12 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
-#include <numbers>
 
 namespace {
 
 using opal::Weighting;
-constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
 
 struct CalibrationOptions {
   std::vector<std::string> runs;
@@ -100,12 +98,12 @@ void opal::add_calibration_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--within", options->right.position_m, "a pose with smaller errors is right: of the position [m]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  auto heading_deg = std::make_shared<double>(opal::kRightPose.heading_rad * kDegrees);
+  auto heading_deg = std::make_shared<double>(opal::degrees(opal::kRightPose.heading_rad));
   verb->add_option("--within-degrees", *heading_deg, "and of the heading [degrees]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   verb->callback([options, heading_deg, &exit_code] {
-    options->right.heading_rad = *heading_deg / kDegrees;
+    options->right.heading_rad = opal::radians(*heading_deg);
     exit_code = calibrate(*options);
   });
 }

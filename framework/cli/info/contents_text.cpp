@@ -6,12 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace opal {
 namespace {
 
-constexpr double kDegreesPerRad = 180 / std::numbers::pi;
 // Later than 2001: such times are since 1970 and not since the start of a clock of the log's own.
 constexpr double kSurelySince1970S = 1e9;
 
@@ -55,8 +53,8 @@ std::string beam_words(const LogLaser& laser) {
   std::string text = sentence("  %d beams", laser.beams);
   if (laser.angle_min_rad && laser.angle_increment_rad) {
     const double span_rad = *laser.angle_increment_rad * (laser.beams - 1);
-    text += sentence(" over %.1f degrees, from %.2f degrees in steps of %.4f", std::abs(span_rad) * kDegreesPerRad,
-                     *laser.angle_min_rad * kDegreesPerRad, *laser.angle_increment_rad * kDegreesPerRad);
+    text += sentence(" over %.1f degrees, from %.2f degrees in steps of %.4f", degrees(std::abs(span_rad)),
+                     degrees(*laser.angle_min_rad), degrees(*laser.angle_increment_rad));
     if (*laser.angle_increment_rad < 0) text += " (clockwise)";
   } else {
     text += "; the log does not state where they point: the deployment has to";
@@ -81,9 +79,9 @@ std::string mount_words(const std::optional<LogMount>& stated) {
   const Pose2& pose = mount.T_base_laser;
   std::string text =
       sentence("  mounted on %s at x %.3f m, y %.3f m, heading %.2f degrees, height %.2f m", mount.parent.c_str(),
-               pose.x(), pose.y(), pose.heading_rad() * kDegreesPerRad, mount.height_m);
+               pose.x(), pose.y(), degrees(pose.heading_rad()), mount.height_m);
   if (mount.upside_down) text += ", upside down";
-  if (mount.tilt_rad > 0.01) text += sentence(", tilted by %.1f degrees", mount.tilt_rad * kDegreesPerRad);
+  if (mount.tilt_rad > 0.01) text += sentence(", tilted by %.1f degrees", degrees(mount.tilt_rad));
   return text + (mount.from_moving_topic ? "; stated on /tf, where it does not move\n" : "\n");
 }
 
@@ -144,7 +142,7 @@ std::string odometry_lines(const LogContents& contents) {
     text +=
         sentence("\nodometry %s, %s to %s: %s\n  %d poses, %.1f m driven, %.0f degrees turned", odometry.topic.c_str(),
                  odometry.odom_frame.c_str(), odometry.base_frame.c_str(), odometry.is_read ? "is read" : "is not read",
-                 odometry.poses, odometry.driven_m, odometry.turned_rad * kDegreesPerRad);
+                 odometry.poses, odometry.driven_m, degrees(odometry.turned_rad));
     text += delay_words(odometry.recorded_after_s) + "\n";
   }
   return contents.odometries.empty() ? "\nno odometry\n" : text;

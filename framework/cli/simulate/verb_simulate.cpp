@@ -44,10 +44,10 @@ void set_laser(SimulateOptions& options) {
     return options.take_laser(deployment);
   }
   opal::LaserModel& laser = options.world.laser;
-  constexpr double kDegree = std::numbers::pi / 180;
+  constexpr double kDegree_rad = opal::radians(1);
   const double fov_deg = laser.beams > 1 ? options.fov_deg : 0;  // one beam looks straight ahead
-  laser.angle_min_rad = -fov_deg / 2 * kDegree;
-  laser.angle_increment_rad = laser.beams > 1 ? fov_deg * kDegree / (laser.beams - 1) : kDegree;
+  laser.angle_min_rad = -fov_deg / 2 * kDegree_rad;
+  laser.angle_increment_rad = laser.beams > 1 ? fov_deg * kDegree_rad / (laser.beams - 1) : kDegree_rad;
   laser.T_base_laser = opal::Pose2(options.mount_x_m, 0, 0);
   laser.range_sigma_m = std::max(0.005, options.world.laser_errors.range_sigma_m);
 }

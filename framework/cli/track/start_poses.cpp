@@ -35,7 +35,7 @@ opal::Pose2 read_pose(const std::string& text) {
   if (std::abs(n[2]) > kMostHeading_rad)
     throw opal::ConfigError(
         opal::sentence("--pose: heading %g, expected radians from -2 pi to 2 pi; %g degrees are %.3f", n[2], n[2],
-                       n[2] * std::numbers::pi / 180));
+                       opal::radians(n[2])));
   return {n[0], n[1], n[2]};
 }
 

@@ -3,6 +3,7 @@
 #include "common/spelling.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/common/geometry.hpp>
 #include <opal/common/strict_json.hpp>
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 namespace opal {
 namespace {
@@ -41,7 +41,7 @@ std::string in_words(const std::string& type, const NumberRange& range) {
 /// What an angle would be, were it in degrees; empty for what is none.
 std::string degrees_in_words(const std::string& key, double value) {
   if (!key.ends_with("_rad") || !(std::abs(value) > 1 && std::abs(value) <= 360)) return "";
-  return fmt::format("; {:g} degrees are {:.4g} rad", value, value * std::numbers::pi / 180);
+  return fmt::format("; {:g} degrees are {:.4g} rad", value, radians(value));
 }
 
 constexpr const char* kExpectedContext = "\"urn:opal:v1\", or a list of it and objects that define prefixes by IRIs";

@@ -4,7 +4,6 @@
 #include "common/phrases.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace opal::ros2 {
 namespace {
@@ -90,7 +89,7 @@ std::string status_words(const LiveAnswer& answer) {
   if (estimate.status != Status::localized) return name + (answer.why.empty() ? "" : ": " + answer.why);
   const Pose2& pose = estimate.T_map_base;
   return name + sentence(" at x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(),
-                         pose.heading_rad() * 180 / std::numbers::pi);
+                         degrees(pose.heading_rad()));
 }
 
 std::vector<Diagnosis> diagnoses_of(const LiveAnswer& answer, const NodeState& state, double now_s) {

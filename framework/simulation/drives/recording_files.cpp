@@ -71,10 +71,10 @@ std::string truth_of(const Recording& recording) {
 }
 
 nlohmann::ordered_json laser_of(const LaserModel& laser) {
-  constexpr double kDegree = std::numbers::pi / 180;
+  constexpr double kDegree_rad = radians(1);
   nlohmann::ordered_json described = {{"n_beams", laser.beams},
-                                      {"angle_min_deg", laser.angle_min_rad / kDegree},
-                                      {"angle_increment_deg", laser.angle_increment_rad / kDegree},
+                                      {"angle_min_deg", laser.angle_min_rad / kDegree_rad},
+                                      {"angle_increment_deg", laser.angle_increment_rad / kDegree_rad},
                                       {"no_return_at_or_above_m", laser.no_return_m},
                                       {"offset_x_m", laser.T_base_laser.x()},
                                       {"offset_y_m", laser.T_base_laser.y()},

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <tuple>
 
 namespace opal {
@@ -57,7 +56,7 @@ std::string senses_text(const ExplainedMoment& moment) {
 }
 
 std::string truth_text(const Pose2& truth, const TracedHypothesis& best) {
-  const double off_deg = angle_between_rad(truth, best.T_map_base) * 180 / std::numbers::pi;
+  const double off_deg = degrees(angle_between_rad(truth, best.T_map_base));
   return "the recorded truth is " + metres_text(distance_m(truth, best.T_map_base)) + " and " + fixed_text(off_deg, 1) +
          " deg away";
 }

@@ -5,12 +5,18 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <variant>
 
 namespace opal {
 
 /// Position in a plane [m]; the frame is that of the thing that holds it.
 using Point = Eigen::Vector2d;
+
+/// An angle in degrees, for people and for files that state degrees.
+constexpr double degrees(double angle_rad) { return angle_rad * 180 / std::numbers::pi; }
+/// An angle in radians [rad], of one in degrees.
+constexpr double radians(double angle_deg) { return angle_deg * std::numbers::pi / 180; }
 
 /// The equivalent angle in [-pi, pi).
 inline double wrap_angle(double angle_rad) {
@@ -128,5 +134,12 @@ OPAL_EXPORT Point anchor_of(const Geometry& geometry);
 OPAL_EXPORT double distance_m(const Geometry& geometry, const Point& point);
 /// The same for a segment, both ends included.
 OPAL_EXPORT double distance_m(const Segment& segment, const Point& point);
+
+/// Whether a ray from a point along the x axis crosses a segment. The lower end belongs to the segment, the upper one
+/// does not, so that a ring is entered and left once each where the ray meets two of its edges.
+OPAL_EXPORT bool is_crossed_by_ray(const Segment& segment, const Point& from);
+/// Whether a point is within closed rings, by the even-odd rule: a ring within a ring is a hole. @param edges  of all
+/// rings, in any order and direction.
+OPAL_EXPORT bool is_within(std::span<const Segment> edges, const Point& point);
 
 }  // namespace opal
