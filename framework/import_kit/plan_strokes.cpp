@@ -5,6 +5,8 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -98,7 +100,8 @@ class Cutting {
   void add(const Segment& segment, int path) {
     if (segment.begin == segment.end) return;
     if (strokes_.size() == kMaxStrokes)
-      throw MapError(name_ + ": more than 400000 straight strokes, expected a plan of one storey");
+      throw MapError(
+          fmt::format("{}: more than {} straight strokes, expected a plan of one storey", name_, kMaxStrokes));
     strokes_.push_back({segment, path});
   }
 
@@ -112,8 +115,7 @@ class Cutting {
     for (std::size_t k = 0; k < strokes_.size(); ++k) {
       std::vector<int> others;
       index.visit(boxes[k], [&](int other) {
-        if (++tries > 8 * kMaxCrossings)
-          throw MapError(name_ + ": more than 4000000 crossings of strokes, expected a plan");
+        if (++tries > 8 * kMaxCrossings) fail_too_many();
         if (other > static_cast<int>(k)) others.push_back(other);
       });
       std::sort(others.begin(), others.end());
@@ -132,9 +134,12 @@ class Cutting {
     }
   }
 
+  [[noreturn]] void fail_too_many() const {
+    throw MapError(fmt::format("{}: more than {} crossings of strokes, expected a plan", name_, kMaxCrossings));
+  }
+
   void add_crossing(const Point& p) {
-    if (++crossings_ > kMaxCrossings)
-      throw MapError(name_ + ": more than 4000000 crossings of strokes, expected a plan");
+    if (++crossings_ > kMaxCrossings) fail_too_many();
     nodes_.add(p);
   }
 

@@ -24,9 +24,7 @@ class Expansion {
  private:
   /// @param frame  where the entity's coordinates lie, and what it takes from the INSERTs around it.
   void place(const DxfEntity& entity, PlacedEntity frame) {
-    if (++count_ > kMaxEntities)
-      throw MapError(path_ + ": more than 300000 entities when all blocks are in place, at block '" +
-                     (open_.empty() ? "" : open_.back()) + "', expected a plan of one storey");
+    if (++count_ > kMaxEntities) fail_too_many();
     frame.entity = &entity;
     if (frame.insert.empty() || entity.layer != "0") frame.layer = entity.layer;
     if (const auto layer = drawing_.layers.find(entity.layer); layer != drawing_.layers.end())
@@ -65,9 +63,7 @@ class Expansion {
 
   void place_cell(const DxfInsert& insert, const DxfBlock& block, const PlacedEntity& around, int column, int row) {
     ++count_;  // an array of an empty block has an end, too
-    if (count_ > kMaxEntities)
-      throw MapError(path_ + ": more than 300000 entities when all blocks are in place, at block '" + open_.back() +
-                     "'");
+    if (count_ > kMaxEntities) fail_too_many();
     PlacedEntity frame = around;
     const bool is_array = insert.rows > 1 || insert.columns > 1;
     frame.insert += (frame.insert.empty() ? "" : "/") + around.entity->id;
@@ -80,15 +76,21 @@ class Expansion {
     for (const DxfEntity& entity : block.entities) place(entity, frame);
   }
 
+  [[noreturn]] void fail_too_many() const {
+    throw MapError(
+        fmt::format("{}: more than {} entities when all blocks are in place, at block '{}', expected a plan of one storey",
+                    path_, kMaxEntities, open_.empty() ? "" : open_.back()));
+  }
+
   void check_depth(const std::string& name) const {
     const auto same = std::find(open_.begin(), open_.end(), name);
     if (same == open_.end() && open_.size() < kMaxDepth) return;
     std::string way;
     for (auto block = same == open_.end() ? open_.begin() : same; block != open_.end(); ++block)
       way += "'" + *block + "' > ";
-    throw MapError(path_ + ": block " + way + "'" + name +
-                   "': " + (same == open_.end() ? "more than 32 inside each other" : "it contains itself") +
-                   ", expected blocks that end");
+    throw MapError(fmt::format(
+        "{}: block {}'{}': {}, expected blocks that end", path_, way, name,
+        same == open_.end() ? fmt::format("more than {} inside each other", kMaxDepth) : "it contains itself"));
   }
 
   const std::string& path_;

@@ -71,13 +71,14 @@ class EventPlace {
 
   static constexpr double kFarthest_m = 1e6;
   static constexpr double kWorst_nat = -1e6;
+  /// Deeper than any event; a hostile line costs no stack.
+  static constexpr std::size_t kDeepest = 12;
 
  private:
   struct Step {
     const char* name = nullptr;  ///< of a member; null: an element
     std::size_t index = 0;
   };
-  static constexpr std::size_t kDeepest = 12;
 
   EventPlace step(const Step& next, const Event& value) const;
   void require_object() const;

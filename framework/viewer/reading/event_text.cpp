@@ -7,8 +7,8 @@
 namespace opal {
 namespace {
 
-/// Deeper and wider than any event; a hostile line costs no stack and no quadratic time.
-constexpr std::size_t kDeepest = 12, kMostMembers = 500;
+/// Wider than any event; a hostile line costs no quadratic time.
+constexpr std::size_t kMostMembers = 500;
 
 /// Puts an event together as the parser reads it.
 class EventAssembly {
@@ -29,7 +29,8 @@ class EventAssembly {
 
   bool key(std::string& name) {
     auto& members = open_.back()->get_ref<Event::object_t&>();
-    if (members.size() >= kMostMembers) throw EventError("an object of more than 500 members, expected fewer");
+    if (members.size() >= kMostMembers)
+      throw EventError(fmt::format("an object of more than {} members, expected fewer", kMostMembers));
     for (const auto& member : members)
       if (member.first == name) throw EventError("the key '" + name + "' stands twice in one object, expected once");
     // The underlying vector's: ordered_map's own insertion would search a second time.
@@ -56,7 +57,8 @@ class EventAssembly {
     return true;
   }
   bool open(Event empty) {
-    if (open_.size() >= kDeepest) throw EventError("nested more deeply than expected, at most 12 levels");
+    if (open_.size() >= EventPlace::kDeepest)
+      throw EventError(fmt::format("nested more deeply than expected, at most {} levels", EventPlace::kDeepest));
     open_.push_back(place(std::move(empty)));
     return true;
   }
