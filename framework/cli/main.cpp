@@ -2,6 +2,7 @@
 #include "cli/options/overwritten_inputs.hpp"
 #include "cli/options/verbs.hpp"
 
+#include "common/phrases.hpp"
 #include "common/write_error.hpp"
 #include "output/output_folder.hpp"
 
@@ -57,12 +58,12 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
   for (const std::string& word : words) {
     if (word.starts_with('-') || command->get_require_subcommand_min() == 0) return "";
     const CLI::App* next = nullptr;
-    std::string names;
-    for (const CLI::App* known : command->get_subcommands([](const CLI::App*) { return true; })) {
+    const std::vector<const CLI::App*> all = command->get_subcommands([](const CLI::App*) { return true; });
+    for (const CLI::App* known : all)
       if (known->get_name() == word) next = known;
-      names += (names.empty() ? "" : ", ") + known->get_name();
-    }
-    if (next == nullptr) return "'" + word + "': no command of " + command->get_name() + ", expected one of: " + names;
+    if (next == nullptr)
+      return "'" + word + "': no command of " + command->get_name() + ", expected one of: " +
+             opal::listed_by(all, [](const CLI::App* known) { return known->get_name(); });
     command = next;
   }
   return "";

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <concepts>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace opal {
 
@@ -27,6 +29,14 @@ std::string listed(const Texts& texts, std::string_view none = "", std::size_t m
   const auto end = std::next(std::begin(texts), static_cast<std::ptrdiff_t>(shown));
   return fmt::format("{}{}", fmt::join(std::begin(texts), end, ", "),
                      shown < count ? fmt::format(" and {} more", count - shown) : "");
+}
+
+/// listed() of the text of each thing. @param text_of  a member or a function of one thing.
+template <class Things, class TextOf>
+std::string listed_by(const Things& things, TextOf text_of) {
+  std::vector<std::string> texts;
+  for (const auto& thing : things) texts.emplace_back(std::invoke(text_of, thing));
+  return listed(texts);
 }
 
 }  // namespace opal

@@ -1,5 +1,6 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
+#include "common/phrases.hpp"
 #include "deployment/cache_folder.hpp"
 #include "deployment/class_parts.hpp"
 #include "deployment/pipeline_plan.hpp"
@@ -13,10 +14,10 @@ namespace opal {
 namespace {
 
 std::string names_of(const std::vector<RegisteredType>& types, PluginKind kind) {
-  std::string names;
+  std::vector<std::string> names;
   for (const RegisteredType& type : types)
-    if (type.kind == kind) names += (names.empty() ? "" : ", ") + type.info.name;
-  return names.empty() ? "none is loaded" : names;
+    if (type.kind == kind) names.push_back(type.info.name);
+  return listed(names, "none is loaded");
 }
 
 void expect_type(const PartConfig& part, PluginKind kind, const PluginRegistry& registry) {

@@ -1,5 +1,6 @@
 #include "deployment/localizer_options.hpp"
 
+#include "common/phrases.hpp"
 #include "plugin/plugin_options.hpp"
 
 #include <opal/common/error.hpp>
@@ -257,9 +258,8 @@ void read_stage(Stage& stage, const nlohmann::json& given, const std::string& wh
       set(stage, *field, value, here);
       continue;
     }
-    std::string known;
-    for (const auto& f : fields) known += (known.empty() ? "" : ", ") + std::string(f.name);
-    throw ConfigError(here + ": unknown option, expected one of: " + known);
+    throw ConfigError(here + ": unknown option, expected one of: " +
+                      listed_by(fields, [](const auto& f) { return f.name; }));
   }
 }
 
@@ -281,18 +281,18 @@ std::vector<DescribedStage> describe_stages() {
 LocalizerOptions read_localizer_options(const nlohmann::json& stages, const std::string& where) {
   if (!stages.is_object()) throw ConfigError(where + ": " + stages.dump() + ", expected an object of stages");
   LocalizerOptions options;
-  std::string known;
+  std::vector<std::string> known;
   std::size_t read = 0;
   for_each_stage(options, [&](const char* name, const char*, auto& stage) {
-    known += (known.empty() ? "" : ", ") + std::string(name);
+    known.emplace_back(name);
     if (!stages.contains(name)) return;
     read_stage(stage, stages[name], where + "/" + name);
     ++read;
   });
   if (read == stages.size()) return options;
   for (const auto& [name, value] : stages.items())
-    if ((", " + known + ",").find(", " + name + ",") == std::string::npos)
-      throw ConfigError(where + "/" + name + ": unknown stage, expected one of: " + known);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw ConfigError(where + "/" + name + ": unknown stage, expected one of: " + listed(known));
   return options;
 }
 

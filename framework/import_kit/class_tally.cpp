@@ -1,12 +1,14 @@
 #include <opal/import_kit/class_tally.hpp>
 
+#include "common/phrases.hpp"
+
 #include <set>
 
 namespace opal {
 namespace {
 
 constexpr std::size_t kShownIds = 5;
-constexpr int kShownClasses = 20;
+constexpr std::size_t kShownClasses = 20;
 
 }  // namespace
 
@@ -23,10 +25,7 @@ void ClassTally::count_left_out(const std::string& source_class, const std::stri
 }
 
 std::string ClassTally::text_of(const Count& count) {
-  std::string text;
-  for (const auto& [type, number] : count.by_type)
-    text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + type;
-  return text;
+  return listed_by(count.by_type, [](const auto& type) { return fmt::format("{} {}", type.second, type.first); });
 }
 
 std::vector<std::string> ClassTally::sentences() const {
@@ -57,13 +56,10 @@ std::string ClassTally::overview() const {
   };
   for (const auto& [key, count] : used_) add(key.first, count);
   for (const auto& [key, count] : left_out_) add(key.second, count);
-  std::string text;
-  int shown = 0;
-  for (const auto& [source_class, count] : by_class) {
-    if (++shown > kShownClasses) return text + " and " + std::to_string(by_class.size() - kShownClasses) + " more";
-    text += (text.empty() ? "" : ", ") + ("'" + source_class + "' (" + text_of(count) + ")");
-  }
-  return text;
+  std::vector<std::string> texts;
+  for (const auto& [source_class, count] : by_class)
+    texts.push_back(fmt::format("'{}' ({})", source_class, text_of(count)));
+  return listed(texts, "", kShownClasses);
 }
 
 }  // namespace opal

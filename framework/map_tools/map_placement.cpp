@@ -1,5 +1,7 @@
 #include "map_tools/map_join.hpp"
 
+#include "common/phrases.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <numbers>
@@ -51,12 +53,11 @@ Geometry placed(const MapPlacement& placement, const Geometry& geometry) {
 }
 
 const MapPlacement& placement_of(const SemanticMap& map, const std::string& id) {
-  std::string known;
-  for (const MapPlacement& placement : map.origin().placements) {
+  const auto& placements = map.origin().placements;
+  for (const MapPlacement& placement : placements)
     if (placement.id == id) return placement;
-    known += (known.empty() ? "" : ", ") + placement.id;
-  }
-  throw ConfigError(map.name() + ": no placement '" + id + "', expected one of: " + (known.empty() ? "none" : known));
+  throw ConfigError(map.name() + ": no placement '" + id + "', expected one of: " +
+                    (placements.empty() ? "none" : listed_by(placements, &MapPlacement::id)));
 }
 
 }  // namespace opal

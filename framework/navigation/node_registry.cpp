@@ -1,5 +1,7 @@
 #include "navigation/node_registry.hpp"
 
+#include "common/phrases.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 
@@ -34,17 +36,13 @@ std::unique_ptr<Node> read(const NodeRegistry& registry, const nlohmann::json& j
     if (!chosen && (wanted.empty() || wanted == name)) chosen = std::move(made);
   }
   if (chosen) return chosen;
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  throw ConfigError(file + ": /trees: no tree is called '" + wanted + "', expected one of: " + all);
+  throw ConfigError(file + ": /trees: no tree is called '" + wanted + "', expected one of: " + listed(names));
 }
 
 }  // namespace
 
 std::string NodeRegistry::names() const {
-  std::string names;
-  for (const auto& [name, type] : types_) names += (names.empty() ? "" : ", ") + name;
-  return names;
+  return listed_by(types_, [](const auto& named) { return named.first; });
 }
 
 void NodeRegistry::wrap(const std::string& type, Around around) {

@@ -1,5 +1,6 @@
 #include "plugin/plugin_options.hpp"
 
+#include "common/phrases.hpp"
 #include "plugin/refusal.hpp"
 
 #include <algorithm>
@@ -27,9 +28,7 @@ std::string type_in_words(const std::string& type) {
 }
 
 std::string names_of(const std::vector<OptionInfo>& described) {
-  std::string names;
-  for (const OptionInfo& option : described) names += (names.empty() ? "" : ", ") + option.name;
-  return names;
+  return listed_by(described, &OptionInfo::name);
 }
 
 void require_known(const std::string& type_name, const std::vector<OptionInfo>& described, const json& given) {

@@ -1,6 +1,7 @@
 #include "review/decisions.hpp"
 
 #include "common/json/config_object.hpp"
+#include "common/phrases.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -20,12 +21,9 @@ constexpr std::size_t kLongestName = 200, kLongestNote = 2000;
 template <class Choices>
 auto choice_of(ConfigObject& object, const std::string& key, const Choices& choices) {
   const std::string word = object.required_text(key);
-  std::string names;
-  for (const auto choice : choices) {
+  for (const auto choice : choices)
     if (word == name_of(choice)) return choice;
-    names += (names.empty() ? "" : ", ") + std::string(name_of(choice));
-  }
-  object.refuse(key, "one of: " + names);
+  object.refuse(key, "one of: " + listed_by(choices, [](const auto choice) { return name_of(choice); }));
 }
 
 std::string text_of(ConfigObject& object, const std::string& key, std::size_t longest) {

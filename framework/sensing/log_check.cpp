@@ -1,5 +1,7 @@
 #include "sensing/log_check.hpp"
 
+#include "common/phrases.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/common/sentence.hpp>
 #include <opal/sensing/replay.hpp>
@@ -40,9 +42,7 @@ std::string frames_in(std::span<const LogRecord> records) {
   std::set<std::string> frames;
   for (const LogRecord& record : records)
     if (const auto* raw = std::get_if<RawScan>(&record)) frames.insert("\"" + raw->frame + "\"");
-  std::string text;
-  for (const std::string& frame : frames) text += (text.empty() ? "" : ", ") + frame;
-  return text;
+  return listed(frames);
 }
 
 }  // namespace

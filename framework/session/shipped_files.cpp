@@ -1,5 +1,7 @@
 #include "session/shipped_files.hpp"
 
+#include "common/phrases.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/plugin/plugin_folders.hpp>
 
@@ -16,9 +18,7 @@ std::string shipped_configs() {
   for (const fs::directory_entry& entry : fs::directory_iterator(shipped_file("configs")))
     if (entry.path().extension() == ".jsonld") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+  return opal::listed(names);
 }
 
 }  // namespace

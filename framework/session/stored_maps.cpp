@@ -1,5 +1,6 @@
 #include "session/stored_maps.hpp"
 
+#include "common/phrases.hpp"
 #include "session/map_cache.hpp"
 
 #include <opal/common/error.hpp>
@@ -72,9 +73,7 @@ std::string map_store_type(const opal::PluginRegistry& registry) {
   const std::vector<std::string> names = store_types(registry);
   if (names.empty()) throw opal::PluginError(kNoStore);
   if (names.size() == 1) return names.front();
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  throw opal::PluginError("plugins offer several map stores: " + list + "; name one in OPAL_MAP_STORE");
+  throw opal::PluginError("plugins offer several map stores: " + opal::listed(names) + "; name one in OPAL_MAP_STORE");
 }
 
 std::shared_ptr<const opal::MapStore> map_store(const opal::PluginRegistry& registry) {

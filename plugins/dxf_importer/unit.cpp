@@ -1,5 +1,7 @@
 #include "unit.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace opal::dxf_importer {
@@ -40,9 +42,9 @@ std::optional<Unit> unit_of_insunits(int code) {
 }
 
 std::string unit_names() {
-  std::string names;
-  for (const CodedUnit& unit : kUnits) names += (names.empty() ? "" : ", ") + std::string(unit.name);
-  return names;
+  std::vector<std::string_view> names;
+  for (const CodedUnit& unit : kUnits) names.push_back(unit.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace opal::dxf_importer

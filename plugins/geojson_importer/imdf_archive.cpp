@@ -1,5 +1,7 @@
 #include "imdf_archive.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -67,12 +69,12 @@ FeatureCollection read_archive(const fs::path& folder) {
   FeatureCollection archive;
   archive.name = fs::absolute(folder / kUnits).parent_path().filename().string();
   const std::map<std::string, ArchiveLevel> levels = levels_in(folder, archive);
-  std::string files;
+  std::vector<const char*> files;
   std::set<std::string> ids;
   for (const char* file : kRead) {
     std::error_code error;
     if (!fs::is_regular_file(folder / file, error)) continue;
-    files += (files.empty() ? "" : ", ") + std::string(file);
+    files.push_back(file);
     for (Feature& feature : read_geojson((folder / file).string()).features) {
       if (const auto known = levels.find(text_of(feature.properties, "level_id")); known != levels.end()) {
         feature.properties["level"] = known->second.ordinal;
@@ -82,8 +84,8 @@ FeatureCollection read_archive(const fs::path& folder) {
       archive.features.push_back(std::move(feature));
     }
   }
-  archive.notes.push_back("an archive of IMDF, of which were read: " + files +
-                          (levels.empty() ? "" : ", " + std::string(kLevels)));
+  if (!levels.empty()) files.push_back(kLevels);
+  archive.notes.push_back(fmt::format("an archive of IMDF, of which were read: {}", fmt::join(files, ", ")));
   return archive;
 }
 

@@ -2,6 +2,8 @@
 
 #include <opal/common/sentence.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -101,11 +103,11 @@ std::vector<std::string> per_class(const std::vector<ImportedElement>& elements)
       {ImportStatus::not_cut, "not at this height"}};
   std::vector<std::string> sentences;
   for (const auto& [class_name, by_status] : counts) {
-    std::string text;
+    std::vector<std::string> texts;
     for (const auto& [status, word] : words)
       if (const auto found = by_status.find(status); found != by_status.end())
-        text += (text.empty() ? "" : ", ") + std::to_string(found->second) + " " + word;
-    sentences.push_back(class_name + ": " + text);
+        texts.push_back(fmt::format("{} {}", found->second, word));
+    sentences.push_back(fmt::format("{}: {}", class_name, fmt::join(texts, ", ")));
   }
   return sentences;
 }

@@ -244,10 +244,10 @@ void tell(const ByType& by_type, const std::string& why, std::vector<std::string
 }
 
 std::string ignored_references(const ByType& by_type) {
-  std::string types;
-  for (const auto& [type, numbers] : by_type)
-    types += fmt::format("{}{} {}", types.empty() ? "" : ", ", numbers.size(), type);
-  return "ignored: what the file does not define, or was left out, where these refer to it: " + types;
+  std::vector<std::string> types;
+  for (const auto& [type, numbers] : by_type) types.push_back(fmt::format("{} {}", numbers.size(), type));
+  return fmt::format("ignored: what the file does not define, or was left out, where these refer to it: {}",
+                     fmt::join(types, ", "));
 }
 
 [[noreturn]] void refuse(const StepInstance& instance, const Soundness::Fault& fault, const std::string& name) {

@@ -8,11 +8,11 @@ namespace opal::postgis_store {
 namespace {
 
 std::string existing_versions(Session& session, const std::string& building) {
-  std::string numbers;
+  std::vector<std::string> numbers;
   for (const Row& row :
        session.ask("SELECT version FROM opal.versions WHERE building = $1 ORDER BY version", {building}))
-    numbers += (numbers.empty() ? "" : ", ") + row[0];
-  return numbers;
+    numbers.push_back(row[0]);
+  return fmt::format("{}", fmt::join(numbers, ", "));
 }
 
 }  // namespace

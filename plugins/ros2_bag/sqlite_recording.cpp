@@ -2,6 +2,7 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -166,11 +167,12 @@ std::vector<recording::RecordedStamp> SqliteRecording::stamps() const {
 }
 
 std::unique_ptr<recording::MessageWalk> SqliteRecording::walk(const std::vector<std::size_t>& topics) const {
-  std::string ids;  // numbers: nothing of the file's own text gets into the query
-  for (const std::size_t topic : topics) ids += (ids.empty() ? "" : ",") + std::to_string(ids_.at(topic));
+  std::vector<std::int64_t> ids;  // numbers: nothing of the file's own text gets into the query
+  for (const std::size_t topic : topics) ids.push_back(ids_.at(topic));
   return std::make_unique<SqliteWalk>(
       Rows(path_, database_.get(),
-           "SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN (" + ids + ") ORDER BY timestamp, id"),
+           fmt::format("SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN ({}) ORDER BY timestamp, id",
+                       fmt::join(ids, ","))),
       ids_);
 }
 

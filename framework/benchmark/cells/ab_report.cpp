@@ -120,8 +120,7 @@ std::vector<st::Metric> metrics_of(const ab::Experiment& experiment) {
   if (experiment.metrics.empty())
     return {known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(kUsual, known.size()))};
   std::vector<st::Metric> metrics;
-  std::string names;
-  for (const st::Metric& metric : known) names += (names.empty() ? "" : ", ") + metric.name;
+  const std::string names = opal::listed_by(known, &st::Metric::name);
   for (const std::string& name : experiment.metrics) {
     const auto found =
         std::find_if(known.begin(), known.end(), [&](const st::Metric& metric) { return metric.name == name; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/experiment/experiments.hpp"
+#include "common/phrases.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
@@ -34,11 +35,9 @@ template <class Named>
 std::vector<Named> chosen(std::vector<Named> all, const std::vector<std::string>& only) {
   if (only.empty()) return all;
   for (const std::string& id : only)
-    if (std::none_of(all.begin(), all.end(), [&](const Named& one) { return one.id == id; })) {
-      std::string there;
-      for (const Named& one : all) there += (there.empty() ? "" : ", ") + one.id;
-      throw opal::ConfigError("experiment: none is called '" + id + "', expected some of " + there);
-    }
+    if (std::none_of(all.begin(), all.end(), [&](const Named& one) { return one.id == id; }))
+      throw opal::ConfigError("experiment: none is called '" + id + "', expected some of " +
+                              opal::listed_by(all, &Named::id));
   std::erase_if(all, [&](const Named& one) { return std::find(only.begin(), only.end(), one.id) == only.end(); });
   return all;
 }

@@ -3,6 +3,7 @@
 #include "cli/map/map_stack.hpp"
 #include "cli/options/exit_code.hpp"
 
+#include "common/phrases.hpp"
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
@@ -115,10 +116,8 @@ int import(const ImportOptions& options) {
 void print(const opal::Storey& storey) {
   std::printf("%-24s  level %8.3f m  cut %8.3f m  ", ("'" + storey.name + "'").c_str(), storey.elevation_m,
               storey.height_m);
-  std::string gives;
-  for (const auto& [source_class, count] : storey.gives)
-    gives += (gives.empty() ? "" : ", ") + std::to_string(count) + " " + source_class;
-  std::printf("%s\n", gives.empty() ? "nothing" : gives.c_str());
+  const auto text_of = [](const auto& gives) { return fmt::format("{} {}", gives.second, gives.first); };
+  std::printf("%s\n", storey.gives.empty() ? "nothing" : opal::listed_by(storey.gives, text_of).c_str());
 }
 
 int storeys(const std::string& source, const ImportOptions& options) {

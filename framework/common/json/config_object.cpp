@@ -1,5 +1,6 @@
 #include "common/json/config_object.hpp"
 
+#include "common/phrases.hpp"
 #include "common/spelling.hpp"
 
 #include <opal/common/error.hpp>
@@ -160,9 +161,7 @@ void ConfigObject::expect_type(const std::string& type) {
 void ConfigObject::expect_no_more() const {
   for (const auto& [key, ignored] : value_->items()) {
     if (asked_.count(key)) continue;
-    std::string names;
-    for (const std::string& name : asked_) names += (names.empty() ? "" : ", ") + name;
-    throw ConfigError(where(key) + ": unknown key, expected one of: " + names);
+    throw ConfigError(where(key) + ": unknown key, expected one of: " + listed(asked_));
   }
 }
 

@@ -227,14 +227,14 @@ std::string counts_of(const std::vector<MapChange>& changes, MapPart part) {
     ++counts[static_cast<int>(change.kind)];
     farthest_m = std::max(farthest_m, change.moved_m);
   }
-  std::string text;
+  std::vector<std::string> texts;
   for (int kind = 0; kind < 5; ++kind) {
     if (counts[kind] == 0) continue;
-    text += (text.empty() ? "" : ", ") + std::to_string(counts[kind]) + " " + kChangeNames[kind];
-    if (kind == static_cast<int>(ChangeKind::moved)) text += " (by at most " + metres(farthest_m) + ")";
+    texts.push_back(std::to_string(counts[kind]) + " " + kChangeNames[kind]);
+    if (kind == static_cast<int>(ChangeKind::moved)) texts.back() += " (by at most " + metres(farthest_m) + ")";
   }
   const std::string name = kPartNames[static_cast<int>(part)];
-  return text.empty() ? "" : name + (part == MapPart::map ? ": " : "s: ") + text;
+  return texts.empty() ? "" : name + (part == MapPart::map ? ": " : "s: ") + listed(texts);
 }
 
 std::string sentence_of(const MapChange& change) {

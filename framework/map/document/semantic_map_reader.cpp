@@ -1,5 +1,6 @@
 #include "map/document/semantic_map_reader.hpp"
 
+#include "common/phrases.hpp"
 #include "jsonld/context/iri.hpp"
 #include "map/document/map_notes.hpp"
 #include "map/document/semantic_map_unused.hpp"
@@ -65,9 +66,8 @@ class Reader {
     if (!use.any()) return;  // kept as unused, whatever it says
     for (const auto& [key, value] : node.content().items())
       if (is_own(key) && !use.holds_property(key)) {
-        std::string expected;
-        for (const std::string& property : use.properties())
-          expected += (expected.empty() ? "" : ", ") + short_term(property);
+        const std::string expected =
+            listed_by(use.properties(), [](const std::string& property) { return short_term(property); });
         node.fail(node.description() + " has " + short_term(key) + ", which means nothing there; expected " +
                   (expected.empty() ? "none of Opal's properties" : expected));
       }

@@ -1,4 +1,5 @@
 // From overlay documents to MapOverlay.
+#include "common/phrases.hpp"
 #include "map/overlay/map_overlay.hpp"
 
 #include "map/document/semantic_map_document.hpp"
@@ -25,9 +26,8 @@ constexpr std::array kTypes{iri::kObjectType, iri::kFeatureType};
 void expect_words(const GraphNode& node, const Words& words) {
   for (const auto& [key, value] : node.content().items()) {
     if (!is_own(key) || std::find(words.begin(), words.end(), key) != words.end()) continue;
-    std::string expected;
-    for (const std::string_view word : words) expected += (expected.empty() ? "" : ", ") + short_term(word);
-    node.fail(node.description() + " has " + short_term(key) + ", which means nothing there; expected " + expected);
+    node.fail(node.description() + " has " + short_term(key) + ", which means nothing there; expected " +
+              listed_by(words, [](std::string_view word) { return short_term(word); }));
   }
 }
 

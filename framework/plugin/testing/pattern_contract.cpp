@@ -1,6 +1,7 @@
 #include <opal/plugin/testing/pattern_contract.hpp>
 
 #include <opal/common/sentence.hpp>
+#include "common/phrases.hpp"
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/violations.hpp"
 
@@ -274,9 +275,7 @@ class Matching {
   }
 
   static std::string summary(const Selection& selection) {
-    std::string text;
-    for (const Feature& feature : selection) text += (text.empty() ? "" : ", ") + described(feature.geometry);
-    return text;
+    return listed_by(selection, [](const Feature& feature) { return described(feature.geometry); });
   }
 
   const PatternTemplate& pattern_;

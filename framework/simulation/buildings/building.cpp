@@ -1,5 +1,6 @@
 #include "simulation/buildings/building.hpp"
 
+#include "common/phrases.hpp"
 #include "simulation/buildings/kinds.hpp"
 #include "simulation/buildings/plan_map.hpp"
 
@@ -40,12 +41,10 @@ std::string text_of(double number) {
 }
 
 const Architect& architect_of(const std::string& kind) {
-  std::string known;
-  for (const Architect& architect : architects()) {
+  for (const Architect& architect : architects())
     if (architect.kind.name == kind) return architect;
-    known += (known.empty() ? "" : ", ") + architect.kind.name;
-  }
-  throw ConfigError("kind of building \"" + kind + "\" is unknown, expected one of " + known);
+  throw ConfigError("kind of building \"" + kind + "\" is unknown, expected one of " +
+                    listed_by(architects(), [](const Architect& architect) { return architect.kind.name; }));
 }
 
 double size_of(const BuildingRequest& request, const BuildingKind& kind) {

@@ -1,5 +1,7 @@
 #include "simulation/drives/building_suite.hpp"
 
+#include "common/phrases.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <algorithm>
@@ -11,16 +13,16 @@ namespace {
 /// Kinds of which seeds make many.
 std::vector<BuildingKind> kinds_of(const SuiteRequest& request) {
   std::vector<BuildingKind> kinds;
-  std::string known;
+  std::vector<std::string> known;
   for (const BuildingKind& kind : building_kinds()) {
     if (kind.usual_size_m2 == 0) continue;
-    known += (known.empty() ? "" : ", ") + kind.name;
+    known.push_back(kind.name);
     const bool wanted = std::find(request.kinds.begin(), request.kinds.end(), kind.name) != request.kinds.end();
     if (wanted || request.kinds.empty()) kinds.push_back(kind);
   }
   for (const std::string& name : request.kinds)
     if (std::none_of(kinds.begin(), kinds.end(), [&](const BuildingKind& kind) { return kind.name == name; }))
-      throw ConfigError("suite of buildings: kind \"" + name + "\", expected some of " + known);
+      throw ConfigError("suite of buildings: kind \"" + name + "\", expected some of " + listed(known));
   return kinds;
 }
 

@@ -5,6 +5,7 @@
 #include <opal/common/error.hpp>
 #include <opal/common/strict_json.hpp>
 #include "common/json/config_object.hpp"
+#include "common/phrases.hpp"
 #include "deployment/class_files.hpp"
 
 #include <filesystem>
@@ -72,12 +73,9 @@ std::vector<Arm> read_arms(ConfigObject& document, const std::string& file, cons
 
 std::size_t read_baseline(ConfigObject& document, const std::vector<Arm>& arms) {
   const std::string name = document.text("baseline", arms.front().name);
-  std::string names;
-  for (std::size_t k = 0; k < arms.size(); ++k) {
+  for (std::size_t k = 0; k < arms.size(); ++k)
     if (arms[k].name == name) return k;
-    names += (names.empty() ? "" : ", ") + arms[k].name;
-  }
-  document.refuse("baseline", "the name of an arm: " + names);
+  document.refuse("baseline", "the name of an arm: " + listed_by(arms, &Arm::name));
 }
 
 /// Only scorers can judge the same hypotheses.

@@ -83,9 +83,7 @@ CommandResult run_command(const std::vector<std::string>& words) {
 std::string output_of(const std::vector<std::string>& words) {
   const CommandResult result = run_command(words);
   if (result.exit_code == 0) return result.output;
-  std::string command;
-  for (const std::string& word : words) command += (command.empty() ? "" : " ") + word;
-  throw Error(fmt::format("{}: exit code {}: {}", command, result.exit_code, result.errors));
+  throw Error(fmt::format("{}: exit code {}: {}", fmt::join(words, " "), result.exit_code, result.errors));
 }
 
 }  // namespace opal::ab

@@ -3,6 +3,7 @@
 #include "benchmark/experiments/kit/by_name.hpp"
 #include "benchmark/experiments/kit/published.hpp"
 #include "benchmark/experiments/kit/summary_json.hpp"
+#include "common/phrases.hpp"
 
 #include <cmath>
 #include <functional>
@@ -58,10 +59,8 @@ std::string patterns_of(const Runs& runs) {
   std::map<std::string, int> counts;
   for (const Run* run : runs)
     if (!run->pattern.empty()) ++counts[run->pattern];
-  std::string text;
-  for (const auto& [letter, number_of] : counts)
-    text += (text.empty() ? "" : ", ") + letter + " " + std::to_string(number_of);
-  return text.empty() ? "-" : text;
+  if (counts.empty()) return "-";
+  return listed_by(counts, [](const auto& one) { return fmt::format("{} {}", one.first, one.second); });
 }
 
 std::string circles_of(const Runs& runs) {
