@@ -33,11 +33,12 @@ std::vector<RowBesideTruth> beside_truth(std::span<const ResultRow> rows, const 
   return beside_truth;
 }
 
-/// Driven until the first row that is as wanted; negative: there is none.
+/// Driven until the first row that is as wanted, if there is one.
 template <class Wanted>
-double driven_until(const std::vector<RowBesideTruth>& rows, Wanted&& wanted) {
+std::optional<double> driven_until(const std::vector<RowBesideTruth>& rows, Wanted&& wanted) {
   const auto found = std::find_if(rows.begin(), rows.end(), wanted);
-  return found == rows.end() ? -1 : found->driven_m;
+  if (found == rows.end()) return std::nullopt;
+  return found->driven_m;
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t 
                               : wrong_last == after.rend() ? 0
                                                            : wrong_last.base()->driven_m;
   if (verdict.driven_m - right_from_m >= options.least_kept_m) verdict.right_after_m = right_from_m;
-  verdict.recovered = verdict.right_after_m >= 0 && verdict.right_after_m <= options.recover_within_m;
+  verdict.recovered = verdict.right_after_m && *verdict.right_after_m <= options.recover_within_m;
 
   verdict.noticed_after_m = driven_until(after, [&](const RowBesideTruth& row) { return !falsely(row); });
   verdict.lost_after_m = driven_until(after, [](const RowBesideTruth& row) { return row.status == Status::lost; });
@@ -76,11 +77,12 @@ KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t 
 void write_kidnappings(std::ostream& out, std::span<const KidnappingVerdict> verdicts) {
   out << "sequence,apart_m,driven_m,localized_before,recovered,right_after_m,noticed_after_m,lost_after_m,"
          "localized_after_m,rows,false_rows,false_rows_at_once,false_m\n";
+  const auto metres = [](const std::optional<double>& driven_m) { return driven_m.value_or(-1); };  // never
   for (const KidnappingVerdict& v : verdicts) {
     const std::string numbers =
         fmt::format(",{:.2f},{:.2f},{:d},{:d},{:.2f},{:.2f},{:.2f},{:.2f},{},{},{},{:.2f}\n", v.apart_m, v.driven_m,
-                    v.localized_before, v.recovered, v.right_after_m, v.noticed_after_m, v.lost_after_m,
-                    v.localized_after_m, v.rows, v.false_rows, v.false_rows_at_once, v.false_m);
+                    v.localized_before, v.recovered, metres(v.right_after_m), metres(v.noticed_after_m),
+                    metres(v.lost_after_m), metres(v.localized_after_m), v.rows, v.false_rows, v.false_rows_at_once, v.false_m);
     out << csv_field(v.id) << numbers;
   }
 }
@@ -93,11 +95,11 @@ std::string summary_of(std::span<const KidnappingVerdict> verdicts, const Recove
     knew += v.localized_before;
     honest += v.honest();
     once += v.false_rows_at_once > 0;
-    lost += v.lost_after_m >= 0;
+    lost += v.lost_after_m.has_value();
     false_rows += v.false_rows;
     false_m += v.false_m;
-    if (v.recovered) recovered_m.push_back(v.right_after_m);
-    if (v.localized_after_m >= 0) localized_m.push_back(v.localized_after_m);
+    if (v.recovered) recovered_m.push_back(*v.right_after_m);
+    if (v.localized_after_m) localized_m.push_back(*v.localized_after_m);
   }
   return fmt::format(
       "{} kidnappings, {} of them while localized\n"

@@ -5,6 +5,7 @@
 #include "evaluation/results.hpp"
 
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,17 +19,17 @@ struct RecoveryOptions {
   double least_kept_m = 2;       ///< of driving that it must stay right for, up to the end
 };
 
-/// What became of one kidnapping. Distances are driven after the cut, along the truth [m]; negative: never.
+/// What became of one kidnapping. Distances are driven after the cut, along the truth [m]; none: never.
 struct KidnappingVerdict {
   std::string id;
   double apart_m = 0;             ///< between the places at the cut
   double driven_m = 0;            ///< in all, after the cut
   bool localized_before = false;  ///< called itself localized, and was right, at the cut
   bool recovered = false;         ///< is right again in time, and stays so to the end
-  double right_after_m = -1;      ///< until it was right for good, in time or not
-  double noticed_after_m = -1;    ///< until the first row that is not `localized`, or is right
-  double lost_after_m = -1;       ///< until the first row that is `lost`
-  double localized_after_m = -1;  ///< until it called itself localized again, and was right
+  std::optional<double> right_after_m;      ///< until it was right for good, in time or not
+  std::optional<double> noticed_after_m;    ///< until the first row that is not `localized`, or is right
+  std::optional<double> lost_after_m;       ///< until the first row that is `lost`
+  std::optional<double> localized_after_m;  ///< until it called itself localized again, and was right
   int rows = 0;                   ///< after the cut
   int false_rows = 0;             ///< of them `localized` and wrong
   int false_rows_at_once = 0;     ///< of these, the ones before anything else was said
@@ -43,7 +44,7 @@ struct KidnappingVerdict {
 OPAL_EXPORT KidnappingVerdict judge_kidnapping(std::span<const ResultRow> rows, std::size_t cut,
                                                const GroundTruth& truth, const RecoveryOptions& options = {});
 
-/// One row per sequence: the verdict's members by name.
+/// One row per sequence: the verdict's members by name; -1: never.
 OPAL_EXPORT void write_kidnappings(std::ostream& out, std::span<const KidnappingVerdict> verdicts);
 
 /// The same in a few lines for people.

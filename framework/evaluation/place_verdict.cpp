@@ -32,10 +32,10 @@ void add(PlaceVerdict& place, const std::string& id, const QueryVerdict& query) 
   ++place.queries;
   place.strict += query.strict;
   if (query.success)
-    place.right_after_m.push_back(query.right_after_m);
+    place.right_after_m.push_back(*query.right_after_m);
   else
     place.failed.push_back(id);
-  if (query.localized_after_m >= 0) place.localized_after_m.push_back(query.localized_after_m);
+  if (query.localized_after_m) place.localized_after_m.push_back(*query.localized_after_m);
   place.localized_rows += static_cast<std::size_t>(query.localized_rows);
   place.false_rows += static_cast<std::size_t>(query.false_rows);
   place.false_queries += !query.honest();

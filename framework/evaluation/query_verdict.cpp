@@ -72,7 +72,7 @@ QueryVerdict judge_query(std::span<const ResultRow> all, const Query& window, co
     if (!row.localized) continue;
     ++verdict.localized_rows;
     verdict.false_rows += !right(row);
-    if (verdict.localized_after_m < 0 && right(row)) verdict.localized_after_m = std::max(0.0, row.driven_m);
+    if (!verdict.localized_after_m && right(row)) verdict.localized_after_m = std::max(0.0, row.driven_m);
   }
   return verdict;
 }

@@ -5,6 +5,7 @@
 #include "evaluation/results.hpp"
 #include "evaluation/site.hpp"
 
+#include <optional>
 #include <span>
 
 namespace opal {
@@ -18,15 +19,15 @@ struct QueryJudgeOptions {
 };
 
 /// What became of one localization from scratch. Distances are driven along the truth from the window's begin [m];
-/// negative: never.
+/// none: never.
 struct QueryVerdict {
   bool success = false;       ///< right from some row on, and up to the end
-  double right_after_m = -1;  ///< until it was so
-  double right_after_s = -1;  ///< the same in time
-  double error_m = -1;        ///< of the position, mean over the rows from there on
+  std::optional<double> right_after_m;  ///< until it was so
+  std::optional<double> right_after_s;  ///< the same in time
+  std::optional<double> error_m;        ///< of the position, mean over the rows from there on
   bool strict = false;        ///< the same, strictly
-  double strict_after_m = -1;
-  double localized_after_m = -1;  ///< until the first row that is `localized` and right
+  std::optional<double> strict_after_m;
+  std::optional<double> localized_after_m;  ///< until the first row that is `localized` and right
   int rows = 0;                   ///< with truth
   int localized_rows = 0;
   int false_rows = 0;  ///< of these, the ones that are wrong

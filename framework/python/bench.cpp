@@ -48,9 +48,9 @@ BenchResult bench(const std::string& prefix, const std::variant<Deployment, std:
   return run_place(read_bench_place(plugins, site, deployment));
 }
 
-py::object number_or_none(double number) {
-  if (number < 0) return py::none();
-  return py::float_(number);
+py::object number_or_none(const std::optional<double>& number) {
+  if (!number) return py::none();
+  return py::float_(*number);
 }
 
 /// A row per query: what became of it.

@@ -99,9 +99,9 @@ TEST_CASE("a kidnapping that is noticed at once and recovered from") {
   CHECK(v.localized_before);
   CHECK(v.recovered);
   CHECK(v.honest());
-  CHECK(v.right_after_m == Approx(3));
+  CHECK(v.right_after_m.value() == Approx(3));
   CHECK(v.lost_after_m == 0);
-  CHECK(v.localized_after_m == Approx(6));
+  CHECK(v.localized_after_m.value() == Approx(6));
   CHECK(v.false_rows == 0);
   CHECK(v.driven_m == Approx(29));
 }
@@ -123,9 +123,9 @@ TEST_CASE("too late, or not to the end, is not recovered") {
   for (int t = 50; t < 60; ++t) lucky.push_back(row(t, t < 59 ? 5 : 0, Status::lost));
   const GroundTruth truth = straight_drive();
   CHECK_FALSE(judge_kidnapping(late, 1, truth).recovered);
-  CHECK(judge_kidnapping(late, 1, truth).right_after_m == Approx(20));
-  CHECK(judge_kidnapping(lost_again, 1, truth).right_after_m == -1);
-  CHECK(judge_kidnapping(lucky, 1, truth).right_after_m == -1);
+  CHECK(judge_kidnapping(late, 1, truth).right_after_m.value() == Approx(20));
+  CHECK_FALSE(judge_kidnapping(lost_again, 1, truth).right_after_m);
+  CHECK_FALSE(judge_kidnapping(lucky, 1, truth).right_after_m);
 }
 
 TEST_CASE("after a kidnapping, a pose at the right place that looks the other way is wrong") {
@@ -133,8 +133,8 @@ TEST_CASE("after a kidnapping, a pose at the right place that looks the other wa
   for (int t = 50; t < 80; ++t) rows.push_back(row(t, 0.1, Status::localized, std::numbers::pi));
   const KidnappingVerdict v = judge_kidnapping(rows, 1, straight_drive());
   CHECK(v.localized_before);
-  CHECK(v.right_after_m == -1);
-  CHECK(v.localized_after_m == -1);
+  CHECK_FALSE(v.right_after_m);
+  CHECK_FALSE(v.localized_after_m);
   CHECK_FALSE(v.recovered);
   CHECK(v.false_rows == 30);
 }

@@ -35,13 +35,14 @@ std::vector<std::string> folders_of(const ab::Arm& arm, const ab::Experiment& ex
 }
 
 /// What was never reached is left out.
-void set_if_reached(std::map<std::string, double>& values, const std::string& name, double reached_after) {
-  if (reached_after >= 0) values[name] = reached_after;
+void set_if_reached(std::map<std::string, double>& values, const std::string& name,
+                    const std::optional<double>& reached_after) {
+  if (reached_after) values[name] = *reached_after;
 }
 
 std::map<std::string, double> values_of(const opal::QueryVerdict& verdict, const RunRecord& record) {
   std::map<std::string, double> values{
-      {"success", verdict.success},      {"strict", verdict.strict}, {"localized", verdict.localized_after_m >= 0},
+      {"success", verdict.success},      {"strict", verdict.strict}, {"localized", verdict.localized_after_m.has_value()},
       {"honest", verdict.honest()},      {"rows", verdict.rows},     {"localized_rows", verdict.localized_rows},
       {"false_rows", verdict.false_rows}};
   set_if_reached(values, "distance_to_success_m", verdict.right_after_m);

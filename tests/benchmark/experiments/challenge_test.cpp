@@ -53,13 +53,13 @@ TEST_CASE("success is to come within 1 m and to stay there") {
   CHECK(good.success);
   CHECK(good.right_after_m == 1);
   CHECK(good.localized_after_m == 2);
-  CHECK(good.error_m == Approx((0.5 + 0.2 + 0.1) / 3));
+  CHECK(good.error_m.value() == Approx((0.5 + 0.2 + 0.1) / 3));
   CHECK(good.hypotheses_before == 10);
   CHECK(good.hypotheses_after == 7);
   CHECK(good.false_rows == 0);
   const ChallengeRun lost = synthetic({{0.1, true}, {0.1, true}, {3, true}});
   CHECK(!lost.success);
-  CHECK(lost.right_after_m < 0);
+  CHECK_FALSE(lost.right_after_m);
   CHECK(lost.localized_rows == 3);
   CHECK(lost.false_rows == 1);
 }

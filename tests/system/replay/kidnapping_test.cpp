@@ -43,9 +43,9 @@ TEST_CASE("a robot that is kidnapped says so before it says anything wrong, and 
   const KidnappingVerdict verdict = judge_kidnapping(run.rows, run.cut, site.truth);
   CHECK(verdict.localized_before);
   CHECK(verdict.honest());
-  CHECK(verdict.lost_after_m >= 0);
+  CHECK(verdict.lost_after_m);
   CHECK(verdict.recovered);
-  CHECK(verdict.right_after_m < 8);
+  CHECK(verdict.right_after_m.value_or(8) < 8);
 }
 
 TEST_CASE("a probability, its alternatives' and that of none of them never add up to more than one") {

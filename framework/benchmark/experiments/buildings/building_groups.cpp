@@ -40,7 +40,7 @@ class Gathering {
       count(localized, outcome == Outcome::localized);
       count(wrong, outcome == Outcome::wrong);
       count(unknown, outcome == Outcome::unknown);
-      after_m_.back().push_back(run.localized_after_m < 0 ? kNever : run.localized_after_m);
+      after_m_.back().push_back(run.localized_after_m.value_or(kNever));
       after_s_.back().push_back(localized_after_s(run));
       cpu_ms_.push_back(run.cpu_ms);
     }

@@ -72,7 +72,7 @@ std::string sentence_about(const ChallengeRun& run) {
   if (run.false_rows > 0)
     text += fmt::format("; called localized wrongly: {} of {} scans, first after {} s", run.false_rows,
                         run.moments.size(), number(wrong_after_s(run), 1));
-  if (run.localized_after_m >= 0) text += fmt::format("; localized after {:.1f} m", run.localized_after_m);
+  if (run.localized_after_m) text += fmt::format("; localized after {:.1f} m", *run.localized_after_m);
   return text + fmt::format("; at the end {}, {}; the truth has probability {:.2f}",
                             last.has_pose ? number(last.error_m(), 1) + " m off" : "no pose",
                             fmt::format("{} hypotheses", last.hypotheses), run.truth_probability);

@@ -17,7 +17,9 @@ std::string with_interval(const BuildingMedian& found) {
   return within_text(found.median, found.within.low, found.within.high, 1);
 }
 
-ordered_json metres_or_null(double value) { return value < 0 ? ordered_json(nullptr) : ordered_json(value); }
+ordered_json metres_or_null(const std::optional<double>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
 
 ordered_json to_json(const BuildingShare& share) {
   return {{"share", share.share}, {"low", share.within.low}, {"high", share.within.high}};

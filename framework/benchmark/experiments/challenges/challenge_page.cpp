@@ -51,8 +51,8 @@ std::string one_way(const SemanticMap& map, const Run& run) {
 
 std::string caption_of(const Run& run) {
   return run.challenge + ": " +
-         (run.success ? "successful after " + number(run.right_after_m, 1) + " m" : "not successful") +
-         (run.localized_after_m >= 0 ? ", localized after " + number(run.localized_after_m, 1) + " m"
+         (run.success ? "successful after " + number(*run.right_after_m, 1) + " m" : "not successful") +
+         (run.localized_after_m ? ", localized after " + number(*run.localized_after_m, 1) + " m"
                                      : ", never localized");
 }
 

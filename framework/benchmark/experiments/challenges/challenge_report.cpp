@@ -14,10 +14,10 @@ namespace {
 using Run = ChallengeRun;
 using Runs = std::vector<const Run*>;
 
-/// A number of one run; negative: there is none.
+/// A number of one run, if it has one.
 struct Measure {
   const char* name;
-  std::function<double(const Run&)> of;
+  std::function<std::optional<double>(const Run&)> of;
   int decimals;
 };
 
@@ -27,7 +27,7 @@ const std::vector<Measure>& measures() {
       {"self-rep. distance m", [](const Run& r) { return r.localized_after_m; }, 1},
       {"ML error after m", [](const Run& r) { return r.error_m; }, 2},
       {"max hyp. before", [](const Run& r) { return r.hypotheses_before; }, 0},
-      {"max hyp. after", [](const Run& r) { return r.localized_after_m < 0 ? -1.0 : r.hypotheses_after; }, 0},
+      {"max hyp. after", [](const Run& r) { return r.localized_after_m ? std::optional<double>(r.hypotheses_after) : std::nullopt; }, 0},
       {"CPU ms per update", [](const Run& r) { return r.cpu_ms; }, 2}};
   return all;
 }
@@ -39,14 +39,15 @@ struct Share {
 
 const std::vector<Share>& shares() {
   static const std::vector<Share> all{{"successful", [](const Run& r) { return r.success; }},
-                                      {"self-reported", [](const Run& r) { return r.localized_after_m >= 0; }},
+                                      {"self-reported", [](const Run& r) { return r.localized_after_m.has_value(); }},
                                       {"falsely so", [](const Run& r) { return r.false_rows > 0; }}};
   return all;
 }
 
 std::vector<double> known(const Runs& runs, const Measure& measure) {
-  std::vector<double> all = values(runs, measure.of);
-  std::erase_if(all, [](double value) { return value < 0; });
+  std::vector<double> all;
+  for (const Run* run : runs)
+    if (const auto value = measure.of(*run)) all.push_back(*value);
   return all;
 }
 
@@ -115,8 +116,8 @@ void write_runs(std::ostream& out, std::span<const Run> runs) {
          "hypotheses_after,updates,"
          "localized_rows,false_rows,cpu_ms\n";
   for (const Run& r : runs)
-    out << r.contender << ',' << r.challenge << ',' << r.seed << ',' << r.success << ',' << number(r.right_after_m, 2)
-        << ',' << number(r.localized_after_m, 2) << ',' << number(r.error_m, 3) << ',' << r.hypotheses_before << ','
+    out << r.contender << ',' << r.challenge << ',' << r.seed << ',' << r.success << ',' << number(r.right_after_m.value_or(-1), 2)
+        << ',' << number(r.localized_after_m.value_or(-1), 2) << ',' << number(r.error_m.value_or(-1), 3) << ',' << r.hypotheses_before << ','
         << r.hypotheses_after << ',' << r.updates << ',' << r.localized_rows << ',' << r.false_rows << ','
         << number(r.cpu_ms, 3) << '\n';
 }

@@ -32,12 +32,12 @@ double probability_of(const PoseEstimate& said, const Pose2& truth) {
 void judge(ChallengeRun& run) {
   judge_success(run);
   for (const Moment& moment : run.moments) {
-    int& most = run.localized_after_m >= 0 ? run.hypotheses_after : run.hypotheses_before;
+    int& most = run.localized_after_m ? run.hypotheses_after : run.hypotheses_before;
     most = std::max(most, moment.hypotheses);
     run.updates += moment.cpu_ms > 0;
     run.cpu_ms += moment.cpu_ms;
     if (!moment.localized()) continue;
-    if (run.localized_after_m < 0) run.localized_after_m = moment.driven_m;
+    if (!run.localized_after_m) run.localized_after_m = moment.driven_m;
     ++run.localized_rows;
     run.false_rows += !moment.right();
   }

@@ -5,22 +5,22 @@
 
 #include "simulation/drives/challenges.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace opal::experiments {
 
-/// What became of one run: the measures of Hendrikx (2023), 3.5.5. Distances are driven until then; negative:
-/// never.
+/// What became of one run: the measures of Hendrikx (2023), 3.5.5. Distances are driven until then; none: never.
 struct ChallengeRun {
   std::string contender, challenge;
   std::uint64_t seed = 0;
   std::optional<simulation::StartRegion> region;        ///< that the robot was told
   bool success = false;                                 ///< the best hypothesis becomes right and stays so to the end
-  double right_after_m = -1;                            ///< until it was so
-  double localized_after_m = -1;                        ///< until the first `localized`
-  double error_m = -1;                                  ///< of the best hypothesis, mean from there on
+  std::optional<double> right_after_m;  ///< until it was so
+  std::optional<double> localized_after_m;  ///< until the first `localized`
+  std::optional<double> error_m;  ///< of the best hypothesis, mean from there on
   int hypotheses_before = 0, hypotheses_after = 0;      ///< most, before and after the first `localized`
   int updates = 0, localized_rows = 0, false_rows = 0;  ///< `localized` and wrong
   double cpu_ms = 0;                                    ///< per update

@@ -15,8 +15,8 @@ namespace {
 /// Watches the answers of one drive.
 class Watch {
  public:
-  Watch(const SemanticMap& map, const RecordedWay& way, double from_s, StoreyRun& run)
-      : map_(map), way_(way), from_s_(from_s), run_(run) {}
+  Watch(const SemanticMap& map, const RecordedWay& way, std::optional<double> after_s, StoreyRun& run)
+      : map_(map), way_(way), after_s_(after_s), run_(run) {}
 
   void see(const LiveAnswer& answer) {
     const PoseEstimate& said = answer.estimate;
@@ -32,7 +32,7 @@ class Watch {
       ++run_.wrong;
       run_.wrong_storey += !run_.is_storey;
     }
-    if (answer.stamp_s <= from_s_) return;
+    if (after_s_ && answer.stamp_s <= *after_s_) return;
     if (!is_near)
       run_.right_from_m.reset();
     else if (!run_.right_from_m)
@@ -43,7 +43,7 @@ class Watch {
  private:
   const SemanticMap& map_;
   const RecordedWay& way_;
-  double from_s_;
+  std::optional<double> after_s_;
   StoreyRun& run_;
 };
 
@@ -55,11 +55,11 @@ void play(const LocalizerParts& parts, const simulation::Recording& recording,
     core.take(arrival.record, arrival.at_s, arrival.at_s, see);
 }
 
-/// @param from_s  what is driven before does not count.
-double difference(const LocalizerParts& parts, const simulation::Recording& recording, double from_s) {
+/// @param after_s  what is driven until then does not count.
+double difference(const LocalizerParts& parts, const simulation::Recording& recording, std::optional<double> after_s) {
   std::vector<Pose2> poses;
   for (const simulation::RecordedScan& scan : recording.scans)
-    if (scan.scan.stamp_s > from_s) poses.push_back(scan.T_map_base);
+    if (!after_s || scan.scan.stamp_s > *after_s) poses.push_back(scan.T_map_base);
   return storey_difference(*parts.map, poses, recording.laser);
 }
 
@@ -75,10 +75,10 @@ StoreyRun run_storey_drive(const StoreyWorld& world, const std::string& storey, 
   run.seed = seed;
   run.from = run.to = storey;
   const RecordedWay way(recording);
-  Watch watch(map, way, -1, run);
+  Watch watch(map, way, std::nullopt, run);
   play(world.parts, recording, [&](const LiveAnswer& answer) { watch.see(answer); });
   run.driven_m = way.all_m();
-  run.difference = difference(world.parts, recording, -1);
+  run.difference = difference(world.parts, recording, std::nullopt);
   return run;
 }
 
