@@ -62,8 +62,8 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
     for (const CLI::App* known : all)
       if (known->get_name() == word) next = known;
     if (next == nullptr)
-      return "'" + word + "': no command of " + command->get_name() + ", expected one of: " +
-             opal::listed_by(all, [](const CLI::App* known) { return known->get_name(); });
+      return "'" + word + "': no command of " + command->get_name() +
+             ", expected one of: " + opal::listed_by(all, [](const CLI::App* known) { return known->get_name(); });
     command = next;
   }
   return "";

@@ -258,8 +258,8 @@ void read_stage(Stage& stage, const nlohmann::json& given, const std::string& wh
       set(stage, *field, value, here);
       continue;
     }
-    throw ConfigError(here + ": unknown option, expected one of: " +
-                      listed_by(fields, [](const auto& f) { return f.name; }));
+    throw ConfigError(here +
+                      ": unknown option, expected one of: " + listed_by(fields, [](const auto& f) { return f.name; }));
   }
 }
 

@@ -1,7 +1,7 @@
 #include "evaluation/kidnapping.hpp"
 
-#include "common/csv_table.hpp"
 #include <opal/common/quantile.hpp>
+#include "common/csv_table.hpp"
 
 #include <fmt/format.h>
 
@@ -79,10 +79,10 @@ void write_kidnappings(std::ostream& out, std::span<const KidnappingVerdict> ver
          "localized_after_m,rows,false_rows,false_rows_at_once,false_m\n";
   const auto metres = [](const std::optional<double>& driven_m) { return driven_m.value_or(-1); };  // never
   for (const KidnappingVerdict& v : verdicts) {
-    const std::string numbers =
-        fmt::format(",{:.2f},{:.2f},{:d},{:d},{:.2f},{:.2f},{:.2f},{:.2f},{},{},{},{:.2f}\n", v.apart_m, v.driven_m,
-                    v.localized_before, v.recovered, metres(v.right_after_m), metres(v.noticed_after_m),
-                    metres(v.lost_after_m), metres(v.localized_after_m), v.rows, v.false_rows, v.false_rows_at_once, v.false_m);
+    const std::string numbers = fmt::format(
+        ",{:.2f},{:.2f},{:d},{:d},{:.2f},{:.2f},{:.2f},{:.2f},{},{},{},{:.2f}\n", v.apart_m, v.driven_m,
+        v.localized_before, v.recovered, metres(v.right_after_m), metres(v.noticed_after_m), metres(v.lost_after_m),
+        metres(v.localized_after_m), v.rows, v.false_rows, v.false_rows_at_once, v.false_m);
     out << csv_field(v.id) << numbers;
   }
 }

@@ -22,18 +22,18 @@ struct RecoveryOptions {
 /// What became of one kidnapping. Distances are driven after the cut, along the truth [m]; none: never.
 struct KidnappingVerdict {
   std::string id;
-  double apart_m = 0;             ///< between the places at the cut
-  double driven_m = 0;            ///< in all, after the cut
-  bool localized_before = false;  ///< called itself localized, and was right, at the cut
-  bool recovered = false;         ///< is right again in time, and stays so to the end
+  double apart_m = 0;                       ///< between the places at the cut
+  double driven_m = 0;                      ///< in all, after the cut
+  bool localized_before = false;            ///< called itself localized, and was right, at the cut
+  bool recovered = false;                   ///< is right again in time, and stays so to the end
   std::optional<double> right_after_m;      ///< until it was right for good, in time or not
   std::optional<double> noticed_after_m;    ///< until the first row that is not `localized`, or is right
   std::optional<double> lost_after_m;       ///< until the first row that is `lost`
   std::optional<double> localized_after_m;  ///< until it called itself localized again, and was right
-  int rows = 0;                   ///< after the cut
-  int false_rows = 0;             ///< of them `localized` and wrong
-  int false_rows_at_once = 0;     ///< of these, the ones before anything else was said
-  double false_m = 0;             ///< driven while `localized` and wrong
+  int rows = 0;                             ///< after the cut
+  int false_rows = 0;                       ///< of them `localized` and wrong
+  int false_rows_at_once = 0;               ///< of these, the ones before anything else was said
+  double false_m = 0;                       ///< driven while `localized` and wrong
 
   /// It never called a wrong pose localized after the cut: it said that it did not know before it said anything wrong.
   bool honest() const { return false_rows == 0; }

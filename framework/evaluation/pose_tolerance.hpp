@@ -2,7 +2,6 @@
 
 #include <opal/common/geometry.hpp>
 
-
 namespace opal {
 
 /// How far a pose may be off the truth, in position and in heading, and still be right.

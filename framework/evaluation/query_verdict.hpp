@@ -21,14 +21,14 @@ struct QueryJudgeOptions {
 /// What became of one localization from scratch. Distances are driven along the truth from the window's begin [m];
 /// none: never.
 struct QueryVerdict {
-  bool success = false;       ///< right from some row on, and up to the end
+  bool success = false;                 ///< right from some row on, and up to the end
   std::optional<double> right_after_m;  ///< until it was so
   std::optional<double> right_after_s;  ///< the same in time
   std::optional<double> error_m;        ///< of the position, mean over the rows from there on
-  bool strict = false;        ///< the same, strictly
+  bool strict = false;                  ///< the same, strictly
   std::optional<double> strict_after_m;
   std::optional<double> localized_after_m;  ///< until the first row that is `localized` and right
-  int rows = 0;                   ///< with truth
+  int rows = 0;                             ///< with truth
   int localized_rows = 0;
   int false_rows = 0;  ///< of these, the ones that are wrong
 

@@ -56,8 +56,8 @@ const MapPlacement& placement_of(const SemanticMap& map, const std::string& id) 
   const auto& placements = map.origin().placements;
   for (const MapPlacement& placement : placements)
     if (placement.id == id) return placement;
-  throw ConfigError(map.name() + ": no placement '" + id + "', expected one of: " +
-                    (placements.empty() ? "none" : listed_by(placements, &MapPlacement::id)));
+  throw ConfigError(map.name() + ": no placement '" + id +
+                    "', expected one of: " + (placements.empty() ? "none" : listed_by(placements, &MapPlacement::id)));
 }
 
 }  // namespace opal

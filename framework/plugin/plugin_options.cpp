@@ -27,9 +27,7 @@ std::string type_in_words(const std::string& type) {
   return (type == "integer" ? "an " : "a ") + type;
 }
 
-std::string names_of(const std::vector<OptionInfo>& described) {
-  return listed_by(described, &OptionInfo::name);
-}
+std::string names_of(const std::vector<OptionInfo>& described) { return listed_by(described, &OptionInfo::name); }
 
 void require_known(const std::string& type_name, const std::vector<OptionInfo>& described, const json& given) {
   for (const auto& [name, ignored] : given.items()) {

@@ -34,8 +34,7 @@ std::string place_text(const Point& place) {
 }
 
 std::string pose_text(const Pose2& pose) {
-  return fmt::format("{}, heading {} deg", place_text(pose.position()),
-                     fixed_text(degrees(pose.heading_rad()), 1));
+  return fmt::format("{}, heading {} deg", place_text(pose.position()), fixed_text(degrees(pose.heading_rad()), 1));
 }
 
 }  // namespace opal

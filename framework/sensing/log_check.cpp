@@ -14,7 +14,6 @@
 namespace opal {
 namespace {
 
-
 const RawScan* scan_of(const LogRecord& record, const LaserModel& laser) {
   const auto* raw = std::get_if<RawScan>(&record);
   return raw && (laser.frame.empty() || raw->frame == laser.frame) ? raw : nullptr;

@@ -27,7 +27,6 @@ constexpr double kMostBetter = 0.8;
 constexpr int kFewestMotions = 5;
 constexpr double kLeastTurned_rad = 0.8, kLeastDriven_m = 0.8;
 
-
 /// A standing robot's scans lie over each other to a few centimetres; people in them do not move all of it.
 constexpr double kMoves_m = 0.1, kMoves_rad = 0.08;
 constexpr std::size_t kMovingMotions = 3;

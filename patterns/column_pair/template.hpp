@@ -8,8 +8,8 @@
 namespace opal::column_pair {
 
 /// Two features that have a place, columns or corners: the column_pair pattern of Hendrikx (2023), 4.3.1. Dimensions:
-/// their distance, then what each member says of itself (opal/patterns/pattern_member.hpp). Members of one kind are ordered by
-/// these numbers; where they hardly differ, the pattern is symmetric.
+/// their distance, then what each member says of itself (opal/patterns/pattern_member.hpp). Members of one kind are
+/// ordered by these numbers; where they hardly differ, the pattern is symmetric.
 class PointPair final : public PatternTemplate {
  public:
   PointPair(std::array<GeometryKind, 2> kinds, const nlohmann::json& options);

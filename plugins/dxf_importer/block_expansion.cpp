@@ -77,9 +77,9 @@ class Expansion {
   }
 
   [[noreturn]] void fail_too_many() const {
-    throw MapError(
-        fmt::format("{}: more than {} entities when all blocks are in place, at block '{}', expected a plan of one storey",
-                    path_, kMaxEntities, open_.empty() ? "" : open_.back()));
+    throw MapError(fmt::format(
+        "{}: more than {} entities when all blocks are in place, at block '{}', expected a plan of one storey", path_,
+        kMaxEntities, open_.empty() ? "" : open_.back()));
   }
 
   void check_depth(const std::string& name) const {

@@ -98,8 +98,8 @@ std::string about_fit(const std::vector<double>& distances, double res) {
   std::copy_if(distances.begin(), distances.end(), std::back_inserter(found),
                [](double d) { return std::isfinite(d); });
   std::sort(found.begin(), found.end());
-  return sentence("boundary cells lie %.3f m from the nearest feature (median; p90 %.3f m)", quantile_of(found, 0.5).value_or(0) * res,
-                  quantile_of(found, 0.9).value_or(0) * res);
+  return sentence("boundary cells lie %.3f m from the nearest feature (median; p90 %.3f m)",
+                  quantile_of(found, 0.5).value_or(0) * res, quantile_of(found, 0.9).value_or(0) * res);
 }
 
 std::string about_left_out(const std::vector<double>& distances) {

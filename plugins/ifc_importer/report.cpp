@@ -190,8 +190,7 @@ std::vector<std::string> report(const Building& building, const LevelChoice& lev
   append(about_doors(cuts));
   append(what_is_missing(elements));
   if (building.north_rad)
-    sentences.push_back(
-        sentence("true north is at %.1f degrees from the x axis", degrees(*building.north_rad)));
+    sentences.push_back(sentence("true north is at %.1f degrees from the x axis", degrees(*building.north_rad)));
   sentences.push_back(building.georeference ? "georeferenced in " + building.georeference->crs : "not georeferenced");
   append(building.notes);
   return sentences;

@@ -1,8 +1,8 @@
 #include "benchmark/cells/ab_runner.hpp"
 
+#include <opal/common/quantile.hpp>
 #include "benchmark/runs/event_file.hpp"
 #include "benchmark/runs/localize_run.hpp"
-#include <opal/common/quantile.hpp>
 #include "session/session.hpp"
 
 #include "benchmark/ab/records/program_files.hpp"
@@ -41,10 +41,13 @@ void set_if_reached(std::map<std::string, double>& values, const std::string& na
 }
 
 std::map<std::string, double> values_of(const opal::QueryVerdict& verdict, const RunRecord& record) {
-  std::map<std::string, double> values{
-      {"success", verdict.success},      {"strict", verdict.strict}, {"localized", verdict.localized_after_m.has_value()},
-      {"honest", verdict.honest()},      {"rows", verdict.rows},     {"localized_rows", verdict.localized_rows},
-      {"false_rows", verdict.false_rows}};
+  std::map<std::string, double> values{{"success", verdict.success},
+                                       {"strict", verdict.strict},
+                                       {"localized", verdict.localized_after_m.has_value()},
+                                       {"honest", verdict.honest()},
+                                       {"rows", verdict.rows},
+                                       {"localized_rows", verdict.localized_rows},
+                                       {"false_rows", verdict.false_rows}};
   set_if_reached(values, "distance_to_success_m", verdict.right_after_m);
   set_if_reached(values, "time_to_success_s", verdict.right_after_s);
   set_if_reached(values, "distance_to_strict_m", verdict.strict_after_m);

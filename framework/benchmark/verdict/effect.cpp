@@ -104,8 +104,8 @@ Interval median_interval(Pairs pairs, Independent independent, double level) {
 }
 
 Effect distance_effect(Pairs pairs, Independent independent, double level) {
-  return {median_or_nan(side(pairs, &PairedValue::a)), median_or_nan(side(pairs, &PairedValue::b)), median_or_nan(differences(pairs)),
-          median_interval(pairs, independent, level)};
+  return {median_or_nan(side(pairs, &PairedValue::a)), median_or_nan(side(pairs, &PairedValue::b)),
+          median_or_nan(differences(pairs)), median_interval(pairs, independent, level)};
 }
 
 double p_of_pairs(Pairs pairs, Metric::Kind kind) {

@@ -77,9 +77,8 @@ std::string mount_words(const std::optional<LogMount>& stated) {
   if (!stated) return "  the log does not state where it is mounted\n";
   const LogMount& mount = *stated;
   const Pose2& pose = mount.T_base_laser;
-  std::string text =
-      sentence("  mounted on %s at x %.3f m, y %.3f m, heading %.2f degrees, height %.2f m", mount.parent.c_str(),
-               pose.x(), pose.y(), degrees(pose.heading_rad()), mount.height_m);
+  std::string text = sentence("  mounted on %s at x %.3f m, y %.3f m, heading %.2f degrees, height %.2f m",
+                              mount.parent.c_str(), pose.x(), pose.y(), degrees(pose.heading_rad()), mount.height_m);
   if (mount.upside_down) text += ", upside down";
   if (mount.tilt_rad > 0.01) text += sentence(", tilted by %.1f degrees", degrees(mount.tilt_rad));
   return text + (mount.from_moving_topic ? "; stated on /tf, where it does not move\n" : "\n");

@@ -88,8 +88,7 @@ std::string status_words(const LiveAnswer& answer) {
   const std::string name = name_of(estimate.status);
   if (estimate.status != Status::localized) return name + (answer.why.empty() ? "" : ": " + answer.why);
   const Pose2& pose = estimate.T_map_base;
-  return name + sentence(" at x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(),
-                         degrees(pose.heading_rad()));
+  return name + sentence(" at x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(), degrees(pose.heading_rad()));
 }
 
 std::vector<Diagnosis> diagnoses_of(const LiveAnswer& answer, const NodeState& state, double now_s) {

@@ -53,7 +53,7 @@ std::string caption_of(const Run& run) {
   return run.challenge + ": " +
          (run.success ? "successful after " + number(*run.right_after_m, 1) + " m" : "not successful") +
          (run.localized_after_m ? ", localized after " + number(*run.localized_after_m, 1) + " m"
-                                     : ", never localized");
+                                : ", never localized");
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ const std::vector<Measure>& measures() {
       {"self-rep. distance m", [](const Run& r) { return r.localized_after_m; }, 1},
       {"ML error after m", [](const Run& r) { return r.error_m; }, 2},
       {"max hyp. before", [](const Run& r) { return r.hypotheses_before; }, 0},
-      {"max hyp. after", [](const Run& r) { return r.localized_after_m ? std::optional<double>(r.hypotheses_after) : std::nullopt; }, 0},
+      {"max hyp. after",
+       [](const Run& r) { return r.localized_after_m ? std::optional<double>(r.hypotheses_after) : std::nullopt; }, 0},
       {"CPU ms per update", [](const Run& r) { return r.cpu_ms; }, 2}};
   return all;
 }
@@ -116,10 +117,10 @@ void write_runs(std::ostream& out, std::span<const Run> runs) {
          "hypotheses_after,updates,"
          "localized_rows,false_rows,cpu_ms\n";
   for (const Run& r : runs)
-    out << r.contender << ',' << r.challenge << ',' << r.seed << ',' << r.success << ',' << number(r.right_after_m.value_or(-1), 2)
-        << ',' << number(r.localized_after_m.value_or(-1), 2) << ',' << number(r.error_m.value_or(-1), 3) << ',' << r.hypotheses_before << ','
-        << r.hypotheses_after << ',' << r.updates << ',' << r.localized_rows << ',' << r.false_rows << ','
-        << number(r.cpu_ms, 3) << '\n';
+    out << r.contender << ',' << r.challenge << ',' << r.seed << ',' << r.success << ','
+        << number(r.right_after_m.value_or(-1), 2) << ',' << number(r.localized_after_m.value_or(-1), 2) << ','
+        << number(r.error_m.value_or(-1), 3) << ',' << r.hypotheses_before << ',' << r.hypotheses_after << ','
+        << r.updates << ',' << r.localized_rows << ',' << r.false_rows << ',' << number(r.cpu_ms, 3) << '\n';
 }
 
 }  // namespace opal::experiments

@@ -18,9 +18,9 @@ struct ChallengeRun {
   std::uint64_t seed = 0;
   std::optional<simulation::StartRegion> region;        ///< that the robot was told
   bool success = false;                                 ///< the best hypothesis becomes right and stays so to the end
-  std::optional<double> right_after_m;  ///< until it was so
-  std::optional<double> localized_after_m;  ///< until the first `localized`
-  std::optional<double> error_m;  ///< of the best hypothesis, mean from there on
+  std::optional<double> right_after_m;                  ///< until it was so
+  std::optional<double> localized_after_m;              ///< until the first `localized`
+  std::optional<double> error_m;                        ///< of the best hypothesis, mean from there on
   int hypotheses_before = 0, hypotheses_after = 0;      ///< most, before and after the first `localized`
   int updates = 0, localized_rows = 0, false_rows = 0;  ///< `localized` and wrong
   double cpu_ms = 0;                                    ///< per update

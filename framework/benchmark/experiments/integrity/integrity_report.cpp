@@ -39,7 +39,7 @@ const std::vector<Aspect>& aspects() {
 
 /// Of those that have the value; `share` 0.5: the median. Those without count as never.
 double quantile_over(const std::vector<const JudgedDrive*>& drives, std::optional<double> IntegrityRun::*value,
-                   double share) {
+                     double share) {
   std::vector<double> values;
   for (const JudgedDrive* drive : drives)
     if (drive->failure.empty()) values.push_back((drive->run.*value).value_or(kNever));
