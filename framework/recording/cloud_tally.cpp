@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kPointsOfACloud = 2000;
 // What stands on the floor begins there, and what hangs from the ceiling ends there; a band has to be so high.
-constexpr double kFromFloorM = 0.3, kFromCeilingM = 0.3, kHighestM = 2, kLeastBandM = 0.2;
+constexpr double kFromFloor_m = 0.3, kFromCeiling_m = 0.3, kHighest_m = 2, kLeastBand_m = 0.2;
 // One point in a hundred may be a reflection.
 constexpr double kOdd = 0.01;
 // Floor and ceiling are hit by more points than this.
@@ -31,11 +31,11 @@ std::vector<double> coordinates(const std::vector<Eigen::Vector3d>& points, int 
 CloudSlice suggested_slice(const std::vector<double>& heights_m) {
   const double floor_m = quantile_of(heights_m, kFloorShare), ceiling_m = quantile_of(heights_m, 1 - kFloorShare);
   CloudSlice slice;
-  slice.z_min_m = floor_m + kFromFloorM;
-  slice.z_max_m = std::min(ceiling_m - kFromCeilingM, floor_m + kHighestM);
-  if (slice.z_max_m - slice.z_min_m >= kLeastBandM) return slice;
-  slice.z_min_m = floor_m - kLeastBandM;  // a lidar of a few rings, whose points are at one height
-  slice.z_max_m = ceiling_m + kLeastBandM;
+  slice.z_min_m = floor_m + kFromFloor_m;
+  slice.z_max_m = std::min(ceiling_m - kFromCeiling_m, floor_m + kHighest_m);
+  if (slice.z_max_m - slice.z_min_m >= kLeastBand_m) return slice;
+  slice.z_min_m = floor_m - kLeastBand_m;  // a lidar of a few rings, whose points are at one height
+  slice.z_max_m = ceiling_m + kLeastBand_m;
   return slice;
 }
 

@@ -29,9 +29,9 @@ std::optional<Eigen::Isometry3d> FixedFrames::pose(const std::string& parent, co
 }
 
 bool is_same_place(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  constexpr double kNoiseM = 1e-3, kNoiseCosine = 1 - 1e-6;  // 1 mm, 0.08 degrees
+  constexpr double kNoise_m = 1e-3, kNoiseCosine = 1 - 1e-6;  // 1 mm, 0.08 degrees
   const double turn_cosine = ((a.linear().transpose() * b.linear()).trace() - 1) / 2;
-  return (a.translation() - b.translation()).norm() < kNoiseM && turn_cosine > kNoiseCosine;
+  return (a.translation() - b.translation()).norm() < kNoise_m && turn_cosine > kNoiseCosine;
 }
 
 void SeenTransforms::add(const Transform& transform, const std::string& topic, bool is_static) {

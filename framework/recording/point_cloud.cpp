@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 4'000'000;  // 128 rings at 0.01 degrees are 4.6 million; drivers send a tenth of it
 constexpr std::size_t kLeastFieldBytes = 13;    // an empty name, offset, datatype, count
-constexpr double kLeastSweepS = 1e-3, kMostSweepS = 1;  // what takes less is as good as all at once
+constexpr double kLeastSweep_s = 1e-3, kMostSweep_s = 1;  // what takes less is as good as all at once
 
 struct PointType {
   const char* name;
@@ -148,11 +148,11 @@ PointTimes::PointTimes(const PointCloudMessage& cloud) {
   if (!cloud.time_field() || cloud.size() == 0) return;
   std::tie(first_, last_) = cloud.time_range();
   if (!(first_ < last_)) return;  // all at once
-  double nearest_s = kMostSweepS;
+  double nearest_s = kMostSweep_s;
   for (const Reading& reading : readings_of(*cloud.time_field(), cloud.stamp_s)) {
     const double farthest_s =
         reading.unit_s * std::max(std::abs(first_ - reading.zero), std::abs(last_ - reading.zero));
-    if (farthest_s > nearest_s || reading.unit_s * (last_ - first_) < kLeastSweepS) continue;
+    if (farthest_s > nearest_s || reading.unit_s * (last_ - first_) < kLeastSweep_s) continue;
     nearest_s = farthest_s;
     zero_ = reading.zero;
     unit_s_ = reading.unit_s;

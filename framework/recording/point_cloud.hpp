@@ -35,8 +35,8 @@ class PointCloudMessage {
 
     /// Drivers write NaN, infinity or zeros for a beam that has met nothing.
     bool is_measured() const {
-      constexpr double kFarthestM = 1e6;  // damaged numbers are larger
-      return std::abs(x_m) < kFarthestM && std::abs(y_m) < kFarthestM && std::abs(z_m) < kFarthestM &&
+      constexpr double kFarthest_m = 1e6;  // damaged numbers are larger
+      return std::abs(x_m) < kFarthest_m && std::abs(y_m) < kFarthest_m && std::abs(z_m) < kFarthest_m &&
              (x_m != 0 || y_m != 0 || z_m != 0);
     }
   };

@@ -30,7 +30,7 @@ RosLogReader::RosLogReader(Parts parts, ChosenTopics chosen)
 
 SeenTransforms RosLogReader::read_transforms(bool with_moving) {
   SeenTransforms seen;
-  const double until_s = spans_.front().begin_s + kMountWindowS;
+  const double until_s = spans_.front().begin_s + kMountWindow_s;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Recording& part = *parts_[i];
     if (with_moving && spans_[i].begin_s > until_s) break;

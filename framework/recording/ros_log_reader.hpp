@@ -7,7 +7,7 @@
 namespace opal::recording {
 
 // A transform that stands still for so long, from the start of a recording, is taken for a mount.
-constexpr double kMountWindowS = 5;
+constexpr double kMountWindow_s = 5;
 
 /// Walks the files of one recording, in order.
 class RosLogReader final : public LogReader {

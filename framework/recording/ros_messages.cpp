@@ -8,7 +8,7 @@ namespace opal::recording {
 namespace {
 
 constexpr std::size_t kMostReadings = 100'000;
-constexpr double kFarthestM = 1e7;
+constexpr double kFarthest_m = 1e7;
 
 /// Position and quaternion (x y z w), as in geometry_msgs/msg/Pose and Transform.
 std::optional<Eigen::Isometry3d> read_pose(WireReader& wire) {
@@ -17,7 +17,7 @@ std::optional<Eigen::Isometry3d> read_pose(WireReader& wire) {
   const Eigen::Vector3d position(values[0], values[1], values[2]);
   const Eigen::Quaterniond turn(values[6], values[3], values[4], values[5]);
   const double norm = turn.norm();
-  const bool usable = position.allFinite() && position.cwiseAbs().maxCoeff() < kFarthestM && norm > 0.5 && norm < 2;
+  const bool usable = position.allFinite() && position.cwiseAbs().maxCoeff() < kFarthest_m && norm > 0.5 && norm < 2;
   if (!wire.ok() || !usable) return std::nullopt;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = turn.normalized().toRotationMatrix();

@@ -56,7 +56,7 @@ void RosStream::look_at_transforms(const ReceivedMessage& message, bool are_stat
       decoder_.take_odometry_from_transforms(base_frame_);
     }
     if (are_static) static_.add(transform, message.topic.name, true);
-    if (!are_static && !is_motion && newest_s_ <= *first_s_ + kMountWindowS)
+    if (!are_static && !is_motion && newest_s_ <= *first_s_ + kMountWindow_s)
       moving_.add(transform, message.topic.name, false);
   }
 }
@@ -71,7 +71,7 @@ void RosStream::bound_memory() {
 
 FixedFrames RosStream::frames() const {
   FixedFrames frames = static_.fixed_frames();
-  if (newest_s_ <= *first_s_ + kMountWindowS) return frames;
+  if (newest_s_ <= *first_s_ + kMountWindow_s) return frames;
   for (const auto& [link, seen] : moving_.by_link())
     if (!seen.moves) frames.add_unless_known(seen.last);
   return frames;

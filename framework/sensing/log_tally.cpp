@@ -9,7 +9,7 @@ namespace opal {
 namespace {
 
 constexpr double kGapIntervals = 5;
-constexpr double kGapS = 0.5;
+constexpr double kGap_s = 0.5;
 // Of all readings: real ranges that agree to the last bit are rarer, and a value that stands for "nothing" is not.
 constexpr double kSameFarthestShare = 0.005;
 
@@ -26,7 +26,7 @@ void StampTally::tell(LogTopic& topic) const {
   for (std::size_t i = 1; i < stamps_s.size(); ++i) intervals_s.push_back(stamps_s[i] - stamps_s[i - 1]);
   topic.interval_s = median_of(intervals_s).value_or(0);
   for (std::size_t i = 0; i < intervals_s.size(); ++i) {
-    if (intervals_s[i] > std::max(kGapS, kGapIntervals * topic.interval_s)) ++topic.gaps;
+    if (intervals_s[i] > std::max(kGap_s, kGapIntervals * topic.interval_s)) ++topic.gaps;
     if (intervals_s[i] <= topic.longest_gap_s) continue;
     topic.longest_gap_s = intervals_s[i];
     topic.longest_gap_at_s = stamps_s[i];

@@ -9,8 +9,8 @@ namespace opal::carmen_log {
 namespace {
 
 constexpr int kMostReadings = 100'000;
-constexpr double kFarthestM = 1e7;
-constexpr double kLatestStampS = 1e11;
+constexpr double kFarthest_m = 1e7;
+constexpr double kLatestStamp_s = 1e11;
 
 constexpr const char* kMalformed = "malformed line";
 constexpr const char* kTruncated = "truncated last line";
@@ -51,7 +51,7 @@ class Words {
     const auto y_m = number<double>();
     const auto heading_rad = number<double>();
     // Also false for NaN.
-    pose_ok_ = pose_ok_ && std::abs(x_m) < kFarthestM && std::abs(y_m) < kFarthestM && std::abs(heading_rad) < 1e6;
+    pose_ok_ = pose_ok_ && std::abs(x_m) < kFarthest_m && std::abs(y_m) < kFarthest_m && std::abs(heading_rad) < 1e6;
     return pose_ok_ ? Pose2(x_m, y_m, heading_rad) : Pose2();
   }
   bool at_end() {
@@ -77,7 +77,7 @@ const char* finish(Words& words, double& stamp_s) {
   if (!words.ok()) return words.defect();
   for (int trailing = 0; trailing < 2 && !words.at_end(); ++trailing) words.word();
   if (!words.at_end()) return kMalformed;
-  return std::abs(stamp_s) < kLatestStampS ? nullptr : kBadStamp;
+  return std::abs(stamp_s) < kLatestStamp_s ? nullptr : kBadStamp;
 }
 
 ParsedLine parse_odometry(Words words) {

@@ -86,9 +86,9 @@ std::string mount_words(const std::optional<LogMount>& stated) {
 
 /// Scans may be stamped at their end or ahead of time, so that they seem to come early.
 std::string delay_words(double recorded_after_s) {
-  constexpr double kSameClockS = 60;
+  constexpr double kSameClock_s = 60;
   if (recorded_after_s == 0) return "";
-  if (std::abs(recorded_after_s) > kSameClockS) return "; stamps and recording go by different clocks";
+  if (std::abs(recorded_after_s) > kSameClock_s) return "; stamps and recording go by different clocks";
   return sentence("; recorded %.0f ms %s its stamp", 1e3 * std::abs(recorded_after_s),
                   recorded_after_s > 0 ? "after" : "before");
 }

@@ -57,11 +57,11 @@ void add_beams(nlohmann::ordered_json& sensor, const LogLaser& laser) {
 
 /// A range that stands for "nothing" lies above the farthest one that counts.
 void add_ranges(nlohmann::ordered_json& sensor, const LogLaser& laser) {
-  constexpr double kMostRangeM = 999;
-  const bool is_stated = laser.range_max_m > laser.range_min_m && laser.range_max_m <= kMostRangeM;
+  constexpr double kMostRange_m = 999;
+  const bool is_stated = laser.range_max_m > laser.range_min_m && laser.range_max_m <= kMostRange_m;
   if (is_stated && laser.range_min_m >= 0) sensor["range_min_m"] = rounded(laser.range_min_m, kMillimetre);
   if (laser.no_return_m > 0 && laser.farthest_m < laser.no_return_m) {
-    sensor["range_max_m"] = rounded(std::min(kMostRangeM, (laser.farthest_m + laser.no_return_m) / 2), kMillimetre);
+    sensor["range_max_m"] = rounded(std::min(kMostRange_m, (laser.farthest_m + laser.no_return_m) / 2), kMillimetre);
     sensor["no_return_m"] = rounded(laser.no_return_m, kMillimetre);
   } else if (is_stated) {
     sensor["range_max_m"] = rounded(laser.range_max_m, kMillimetre);
@@ -87,15 +87,15 @@ nlohmann::ordered_json laser_sensor(const LogLaser& laser) {
 
 /// A slice of point clouds, all around in steps of half a degree.
 nlohmann::ordered_json sliced_sensor(const LogCloud& cloud) {
-  constexpr double kCentimetre = 1e-2, kLeastRangeM = 30, kMostRangeM = 100;
+  constexpr double kCentimetre_m = 1e-2, kLeastRange_m = 30, kMostRange_m = 100;
   constexpr int kBeams = 720;
   nlohmann::ordered_json sensor{{"topic", cloud.topic}, {"frame", cloud.frame}};
   sensor["angle_min_rad"] = rounded(-std::numbers::pi, kMicroradian);
   sensor["angle_increment_rad"] = rounded(2 * std::numbers::pi / kBeams, kNanoradian);
   sensor["beams"] = kBeams;
-  sensor["range_max_m"] = std::clamp(std::ceil(cloud.farthest_m), kLeastRangeM, kMostRangeM);
-  sensor["slice"] = {{"z_min_m", rounded(cloud.suggested->z_min_m, kCentimetre)},
-                     {"z_max_m", rounded(cloud.suggested->z_max_m, kCentimetre)}};
+  sensor["range_max_m"] = std::clamp(std::ceil(cloud.farthest_m), kLeastRange_m, kMostRange_m);
+  sensor["slice"] = {{"z_min_m", rounded(cloud.suggested->z_min_m, kCentimetre_m)},
+                     {"z_max_m", rounded(cloud.suggested->z_max_m, kCentimetre_m)}};
   add_mount(sensor, cloud.mount);
   if (cloud.mount) sensor["geometry_from_log"] = true;
   return sensor;

@@ -143,7 +143,7 @@ void Extraction::join_hidden(std::vector<Line>& lines) const {
 /// Whether the face really ends at a hit: the next beam would have hit its extension close by, and went
 /// farther, and none of those after it is on the extension again (glass, railings).
 bool Extraction::ends_beyond(const Line& line, int hit, int step) const {
-  constexpr double kMaxSpacing = 0.3;  // a wider one leaves the end too uncertain [m]
+  constexpr double kMaxSpacing_m = 0.3;  // a wider one leaves the end too uncertain
   constexpr int kBeams = 4;
   for (int k = 1; k <= kBeams; ++k) {
     const Sightline* beam = neighbour(chains_, hit, k * step);
@@ -151,7 +151,7 @@ bool Extraction::ends_beyond(const Line& line, int hit, int step) const {
     if (!beam || !std::isfinite(expected)) return k > 1;
     const double margin = 2 * tolerance_m(expected);
     const bool farther = expected < 0.95 * chains_.range_max_m && beam->range_m > expected + margin;
-    const bool close = (expected * beam->direction - position(hit)).norm() <= kMaxSpacing;
+    const bool close = (expected * beam->direction - position(hit)).norm() <= kMaxSpacing_m;
     if (k == 1 && !(farther && close)) return false;
     if (std::abs(beam->range_m - expected) <= margin) return false;
   }
@@ -166,9 +166,9 @@ void Extraction::set_true_ends(Line& line) const {
 /// Whether a short line is really part of something round: a parabola v = c0 + c1 u + c2 u^2 over its points
 /// bends with a radius below 1 m and explains them significantly better (F test on the one parameter more).
 bool Extraction::is_bent(const Line& line) const {
-  constexpr double kMaxRadius = 1.0;
+  constexpr double kMaxRadius_m = 1.0;
   constexpr double kMinF = 12;  // 0.5 % by chance at 10 points
-  if (line.segment.length_m() > kMaxRadius || line.points() < 6) return false;
+  if (line.segment.length_m() > kMaxRadius_m || line.points() < 6) return false;
   const Point along = line.segment.direction();
   const Point normal = left_of(along);
   const Point middle = line.segment.midpoint();
@@ -189,20 +189,20 @@ bool Extraction::is_bent(const Line& line) const {
   const Eigen::Vector2d straight = moments.topLeftCorner<2, 2>().ldlt().solve(product.head<2>());
   const double rest = std::max(squares - product.dot(parabola), 1e-9);
   const double gain = squares - product.head<2>().dot(straight) - rest;
-  return 2 * std::abs(parabola.z()) * kMaxRadius > 1 && gain * (line.points() - 3) > kMinF * rest;
+  return 2 * std::abs(parabola.z()) * kMaxRadius_m > 1 && gain * (line.points() - 3) > kMinF * rest;
 }
 
 /// Lines that meet end truly there; the small gap that beam spacing leaves at the corner is closed.
 void Extraction::meet_at_junctions(std::vector<Line>& lines) const {
-  constexpr double kMaxSnap = 0.15;
-  constexpr double kMinArm = 0.15;  // shorter ones are mostly clutter at a wall [m]
+  constexpr double kMaxSnap_m = 0.15;
+  constexpr double kMinArm_m = 0.15;  // shorter ones are mostly clutter at a wall
   for (const Junction& junction : find_junctions(chains_, lines, {})) {
     Line& before = lines[junction.before];
     Line& after = lines[junction.after];
-    if (std::min(before.support_m, after.support_m) < kMinArm) continue;
+    if (std::min(before.support_m, after.support_m) < kMinArm_m) continue;
     before.true_end[1] = after.true_end[0] = true;
-    if ((before.segment.end - junction.position).norm() < kMaxSnap) before.segment.end = junction.position;
-    if ((after.segment.begin - junction.position).norm() < kMaxSnap) after.segment.begin = junction.position;
+    if ((before.segment.end - junction.position).norm() < kMaxSnap_m) before.segment.end = junction.position;
+    if ((after.segment.begin - junction.position).norm() < kMaxSnap_m) after.segment.begin = junction.position;
   }
 }
 

@@ -3,28 +3,28 @@
 namespace opal::simulation {
 namespace {
 
-constexpr int kAtlasWidth = 2000, kAtlasLength = 4100;
+constexpr int kAtlasWidth_cm = 2000, kAtlasLength_cm = 4100;
 
 /// Floor-high openings of the facades, between pilasters that stand 3.6 m apart.
 void facades(FloorPlan& plan) {
-  for (int y = 250; y < kAtlasLength - 100; y += 360) {
+  for (int y = 250; y < kAtlasLength_cm - 100; y += 360) {
     plan.wall({0, y, 25, y + 45});
-    plan.wall({kAtlasWidth - 25, y, kAtlasWidth, y + 45});
+    plan.wall({kAtlasWidth_cm - 25, y, kAtlasWidth_cm, y + 45});
   }
-  for (int x = 380; x < kAtlasWidth - 300; x += 400) plan.wall({x, 0, x + 40, 30});
-  for (const int x : {300, 800, 1100, 1450, 1800}) plan.wall({x, kAtlasLength - 30, x + 40, kAtlasLength});
-  plan.facade_glass({1520, kAtlasLength, 1770, kAtlasLength + 10});
+  for (int x = 380; x < kAtlasWidth_cm - 300; x += 400) plan.wall({x, 0, x + 40, 30});
+  for (const int x : {300, 800, 1100, 1450, 1800}) plan.wall({x, kAtlasLength_cm - 30, x + 40, kAtlasLength_cm});
+  plan.facade_glass({1520, kAtlasLength_cm, 1770, kAtlasLength_cm + 10});
   plan.facade_glass({460, -10, 740, 0});
   plan.facade_glass({1260, -10, 1540, 0});
-  plan.facade_glass({kAtlasWidth, 320, kAtlasWidth + 10, 590});
+  plan.facade_glass({kAtlasWidth_cm, 320, kAtlasWidth_cm + 10, 590});
 }
 
 /// Open space in the south and in the north, joined by corridors on both sides of the core.
 void open_spaces(FloorPlan& plan) {
-  plan.room({0, 0, kAtlasWidth, 1300});
+  plan.room({0, 0, kAtlasWidth_cm, 1300});
   plan.room({490, 1300, 690, 2800});    // west corridor
   plan.room({1310, 1300, 1510, 2800});  // east corridor
-  plan.room({490, 2800, kAtlasWidth, 3500});
+  plan.room({490, 2800, kAtlasWidth_cm, 3500});
   for (const int x : {560, 1395})
     for (const int y : {420, 900}) plan.wall({x, y, x + 45, y + 45});
   plan.wall({980, 3120, 1025, 3165});
@@ -70,25 +70,25 @@ void west_rooms(FloorPlan& plan) {
 }
 
 void east_rooms(FloorPlan& plan) {
-  plan.room({1520, 1310, kAtlasWidth, 1640});
+  plan.room({1520, 1310, kAtlasWidth_cm, 1640});
   plan.door({1510, 1500, 1520, 1600});
-  plan.room({1520, 1650, kAtlasWidth, 2240});
+  plan.room({1520, 1650, kAtlasWidth_cm, 2240});
   plan.door({1510, 1690, 1520, 1790});
-  plan.wall({1940, 2180, kAtlasWidth, 2240});
+  plan.wall({1940, 2180, kAtlasWidth_cm, 2240});
   plan.pane({1510, 1860, 1520, 2180});
-  plan.room({1520, 2250, kAtlasWidth, 2790});
+  plan.room({1520, 2250, kAtlasWidth_cm, 2790});
   plan.door({1510, 2640, 1520, 2740});
   plan.wall({1520, 2250, 1590, 2310});
 }
 
 void north_rooms(FloorPlan& plan) {
-  plan.room({0, 3510, 640, kAtlasLength});
+  plan.room({0, 3510, 640, kAtlasLength_cm});
   plan.door({510, 3500, 610, 3510});
-  plan.room({650, 3510, 960, kAtlasLength});
+  plan.room({650, 3510, 960, kAtlasLength_cm});
   plan.door({680, 3500, 780, 3510});
-  plan.room({970, 3510, 1240, kAtlasLength});
+  plan.room({970, 3510, 1240, kAtlasLength_cm});
   plan.door({1110, 3500, 1210, 3510});
-  plan.room({1250, 3510, kAtlasWidth, kAtlasLength});
+  plan.room({1250, 3510, kAtlasWidth_cm, kAtlasLength_cm});
   plan.door({1290, 3500, 1390, 3510});
   plan.pane({1460, 3500, 1860, 3510});
 }

@@ -6,11 +6,11 @@
 namespace opal::simulation {
 namespace {
 
-constexpr int kCorridorRecess = 15, kCorridorDoor = 100;
-constexpr int kCornerClear = 60;  // of a block, without niches
-constexpr int kDeepest = 80;      // niche
-constexpr int kShallowest = 150;  // dead end
-constexpr int kStep = 300;        // a niche or door at most every 3 m
+constexpr int kCorridorRecess_cm = 15, kCorridorDoor_cm = 100;
+constexpr int kCornerClear_cm = 60;  // of a block, without niches
+constexpr int kDeepest_cm = 80;      // niche
+constexpr int kShallowest_cm = 150;  // dead end
+constexpr int kStep_cm = 300;        // a niche or door at most every 3 m
 
 /// What may be cut into a block's face, per step of its length.
 struct Cut {
@@ -49,7 +49,7 @@ class Corridors {
   std::vector<int> lines(int block, int blocks) {
     std::vector<int> all{0, vary_.length(corridor_, 170, 320)};
     for (int k = 0; k < blocks; ++k) {
-      all.push_back(all.back() + vary_.length(block, block * 2 / 3 / 5 * 5, block * 4 / 3 / 5 * 5));
+      all.push_back(all.back() + vary_.length(block, rounded_to_grid(block * 2 / 3), rounded_to_grid(block * 4 / 3)));
       all.push_back(all.back() + vary_.length(corridor_, 170, 320));
     }
     return all;
@@ -58,20 +58,20 @@ class Corridors {
   Cut drawn_cut() {
     Cut cut;
     cut.kind = static_cast<Cut::Kind>(vary_.between(0, 10) / 5);
-    cut.width = cut.kind == Cut::Kind::door ? kCorridorDoor : vary_.between(110, 220);
-    cut.offset = vary_.between(20, kStep - 20 - cut.width);
-    cut.depth = vary_.between(25, kDeepest);
+    cut.width = cut.kind == Cut::Kind::door ? kCorridorDoor_cm : vary_.between(110, 220);
+    cut.offset = vary_.between(20, kStep_cm - 20 - cut.width);
+    cut.depth = vary_.between(25, kDeepest_cm);
     return cut;
   }
 
   void add_block(const Box& block) {
-    for (int x = block.left + kCornerClear; x + kStep + kCornerClear <= block.right; x += kStep) {
+    for (int x = block.left + kCornerClear_cm; x + kStep_cm + kCornerClear_cm <= block.right; x += kStep_cm) {
       add_cut(x, [&](int from, int to, int near, int far) {
         return Box{from, block.bottom + near, to, block.bottom + far};
       });
       add_cut(x, [&](int from, int to, int near, int far) { return Box{from, block.top - far, to, block.top - near}; });
     }
-    for (int y = block.bottom + kCornerClear; y + kStep + kCornerClear <= block.top; y += kStep) {
+    for (int y = block.bottom + kCornerClear_cm; y + kStep_cm + kCornerClear_cm <= block.top; y += kStep_cm) {
       if (!is_closed(block.left, y))
         add_cut(y, [&](int from, int to, int near, int far) {
           return Box{block.left + near, from, block.left + far, to};
@@ -86,7 +86,7 @@ class Corridors {
   /// Whether the corridor beside a block's face at x is closed somewhere along the step that begins at y.
   bool is_closed(int x, int y) const {
     return std::any_of(dead_ends_.begin(), dead_ends_.end(), [&](const Box& closed) {
-      return (closed.left == x || closed.right == x) && closed.bottom < y + kStep && y < closed.top;
+      return (closed.left == x || closed.right == x) && closed.bottom < y + kStep_cm && y < closed.top;
     });
   }
 
@@ -95,12 +95,12 @@ class Corridors {
     const int width = xs_.back(), height = ys_.back();
     // clang-format off
     for (std::size_t column = 1; column + 1 < xs_.size(); column += 2)
-      for (int x = xs_[column] + kCornerClear; x + kStep + kCornerClear <= xs_[column + 1]; x += kStep) {
+      for (int x = xs_[column] + kCornerClear_cm; x + kStep_cm + kCornerClear_cm <= xs_[column + 1]; x += kStep_cm) {
         add_cut(x, [](int from, int to, int near, int far) { return Box{from, -far, to, -near}; }, true);
         add_cut(x, [&](int from, int to, int near, int far) { return Box{from, height + near, to, height + far}; }, true);
       }
     for (std::size_t row = 1; row + 1 < ys_.size(); row += 2)
-      for (int y = ys_[row] + kCornerClear; y + kStep + kCornerClear <= ys_[row + 1]; y += kStep) {
+      for (int y = ys_[row] + kCornerClear_cm; y + kStep_cm + kCornerClear_cm <= ys_[row + 1]; y += kStep_cm) {
         add_cut(y, [](int from, int to, int near, int far) { return Box{-far, from, -near, to}; }, true);
         add_cut(y, [&](int from, int to, int near, int far) { return Box{width + near, from, width + far, to}; }, true);
       }
@@ -113,18 +113,18 @@ class Corridors {
     const int from = begin + cut.offset, to = from + cut.width;
     if (cut.kind == Cut::Kind::niche) building_.plan.open(behind(from, to, 0, cut.depth));
     if (cut.kind != Cut::Kind::door) return;
-    if (is_facade) return building_.plan.facade_glass(behind(from, to, 0, kCorridorRecess));
-    building_.plan.open(behind(from, to, 0, kCorridorRecess));
-    building_.plan.thing(behind(from, to, kCorridorRecess, kCorridorRecess + 5), "opal:Door");
+    if (is_facade) return building_.plan.facade_glass(behind(from, to, 0, kCorridorRecess_cm));
+    building_.plan.open(behind(from, to, 0, kCorridorRecess_cm));
+    building_.plan.thing(behind(from, to, kCorridorRecess_cm, kCorridorRecess_cm + 5), "opal:Door");
   }
 
   /// Closes a corridor along y between two crossings, in part or all of it; those along x stay open, so nothing is cut
   /// off.
   void add_dead_end(const Box& corridor) {
     const bool is_there = vary_.yes(false, 0.3), is_south = vary_.chance(0.5);
-    int length = vary_.between(corridor.height() / 3 / 5 * 5, corridor.height());
+    int length = vary_.between(rounded_to_grid(corridor.height() / 3), corridor.height());
     if (!is_there) return;
-    if (corridor.height() - length < kShallowest) length = corridor.height();
+    if (corridor.height() - length < kShallowest_cm) length = corridor.height();
     Box closed = corridor;
     (is_south ? closed.top : closed.bottom) = is_south ? corridor.bottom + length : corridor.top - length;
     building_.plan.wall(closed);

@@ -29,7 +29,7 @@ struct Side {
   }
 };
 
-constexpr int kDoor = 100, kHallRecess = 15, kHallDoor = 180;
+constexpr int kDoor_cm = 100, kHallRecess_cm = 15, kHallDoor_cm = 180;
 
 class Hall {
  public:
@@ -58,7 +58,8 @@ class Hall {
   std::vector<int> bays(int pitch, int count) {
     std::vector<int> lines{0};
     for (int k = 0; k < std::max(2, count); ++k)
-      lines.push_back(lines.back() + vary_.length(pitch, pitch * 3 / 4 / 5 * 5, pitch * 5 / 4 / 5 * 5));
+      lines.push_back(lines.back() +
+                      vary_.length(pitch, rounded_to_grid(pitch * 3 / 4), rounded_to_grid(pitch * 5 / 4)));
     return lines;
   }
 
@@ -90,17 +91,17 @@ class Hall {
     if (bay.feature == Feature::niche) plan.open(side.box(from, to, 0, bay.depth));
     if (bay.feature == Feature::glass) plan.facade_glass(side.box(from, to, 0, 10));
     if (bay.feature == Feature::shut_door) {
-      const int end = std::min(to, from + kHallDoor);
-      plan.open(side.box(from, end, 0, kHallRecess));
-      plan.thing(side.box(from, end, kHallRecess, kHallRecess + 5), "opal:Door");
+      const int end = std::min(to, from + kHallDoor_cm);
+      plan.open(side.box(from, end, 0, kHallRecess_cm));
+      plan.thing(side.box(from, end, kHallRecess_cm, kHallRecess_cm + 5), "opal:Door");
     }
     if (bay.feature == Feature::side_room) add_side_room(side, from, std::max(to, from + 180), bay.depth);
   }
 
   void add_side_room(const Side& side, int from, int to, int depth) {
-    building_.plan.room(side.box(from, to, kPartition, kPartition + depth));
-    building_.plan.door(side.box(from + 20, from + 20 + kDoor, 0, kPartition));
-    if (to - from >= 280) building_.plan.pane(side.box(from + 160, to - 30, 0, kPartition));
+    building_.plan.room(side.box(from, to, kPartition_cm, kPartition_cm + depth));
+    building_.plan.door(side.box(from + 20, from + 20 + kDoor_cm, 0, kPartition_cm));
+    if (to - from >= 280) building_.plan.pane(side.box(from + 160, to - 30, 0, kPartition_cm));
   }
 
   void add_column(int x, int y) {

@@ -6,7 +6,7 @@
 namespace opal::simulation {
 
 /// Thickness of walls between rooms [cm].
-inline constexpr int kPartition = 10;
+inline constexpr int kPartition_cm = 10;
 
 struct PlannedBuilding {
   FloorPlan plan;

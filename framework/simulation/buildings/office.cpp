@@ -6,8 +6,8 @@
 namespace opal::simulation {
 namespace {
 
-constexpr int kLongestWing = 5000;  // between cross corridors
-constexpr int kNarrowestRoom = 250;
+constexpr int kLongestWing_cm = 5000;  // between cross corridors
+constexpr int kNarrowestRoom_cm = 250;
 
 /// A room as drawn: lengths from its west wall, along the corridor.
 struct Room {
@@ -39,28 +39,28 @@ class Office {
   Office(Variation& vary, double size_m2)
       : vary_(vary), depth_(vary.between(400, 600)), corridor_(vary.between(170, 260)), cross_(vary.between(200, 300)) {
     usual_ = drawn_room(vary.between(300, 450));
-    const int wing = 2 * depth_ + corridor_ + 2 * kPartition;
+    const int wing = 2 * depth_ + corridor_ + 2 * kPartition_cm;
     const double area = 1e4 * size_m2;
     corridors_ = std::max(1, static_cast<int>(std::lround(std::sqrt(area / 1.8) / wing)));
     const int rooms = std::max(3, static_cast<int>(std::lround(area / corridors_ / wing / pitch())));
-    const int most = std::max(1, kLongestWing / pitch());
+    const int most = std::max(1, kLongestWing_cm / pitch());
     wings_ = corridors_ == 1 ? 1 : (rooms + most - 1) / most;
     rooms_ = std::max(2, rooms / wings_);
     building_.module = pitch();
   }
 
   PlannedBuilding run() {
-    const int wing_height = 2 * depth_ + corridor_ + 3 * kPartition;
+    const int wing_height = 2 * depth_ + corridor_ + 3 * kPartition_cm;
     for (int k = 0; k < corridors_; ++k) add_corridor(k * wing_height, k == 0, k + 1 == corridors_);
     if (corridors_ > 1)
       for (int k = 0; k <= wings_; ++k)
-        add_cross_corridor(left_of_wing(k) - cross_, corridors_ * wing_height - kPartition);
+        add_cross_corridor(left_of_wing(k) - cross_, corridors_ * wing_height - kPartition_cm);
     for (const Box& stub : buttresses_) building_.plan.wall(stub);
     return std::move(building_);
   }
 
  private:
-  int pitch() const { return usual_.width + kPartition; }
+  int pitch() const { return usual_.width + kPartition_cm; }
   int wing_length() const { return rooms_ * pitch(); }
   int left_of_wing(int wing) const { return wing * (wing_length() + cross_); }
 
@@ -79,7 +79,7 @@ class Office {
   }
 
   void add_corridor(int bottom, bool is_lowest, bool is_highest) {
-    const int front = bottom + depth_ + kPartition;
+    const int front = bottom + depth_ + kPartition_cm;
     const Band south{front, -1, is_lowest}, north{front + corridor_, 1, is_highest};
     for (int wing = 0; wing < wings_; ++wing) {
       const int left = left_of_wing(wing);
@@ -103,22 +103,22 @@ class Office {
   }
 
   void add_rooms(const Band& band, int left) {
-    const int end = left + wing_length() - kPartition / 2;
-    int x = left + kPartition / 2;
-    while (end - x >= kNarrowestRoom) {
-      Room room = vary_.is_usual() ? usual_ : drawn_room(vary_.between(kNarrowestRoom, 900));
-      if (end - x - room.width < kPartition + kNarrowestRoom) room.width = end - x;
+    const int end = left + wing_length() - kPartition_cm / 2;
+    int x = left + kPartition_cm / 2;
+    while (end - x >= kNarrowestRoom_cm) {
+      Room room = vary_.is_usual() ? usual_ : drawn_room(vary_.between(kNarrowestRoom_cm, 900));
+      if (end - x - room.width < kPartition_cm + kNarrowestRoom_cm) room.width = end - x;
       room.door = std::min(room.door, room.width - 20 - room.door_width);
       add_room(band, room, left, x);
-      x += room.width + kPartition;
+      x += room.width + kPartition_cm;
     }
   }
 
   void add_room(const Band& band, const Room& room, int left, int x) {
     FloorPlan& plan = building_.plan;
-    plan.room(band.box(x, x + room.width, kPartition, kPartition + depth_));
+    plan.room(band.box(x, x + room.width, kPartition_cm, kPartition_cm + depth_));
     add_front(band, room, x);
-    const int far = kPartition + depth_;
+    const int far = kPartition_cm + depth_;
     if (room.shaft >= 30) {
       const int west = room.shaft_is_west ? x : x + room.width - room.shaft;
       plan.wall(band.box(west, west + room.shaft, far - room.shaft, far));
@@ -126,22 +126,22 @@ class Office {
     if (band.is_facade && room.has_window && room.width >= 250)
       plan.facade_glass(band.box(x + 100, x + room.width - 100, far, far + 10));
     if (room.width >= 600) {
-      const int middle = x + room.width / 2, pillar = kPartition + depth_ / 2;
+      const int middle = x + room.width / 2, pillar = kPartition_cm + depth_ / 2;
       plan.wall(band.box(middle - 20, middle + 20, pillar - 20, pillar + 20));
     }
-    if (room.buttress >= 15 && x > left + kPartition)
+    if (room.buttress >= 15 && x > left + kPartition_cm)
       buttresses_.push_back(band.box(x - 25, x + 15, -room.buttress, 0));
   }
 
   void add_front(const Band& band, const Room& room, int x) {
     FloorPlan& plan = building_.plan;
-    if (room.is_open) return plan.open(band.box(x + 30, x + room.width - 30, 0, kPartition));
+    if (room.is_open) return plan.open(band.box(x + 30, x + room.width - 30, 0, kPartition_cm));
     const int door_end = room.door + room.door_width;
-    plan.door(band.box(x + room.door, x + door_end, 0, kPartition));
+    plan.door(band.box(x + room.door, x + door_end, 0, kPartition_cm));
     const int east = room.width - 30 - door_end - 20, west = room.door - 20 - 30;
     if (!room.has_glass || std::max(east, west) < 60) return;
     const int from = east >= west ? door_end + 20 : 30;
-    plan.pane(band.box(x + from, x + from + std::max(east, west), 0, kPartition));
+    plan.pane(band.box(x + from, x + from + std::max(east, west), 0, kPartition_cm));
   }
 
   Variation& vary_;
