@@ -96,18 +96,18 @@ void Blackboard::notice_impasse() {
   const Point p = here + std::min(ahead_m, way.norm()) * way.normalized();
   const auto is_there = [&](const Point& somebody) { return (somebody - p).norm() < kSomebody_m; };
   const std::vector<Point> people = obstacles_.moving(ahead_m + kSomebody_m);
-  if (std::none_of(people.begin(), people.end(), is_there)) bar(T_map_odom() * p, false);
+  if (std::none_of(people.begin(), people.end(), is_there)) bar(T_map_odom() * p, Reason::stuck);
 }
 
-/// Not for long the first time: it may have been somebody who has gone on since.
-void Blackboard::bar(const Point& p_map, bool for_long) {
+/// Where the robot was stuck not for long the first time: it may have been somebody who has gone on since.
+void Blackboard::bar(const Point& p_map, Reason reason) {
   constexpr double kOnce_s = 60, kAgain_s = 600, kApart_m = 0.3;
   for (Impasse& impasse : impasses_) {
     if ((impasse.p_map - p_map).norm() > kApart_m) continue;
-    if (for_long || now_s() > impasse.until_s) impasse.until_s = now_s() + kAgain_s;
+    if (reason == Reason::given_up || now_s() > impasse.until_s) impasse.until_s = now_s() + kAgain_s;
     return;
   }
-  impasses_.push_back({p_map, now_s() + (for_long ? kAgain_s : kOnce_s)});
+  impasses_.push_back({p_map, now_s() + (reason == Reason::given_up ? kAgain_s : kOnce_s)});
 }
 
 bool Blackboard::try_again(std::span<const Point> way_map) {

@@ -65,7 +65,7 @@ class Blackboard {
   /// Whether the robot has wanted to get somewhere for some seconds, and has not moved.
   bool is_stuck() const { return now_s() - moved_at_s_ > kPatience_s; }
   /// For some minutes there is no way through a place, whatever the plan says. Frame `map`.
-  void give_up(const Point& p_map) { bar(p_map, true); }
+  void give_up(const Point& p_map) { bar(p_map, Reason::given_up); }
   /// Where even the best way leads through impasses there is no other: they are tried again. Frame `map`.
   /// @return whether there are such.
   bool try_again(std::span<const Point> way_map);
@@ -93,7 +93,9 @@ class Blackboard {
   void leave_out_mapped_berths();
   void notice_progress();
   void notice_impasse();
-  void bar(const Point& p_map, bool for_long);
+  /// Why there is no way through a place: the robot did not move, or a node says so.
+  enum class Reason { stuck, given_up };
+  void bar(const Point& p_map, Reason reason);
   void notice_unmapped();
   void notice_passed();
 

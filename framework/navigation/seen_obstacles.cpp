@@ -54,11 +54,11 @@ void SeenObstacles::add(const Scan& scan, const Pose2& T_odom_base, const Pose2&
     const Point p = T_odom_laser_ * point.position;
     const bool moves =
         std::any_of(movers.begin(), movers.end(), [&](const Point& q) { return (p - q).norm() < kBeside_m; });
-    see(p, moves);
+    see(p, moves ? Motion::moving : Motion::still);
   }
 }
 
-void SeenObstacles::see(const Point& p_odom, bool moves) {
+void SeenObstacles::see(const Point& p_odom, Motion motion) {
   constexpr double kNever_s = -1e9;
   const long key = key_of(p_odom, memory_.cell_m);
   const auto [entry, is_new] = point_of_.try_emplace(key, points_.size());
@@ -67,7 +67,7 @@ void SeenObstacles::see(const Point& p_odom, bool moves) {
   if (seen.stamp_s != now_s_) ++seen.scans;
   seen.p_odom = p_odom;
   seen.stamp_s = now_s_;
-  if (moves) seen.moved_s = now_s_;
+  if (motion == Motion::moving) seen.moved_s = now_s_;
 }
 
 /// Points of a scan where beams passed not long ago, frame odom. A lone one is a thin leg that was missed before.

@@ -59,7 +59,8 @@ class SeenObstacles {
   void sweep(const Scan& scan);
   void forget();
   void drop(std::size_t point);
-  void see(const Point& p_odom, bool moves);
+  enum class Motion { still, moving };
+  void see(const Point& p_odom, Motion motion);
   /// Came there not long before it was seen last: somebody who waits.
   bool waits(const SeenPoint& seen) const { return seen.stamp_s - seen.moved_s < memory_.waiting_s; }
   /// Those that pass a test, within reach of the robot. Frame odom.

@@ -70,11 +70,11 @@ bool is_crossed(const OccupancyGrid& grid, const Line& line, const CellPoint& fr
 
 class CornerSearch {
  public:
-  CornerSearch(const std::vector<Face>& faces, const OccupancyGrid& grid, bool is_drawn)
+  CornerSearch(const std::vector<Face>& faces, const OccupancyGrid& grid, GridKind kind)
       : faces_(faces),
         grid_(grid),
         max_extension_(grid.to_cells(kMaxExtension_m)),
-        min_arm_(grid.to_cells(is_drawn ? kMinDrawnArm_m : kMinArm_m)) {}
+        min_arm_(grid.to_cells(kind == GridKind::drawn ? kMinDrawnArm_m : kMinArm_m)) {}
 
   std::vector<CornerCandidate> run() const {
     const Begins begins(faces_, max_extension_);
@@ -116,11 +116,11 @@ class CornerSearch {
 
 }  // namespace
 
-std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& grid, bool is_drawn) {
+std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& grid, GridKind kind) {
   std::vector<Corner> corners;
   std::vector<bool> end_used(faces.size());
   std::vector<bool> begin_used(faces.size());
-  for (const CornerCandidate& candidate : CornerSearch(faces, grid, is_drawn).run()) {
+  for (const CornerCandidate& candidate : CornerSearch(faces, grid, kind).run()) {
     const auto before = static_cast<std::size_t>(candidate.corner.before);
     const auto after = static_cast<std::size_t>(candidate.corner.after);
     if (end_used[before] || begin_used[after]) continue;

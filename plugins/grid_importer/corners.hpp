@@ -2,6 +2,7 @@
 
 #include "face.hpp"
 #include "grid.hpp"
+#include "grid_kind.hpp"
 
 #include <vector>
 
@@ -16,7 +17,7 @@ struct Corner {
 
 /// Finds faces whose ends meet at an angle, and moves these ends to the intersection of their lines. Every end is
 /// part of one corner at most; the nearest pairs come first. No face is drawn out through space that beams crossed.
-/// @param is_drawn  short faces are as straight as long ones, and have corners, too.
-std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& grid, bool is_drawn);
+/// @param kind  of a drawn plan short faces are as straight as long ones, and have corners, too.
+std::vector<Corner> join_corners(std::vector<Face>& faces, const OccupancyGrid& grid, GridKind kind);
 
 }  // namespace opal::grid_importer

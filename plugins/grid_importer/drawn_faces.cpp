@@ -141,7 +141,7 @@ Support support_of(const Boundary& boundary, const Run& run, const Cell& tangent
 
 }  // namespace
 
-bool is_drawn_plan(const Boundary& boundary) {
+GridKind kind_of(const Boundary& boundary) {
   const int telling =
       std::max(kTellingCells, static_cast<int>(std::ceil(boundary.grid().to_cells(kTellingRun_m) - kGapRounding)));
   long all = 0, straight = 0;
@@ -150,7 +150,8 @@ bool is_drawn_plan(const Boundary& boundary) {
     all += drawn.cells();
     straight += drawn.cells_in_telling_runs(telling);
   }
-  return all > 0 && static_cast<double>(straight) >= kDrawnShare * static_cast<double>(all);
+  const bool is_drawn = all > 0 && static_cast<double>(straight) >= kDrawnShare * static_cast<double>(all);
+  return is_drawn ? GridKind::drawn : GridKind::recorded;
 }
 
 std::vector<Face> find_drawn_faces(Boundary& boundary, const VectorizerLimits& limits) {

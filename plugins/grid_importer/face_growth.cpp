@@ -50,10 +50,10 @@ struct Candidate {
 
 class Growth {
  public:
-  Growth(Boundary& boundary, const VectorizerLimits& limits, const Pass& pass, bool is_drawn)
+  Growth(Boundary& boundary, const VectorizerLimits& limits, const Pass& pass, GridKind kind)
       : boundary_(boundary),
         pass_(pass),
-        is_drawn_(is_drawn),
+        kind_(kind),
         tolerance_(boundary.grid().to_cells(limits.line_tolerance_m)),
         gap_(boundary.grid().to_cells(limits.bridge_gap_m)),
         min_length_(boundary.grid().to_cells(std::max(pass.min_length_m, limits.min_face_m))) {}
@@ -74,7 +74,7 @@ class Growth {
 
   /// Of a drawing, one side of a thin wall is often found before the other.
   bool may_grow(const BoundaryCell& cell) const {
-    return is_drawn_ ? cell.is_partly_unexplained() : cell.explained.empty();
+    return kind_ == GridKind::drawn ? cell.is_partly_unexplained() : cell.explained.empty();
   }
 
   LineFit surroundings(const BoundaryCell& cell) const {
@@ -166,7 +166,7 @@ class Growth {
 
   Boundary& boundary_;
   Pass pass_;
-  bool is_drawn_;
+  GridKind kind_;
   double tolerance_;
   double gap_;
   double min_length_;
@@ -174,9 +174,9 @@ class Growth {
 
 }  // namespace
 
-std::vector<Face> grow_faces(Boundary& boundary, const VectorizerLimits& limits, bool is_drawn) {
+std::vector<Face> grow_faces(Boundary& boundary, const VectorizerLimits& limits, GridKind kind) {
   std::vector<Face> faces;
-  for (const Pass& pass : kPasses) Growth(boundary, limits, pass, is_drawn).run(faces);
+  for (const Pass& pass : kPasses) Growth(boundary, limits, pass, kind).run(faces);
   return faces;
 }
 

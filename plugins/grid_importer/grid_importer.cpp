@@ -53,12 +53,12 @@ MapImport GridImporter::import(const std::string& path) const {
   grid = sharpened(grid);
   const double smear_m = estimate_smear_m(grid);
   std::optional<Boundary> boundary(std::in_place, grid);
-  const bool is_drawn = is_drawn_plan(*boundary);
+  const GridKind kind = kind_of(*boundary);
   if (smear_m > 0) {
     grid = unsmeared(grid, smear_m);
     boundary.emplace(grid);
   }
-  const VectorMap vectors = vectorize(*boundary, limits_for(grid), is_drawn);
+  const VectorMap vectors = vectorize(*boundary, limits_for(grid), kind);
   return {assemble(name_of(path), vectors, grid, smear_m), report(description, *boundary, vectors, smear_m)};
 }
 

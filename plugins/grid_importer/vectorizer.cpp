@@ -5,14 +5,14 @@
 
 namespace opal::grid_importer {
 
-VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits, bool is_drawn) {
+VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits, GridKind kind) {
   VectorMap map;
   map.columns = find_round_columns(boundary, limits);
-  if (is_drawn) map.faces = find_drawn_faces(boundary, limits);
+  if (kind == GridKind::drawn) map.faces = find_drawn_faces(boundary, limits);
   map.drawn_faces = static_cast<int>(map.faces.size());
-  const std::vector<Face> grown = grow_faces(boundary, limits, is_drawn);
+  const std::vector<Face> grown = grow_faces(boundary, limits, kind);
   map.faces.insert(map.faces.end(), grown.begin(), grown.end());
-  map.corners = join_corners(map.faces, boundary.grid(), is_drawn);
+  map.corners = join_corners(map.faces, boundary.grid(), kind);
   return map;
 }
 

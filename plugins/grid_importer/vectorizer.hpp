@@ -3,6 +3,7 @@
 #include "columns.hpp"
 #include "corners.hpp"
 #include "face.hpp"
+#include "grid_kind.hpp"
 
 #include <vector>
 
@@ -16,7 +17,6 @@ struct VectorMap {
   int drawn_faces = 0;  ///< so many of `faces`, the first ones, run along rows and columns as they were drawn
 };
 
-/// @param is_drawn  the grid is a plan that was drawn along its rows and columns: `is_drawn_plan`.
-VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits, bool is_drawn);
+VectorMap vectorize(Boundary& boundary, const VectorizerLimits& limits, GridKind kind);
 
 }  // namespace opal::grid_importer

@@ -181,7 +181,8 @@ void ContextReader::define_terms(ActiveContext& result, const Json& local, const
                                  const ContextUse& use) {  // 5.12, 5.13
   TermReader terms(*this, result, local, place, use);
   if (local.contains("@protected"))
-    terms.protect(read_boolean(local["@protected"], "invalid @protected value", place.at("@protected")));
+    if (read_boolean(local["@protected"], "invalid @protected value", place.at("@protected")))
+      terms.protect(TermReader::Protection::all);
   for (const auto& [term, definition] : local.items())
     if (std::find(kNoTerms.begin(), kNoTerms.end(), term) == kNoTerms.end()) terms.define(term);
 }

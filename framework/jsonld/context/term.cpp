@@ -83,7 +83,7 @@ void TermReader::define_from(const std::string& term, const Json& value, const P
     refuse("invalid term definition", place, "expected null, an IRI or an object");
   const Json map = value.is_object() ? value : Json{{"@id", value}};
   TermDefinition definition;
-  definition.is_protected = protect_all_;
+  definition.is_protected = protection_ == Protection::all;
   if (map.contains("@protected")) read_protected(definition, map["@protected"], place.at("@protected"));
   if (map.contains("@type")) read_type(definition, map["@type"], place.at("@type"));
   const bool kept =

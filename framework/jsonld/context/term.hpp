@@ -19,7 +19,9 @@ class TermReader {
              const ContextUse& use)
       : contexts_(contexts), result_(result), local_(local), place_(place), use_(use) {}
 
-  void protect(bool all) { protect_all_ = all; }
+  /// Whether terms may be redefined that do not say so themselves.
+  enum class Protection { none, all };
+  void protect(Protection terms) { protection_ = terms; }
   /// Defines the term, after those that it depends on.
   void define(const std::string& term);
 
@@ -52,7 +54,7 @@ class TermReader {
   const Json& local_;
   const Place& place_;
   const ContextUse& use_;
-  bool protect_all_ = false;
+  Protection protection_ = Protection::none;
   std::map<std::string, bool> defined_;  ///< false while the definition is being made
   int open_ = 0;                         ///< definitions that wait for one another
 };

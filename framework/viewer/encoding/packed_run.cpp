@@ -29,11 +29,15 @@ class Packing {
   RecordPacker packer_;
 };
 
+/// What becomes of the coarsest level if it is too large, too.
+enum class CoarsestLevel { within_limit, always_kept };
+
 /// Packs frames with several levels of detail at once, finest first, and keeps those that fit.
 class Packings {
  public:
-  Packings(std::span<const PageDetail> details, std::size_t limit, bool keep_last, const MakeNarrator& make_narrator)
-      : limit_(limit), keep_last_(keep_last), narrate_(make_narrator()) {
+  Packings(std::span<const PageDetail> details, std::size_t limit, CoarsestLevel coarsest,
+           const MakeNarrator& make_narrator)
+      : limit_(limit), keep_last_(coarsest == CoarsestLevel::always_kept), narrate_(make_narrator()) {
     for (const PageDetail& detail : details) packings_.push_back(std::make_unique<Packing>(detail));
   }
 
@@ -97,8 +101,9 @@ PackedRun pack_run(const std::string& out, const std::string& name, std::size_t 
                    const MakeNarrator& make_narrator) {
   const auto details = page_details();
   // Most runs fit as they are; the others are read again, for all coarser levels together.
-  std::optional<PackedRun> packed = try_to_pack(out, {details.first(1), limit, false, make_narrator});
-  if (!packed) packed = try_to_pack(out, {details.subspan(1), limit, true, make_narrator});
+  std::optional<PackedRun> packed =
+      try_to_pack(out, {details.first(1), limit, CoarsestLevel::within_limit, make_narrator});
+  if (!packed) packed = try_to_pack(out, {details.subspan(1), limit, CoarsestLevel::always_kept, make_narrator});
   packed->name = name;
   return *std::move(packed);
 }
