@@ -2,7 +2,9 @@
 #include <opal/common/strict_json.hpp>
 #include <opal/deployment/deployment.hpp>
 #include "deployment_text.hpp"
+
 #include "jsonld/json_ld.hpp"
+#include "tests/kit/shipped_plugins.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -23,12 +25,6 @@ std::string refusal_of(const std::string& text) {
     return message.substr(kFile.size() + 2);
   }
   return "accepted";
-}
-
-PluginRegistry shipped_plugins() {
-  PluginRegistry registry;
-  for (const std::string& refusal : registry.load_all(OPAL_PLUGIN_DIR)) FAIL(refusal);
-  return registry;
 }
 
 /// Two walls that make a room's corner, and a column.
@@ -191,7 +187,7 @@ TEST_CASE("a deployment that cannot be opened is an error that names it") {
 }
 
 TEST_CASE("without lists in the deployment, the map decides what runs") {
-  const PluginRegistry registry = shipped_plugins();
+  const PluginRegistry& registry = shipped_plugins();
   const LocalizerParts walls = build_parts(parsed(""), registry, room(false));
   CHECK_THAT(names_of(walls.detectors), Catch::VectorContains(std::string("opal:LineDetector")));
   CHECK_THAT(names_of(walls.detectors), !Catch::VectorContains(std::string("opal:CircleDetector")));
@@ -202,7 +198,7 @@ TEST_CASE("without lists in the deployment, the map decides what runs") {
 }
 
 TEST_CASE("a deployment narrows what the map calls for, and keeps its own order") {
-  const PluginRegistry registry = shipped_plugins();
+  const PluginRegistry& registry = shipped_plugins();
   const Deployment deployment =
       parsed(R"("detectors": [{"@type": "opal:CircleDetector"}, {"@type": "opal:LineDetector"}])");
   CHECK(names_of(build_parts(deployment, registry, room(true)).detectors) ==
@@ -244,7 +240,7 @@ TEST_CASE("parts that no plugin offers, of another kind, or with wrong options a
 }
 
 TEST_CASE("every shipped configuration is readable, and its parts can be made") {
-  const PluginRegistry registry = shipped_plugins();
+  const PluginRegistry& registry = shipped_plugins();
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(OPAL_SOURCE_DIR "/configs")) {
     if (entry.path().filename() == "behaviours.jsonld") continue;  // tests/behaviours

@@ -37,7 +37,7 @@ std::string overlay_text(const std::vector<DriveEvidence>& drives) {
 
 TEST_CASE("ten robots through one store teach the same as one robot in ten drives, whatever the order") {
   const std::string alone = overlay_text(ten_drives());
-  CHECK_THAT(alone, Contains("wall-1") || Contains("corner"));
+  CHECK_THAT(alone, Contains("wall-1"));
   for (const int first : {0, 3, 7}) {
     std::vector<DriveEvidence> drives = ten_drives();
     std::rotate(drives.begin(), drives.begin() + first, drives.end());

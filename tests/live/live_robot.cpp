@@ -1,24 +1,16 @@
 #include "live_robot.hpp"
 
+#include "tests/kit/shipped_plugins.hpp"
+
 #include "simulation/buildings/building.hpp"
 
 #include <opal/deployment/deployment.hpp>
-#include <opal/plugin/plugin_registry.hpp>
 
 #include <algorithm>
 
 using namespace opal;
 
 namespace {
-
-const PluginRegistry& registry() {
-  static const PluginRegistry loaded = [] {
-    PluginRegistry fresh;
-    for (const std::string& refusal : fresh.load_all(OPAL_PLUGIN_DIR)) throw PluginError(refusal);
-    return fresh;
-  }();
-  return loaded;
-}
 
 Deployment deployment() { return read_deployment(OPAL_SOURCE_DIR "/configs/two_lasers.jsonld"); }
 
@@ -47,7 +39,7 @@ LiveRobot::LiveRobot(std::vector<LaserModel> lasers_given, double scan_every_s, 
 LocalizerParts LiveRobot::parts() const { return parts(lasers); }
 
 LocalizerParts LiveRobot::parts(std::vector<LaserModel> described) const {
-  return build_parts(with_lasers(deployment(), std::move(described)), registry(), map);
+  return build_parts(with_lasers(deployment(), std::move(described)), shipped_plugins(), map);
 }
 
 std::vector<simulation::Arrival> LiveRobot::later(double by_s) const {

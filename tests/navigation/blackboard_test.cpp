@@ -10,13 +10,13 @@ using namespace opal::behaviours;
 namespace {
 
 /// A corridor of 2 m, y from 0 to 2, in which the legs of a chair leave 0.9 m.
-void stand_before_legs(MadeUpMoment& moment, double x, double now_s) {
+void stand_before_legs(SyntheticMoment& moment, double x, double now_s) {
   moment.queries.stand(Pose2(x, 1, 0), {Pose2(x, 1, 0)}, now_s);
   for (const double y : {0.55, 1.45}) moment.queries.also_see({12, y});
   moment.blackboard.look();
 }
 
-void come_and_go(MadeUpMoment& moment, GoToGoal& drive) {
+void come_and_go(SyntheticMoment& moment, GoToGoal& drive) {
   for (double now_s = 0; now_s < 40; now_s += 0.5) {
     stand_before_legs(moment, 10 + std::fmod(now_s, 8) / 8, now_s);
     drive.tick(moment.blackboard);
@@ -30,7 +30,7 @@ const std::vector<Point> kOuterWalls{{0, 0}, {30, 0}, {30, 12}, {0, 12}}, kBlock
 TEST_CASE("a robot that comes and goes before a gap gives it up where there is another way, and keeps in mind where") {
   std::vector<Segment> ring = room_of(kOuterWalls);
   for (const Segment& face : room_of(kBlock)) ring.push_back(face);
-  MadeUpMoment moment(map_of(ring), {29, 1});
+  SyntheticMoment moment(map_of(ring), {29, 1});
   GoToGoal drive(0.3);
   come_and_go(moment, drive);
   REQUIRE(moment.blackboard.impasses().size() == 1);
@@ -44,7 +44,7 @@ TEST_CASE("a robot that comes and goes before a gap gives it up where there is a
 
 TEST_CASE("a robot that waits for somebody calls that no impasse") {
   const auto impasses_after_waiting = [](bool somebody) {
-    MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
+    SyntheticMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
     GoToGoal drive(0.3);
     for (double now_s = 0; now_s < 9; now_s += 0.1) {
       moment.queries.stand(Pose2(10, 1, 0), {Pose2(10, 1, 0)}, now_s);
@@ -61,7 +61,7 @@ TEST_CASE("a robot that waits for somebody calls that no impasse") {
 }
 
 TEST_CASE("where a robot has just been it can be again, however narrow it is") {
-  MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
+  SyntheticMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
   const auto price_in_gap = [&] {
     return unmapped_surcharge(moment.blackboard)[static_cast<std::size_t>(moment.blackboard.floor.cell_at({12, 1.05}))];
   };
@@ -79,14 +79,14 @@ TEST_CASE("where a robot has just been it can be again, however narrow it is") {
 }
 
 TEST_CASE("a robot that comes and goes before a gap tries it again where there is no other way") {
-  MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
+  SyntheticMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
   GoToGoal drive(0.3);
   come_and_go(moment, drive);
   CHECK(moment.blackboard.impasses().empty());
 }
 
 TEST_CASE("a way that turns back from an impasse does not lead through it, however near it begins") {
-  MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
+  SyntheticMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
   stand_before_legs(moment, 11.5, 0);
   moment.blackboard.give_up({11.8, 1});
   CHECK_FALSE(moment.blackboard.try_again(std::vector<Point>{{11.5, 1}, {2, 1}}));
@@ -96,7 +96,7 @@ TEST_CASE("a way that turns back from an impasse does not lead through it, howev
 }
 
 TEST_CASE("a robot that gets on gives nothing up, however slow it is") {
-  MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
+  SyntheticMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 2}, {0, 2}})), {28, 1});
   GoToGoal drive(0.3);
   for (double now_s = 0; now_s < 60; now_s += 0.5) {
     stand_before_legs(moment, 2 + 0.15 * now_s, now_s);
@@ -107,7 +107,7 @@ TEST_CASE("a robot that gets on gives nothing up, however slow it is") {
 
 TEST_CASE("beside what comes and goes a robot waits, unless it is mapped: panes do not walk") {
   const auto speed_in = [](double low_y) {  // of a room that begins there; 0.45 m beside the robot, at y = 0, it comes
-    MadeUpMoment moment(map_of(room_of({{0, low_y}, {30, low_y}, {30, 3}, {0, 3}})), {28, 1});
+    SyntheticMoment moment(map_of(room_of({{0, low_y}, {30, low_y}, {30, 3}, {0, 3}})), {28, 1});
     GoToGoal drive(0.3);
     for (int k = 0; k < 8; ++k) {
       moment.queries.stand(Pose2(10, 0.45, 0), {Pose2(10, 0.45, 0)}, 0.1 * k);

@@ -1,8 +1,9 @@
+#include "tests/kit/shipped_plugins.hpp"
+
 #include "closed_loop/closed_loop.hpp"
 #include "navigation/node_registry.hpp"
 
 #include <opal/deployment/deployment.hpp>
-#include <opal/plugin/plugin_registry.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -13,15 +14,13 @@ namespace {
 const Point kGoal(1, 4);  // in the room: what is behind its door is not mapped
 
 DriveRecord driven(const char* behaviour, std::uint64_t seed) {
-  PluginRegistry registry;
-  registry.load_all(OPAL_PLUGIN_DIR);
   const auto map = SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld");
   simulation::SimulationOptions world;
   world.people = 1;
   world.robot_radius_m = 0.25;
   Deployment deployment = read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld");
   deployment.lasers.front() = world.laser;
-  const LocalizerParts parts = build_parts(deployment, registry, map);
+  const LocalizerParts parts = build_parts(deployment, shipped_plugins(), map);
   Localizer localizer(parts);
   simulation::Simulation simulation(map, world, seed);
   ClosedLoopOptions options;

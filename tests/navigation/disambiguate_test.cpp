@@ -53,7 +53,7 @@ TEST_CASE("no way leads anywhere in a map that a half turn makes the same") {
 }
 
 TEST_CASE("the behaviour drives towards the asymmetry, whichever hypothesis is the right one") {
-  MadeUpMoment moment(two_rooms(), {7, 0});
+  SyntheticMoment moment(two_rooms(), {7, 0});
   const Pose2 half_turn(0, 0, std::numbers::pi);
   Pose2 truth = GENERATE(Pose2(2, 0, 0), Pose2(-2, 0, std::numbers::pi));
   const double from = std::abs(truth.x());
@@ -71,7 +71,7 @@ TEST_CASE("the behaviour drives towards the asymmetry, whichever hypothesis is t
 }
 
 TEST_CASE("without alternatives there is nothing to tell apart") {
-  MadeUpMoment moment(two_rooms(), {7, 0});
+  SyntheticMoment moment(two_rooms(), {7, 0});
   moment.queries.stand({2, 0, 0}, {Pose2(2, 0, 0)}, 0);
   moment.blackboard.look();
   Disambiguate disambiguate{{}};

@@ -139,7 +139,7 @@ TEST_CASE("what stands on the border of cells makes dear all floor around it") {
 }
 
 TEST_CASE("a robot that sees nothing any more goes back to where it saw something") {
-  MadeUpMoment moment;
+  SyntheticMoment moment;
   DriveFreely drive(0);
   double now_s = 0;
   const auto at = [&](double x) {
@@ -155,7 +155,7 @@ TEST_CASE("a robot that sees nothing any more goes back to where it saw somethin
 }
 
 TEST_CASE("a robot that searches keeps away from where its hypotheses have the building end") {
-  MadeUpMoment moment(map_of(house(1)));
+  SyntheticMoment moment(map_of(house(1)));
   DriveFreely drive(0);
   moment.queries.stand(Pose2(7.4, 3, 0), {Pose2(7.4, 3, 0)}, 1);
   moment.blackboard.look();
@@ -165,7 +165,7 @@ TEST_CASE("a robot that searches keeps away from where its hypotheses have the b
 
 TEST_CASE("a plan remembers what stands in the way when the robot is far from it again") {
   const auto map = map_of(room_of({{0, 0}, {30, 0}, {30, 3}, {0, 3}}));
-  MadeUpMoment moment(map);
+  SyntheticMoment moment(map);
   const auto look_from = [&](double x, bool barred, double now_s) {
     moment.queries.stand(Pose2(x, 1.5, 0), {Pose2(x, 1.5, 0)}, now_s);
     if (barred) moment.queries.scan.points.push_back({{4, 0}, 4, 0, 270});
@@ -195,7 +195,7 @@ TEST_CASE("somebody who walked by is not planned around a minute later") {
 }
 
 TEST_CASE("a way round 500 m long is better than past what stands in a gap that just fits, and who walks bars no way") {
-  MadeUpMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 3}, {0, 3}})));
+  SyntheticMoment moment(map_of(room_of({{0, 0}, {30, 0}, {30, 3}, {0, 3}})));
   const double needed_m = moment.blackboard.motion.options().radius_m + moment.blackboard.motion.options().margin_m;
   const auto price_beside = [&](bool somebody, double now_s) {
     moment.queries.stand(Pose2(10, 1.5, 0), {Pose2(10, 1.5, 0)}, now_s);

@@ -83,9 +83,9 @@ struct ToldQueries : LocalizationQueries {
 };
 
 /// A robot in a map, with a goal.
-struct MadeUpMoment {
-  explicit MadeUpMoment(std::shared_ptr<const SemanticMap> map = map_of(room_of({{0, 0}, {8, 0}, {8, 6}, {0, 6}})),
-                        const Point& goal = {2, 2})
+struct SyntheticMoment {
+  explicit SyntheticMoment(std::shared_ptr<const SemanticMap> map = map_of(room_of({{0, 0}, {8, 0}, {8, 6}, {0, 6}})),
+                           const Point& goal = {2, 2})
       : queries(std::move(map)), floor(mapped_floor(queries.view, 0.25)), blackboard(queries, motion, floor, goal) {}
   ToldQueries queries;
   MotionPrimitives motion;

@@ -43,7 +43,7 @@ struct Made {
     root = std::make_unique<ControlFlow>(go_on, memory, std::move(children));
   }
   NodeStatus tick() { return root->tick(moment.blackboard); }
-  MadeUpMoment moment;
+  SyntheticMoment moment;
   std::vector<Scripted*> nodes;
   std::unique_ptr<Node> root;
 };
@@ -107,7 +107,7 @@ TEST_CASE("all fail, all succeed, and a halted sequence begins anew") {
 }
 
 TEST_CASE("decorators") {
-  MadeUpMoment moment;
+  SyntheticMoment moment;
   const auto scripted = [](NodeStatus outcome) { return std::make_unique<Scripted>(std::vector<NodeStatus>{outcome}); };
   CHECK(Inverter(scripted(success)).tick(moment.blackboard) == failure);
   CHECK(Inverter(scripted(failure)).tick(moment.blackboard) == success);

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "tests/kit/shipped_plugins.hpp"
+
 #include <opal/map/view/map_view.hpp>
-#include <opal/plugin/plugin_registry.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -12,12 +13,7 @@
 /// A template as shipped, by its type name.
 inline std::shared_ptr<const opal::PatternTemplate> shipped(const std::string& name,
                                                             const nlohmann::json& options = nlohmann::json::object()) {
-  static const opal::PluginRegistry registry = [] {
-    opal::PluginRegistry all;
-    for (const std::string& refusal : all.load_all(OPAL_PLUGIN_DIR)) FAIL(refusal);
-    return all;
-  }();
-  return registry.make<opal::PatternTemplate>(name, options);
+  return shipped_plugins().make<opal::PatternTemplate>(name, options);
 }
 
 inline opal::Feature column(double x, double y, double radius_m = 0.33) {

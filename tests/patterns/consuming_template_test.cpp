@@ -1,3 +1,5 @@
+#include "tests/kit/shipped_plugins.hpp"
+
 #include "patterns/consuming_template.hpp"
 
 #include <opal/deployment/deployment.hpp>
@@ -38,11 +40,9 @@ TEST_CASE("a template that consumes some types takes no feature of another type,
 }
 
 TEST_CASE("the templates of a localizer keep to the types that they consume") {
-  PluginRegistry registry;
-  for (const std::string& refusal : registry.load_all(OPAL_PLUGIN_DIR)) FAIL(refusal);
   const Deployment deployment = parse_deployment(
       R"({"@context": "urn:opal:v1", "@type": "opal:Deployment", "scorers": [{"@type": "opal:Beams"}]})", "a.jsonld");
-  const LocalizerParts parts = build_parts(deployment, registry, opal::testing::example_map());
+  const LocalizerParts parts = build_parts(deployment, shipped_plugins(), opal::testing::example_map());
   const auto pose = std::find_if(parts.patterns.begin(), parts.patterns.end(),
                                  [](const auto& pattern) { return pattern.name == "opal:CornerPose"; });
   REQUIRE(pose != parts.patterns.end());

@@ -1,8 +1,8 @@
+#include "tests/kit/shipped_plugins.hpp"
+
 #include "benchmark/experiments/goals/goal_report.hpp"
 #include "benchmark/experiments/kit/in_parallel.hpp"
 #include "benchmark/experiments/kit/published.hpp"
-
-#include <opal/plugin/plugin_registry.hpp>
 
 #include "simulation/buildings/building.hpp"
 
@@ -30,15 +30,13 @@ GoalExperiment in_the_room() {
 }
 
 std::vector<GoalRun> driven(int jobs) {
-  PluginRegistry registry;
-  registry.load_all(OPAL_PLUGIN_DIR);
   const GoalExperiment experiment = in_the_room();
   const Contender contender{"default", read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld"), "disambiguate"};
   const std::vector<GoalTask> tasks{{"A1", {"opal:ColumnPair"}, 2, Pose2(2, 2, 1), {6, 4}},
                                     {"A2", {"opal:ColumnPair"}, 2, Pose2(6, 4, 0), {2, 2}}};
   std::vector<GoalRun> runs(tasks.size());
   in_parallel(runs.size(), jobs,
-              [&](std::size_t k) { runs[k] = run_task(experiment, registry, contender, tasks[k], 1); });
+              [&](std::size_t k) { runs[k] = run_task(experiment, shipped_plugins(), contender, tasks[k], 1); });
   return runs;
 }
 

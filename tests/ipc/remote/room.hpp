@@ -1,23 +1,15 @@
 #pragma once
 
+#include "tests/kit/shipped_plugins.hpp"
+
 #include "ipc/remote/localization_server.hpp"
 #include "simulation/simulation.hpp"
 
 #include <opal/deployment/deployment.hpp>
-#include <opal/plugin/plugin_registry.hpp>
 
 #include <memory>
 
 /// A small room, and what localizes in it.
-inline const opal::PluginRegistry& registry() {
-  static const opal::PluginRegistry plugins = [] {
-    opal::PluginRegistry all;
-    all.load_all(OPAL_PLUGIN_DIR);
-    return all;
-  }();
-  return plugins;
-}
-
 inline std::shared_ptr<const opal::SemanticMap> room() {
   static const auto map = opal::SemanticMap::read(OPAL_SOURCE_DIR "/maps/example_room.jsonld");
   return map;
@@ -35,7 +27,7 @@ inline std::unique_ptr<opal::Localizer> localizer_of(const opal::LaserModel& las
   const std::string sensor = deployment.lasers.front().id;
   deployment.lasers.front() = laser;
   deployment.lasers.front().id = sensor;
-  return std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry(), room()));
+  return std::make_unique<opal::Localizer>(opal::build_parts(deployment, shipped_plugins(), room()));
 }
 
 inline std::unique_ptr<opal::remote::LocalizationServer> server(int port = 0) {

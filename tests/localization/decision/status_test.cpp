@@ -171,7 +171,7 @@ TEST_CASE("evidence of any size gives probabilities") {
   for (const double nat : {-1e6, 0.0, 1e6}) {
     Answer answer;
     const PoseEstimate estimate = answer.to({hypothesis(1, kHere, nat), hypothesis(2, kThere, nat - 1)});
-    CHECK(estimate.probability >= 0);
+    CHECK((std::isfinite(estimate.probability) && estimate.probability >= 0));
     CHECK(total(estimate) <= 1 + 1e-9);
   }
 }

@@ -168,9 +168,8 @@ TEST_CASE("splines are chords that are near to them, rational or not; without co
   CHECK(thing(plan, "102").status == ImportStatus::unreadable);
   CHECK_THAT(thing(plan, "102").reason, Contains("no control points"));
   CHECK_THAT(thing(plan, "103").reason, Contains("knots do not rise"));
-  CHECK_THROWS_WITH(
-      import_dxf(DxfText(6).spline("A-WALL", 1, {0, 0, 1, 1}, {{0, 0}, {1, 0}}).pair(10, 3).text()),
-      Contains("SPLINE: 3 times code 10, expected 2, as code 73 says") || Contains("SPLINE: 3 times code 10"));
+  CHECK_THROWS_WITH(import_dxf(DxfText(6).spline("A-WALL", 1, {0, 0, 1, 1}, {{0, 0}, {1, 0}}).pair(10, 3).text()),
+                    Contains("SPLINE: 3 times code 10, expected 2, as code 73 says"));
 }
 
 TEST_CASE("a multiline is all its lines: a wall with two faces") {

@@ -2,6 +2,8 @@
 #include "event_recorder.hpp"
 #include "recorded_site.hpp"
 
+#include "tests/kit/shipped_plugins.hpp"
+
 #include "patterns/pattern_layer.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,14 +14,8 @@ using namespace opal;
 
 namespace {
 
-PluginRegistry all_plugins() {
-  PluginRegistry registry;
-  registry.load_all(OPAL_PLUGIN_DIR);
-  return registry;
-}
-
 std::shared_ptr<const SemanticMap> with_layer(const RecordedSite& site, const std::vector<std::string>& names) {
-  const PluginRegistry registry = all_plugins();
+  const PluginRegistry& registry = shipped_plugins();
   std::vector<Named<PatternTemplate>> templates;
   for (const std::string& name : names) templates.push_back({name, registry.make<PatternTemplate>(name)});
   return site.map->with_patterns(find_pattern_layer(MapView(site.map, "PlanarLidar2D"), templates).patterns);

@@ -1,5 +1,7 @@
 #include "recorded_site.hpp"
 
+#include "tests/kit/shipped_plugins.hpp"
+
 #include <opal/map/map_importer.hpp>
 #include <opal/sensing/log_source.hpp>
 
@@ -9,21 +11,12 @@ using namespace opal;
 
 namespace {
 
-const PluginRegistry& registry() {
-  static const PluginRegistry loaded = [] {
-    PluginRegistry fresh;
-    for (const std::string& refusal : fresh.load_all(OPAL_PLUGIN_DIR)) throw PluginError(refusal);
-    return fresh;
-  }();
-  return loaded;
-}
-
 std::string prefix_of(const std::string& name) { return std::string(OPAL_SOURCE_DIR) + "/maps/malaga/" + name; }
 
 }  // namespace
 
 RecordedSite::RecordedSite(const std::string& name, Extent extent)
-    : map(registry().make<MapImporter>("opal:GridImporter")->import(prefix_of(name) + ".map.yaml").map),
+    : map(shipped_plugins().make<MapImporter>("opal:GridImporter")->import(prefix_of(name) + ".map.yaml").map),
       laser(read_site_laser(prefix_of(name) + ".info.json")),
       truth(GroundTruth::read(prefix_of(name) + ".gt.csv")) {
   ReplayOptions window;
@@ -32,7 +25,7 @@ RecordedSite::RecordedSite(const std::string& name, Extent extent)
     window.from_s = query.start_s;
     window.to_s = query.end_s;
   }
-  Replay log(registry().make<LogSource>("opal:CarmenLog")->open(prefix_of(name) + ".log.gz"), {laser}, window);
+  Replay log(shipped_plugins().make<LogSource>("opal:CarmenLog")->open(prefix_of(name) + ".log.gz"), {laser}, window);
   samples = read_all(log);
 }
 
@@ -41,7 +34,7 @@ LocalizerParts RecordedSite::parts(std::shared_ptr<const SemanticMap> other_map)
   const std::string sensor = deployment.lasers.front().id;
   deployment.lasers.front() = laser;
   deployment.lasers.front().id = sensor;
-  return build_parts(deployment, registry(), std::move(other_map));
+  return build_parts(deployment, shipped_plugins(), std::move(other_map));
 }
 
 std::vector<ReplayedScan> replay(Localizer& localizer, const std::vector<Sample>& samples) {

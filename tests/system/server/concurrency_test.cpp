@@ -190,7 +190,7 @@ TEST_CASE("of robots that push on the same version and say so, one wins and the 
 TEST_CASE("a push that waits too long for another one gives up") {
   const Map map = large_map(20, 3);
   store()->push(*map, {"busy"});
-  const auto impatient = plugins().make<MapStore>("opal:PostgisStore", {{"lock_timeout_s", 1}});
+  const auto impatient = shipped_plugins().make<MapStore>("opal:PostgisStore", {{"lock_timeout_s", 1}});
   postgis_store::Server blocker({});
   blocker.transact([&](postgis_store::Session& session) {
     session.ask("SELECT 1 FROM opal.buildings WHERE name = 'busy' FOR UPDATE");

@@ -113,7 +113,7 @@ TEST_CASE("credentials come from a password file and a service file, too") {
 TEST_CASE("a server that is not there, or says nothing, is told in good time") {
   const SilentServer silent;
   const Setting host("PGHOST", "127.0.0.1"), port("PGPORT", silent.port());
-  const auto hasty = plugins().make<MapStore>("opal:PostgisStore", {{"connect_timeout_s", 2}});
+  const auto hasty = shipped_plugins().make<MapStore>("opal:PostgisStore", {{"connect_timeout_s", 2}});
   CHECK_THROWS_AS(hasty->list(""), StoreUnreachable);
   CHECK_THROWS_WITH(hasty->pull("hall", 0),
                     Contains("database postgres on 127.0.0.1:" + silent.port()) && Contains("timeout expired"));

@@ -56,16 +56,7 @@ Geometry random_geometry(std::mt19937& random, double side_m) {
 
 }  // namespace
 
-const PluginRegistry& plugins() {
-  static const PluginRegistry registry = [] {
-    PluginRegistry loaded;
-    for (const std::string& refusal : loaded.load_all(OPAL_PLUGIN_DIR)) throw std::runtime_error(refusal);
-    return loaded;
-  }();
-  return registry;
-}
-
-std::shared_ptr<const MapStore> store() { return plugins().make<MapStore>("opal:PostgisStore"); }
+std::shared_ptr<const MapStore> store() { return shipped_plugins().make<MapStore>("opal:PostgisStore"); }
 
 Map rich_map() { return SemanticMap::parse(kRichDocument, "rich"); }
 
@@ -87,8 +78,10 @@ Map large_map(int features, unsigned seed) {
 }
 
 Map malaga() {
-  static const Map map =
-      plugins().make<MapImporter>("opal:GridImporter")->import(OPAL_SOURCE_DIR "/maps/malaga/malaga.map.yaml").map;
+  static const Map map = shipped_plugins()
+                             .make<MapImporter>("opal:GridImporter")
+                             ->import(OPAL_SOURCE_DIR "/maps/malaga/malaga.map.yaml")
+                             .map;
   return map;
 }
 

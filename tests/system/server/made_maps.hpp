@@ -1,8 +1,9 @@
 #pragma once
 
+#include "tests/kit/shipped_plugins.hpp"
+
 #include <opal/map/map_store.hpp>
 #include <opal/map/semantic_map.hpp>
-#include <opal/plugin/plugin_registry.hpp>
 
 #include <memory>
 #include <string>
@@ -11,8 +12,6 @@ namespace opal::store_tests {
 
 using Map = std::shared_ptr<const SemanticMap>;
 
-/// The plugins of the build.
-const PluginRegistry& plugins();
 /// A store as a program makes it, on the server that the environment names now.
 std::shared_ptr<const MapStore> store();
 

@@ -42,9 +42,9 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
 /// Null if no importer takes it, or none can.
 Map imported(const fs::path& source) {
   if (source.extension() == ".jsonld") return SemanticMap::read(source);
-  for (const RegisteredType& type : plugins().types()) {
+  for (const RegisteredType& type : shipped_plugins().types()) {
     if (type.kind != PluginKind::map_importer) continue;
-    const auto importer = plugins().make<MapImporter>(type.info.name);
+    const auto importer = shipped_plugins().make<MapImporter>(type.info.name);
     if (importer->recognizes(source)) return importer->import(source).map;
   }
   return nullptr;

@@ -1,23 +1,15 @@
+#include "tests/kit/shipped_plugins.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "benchmark/experiments/buildings/buildings_page.hpp"
 #include "benchmark/experiments/kit/in_parallel.hpp"
 
 #include <opal/deployment/deployment.hpp>
-#include <opal/plugin/plugin_registry.hpp>
 
 using namespace opal::experiments;
 
 namespace {
-
-const opal::PluginRegistry& registry() {
-  static const opal::PluginRegistry plugins = [] {
-    opal::PluginRegistry all;
-    all.load_all(OPAL_PLUGIN_DIR);
-    return all;
-  }();
-  return plugins;
-}
 
 /// Small buildings and short drives.
 BuildingsExperiment experiment(int jobs, bool backwards) {
@@ -34,7 +26,7 @@ BuildingsExperiment experiment(int jobs, bool backwards) {
   done.buildings.resize(suite.size());
   in_parallel(suite.size(), jobs, [&](std::size_t k) {
     const std::size_t which = backwards ? suite.size() - 1 - k : k;
-    done.buildings[which] = run_building(suite[which], registry(), options);
+    done.buildings[which] = run_building(suite[which], shipped_plugins(), options);
   });
   done.groups = groups_of(done.buildings);
   done.command = done.run_command = "opal experiment buildings";

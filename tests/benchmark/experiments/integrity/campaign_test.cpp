@@ -1,4 +1,5 @@
 #include "tests/kit/file_content.hpp"
+#include "tests/kit/shipped_plugins.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include "benchmark/experiments/integrity/campaign_work.hpp"
@@ -17,14 +18,9 @@ using Catch::Contains;
 namespace {
 
 const CampaignRobots& robots() {
-  static const PluginRegistry registry = [] {
-    PluginRegistry all;
-    all.load_all(OPAL_PLUGIN_DIR);
-    return all;
-  }();
   static const CampaignRobots robots{with_lasers(read_deployment(OPAL_SOURCE_DIR "/configs/default.jsonld"),
                                                  {simulation::SimulationOptions::default_laser()}),
-                                     read_deployment(OPAL_SOURCE_DIR "/configs/two_lasers.jsonld"), &registry};
+                                     read_deployment(OPAL_SOURCE_DIR "/configs/two_lasers.jsonld"), &shipped_plugins()};
   return robots;
 }
 
