@@ -1,8 +1,7 @@
 #pragma once
 
 #include "recording/point_cloud.hpp"
-
-#include <opal/recording/ros_messages.hpp>
+#include "recording/ros_messages.hpp"
 
 namespace opal::recording {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <opal/recording/ros_messages.hpp>
+#include "recording/ros_messages.hpp"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include <opal/recording/ros_messages.hpp>
+#include "recording/ros_messages.hpp"
 #include "recording/wire_reader.hpp"
 
 #include <cmath>

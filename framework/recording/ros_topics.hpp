@@ -1,7 +1,8 @@
 #pragma once
 
+#include "recording/ros_messages.hpp"
+
 #include <opal/recording/ros_log.hpp>
-#include <opal/recording/ros_messages.hpp>
 
 #include <functional>
 #include <set>

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "recording/containers/mcap_writer.hpp"
 #include "recording/ros_stream.hpp"
-
-#include <opal/recording/mcap_writer.hpp>
 
 #include <fstream>
 

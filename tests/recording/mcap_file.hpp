@@ -1,7 +1,8 @@
 #pragma once
 
+#include "recording/containers/mcap_writer.hpp"
+
 #include <opal/recording/mcap_recording.hpp>
-#include <opal/recording/mcap_writer.hpp>
 
 #include <sstream>
 

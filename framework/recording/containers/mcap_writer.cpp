@@ -1,4 +1,4 @@
-#include <opal/recording/mcap_writer.hpp>
+#include "recording/containers/mcap_writer.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/recording/chunk_codec.hpp>

@@ -1,9 +1,9 @@
 #include "plugins/mcap_log/mcap_log.hpp"
 #include "bag_writer.hpp"
+#include "recording/containers/mcap_writer.hpp"
 #include "tests/kit/temporary_folder.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/recording/mcap_writer.hpp>
 #include <opal/sensing/replay.hpp>
 
 #include <catch2/catch.hpp>

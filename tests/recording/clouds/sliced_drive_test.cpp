@@ -2,11 +2,11 @@
 #include "cloud_message.hpp"
 #include "plugins/mcap_log/mcap_log.hpp"
 #include "recording/cloud_slicer.hpp"
+#include "recording/containers/mcap_writer.hpp"
 #include "recording/ros_stream.hpp"
 #include "tests/kit/temporary_folder.hpp"
 #include "tests/live/live_robot.hpp"
 
-#include <opal/recording/mcap_writer.hpp>
 #include <opal/recording/ros_log.hpp>
 #include <opal/sensing/replay.hpp>
 

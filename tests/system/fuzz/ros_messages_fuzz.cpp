@@ -1,9 +1,9 @@
 // The messages of ROS recordings, as ROS 2 and as ROS 1 write them.
-#include <opal/recording/ros_messages.hpp>
 #include <opal/sensing/scan.hpp>
 #include "recording/cloud_slicer.hpp"
 #include "recording/cloud_tally.hpp"
 #include "recording/fixed_frames.hpp"
+#include "recording/ros_messages.hpp"
 
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
 // Writes a file for another implementation to read: write_sample FILE COMPRESSION
-#include <opal/recording/mcap_writer.hpp>
+#include "recording/containers/mcap_writer.hpp"
 
 #include <fstream>
 
