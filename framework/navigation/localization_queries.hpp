@@ -2,6 +2,9 @@
 
 #include <opal/localization/localizer.hpp>
 
+#include <memory>
+#include <utility>
+
 namespace opal::behaviours {
 
 /// All that behaviours know of localization (Hendrikx 2023, 4.4.2: two programs with a query interface). Answers are
@@ -60,6 +63,17 @@ class LocalizerQueries : public Localization {
   Pose2 T_odom_base_;
   PoseEstimate estimate_;
   bool keep_pattern_ = false;
+};
+
+/// The same with a localizer of its own.
+class OwnLocalizerQueries : public LocalizerQueries {
+ public:
+  /// @param localizer  not null.
+  OwnLocalizerQueries(std::unique_ptr<Localizer> localizer, const LaserModel& laser)
+      : LocalizerQueries(*localizer, laser), localizer_(std::move(localizer)) {}
+
+ private:
+  std::unique_ptr<Localizer> localizer_;
 };
 
 /// The pose of three numbers. One that was computed has a sine and cosine of its own, which may differ in the last

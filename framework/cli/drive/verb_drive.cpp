@@ -8,17 +8,17 @@
 #include "session/session.hpp"
 #include "session/shipped_files.hpp"
 
+#include "closed_loop/drawn_goal.hpp"
 #include "closed_loop/no_way.hpp"
 #include "ipc/remote/remote_localization.hpp"
 #include "map_tools/map_stack.hpp"
 #include "navigation/node_registry.hpp"
 #include "report/quantity_text.hpp"
-#include "simulation/drives/recording.hpp"
+#include "simulation/drives/drive_recording.hpp"
 
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
 
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -61,8 +61,6 @@ opal::Point given_goal(const DriveVerbOptions& options, const sim::Simulation& s
 /// @param floor  by which the robot plans.
 DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor,
                   std::uint64_t seed) {
-  constexpr double kLeast_m = 3;
-  constexpr int kMostDraws = 100000;
   sim::Random random(seed ^ 0x9e3779b97f4a7c15u);
   if (!options.start.empty()) {
     const opal::Pose2 start(options.start[0], options.start[1], options.start[2]);
@@ -74,13 +72,9 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
     task.goal = given_goal(options, simulation);
     return task;
   }
-  const bool is_large = simulation.floor().area_m2() > 40;
-  const auto ways = floor.ways(task.start.position());
-  for (int draw = 0; draw < kMostDraws; ++draw) {
-    task.goal = simulation.floor().anywhere(random);
-    const bool is_far = !is_large || (task.goal - task.start.position()).norm() >= kLeast_m;
-    const int cell = floor.cell_at(task.goal);
-    if (is_far && ways && cell >= 0 && std::isfinite(ways->cost[cell])) return task;
+  if (const auto goal = opal::drawn_goal(simulation, floor, random)) {
+    task.goal = *goal;
+    return task;
   }
   throw opal::ConfigError(simulation.building().name() + ": no goal to draw: by the map, no way leads from the start " +
                           "to any other place, expected --start and --goal, or another --robot-radius");
@@ -97,51 +91,14 @@ std::unique_ptr<behaviours::Localization> connected(const std::string& address, 
   return localization;
 }
 
-/// Localization in this process.
-class OwnLocalization : public behaviours::LocalizerQueries {
- public:
-  OwnLocalization(std::unique_ptr<opal::Localizer> localizer, const opal::LaserModel& laser)
-      : LocalizerQueries(*localizer, laser), localizer_(std::move(localizer)) {}
-
- private:
-  std::unique_ptr<opal::Localizer> localizer_;
-};
-
 std::unique_ptr<behaviours::Localization> localization_of(const DriveVerbOptions& options,
                                                           const opal::Deployment& deployment,
                                                           const opal::PluginRegistry& registry,
                                                           const std::shared_ptr<const opal::SemanticMap>& map) {
   if (!options.localizer.empty()) return connected(options.localizer, deployment.lasers.front(), *map);
-  return std::make_unique<OwnLocalization>(
+  return std::make_unique<behaviours::OwnLocalizerQueries>(
       std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.lasers.front());
 }
-
-/// Drives one after the other, as a recording: each begins a while after the one before.
-class DriveRecording {
- public:
-  explicit DriveRecording(const opal::LaserModel& laser) { recording_.laser = laser; }
-
-  void witness(opal::RawScan scan, const opal::Pose2& T_map_base) {
-    scan.stamp_s += begin_s_;
-    end_s_ = scan.stamp_s;
-    recording_.scans.push_back({std::move(scan), T_map_base});
-  }
-  void end_drive(std::uint64_t seed, double driven_m) {
-    constexpr double kPause_s = 10;
-    recording_.queries.push_back({"s" + std::to_string(seed), begin_s_, end_s_});
-    recording_.distances_m.push_back(driven_m);
-    begin_s_ = end_s_ + kPause_s;
-  }
-  /// Of the drives that ended.
-  void write(const std::string& prefix, const opal::SemanticMap& map) {
-    std::erase_if(recording_.scans, [&](const sim::RecordedScan& scan) { return scan.scan.stamp_s >= begin_s_; });
-    sim::write_recorded_place(recording_, map, prefix);
-  }
-
- private:
-  sim::Recording recording_;
-  double begin_s_ = 0, end_s_ = 0;
-};
 
 /// Where a robot drives, and by what.
 struct DriveSetup {
@@ -193,7 +150,8 @@ std::optional<DriveTask> possible_task(const DriveVerbOptions& options, sim::Sim
 }
 
 /// Drives one after the other until a stop is asked for; a drive that it cuts is left out.
-void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report, DriveRecording& recording) {
+void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report,
+               sim::DriveRecording& recording) {
   const opal::FloorGrid floor =
       behaviours::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m, options.world.outdoors);
   const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
@@ -219,14 +177,15 @@ int drive(DriveVerbOptions options) {
   options.loop.stop = signals.token();
   opal::OutputFolder folder(options.out, "opal drive", {"summary.json", "drive_*.svg", "drive_*.png"});
   DriveReport report(setup.map, options.behaviour, folder.path());
-  DriveRecording recording(setup.deployment.lasers.front());
+  sim::DriveRecording recording(setup.deployment.lasers.front());
   if (!options.record.empty())
     options.loop.witness = [&](const opal::RawScan& scan, const opal::Pose2& T_map_base) {
       recording.witness(scan, T_map_base);
     };
   drive_all(options, setup, report, recording);
   report.write();
-  if (!options.record.empty() && report.drives() > 0) recording.write(options.record, *setup.map);
+  if (!options.record.empty() && report.drives() > 0)
+    sim::write_recorded_place(recording.ended(), *setup.map, options.record);
   const bool is_short = report.drives() < static_cast<std::size_t>(options.runs);  // stopped, or without some seeds
   return end_run(folder, is_short ? signals.signal() : 0, report.all_reached() && !is_short ? kDone : kNo);
 }
