@@ -7,14 +7,15 @@ using namespace opal;
 
 namespace {
 
-const std::shared_ptr<const SemanticMap> kRoom =
-    behaviours::map_of(behaviours::room_of({{0, 0}, {12, 0}, {12, 6}, {0, 6}}));
+std::shared_ptr<const SemanticMap> room() {
+  return behaviours::map_of(behaviours::room_of({{0, 0}, {12, 0}, {12, 6}, {0, 6}}));
+}
 
 simulation::Simulation in_room() {
   simulation::SimulationOptions options;
   options.clutter.level = 0;
   options.people = 0;
-  return {kRoom, options, 1};
+  return {room(), options, 1};
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ TEST_CASE("goals are drawn where a way leads, far from the start of a large room
   const unsigned seed = GENERATE(1u, 2u, 3u);
   CAPTURE(seed);
   const simulation::Simulation simulation = in_room();
-  const FloorGrid floor = behaviours::mapped_floor(MapView(kRoom, "PlanarLidar2D"), 0.25);
+  const FloorGrid floor = behaviours::mapped_floor(MapView(room(), "PlanarLidar2D"), 0.25);
   simulation::Random random(seed), again(seed);
   const auto goal = drawn_goal(simulation, floor, random);
   REQUIRE(goal);
