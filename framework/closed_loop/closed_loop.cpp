@@ -13,24 +13,24 @@ constexpr int kStepsPerTick = 2;
 /// One drive under way.
 class ClosedLoop {
  public:
-  ClosedLoop(simulation::Simulation& simulation, behaviours::Localization& localization,
+  ClosedLoop(simulation::Simulation& simulation, navigation::Localization& localization,
              const ClosedLoopOptions& options)
       : simulation_(simulation), localization_(localization), options_(options) {
     localization_.begin();
   }
 
-  DriveRecord run(const FloorGrid& floor, behaviours::Node& tree, const Point& goal) {
-    const behaviours::MotionPrimitives motion(options_.motion);
-    behaviours::Blackboard blackboard(localization_, motion, floor, goal);
+  DriveRecord run(const FloorGrid& floor, navigation::Node& tree, const Point& goal) {
+    const navigation::MotionPrimitives motion(options_.motion);
+    navigation::Blackboard blackboard(localization_, motion, floor, goal);
     const double start_s = simulation_.now_s();
     tree.halt();
-    for (auto outcome = behaviours::NodeStatus::running; outcome == behaviours::NodeStatus::running;) {
+    for (auto outcome = navigation::NodeStatus::running; outcome == navigation::NodeStatus::running;) {
       sense();
       outcome = localization_.answers() ? decide(blackboard, tree) : wait(blackboard);
-      record_.said_so = outcome == behaviours::NodeStatus::success;
+      record_.said_so = outcome == navigation::NodeStatus::success;
       record_.time_s = simulation_.now_s() - start_s;
       if (record_.time_s >= options_.most_s || record_.said_so || options_.stop.stop_requested()) break;
-      outcome = behaviours::NodeStatus::running;  // a robot that has failed tries again
+      outcome = navigation::NodeStatus::running;  // a robot that has failed tries again
       move(localization_.answers() ? blackboard.velocity() : Velocity{});
     }
     record_.off_goal_m = (simulation_.T_map_base().position() - goal).norm();
@@ -49,18 +49,18 @@ class ClosedLoop {
            " places apart, at each of which it could be, before the time was up";
   }
 
-  behaviours::NodeStatus decide(behaviours::Blackboard& blackboard, behaviours::Node& tree) {
+  navigation::NodeStatus decide(navigation::Blackboard& blackboard, navigation::Node& tree) {
     blackboard.look();
-    const behaviours::NodeStatus outcome = tree.tick(blackboard);
+    const navigation::NodeStatus outcome = tree.tick(blackboard);
     if (blackboard.wants_pattern_alone()) localization_.keep_pattern();
     return outcome;
   }
 
   /// Whoever waits has not been stuck.
-  behaviours::NodeStatus wait(behaviours::Blackboard& blackboard) const {
+  navigation::NodeStatus wait(navigation::Blackboard& blackboard) const {
     std::this_thread::sleep_for(std::chrono::duration<double>(options_.tick_s));
     blackboard.forget_being_stuck();
-    return behaviours::NodeStatus::running;
+    return navigation::NodeStatus::running;
   }
 
   void sense() {
@@ -95,22 +95,22 @@ class ClosedLoop {
   }
 
   simulation::Simulation& simulation_;
-  behaviours::Localization& localization_;
+  navigation::Localization& localization_;
   ClosedLoopOptions options_;
   DriveRecord record_;
 };
 
 }  // namespace
 
-DriveRecord drive_to_goal(simulation::Simulation& simulation, behaviours::Localization& localization,
-                          const FloorGrid& floor, behaviours::Node& tree, const Point& goal,
+DriveRecord drive_to_goal(simulation::Simulation& simulation, navigation::Localization& localization,
+                          const FloorGrid& floor, navigation::Node& tree, const Point& goal,
                           const ClosedLoopOptions& options) {
   return ClosedLoop(simulation, localization, options).run(floor, tree, goal);
 }
 
 DriveRecord drive_to_goal(simulation::Simulation& simulation, Localizer& localizer, const FloorGrid& floor,
-                          behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options) {
-  behaviours::LocalizerQueries localization(localizer, simulation.options().laser);
+                          navigation::Node& tree, const Point& goal, const ClosedLoopOptions& options) {
+  navigation::LocalizerQueries localization(localizer, simulation.options().laser);
   return drive_to_goal(simulation, localization, floor, tree, goal, options);
 }
 

@@ -12,7 +12,7 @@
 namespace opal {
 
 struct ClosedLoopOptions {
-  behaviours::MotionOptions motion;
+  navigation::MotionOptions motion;
   double tick_s = 0.1;     ///< a scan, a look at the localization, a decision
   double most_s = 900;     ///< then it is given up
   double reached_m = 0.5;  ///< the robot must really be this near to the goal
@@ -60,11 +60,11 @@ inline const char* drive_ending(bool reached, bool said_so) {
 /// @param localization  begins anew.
 /// @param floor  where the map has room for the robot.
 /// @param goal   frame `map`.
-DriveRecord drive_to_goal(simulation::Simulation& simulation, behaviours::Localization& localization,
-                          const FloorGrid& floor, behaviours::Node& tree, const Point& goal,
+DriveRecord drive_to_goal(simulation::Simulation& simulation, navigation::Localization& localization,
+                          const FloorGrid& floor, navigation::Node& tree, const Point& goal,
                           const ClosedLoopOptions& options = {});
 /// The same with a localizer in this process.
 DriveRecord drive_to_goal(simulation::Simulation& simulation, Localizer& localizer, const FloorGrid& floor,
-                          behaviours::Node& tree, const Point& goal, const ClosedLoopOptions& options = {});
+                          navigation::Node& tree, const Point& goal, const ClosedLoopOptions& options = {});
 
 }  // namespace opal

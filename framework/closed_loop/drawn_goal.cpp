@@ -4,8 +4,7 @@
 
 namespace opal {
 
-std::optional<Point> drawn_goal(const simulation::Simulation& simulation, const FloorGrid& floor,
-                                simulation::Random& random) {
+std::optional<Point> drawn_goal(const simulation::Simulation& simulation, const FloorGrid& floor, Random& random) {
   constexpr double kLarge_m2 = 40, kLeast_m = 3;
   constexpr int kMostDraws = 100000;
   const Point start = simulation.T_map_base().position();

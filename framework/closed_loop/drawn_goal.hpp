@@ -10,7 +10,6 @@ namespace opal {
 /// A goal for a robot where it stands: a free place to which a way leads by the map, and in a large building one that
 /// is not near. None if many draws find no such place.
 /// @param floor  by which the robot plans.
-std::optional<Point> drawn_goal(const simulation::Simulation& simulation, const FloorGrid& floor,
-                                simulation::Random& random);
+std::optional<Point> drawn_goal(const simulation::Simulation& simulation, const FloorGrid& floor, Random& random);
 
 }  // namespace opal

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-namespace opal::simulation {
+namespace opal {
 
 /// Random numbers that are the same everywhere for the same seed: the generator is given by the standard, and the
 /// distributions, which are not, are written out here.
@@ -31,4 +31,4 @@ class Random {
   std::mt19937_64 bits_;
 };
 
-}  // namespace opal::simulation
+}  // namespace opal

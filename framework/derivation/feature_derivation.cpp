@@ -24,7 +24,7 @@ constexpr double kOnObject_m = 0.3;
 constexpr double kHides_m = 0.3;
 
 RayCaster shut_building(const SemanticMap& map) {
-  simulation::Random unused(0);
+  Random unused(0);
   return RayCaster(simulation::building_solids(map, 0, unused));
 }
 
@@ -76,7 +76,7 @@ class CleanLaser {
   Scan scan_at(const Pose2& T_map_laser) const {
     constexpr simulation::LaserErrors kNone{
         .range_sigma_m = 0, .range_sigma_share = 0, .missed_share = 0, .mixed_share = 0, .glass_share = 1};
-    simulation::Random unused(0);
+    Random unused(0);
     return make_scan(swept(
                          solids_, {}, [&](int) { return T_map_laser; }, laser_, kNone, unused),
                      laser_);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// Turns on the spot by so many turns, counter-clockwise if positive.
 class Rotate : public Node {
@@ -113,4 +113,4 @@ class GoToGoal : public Node {
   double ticked_at_s_ = 0;
 };
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

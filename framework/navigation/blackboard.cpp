@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 FloorGrid mapped_floor(const MapView& map, double radius_m, bool outdoors) {
   const BuildingGround ground(map.map(), outdoors);
@@ -185,4 +185,4 @@ std::vector<Point> Blackboard::around(double reach_m) const {
   return points;
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// Where the map has room for a disc (BuildingGround::floor_with_outside). Frame: `map`.
 /// @param outdoors  ways may lead out of the building.
@@ -115,4 +115,4 @@ class Blackboard {
   double moved_at_s_ = 0;  ///< or did not want to get anywhere
 };
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -1,6 +1,6 @@
 #include "navigation/control_nodes.hpp"
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 NodeStatus ControlFlow::tick(Blackboard& blackboard) {
   for (std::size_t k = memory_ == Memory::starts_over ? 0 : at_; k < children_.size(); ++k) {
@@ -33,4 +33,4 @@ NodeStatus Inverter::tick(Blackboard& blackboard) {
   return NodeStatus::running;
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

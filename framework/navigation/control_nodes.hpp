@@ -2,7 +2,7 @@
 
 #include "navigation/node.hpp"
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// Ticks its children one after the other while they come out as `go_on`; ends with the first that comes out otherwise,
 /// or as `go_on` after the last.
@@ -67,4 +67,4 @@ class Once : public Node {
   NodeStatus outcome_ = NodeStatus::running;
 };
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

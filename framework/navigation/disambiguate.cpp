@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 void Disambiguate::halt() { drive_.reset(); }
 
@@ -58,4 +58,4 @@ NodeStatus Disambiguate::tick(Blackboard& blackboard) {
   return NodeStatus::running;
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

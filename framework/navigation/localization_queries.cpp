@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 void LocalizerQueries::begin() {
   localizer_.reset();
@@ -38,4 +38,4 @@ std::vector<Geometry> LocalizerQueries::pattern() const {
   return pattern;
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

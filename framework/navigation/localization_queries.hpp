@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// All that behaviours know of localization (Hendrikx 2023, 4.4.2: two programs with a query interface). Answers are
 /// about the newest scan.
@@ -83,4 +83,4 @@ inline Pose2 of_three_numbers(const Pose2& pose) {
   return {pose.x(), pose.y(), Pose2(pose.position(), pose.heading_rad()).heading_rad()};
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 NodeStatus Rotate::tick(Blackboard& blackboard) {
   const Pose2 now = blackboard.T_odom_base();
@@ -218,4 +218,4 @@ NodeStatus GoToGoal::tick(Blackboard& blackboard) {
   return NodeStatus::running;
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 namespace {
 
 MotionPrimitive predicted(const Velocity& velocity, const MotionOptions& options) {
@@ -121,4 +121,4 @@ double MotionPrimitives::room_m(double bearing_rad, std::span<const Point> obsta
   return std::max(0.0, room);
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

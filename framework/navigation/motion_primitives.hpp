@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// A round robot and what it may do.
 struct MotionOptions {
@@ -72,4 +72,4 @@ class MotionPrimitives {
   std::vector<MotionPrimitive> primitives_;
 };
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 enum class NodeStatus { running, success, failure };
 
@@ -22,4 +22,4 @@ class Node {
 
 using Children = std::vector<std::unique_ptr<Node>>;
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -7,7 +7,7 @@
 
 #include <set>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 namespace {
 
 std::vector<ConfigObject> trees_of(ConfigObject& document) {
@@ -94,4 +94,4 @@ std::unique_ptr<Node> parse_tree(const NodeRegistry& registry, const std::string
   return read(registry, parse_json(text, file), file, name);
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -7,7 +7,7 @@
 #include <functional>
 #include <map>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// Node types by name.
 class NodeRegistry {
@@ -53,4 +53,4 @@ std::string first_tree(const std::string& path);
 std::unique_ptr<Node> parse_tree(const NodeRegistry& registry, const std::string& text, const std::string& file,
                                  const std::string& name = "");
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 PlaceOnPath nearest_on_path(std::span<const Point> path, const Point& p, std::size_t first, double most_m) {
   PlaceOnPath best{std::min(first, path.size() - 1), path[std::min(first, path.size() - 1)], 0, 0};
@@ -36,4 +36,4 @@ double length_m(std::span<const Point> path) {
   return length;
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

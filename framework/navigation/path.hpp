@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// A place on a path of straight pieces, next to some other place.
 struct PlaceOnPath {
@@ -24,4 +24,4 @@ PlaceOnPath nearest_on_path(std::span<const Point> path, const Point& p, std::si
 Point point_along(std::span<const Point> path, double along_m);
 double length_m(std::span<const Point> path);
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

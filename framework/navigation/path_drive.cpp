@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 namespace {
 
@@ -56,4 +56,4 @@ void PathDrive::drive(Blackboard& blackboard) {
   blackboard.drive_along(left);
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -2,7 +2,7 @@
 
 #include "navigation/blackboard.hpp"
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// What has been seen makes the floor dear where the robot has no room for it, and near what is not mapped, and where
 /// it got stuck, but for where it has just been itself; frame `map`, by the best hypothesis.
@@ -25,4 +25,4 @@ class PathDrive {
   std::size_t passed_ = 0;  ///< points of the path that lie behind
 };
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 namespace {
 
 constexpr int kDirections = 720;
@@ -165,4 +165,4 @@ std::vector<Point> SeenObstacles::moving(double reach_m) const {
   });
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 struct ObstacleMemory {
   double cell_m = 0.05;     ///< one point is kept per cell
@@ -86,4 +86,4 @@ class SeenObstacles {
   Pose2 T_odom_base_, T_odom_laser_;
 };
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

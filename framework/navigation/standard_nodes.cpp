@@ -2,7 +2,7 @@
 #include "navigation/control_nodes.hpp"
 #include "navigation/node_registry.hpp"
 
-namespace opal::behaviours {
+namespace opal::navigation {
 namespace {
 
 using Arity = NodeRegistry::Arity;
@@ -93,4 +93,4 @@ NodeRegistry standard_nodes() {
   return registry;
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 namespace {
 
 /// What all hypotheses expect from one pose of the robot; empty scans where one of them has no floor.
@@ -124,4 +124,4 @@ std::optional<Viewpoint> best_viewpoint(const MapView& map, const LaserModel& la
   return Viewpoint{floor.straightened(floor.along(*ways, best), surcharge), separation};
 }
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

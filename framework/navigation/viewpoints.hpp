@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 struct DisambiguateOptions {
   double view_m = 12;              ///< expected scans reach so far
@@ -42,4 +42,4 @@ std::optional<Viewpoint> best_viewpoint(const MapView& map, const LaserModel& la
                                         const FloorGrid::Surcharge& surcharge, std::span<const PossiblePlace> places,
                                         std::span<const Point> avoided, const DisambiguateOptions& options = {});
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

@@ -41,7 +41,7 @@ sim::Recording driven(const SemanticMap& map, const std::shared_ptr<const Semant
                       const sim::SimulationOptions& world, const sim::DriveOptions& drives, std::uint64_t seed) {
   if (!map.origin().storeys.empty()) return sim::record_on_storeys(*building, world, drives, seed);
   sim::Simulation simulation(building, world, seed);
-  return sim::record(simulation, drives, sim::Random(seed).branch());
+  return sim::record(simulation, drives, Random(seed).branch());
 }
 
 sim::ClutterOptions clutter_of(double level, double along_walls) {

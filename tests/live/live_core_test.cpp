@@ -45,7 +45,7 @@ Played played(const std::vector<simulation::Arrival>& arrivals) {
 }
 
 Played with(simulation::Fault fault, double from_s = 30, double to_s = 40) {
-  return played(simulation::with_fault(robot().arrivals, fault, {from_s, to_s}, "RLASER", simulation::Random(1)));
+  return played(simulation::with_fault(robot().arrivals, fault, {from_s, to_s}, "RLASER", Random(1)));
 }
 
 bool is_right(const LiveAnswer& answer, double later_s = 0) {

@@ -29,7 +29,7 @@ LiveRobot::LiveRobot(std::vector<LaserModel> lasers_given, double scan_every_s, 
   simulation::Simulation simulation(map, world, 5);
   simulation::DriveOptions drive;
   drive.scan_every_s = scan_every_s;
-  simulation::Random random(5);
+  Random random(5);
   std::vector<Point> places;
   for (int k = 0; k < 6; ++k) places.push_back(simulation.floor().anywhere(random));
   recording = simulation::record_route(simulation, places, duration_s, drive, random.branch());

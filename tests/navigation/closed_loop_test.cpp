@@ -27,9 +27,9 @@ DriveRecord driven(const char* behaviour, std::uint64_t seed) {
   options.motion.radius_m = world.robot_radius_m;
   options.most_s = 300;
   const auto tree =
-      behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
+      navigation::read_tree(navigation::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
   const Point goal = simulation.floor().nearest(kGoal).value();  // clutter may stand on the goal itself
-  return drive_to_goal(simulation, localizer, behaviours::mapped_floor(*parts.map, 0.2), *tree, goal, options);
+  return drive_to_goal(simulation, localizer, navigation::mapped_floor(*parts.map, 0.2), *tree, goal, options);
 }
 
 }  // namespace

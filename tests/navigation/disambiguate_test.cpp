@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 using namespace opal;
-using namespace opal::behaviours;
+using namespace opal::navigation;
 
 namespace {
 

@@ -8,7 +8,7 @@ using namespace opal;
 namespace {
 
 std::shared_ptr<const SemanticMap> room() {
-  return behaviours::map_of(behaviours::room_of({{0, 0}, {12, 0}, {12, 6}, {0, 6}}));
+  return navigation::map_of(navigation::room_of({{0, 0}, {12, 0}, {12, 6}, {0, 6}}));
 }
 
 simulation::Simulation in_room() {
@@ -24,8 +24,8 @@ TEST_CASE("goals are drawn where a way leads, far from the start of a large room
   const unsigned seed = GENERATE(1u, 2u, 3u);
   CAPTURE(seed);
   const simulation::Simulation simulation = in_room();
-  const FloorGrid floor = behaviours::mapped_floor(MapView(room(), "PlanarLidar2D"), 0.25);
-  simulation::Random random(seed), again(seed);
+  const FloorGrid floor = navigation::mapped_floor(MapView(room(), "PlanarLidar2D"), 0.25);
+  Random random(seed), again(seed);
   const auto goal = drawn_goal(simulation, floor, random);
   REQUIRE(goal);
   CHECK(floor.holds(*goal));

@@ -11,7 +11,7 @@
 #include <ctime>
 
 using namespace opal;
-using namespace opal::behaviours;
+using namespace opal::navigation;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <random>
 
 using namespace opal;
-using namespace opal::behaviours;
+using namespace opal::navigation;
 
 namespace {
 

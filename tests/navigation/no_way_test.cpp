@@ -11,10 +11,10 @@ namespace {
 std::shared_ptr<const SemanticMap> two_rooms(double door_m) {
   const double low = 2.5 - door_m / 2, high = 2.5 + door_m / 2;
   // clang-format off
-  std::vector<Segment> faces = behaviours::room_of({{0, 0}, {5, 0}, {5, low}, {5.2, low}, {5.2, 0}, {10, 0}, {10, 5},
+  std::vector<Segment> faces = navigation::room_of({{0, 0}, {5, 0}, {5, low}, {5.2, low}, {5.2, 0}, {10, 0}, {10, 5},
                                                     {5.2, 5}, {5.2, high}, {5, high}, {5, 5}, {0, 5}});
   // clang-format on
-  for (const Segment& outer : behaviours::room_of({{-0.2, -0.2}, {-0.2, 5.2}, {10.2, 5.2}, {10.2, -0.2}}))
+  for (const Segment& outer : navigation::room_of({{-0.2, -0.2}, {-0.2, 5.2}, {10.2, 5.2}, {10.2, -0.2}}))
     faces.push_back(outer);
   std::vector<MapObject> objects{{"wall", "opal:Wall"}, {"D7", "opal:Door"}};
   std::vector<MapFeature> features;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace opal::behaviours {
+namespace opal::navigation {
 
 /// A map of faces, each named after its number.
 inline std::shared_ptr<const SemanticMap> map_of(const std::vector<Segment>& faces) {
@@ -93,4 +93,4 @@ struct SyntheticMoment {
   Blackboard blackboard;
 };
 
-}  // namespace opal::behaviours
+}  // namespace opal::navigation

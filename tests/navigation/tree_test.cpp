@@ -10,7 +10,7 @@
 #include <catch2/catch.hpp>
 
 using namespace opal;
-using namespace opal::behaviours;
+using namespace opal::navigation;
 using Memory = ControlFlow::Memory;
 
 namespace {

@@ -35,7 +35,7 @@ std::vector<Reading> driven(const LaserModel& laser, const std::string& kind, st
   options.laser = laser;
   options.people = 2;
   simulation::Simulation robot(simulation::generate_building({kind, seed, 0, 0.5}).map, options, seed);
-  simulation::Random random(seed);
+  Random random(seed);
   robot.place(Pose2(robot.floor().anywhere(random), 0));
   std::vector<Reading> readings;
   for (int step = 0; step < 300; ++step) {
@@ -145,7 +145,7 @@ TEST_CASE("a robot that stands in a crowd is not one whose odometry has frozen")
   simulation::SimulationOptions options;
   options.people = 25;
   simulation::Simulation robot(simulation::generate_building({kind, 1, 0, 0.5}).map, options, 1);
-  simulation::Random random(1);
+  Random random(1);
   robot.place(Pose2(robot.floor().anywhere(random), 0));
   std::vector<Reading> readings;
   for (int step = 0; step < 600; ++step) {

@@ -79,7 +79,7 @@ sim::ChallengeDrive driven(const ab::SimulatedDrives& drives, std::shared_ptr<co
                            std::uint64_t seed) {
   if (!drives.challenge) {
     sim::Simulation simulation(std::move(building), drives.world, seed);
-    return {record(simulation, drives.drives, sim::Random(seed).branch()), std::nullopt};
+    return {record(simulation, drives.drives, opal::Random(seed).branch()), std::nullopt};
   }
   for (const sim::Challenge& challenge : sim::thesis3_challenges())
     if (challenge.id == *drives.challenge)

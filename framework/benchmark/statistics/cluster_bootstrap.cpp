@@ -29,8 +29,7 @@ void add(Weights& weights, std::size_t begin, std::size_t count) {
   for (std::size_t i = begin; i < begin + count; ++i) ++weights[i];
 }
 
-Weights draw_clusters(std::span<const std::size_t> sizes, std::span<const std::size_t> begin,
-                      simulation::Random& random) {
+Weights draw_clusters(std::span<const std::size_t> sizes, std::span<const std::size_t> begin, Random& random) {
   Weights weights(total(sizes), 0);
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const std::size_t drawn = random.below(sizes.size());
@@ -39,7 +38,7 @@ Weights draw_clusters(std::span<const std::size_t> sizes, std::span<const std::s
   return weights;
 }
 
-Weights draw_pairs(std::span<const std::size_t> sizes, std::span<const std::size_t> begin, simulation::Random& random) {
+Weights draw_pairs(std::span<const std::size_t> sizes, std::span<const std::size_t> begin, Random& random) {
   Weights weights(total(sizes), 0);
   for (std::size_t cluster = 0; cluster < sizes.size(); ++cluster)
     for (std::size_t i = 0; i < sizes[cluster]; ++i) add(weights, begin[cluster] + random.below(sizes[cluster]), 1);
@@ -69,7 +68,7 @@ double acceleration(std::span<const double> jackknife) {
 std::vector<double> bootstrap(std::span<const std::size_t> cluster_sizes, const Statistic& statistic,
                               const BootstrapOptions& options) {
   const std::vector<std::size_t> begin = begins(cluster_sizes);
-  simulation::Random random(options.seed);
+  Random random(options.seed);
   std::vector<double> values;
   if (total(cluster_sizes) == 0) return values;
   for (int sample = 0; sample < options.samples; ++sample)

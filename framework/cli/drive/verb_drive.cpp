@@ -26,7 +26,7 @@
 namespace {
 
 namespace sim = opal::simulation;
-namespace behaviours = opal::behaviours;
+namespace navigation = opal::navigation;
 
 struct DriveVerbOptions : WorldOptions {
   std::string config, map, out = "out", behaviour, trees, localizer, record, storey;
@@ -61,7 +61,7 @@ opal::Point given_goal(const DriveVerbOptions& options, const sim::Simulation& s
 /// @param floor  by which the robot plans.
 DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, const opal::FloorGrid& floor,
                   std::uint64_t seed) {
-  sim::Random random(seed ^ 0x9e3779b97f4a7c15u);
+  opal::Random random(seed ^ 0x9e3779b97f4a7c15u);
   if (!options.start.empty()) {
     const opal::Pose2 start(options.start[0], options.start[1], options.start[2]);
     check_place(options, simulation, "--start: no robot can drive from ", start.position());
@@ -81,7 +81,7 @@ DriveTask task_of(const DriveVerbOptions& options, sim::Simulation& simulation, 
 }
 
 /// Another program that localizes, in the building that is driven in.
-std::unique_ptr<behaviours::Localization> connected(const std::string& address, const opal::LaserModel& laser,
+std::unique_ptr<navigation::Localization> connected(const std::string& address, const opal::LaserModel& laser,
                                                     const opal::SemanticMap& map) {
   auto localization = std::make_unique<opal::remote::RemoteLocalization>(address, laser);
   const opal::SemanticMap& theirs = localization->map().map();
@@ -91,12 +91,12 @@ std::unique_ptr<behaviours::Localization> connected(const std::string& address, 
   return localization;
 }
 
-std::unique_ptr<behaviours::Localization> localization_of(const DriveVerbOptions& options,
+std::unique_ptr<navigation::Localization> localization_of(const DriveVerbOptions& options,
                                                           const opal::Deployment& deployment,
                                                           const opal::PluginRegistry& registry,
                                                           const std::shared_ptr<const opal::SemanticMap>& map) {
   if (!options.localizer.empty()) return connected(options.localizer, deployment.lasers.front(), *map);
-  return std::make_unique<behaviours::OwnLocalizerQueries>(
+  return std::make_unique<navigation::OwnLocalizerQueries>(
       std::make_unique<opal::Localizer>(opal::build_parts(deployment, registry, map)), deployment.lasers.front());
 }
 
@@ -105,7 +105,7 @@ struct DriveSetup {
   opal::PluginRegistry plugins;
   opal::Deployment deployment;
   std::shared_ptr<const opal::SemanticMap> map;
-  std::unique_ptr<behaviours::Localization> localization;
+  std::unique_ptr<navigation::Localization> localization;
   std::string trees;
 };
 
@@ -131,8 +131,8 @@ DriveSetup set_up(DriveVerbOptions& options) {
   options.furnish(setup.plugins, *setup.map);
   setup.localization = localization_of(options, setup.deployment, setup.plugins, setup.map);
   setup.trees = config_file(options.trees.empty() ? "behaviours" : options.trees);
-  behaviours::read_tree(behaviours::standard_nodes(), setup.trees, options.behaviour);  // before anything is written
-  if (options.behaviour.empty()) options.behaviour = behaviours::first_tree(setup.trees);
+  navigation::read_tree(navigation::standard_nodes(), setup.trees, options.behaviour);  // before anything is written
+  if (options.behaviour.empty()) options.behaviour = navigation::first_tree(setup.trees);
   return setup;
 }
 
@@ -153,14 +153,14 @@ std::optional<DriveTask> possible_task(const DriveVerbOptions& options, sim::Sim
 void drive_all(const DriveVerbOptions& options, DriveSetup& setup, DriveReport& report,
                sim::DriveRecording& recording) {
   const opal::FloorGrid floor =
-      behaviours::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m, options.world.outdoors);
-  const behaviours::NodeRegistry nodes = behaviours::standard_nodes();
+      navigation::mapped_floor(setup.localization->map(), 0.8 * options.world.robot_radius_m, options.world.outdoors);
+  const navigation::NodeRegistry nodes = navigation::standard_nodes();
   for (int k = 0; k < options.runs; ++k) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
     sim::Simulation simulation(driven_map(options, setup.map, seed), options.world, seed);
     const std::optional<DriveTask> task = possible_task(options, simulation, floor, seed);
     if (!task) continue;
-    const auto tree = behaviours::read_tree(nodes, setup.trees, options.behaviour);
+    const auto tree = navigation::read_tree(nodes, setup.trees, options.behaviour);
     const opal::DriveRecord record =
         opal::drive_to_goal(simulation, *setup.localization, floor, *tree, task->goal, options.loop);
     if (options.loop.stop.stop_requested()) return;

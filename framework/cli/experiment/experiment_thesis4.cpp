@@ -17,14 +17,14 @@ using namespace opal::experiments;
 /// The thesis' own configurations drive as it does, others by the first tree.
 std::string behaviour_of(const std::string& contender, const ExperimentOptions& options, const std::string& trees) {
   if (!options.behaviour.empty()) return options.behaviour;
-  return contender.starts_with("thesis") ? "inspect" : opal::behaviours::first_tree(trees);
+  return contender.starts_with("thesis") ? "inspect" : opal::navigation::first_tree(trees);
 }
 
 std::vector<Contender> drivers(const ExperimentOptions& options, const std::string& trees) {
   std::vector<Contender> all = contenders(options.configs);
   for (Contender& contender : all) {
     contender.behaviour = behaviour_of(contender.name, options, trees);
-    opal::behaviours::read_tree(opal::behaviours::standard_nodes(), trees,
+    opal::navigation::read_tree(opal::navigation::standard_nodes(), trees,
                                 contender.behaviour);  // before anything is written
   }
   return all;

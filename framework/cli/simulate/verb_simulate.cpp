@@ -54,7 +54,7 @@ void set_laser(SimulateOptions& options) {
 
 /// What the map holds, with all doors shut.
 sim::RayCaster mapped_solids(const opal::SemanticMap& map) {
-  sim::Random closed(1);
+  opal::Random closed(1);
   return sim::RayCaster(sim::building_solids(map, 0, closed));
 }
 
@@ -119,7 +119,7 @@ int simulate(SimulateOptions options) {
   if (!options.along.empty()) truth = opal::GroundTruth::read(options.along + ".gt.csv");
   const sim::Recording recording =
       truth ? sim::record_along(simulation, truth->poses())
-            : sim::record(simulation, options.drives, sim::Random(options.damage.seed).branch());
+            : sim::record(simulation, options.drives, opal::Random(options.damage.seed).branch());
   const double recorded_s = opal::process_cpu_s();
   const sim::RayCaster mapped = mapped_solids(*map);
   const sim::BeamStatistics beams = beams_of(recording, mapped);

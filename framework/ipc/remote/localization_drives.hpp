@@ -32,7 +32,7 @@ class LocalizationDrives {
   int drives_ = 0;
   std::string session_;
   std::unique_ptr<Localizer> localizer_;
-  std::optional<behaviours::LocalizerQueries> queries_;
+  std::optional<navigation::LocalizerQueries> queries_;
   std::optional<double> newest_s_;
 };
 

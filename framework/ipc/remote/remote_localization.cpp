@@ -148,7 +148,7 @@ void RemoteLocalization::begin() {
 }
 
 void RemoteLocalization::take(const RawScan& raw) {
-  implementation_->T_odom_base = behaviours::of_three_numbers(raw.T_odom_base.value());
+  implementation_->T_odom_base = navigation::of_three_numbers(raw.T_odom_base.value());
   implementation_->scan = make_scan(raw, implementation_->laser);
   implementation_->ask(raw);
 }

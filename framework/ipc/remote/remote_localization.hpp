@@ -16,7 +16,7 @@ struct RemoteOptions {
 /// Localization that is another program (localization_server.hpp). When it does not answer, or with something
 /// that cannot be understood, `answers()` is false and `trouble()` says why; when it comes back, the drive
 /// goes on, if need be as one that has just begun.
-class RemoteLocalization : public behaviours::Localization {
+class RemoteLocalization : public navigation::Localization {
  public:
   /// Gets the map. @param address  HOST:PORT.
   /// @throws Error naming the address if nobody answers, if it speaks another version, or the map cannot be

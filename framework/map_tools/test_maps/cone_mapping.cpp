@@ -39,7 +39,7 @@ void expect_sense(const ConeMapping& mapping) {
 /// An error that changes slowly along the way: waves of some tens of metres.
 class Drift {
  public:
-  Drift(simulation::Random& random, double sigma) : sigma_(sigma) {
+  Drift(Random& random, double sigma) : sigma_(sigma) {
     for (Wave& wave : waves_) wave = {random.uniform(15, 60), random.uniform(0, 2 * std::numbers::pi)};
   }
   double at(double driven_m) const {
@@ -155,7 +155,7 @@ class EvidenceGrid {
 MapRaster cone_mapped(const std::vector<PlacedScan>& scans, const ConeMapping& mapping) {
   expect_sense(mapping);
   if (scans.empty()) throw ConfigError("cone mapping: no scan has a known place, expected at least one");
-  simulation::Random random(mapping.seed);
+  Random random(mapping.seed);
   const Drift x(random, mapping.drift_m), y(random, mapping.drift_m), heading(random, mapping.drift_rad);
   EvidenceGrid grid(scans, mapping);
   const PlacedScan* last = nullptr;

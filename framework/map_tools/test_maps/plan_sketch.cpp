@@ -12,7 +12,6 @@
 namespace opal {
 namespace {
 
-using simulation::Random;
 using Strokes = std::vector<Stroke>;
 
 constexpr double kMargin_m = 1.5;  ///< of the sheet around what is drawn

@@ -11,7 +11,6 @@
 namespace opal {
 namespace {
 
-using simulation::Random;
 using Strokes = std::vector<Stroke>;
 
 constexpr double kThickest_m = 0.6;  ///< of walls

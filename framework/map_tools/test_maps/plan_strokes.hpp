@@ -17,10 +17,10 @@ std::vector<Stroke> wall_strokes(const SemanticMap& map, bool single_lines);
 std::vector<Stroke> column_strokes(const SemanticMap& map);
 /// Leaves of doors that stand open at a right angle, each with the arc that it swings along. Where the map has no
 /// doors, gaps as wide as one between faces along one line count as such.
-std::vector<Stroke> door_strokes(const SemanticMap& map, simulation::Random& random);
+std::vector<Stroke> door_strokes(const SemanticMap& map, Random& random);
 /// Outlines of tables, cupboards and round things about these places.
-std::vector<Stroke> furniture_strokes(const std::vector<Point>& places, simulation::Random& random);
+std::vector<Stroke> furniture_strokes(const std::vector<Point>& places, Random& random);
 /// Words that begin at these places: letters of a few strokes.
-std::vector<Stroke> word_strokes(const std::vector<Point>& places, simulation::Random& random);
+std::vector<Stroke> word_strokes(const std::vector<Point>& places, Random& random);
 
 }  // namespace opal

@@ -28,7 +28,7 @@ TEST_CASE("the interval of a median lies between the order statistics of the sig
 }
 
 TEST_CASE("the interval of a median holds it in at least 95 of 100 samples") {
-  simulation::Random random(7);
+  Random random(7);
   constexpr int kSamples = 4000;
   int held = 0;
   for (int sample = 0; sample < kSamples; ++sample) {

@@ -25,7 +25,7 @@ ResultsTable some_results(std::uint64_t seed, const std::vector<std::size_t>& si
 }
 
 ResultsTable shuffled(ResultsTable table, std::uint64_t seed) {
-  opal::simulation::Random random(seed);
+  opal::Random random(seed);
   for (std::size_t i = table.size(); i > 1; --i) std::swap(table[i - 1], table[random.below(i)]);
   // Verdicts come in the order in which arms appear; there is one.
   return table;

@@ -16,9 +16,9 @@ namespace {
 /// An arm's chance: what it has in common with all windows of a site, and its own.
 class Noise {
  public:
-  Noise(double correlated, opal::simulation::Random& random)
+  Noise(double correlated, opal::Random& random)
       : own_(std::sqrt(1 - correlated)), of_site_(random.normal(std::sqrt(correlated))) {}
-  double draw(opal::simulation::Random& random) const { return of_site_ + random.normal(own_); }
+  double draw(opal::Random& random) const { return of_site_ + random.normal(own_); }
 
  private:
   double own_, of_site_;
@@ -34,7 +34,7 @@ std::map<std::string, double> values(double ease, double cost) {
 }  // namespace
 
 ResultsTable simulate(const SimulatedExperiment& e, std::uint64_t seed) {
-  opal::simulation::Random random(seed);
+  opal::Random random(seed);
   const double mean = quantile(boost::math::normal(), e.success) * std::sqrt(1 + e.site_sigma * e.site_sigma);
   ResultsTable table;
   for (std::size_t site = 0; site < e.cluster_sizes.size(); ++site) {

@@ -131,14 +131,14 @@ TEST_CASE("a robot stands still while localization is away, and gets to its goal
   auto program = server();
   Interrupted localization(program, world().laser);
   simulation::Simulation simulation(room(), world(), 1);
-  simulation::Random random(1);
+  Random random(1);
   ClosedLoopOptions options;
   options.motion.radius_m = world().robot_radius_m;
   options.most_s = 240;
   options.tick_s = 0.1;
   const auto tree =
-      behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
-  const DriveRecord record = drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2),
+      navigation::read_tree(navigation::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", "disambiguate");
+  const DriveRecord record = drive_to_goal(simulation, localization, navigation::mapped_floor(localization.map(), 0.2),
                                            *tree, simulation.floor().anywhere(random), options);
   CHECK(record.unanswered_scans >= 5);
   CHECK(record.unanswered_scans < 12);

@@ -9,14 +9,14 @@
 #include <functional>
 
 using namespace opal;
-using behaviours::Localization;
+using navigation::Localization;
 
 namespace {
 
 /// Localization in this process, and as a program beside it.
 struct Both {
   std::unique_ptr<Localizer> localizer = localizer_of(world().laser);
-  behaviours::LocalizerQueries here{*localizer, world().laser};
+  navigation::LocalizerQueries here{*localizer, world().laser};
   std::unique_ptr<remote::LocalizationServer> program = server();
   remote::RemoteLocalization there{program->address(), world().laser, {60, 60}};
 };
@@ -74,8 +74,8 @@ DriveRecord driven(Localization& localization, std::uint64_t seed, const char* b
   options.motion.radius_m = world().robot_radius_m;
   options.most_s = 240;
   const auto tree =
-      behaviours::read_tree(behaviours::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
-  return drive_to_goal(simulation, localization, behaviours::mapped_floor(localization.map(), 0.2), *tree, goal,
+      navigation::read_tree(navigation::standard_nodes(), OPAL_SOURCE_DIR "/configs/behaviours.jsonld", behaviour);
+  return drive_to_goal(simulation, localization, navigation::mapped_floor(localization.map(), 0.2), *tree, goal,
                        options);
 }
 

@@ -29,7 +29,7 @@ simulation::Recording recorded(const Deployment& deployment, std::shared_ptr<con
   simulation::Simulation simulation(std::move(building), world, seed);
   simulation::DriveOptions drive;
   drive.scan_every_s = kScanEvery_s;
-  return simulation::record_about(simulation, options.duration_s, drive, simulation::Random(seed));
+  return simulation::record_about(simulation, options.duration_s, drive, Random(seed));
 }
 
 Deployment as_described(Deployment deployment, const Trouble& trouble) {
@@ -111,7 +111,7 @@ FaultRun run_drive(const Deployment& deployment, const PluginRegistry& registry,
   const std::vector<Arrival> arrivals =
       simulation::with_fault(simulation::arrivals_of(records_of(recording), sweep_s), trouble.fault,
                              {options.fault_from_s, options.fault_from_s + trouble.duration_s},
-                             deployment.lasers.back().frame, simulation::Random(seed + 7));
+                             deployment.lasers.back().frame, Random(seed + 7));
   Watch watch(recording, trouble, options, run);
   play(arrivals, core, watch);
   return run;

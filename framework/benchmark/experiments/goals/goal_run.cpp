@@ -47,7 +47,7 @@ GoalRun run_task(const GoalExperiment& experiment, const PluginRegistry& registr
       build_parts(deployment_for(contender, task, experiment.world.laser), registry, experiment.map);
   Localizer localizer(parts);
   const FloorGrid floor =
-      behaviours::mapped_floor(*parts.map, 0.8 * experiment.world.robot_radius_m, experiment.world.outdoors);
+      navigation::mapped_floor(*parts.map, 0.8 * experiment.world.robot_radius_m, experiment.world.outdoors);
   GoalRun run;
   run.contender = contender.name;
   run.task = task.id;

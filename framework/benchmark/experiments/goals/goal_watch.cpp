@@ -6,9 +6,9 @@
 namespace opal::experiments {
 namespace {
 
-using behaviours::Blackboard;
-using behaviours::Node;
-using behaviours::NodeStatus;
+using navigation::Blackboard;
+using navigation::Node;
+using navigation::NodeStatus;
 
 /// Tells that its node is ticked.
 class Told : public Node {
@@ -83,7 +83,7 @@ int places_of(const PoseEstimate& estimate) {
 }  // namespace
 
 std::unique_ptr<Node> GoalWatch::watched_tree(const std::string& trees, const std::string& name) {
-  behaviours::NodeRegistry nodes = behaviours::standard_nodes();
+  navigation::NodeRegistry nodes = navigation::standard_nodes();
   nodes.wrap("opal:BackOff", [this](std::unique_ptr<Node> node) {
     return std::make_unique<Told>(std::move(node), [this](bool begins) { run_.recoveries += begins; });
   });

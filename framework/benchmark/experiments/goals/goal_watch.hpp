@@ -14,15 +14,15 @@ class GoalWatch {
       : simulation_(simulation), localizer_(localizer), pattern_size_(pattern_size), run_(run) {}
 
   /// A tree of the document that tells this what it does.
-  std::unique_ptr<behaviours::Node> watched_tree(const std::string& trees, const std::string& name);
+  std::unique_ptr<navigation::Node> watched_tree(const std::string& trees, const std::string& name);
   /// After the drive.
   void finish();
 
  private:
-  void look(const behaviours::Blackboard& blackboard);
-  void look_at_hypotheses(const behaviours::Blackboard& blackboard);
-  void note_start(const behaviours::Blackboard& blackboard, bool right);
-  void note_right(const behaviours::Blackboard& blackboard);
+  void look(const navigation::Blackboard& blackboard);
+  void look_at_hypotheses(const navigation::Blackboard& blackboard);
+  void note_start(const navigation::Blackboard& blackboard, bool right);
+  void note_right(const navigation::Blackboard& blackboard);
 
   const simulation::Simulation& simulation_;
   const Localizer& localizer_;

@@ -5,8 +5,6 @@
 namespace opal::experiments {
 namespace {
 
-using simulation::Random;
-
 // How often what happens. Every kind has some hundred drives of ten thousand, and nothing the user would meet daily is
 // rare.
 constexpr std::uint64_t kStoreyedEvery = 5;  // buildings, of each kind and difficulty

@@ -6,8 +6,6 @@
 namespace opal::experiments {
 namespace {
 
-using simulation::Random;
-
 constexpr double kLaserScanEvery_s = 0.1;
 
 std::string storey_id(int storey) { return "level-" + std::to_string(storey); }

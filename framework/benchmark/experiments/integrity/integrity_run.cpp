@@ -51,7 +51,7 @@ std::vector<simulation::Arrival> arrivals(const DrawnDrive& drive, const simulat
                                           const Deployment& robot) {
   const double sweep_s = recording.laser.sweep_s.value_or(0);
   return simulation::with_fault(simulation::arrivals_of(records_of(recording), sweep_s), drive.fault,
-                                event_window(drive), robot.lasers.back().frame, simulation::Random(drive.seed + 7));
+                                event_window(drive), robot.lasers.back().frame, Random(drive.seed + 7));
 }
 
 /// The numbers of a run by name. @param visit  gets a name and a double, or an optional one.

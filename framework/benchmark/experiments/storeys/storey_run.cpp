@@ -69,7 +69,7 @@ StoreyRun run_storey_drive(const StoreyWorld& world, const std::string& storey, 
                            std::uint64_t seed) {
   const SemanticMap& map = world.parts.map->map();
   simulation::Simulation simulation(storey_of_map(map, storey), world.world, seed);
-  const simulation::Recording recording = record(simulation, drive, simulation::Random(seed).branch());
+  const simulation::Recording recording = record(simulation, drive, Random(seed).branch());
   if (world.keep) world.keep(recording, seed);
   StoreyRun run;
   run.seed = seed;
