@@ -19,18 +19,18 @@ namespace py = pybind11;
 
 namespace {
 
-std::optional<GroundTruth> truth_of(const BenchPlace& place) {
+std::optional<GroundTruth> truth_of(const benchmark::BenchPlace& place) {
   const std::string file = place.site.prefix + ".gt.csv";
   if (!std::filesystem::exists(file)) return std::nullopt;
   return GroundTruth::read(file);
 }
 
-BenchResult run_place(const BenchPlace& place) {
+BenchResult run_place(const benchmark::BenchPlace& place) {
   Localizer localizer(build_parts(place.deployment, *registry(), place.site.map));
   BenchResult result{place.site.name, place.queries, {}, truth_of(place), {}};
   Interruptible observer;
   for (const Query& query : place.queries)
-    result.run.append(run_query(localizer, place, query, {std::ref(observer), {}, {}}));
+    result.run.append(benchmark::run_query(localizer, place, query, {std::ref(observer), {}, {}}));
   result.plugin_failures = localizer.plugin_failures();
   return result;
 }
@@ -39,13 +39,13 @@ BenchResult bench(const std::string& prefix, const std::variant<Deployment, std:
                   const std::string& maps, const std::vector<std::string>& overlays) {
   const py::gil_scoped_release others_run;
   const auto* name = std::get_if<std::string>(&config);
-  const Deployment deployment = name != nullptr ? read_deployment(config_file(*name)) : std::get<0>(config);
+  const Deployment deployment = name != nullptr ? read_deployment(session::config_file(*name)) : std::get<0>(config);
   const PluginRegistry plugins = trusted_by(deployment, *registry());
-  BenchSite site = load_sites(plugins, {prefix}, {maps, std::nullopt}).front();
+  benchmark::BenchSite site = benchmark::load_sites(plugins, {prefix}, {maps, std::nullopt}).front();
   std::vector<std::string> all = deployment.overlays;
   all.insert(all.end(), overlays.begin(), overlays.end());
-  site.map = with_overlays(site.map, all);
-  return run_place(read_bench_place(plugins, site, deployment));
+  site.map = session::with_overlays(site.map, all);
+  return run_place(benchmark::read_bench_place(plugins, site, deployment));
 }
 
 py::object number_or_none(const std::optional<double>& number) {
@@ -81,7 +81,7 @@ py::object verdict_of(const BenchResult& self) {
 std::string words_of(const BenchResult& self) {
   const std::string verdict = self.truth ? summary_of(judge_place(self.run.rows, self.queries, *self.truth))
                                          : "not judged: there is no recorded truth\n";
-  return verdict + skipped_text(self.plugin_failures);
+  return verdict + benchmark::skipped_text(self.plugin_failures);
 }
 
 }  // namespace

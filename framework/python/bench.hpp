@@ -15,7 +15,7 @@ namespace opal::python {
 struct BenchResult {
   std::string name;
   std::vector<Query> queries;
-  RunRecord run;
+  benchmark::RunRecord run;
   std::optional<GroundTruth> truth;            ///< none: it is not recorded
   std::map<std::string, int> plugin_failures;  ///< calls that were skipped, by type name
 };

@@ -29,7 +29,7 @@ MapHandle map_of(const Deployment& deployment) {
   if (deployment.map.empty())
     throw ConfigError(deployment.file + ": /map: missing; name a map there or with with_map()");
   const py::gil_scoped_release others_run;
-  return {load_map(*registry(), deployment)};
+  return {session::load_map(*registry(), deployment)};
 }
 
 std::vector<std::string> scorers_of(const Deployment& deployment) {
@@ -57,7 +57,8 @@ void bind_deployment(py::module_& module) {
       .def("read_map", &map_of, "The map that it names, with its overlays. Raises opal.Error.")
       .def("__repr__", [](const Deployment& self) { return "<opal.Deployment " + self.file + ">"; });
   module.def(
-      "read_deployment", [](const std::string& name) { return read_deployment(config_file(name)); }, py::arg("name"),
+      "read_deployment", [](const std::string& name) { return read_deployment(session::config_file(name)); },
+      py::arg("name"),
       "A deployment of a file, or one that ships by its name: \"default\", \"malaga\". Raises opal.ConfigError.");
   module.def("make_deployment", &make_deployment, py::arg("document"), py::arg("file") = "deployment",
              "A deployment of a dict, with the members of a document.\n\n"

@@ -32,7 +32,7 @@ void bind_place(py::module_& module) {
           "x, y [m], heading [rad] of the robot in the storey's own frame; shape (3,).")
       .def("__repr__", [](const PlaceInBuilding& self) {
         return "<opal.Place " + (self.building.empty() ? "" : self.building + ", ") + self.storey + ": " +
-               pose_words(self.T_storey_base) + ">";
+               benchmark::pose_words(self.T_storey_base) + ">";
       });
 }
 
@@ -59,7 +59,7 @@ void bind_pose_estimate(py::module_& module) {
       .def_readonly("alternatives", &PoseEstimate::alternatives, "Other places, most probable first.")
       .def("__repr__", [](const PoseEstimate& self) {
         return std::string("<opal.Estimate ") + name_of(self.status) +
-               (self.has_pose ? ": " + pose_words(self.T_map_base) : "") + ">";
+               (self.has_pose ? ": " + benchmark::pose_words(self.T_map_base) : "") + ">";
       });
 }
 
@@ -100,26 +100,33 @@ void bind_hypothesis(py::module_& module) {
           "associations", [](const HypothesisHandle& self) { return pairs_of(self.hypothesis); },
           "Local feature, position in Map.features (-1: not on the map); shape (N, 2).")
       .def("__repr__", [](const HypothesisHandle& self) {
-        return "<opal.Hypothesis " + to_string(self.hypothesis.id) + ": " + pose_words(self.T_map_base) + ">";
+        return "<opal.Hypothesis " + to_string(self.hypothesis.id) + ": " + benchmark::pose_words(self.T_map_base) +
+               ">";
       });
 }
 
 void bind_association(py::module_& module) {
-  py::class_<NamedAssociation>(module, "Association", "A local feature, and what the best hypothesis takes it for.")
-      .def_property_readonly("local_feature", [](const NamedAssociation& self) { return self.local_feature.number(); })
-      .def_readonly("object", &NamedAssociation::object, "The mapped object in words.")
-      .def_readonly("feature", &NamedAssociation::feature, "Id of the mapped feature.")
-      .def_property_readonly("shape", [](const NamedAssociation& self) { return kind_name(self.mapped); })
+  py::class_<benchmark::NamedAssociation>(module, "Association",
+                                          "A local feature, and what the best hypothesis takes it for.")
+      .def_property_readonly("local_feature",
+                             [](const benchmark::NamedAssociation& self) { return self.local_feature.number(); })
+      .def_readonly("object", &benchmark::NamedAssociation::object, "The mapped object in words.")
+      .def_readonly("feature", &benchmark::NamedAssociation::feature, "Id of the mapped feature.")
+      .def_property_readonly("shape", [](const benchmark::NamedAssociation& self) { return kind_name(self.mapped); })
       .def_property_readonly(
           "seen",
-          [](const NamedAssociation& self) { return array_of(std::span<const double>(numbers_of(self.local))); },
+          [](const benchmark::NamedAssociation& self) {
+            return array_of(std::span<const double>(numbers_of(self.local)));
+          },
           "The local feature in the map frame; numbers as MapFeature.numbers.")
       .def_property_readonly(
           "mapped",
-          [](const NamedAssociation& self) { return array_of(std::span<const double>(numbers_of(self.mapped))); },
+          [](const benchmark::NamedAssociation& self) {
+            return array_of(std::span<const double>(numbers_of(self.mapped)));
+          },
           "The mapped feature; numbers as MapFeature.numbers.")
-      .def_readonly("off_m", &NamedAssociation::off_m, "Distance of the two.")
-      .def("__repr__", [](const NamedAssociation& self) {
+      .def_readonly("off_m", &benchmark::NamedAssociation::off_m, "Distance of the two.")
+      .def("__repr__", [](const benchmark::NamedAssociation& self) {
         return "<opal.Association: local feature " + to_string(self.local_feature) + " is " + self.object + ">";
       });
 }

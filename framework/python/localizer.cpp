@@ -20,8 +20,8 @@ using Handle = LocalizerHandle;
 std::unique_ptr<Handle> make(const std::variant<Deployment, std::string>& deployment,
                              const std::optional<MapHandle>& map, const py::object& events) {
   const auto* name = std::get_if<std::string>(&deployment);
-  return std::make_unique<Handle>(name != nullptr ? read_deployment(config_file(*name)) : std::get<0>(deployment), map,
-                                  events);
+  return std::make_unique<Handle>(
+      name != nullptr ? read_deployment(session::config_file(*name)) : std::get<0>(deployment), map, events);
 }
 
 const LaserModel& laser_of(const Handle& self, std::size_t laser) {
@@ -108,7 +108,7 @@ void bind_steps(py::class_<Handle>& localizer) {
 void bind_answers(py::class_<Handle>& localizer) {
   localizer.def_property_readonly("hypotheses", &hypotheses, "Alive, best first.")
       .def_property_readonly(
-          "associations", [](Handle& self) { return associations_of(self.localizer()); },
+          "associations", [](Handle& self) { return benchmark::associations_of(self.localizer()); },
           "What the best hypothesis rests on.")
       .def_property_readonly(
           "why", [](Handle& self) { return self.localizer().why(); }, "Why the newest status is what it is, in words.")

@@ -23,7 +23,7 @@ EventSink* LocalizerHandle::listen(const py::object& events) {
     callback_ = std::make_unique<EventCallback>(events);
     return callback_.get();
   }
-  file_ = std::make_unique<EventFile>(py::str(events).cast<std::string>());
+  file_ = std::make_unique<benchmark::EventFile>(py::str(events).cast<std::string>());
   return file_.get();
 }
 
@@ -34,7 +34,7 @@ LocalizerHandle::LocalizerHandle(Deployment deployment, const std::optional<MapH
   {
     const py::gil_scoped_release others_run;
     const auto plugins = registry();
-    map_ = map ? *map : MapHandle{load_map(*plugins, deployment_)};
+    map_ = map ? *map : MapHandle{session::load_map(*plugins, deployment_)};
     LocalizerParts parts = build_parts(deployment_, *plugins, map_.map);
     if (events_ != nullptr) {
       const std::string& source = map ? map->map->name() : deployment_.map;
@@ -62,11 +62,11 @@ std::optional<PoseEstimate> LocalizerHandle::update(const Sample& sample) {
   });
 }
 
-RunRecord LocalizerHandle::run(ReplayHandle& replay, const std::string& query) {
+benchmark::RunRecord LocalizerHandle::run(ReplayHandle& replay, const std::string& query) {
   return apart([&](Localizer& localizer) {
     localizer.reset();
     begin(query);
-    return run_log(localizer, deployment_.lasers.front(), replay.replay, query, {Interruptible(), {}, {}});
+    return benchmark::run_log(localizer, deployment_.lasers.front(), replay.replay, query, {Interruptible(), {}, {}});
   });
 }
 

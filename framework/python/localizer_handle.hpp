@@ -34,7 +34,7 @@ class LocalizerHandle {
   auto apart(Work&& work);
 
   std::optional<PoseEstimate> update(const Sample& sample);
-  RunRecord run(ReplayHandle& replay, const std::string& query);
+  benchmark::RunRecord run(ReplayHandle& replay, const std::string& query);
   void reset(const std::string& name);
   /// Writes what is left of an event file. @throws WriteError
   void finish_events();
@@ -65,7 +65,7 @@ class LocalizerHandle {
   Deployment deployment_;
   MapHandle map_;
   std::unique_ptr<EventCallback> callback_;
-  std::unique_ptr<EventFile> file_;
+  std::unique_ptr<benchmark::EventFile> file_;
   EventSink* events_ = nullptr;
   std::unique_ptr<Localizer> localizer_;
   std::atomic<bool> busy_ = false;

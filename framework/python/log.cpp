@@ -17,7 +17,7 @@ namespace py = pybind11;
 
 namespace {
 
-using LogPtr = std::shared_ptr<RecordedLog>;
+using LogPtr = std::shared_ptr<benchmark::RecordedLog>;
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 LogPtr read_log(const std::string& path, const std::optional<Deployment>& deployment,
@@ -25,21 +25,22 @@ LogPtr read_log(const std::string& path, const std::optional<Deployment>& deploy
   std::vector<std::string> words;
   for (const auto& [name, value] : options) words.push_back(name + "=" + value);
   const py::gil_scoped_release others_run;
-  return std::make_shared<RecordedLog>(read_recorded_log(*registry(), path, deployment.value_or(Deployment()), words));
+  return std::make_shared<benchmark::RecordedLog>(
+      benchmark::read_recorded_log(*registry(), path, deployment.value_or(Deployment()), words));
 }
 
-std::vector<LaserModel> lasers_of(const RecordedLog& log, const Deployment& deployment) {
+std::vector<LaserModel> lasers_of(const benchmark::RecordedLog& log, const Deployment& deployment) {
   return lasers_of_log(log.records, deployment.lasers, log.file, deployment.file + ": /sensor");
 }
 
-std::vector<RawScan> raw_scans(const RecordedLog& log) {
+std::vector<RawScan> raw_scans(const benchmark::RecordedLog& log) {
   std::vector<RawScan> scans;
   for (const LogRecord& record : log.records)
     if (const auto* scan = std::get_if<RawScan>(&record)) scans.push_back(*scan);
   return scans;
 }
 
-Array odometry_of(const RecordedLog& log) {
+Array odometry_of(const benchmark::RecordedLog& log) {
   std::vector<double> rows;
   const auto add = [&](double stamp_s, const Pose2& pose) {
     rows.insert(rows.end(), {stamp_s, pose.x(), pose.y(), pose.heading_rad()});
@@ -107,9 +108,9 @@ void bind_log(py::module_& module) {
   bind_replay(module);
   const auto from_s = py::arg("from_s") = -kForever;
   const auto to_s = py::arg("to_s") = kForever;
-  py::class_<RecordedLog, LogPtr>(module, "Log", "A recorded log, all of it in memory.")
-      .def_readonly("file", &RecordedLog::file)
-      .def_readonly("defects", &RecordedLog::defects, "What was skipped, by cause.")
+  py::class_<benchmark::RecordedLog, LogPtr>(module, "Log", "A recorded log, all of it in memory.")
+      .def_readonly("file", &benchmark::RecordedLog::file)
+      .def_readonly("defects", &benchmark::RecordedLog::defects, "What was skipped, by cause.")
       .def("raw_scans", &raw_scans, "All scans as recorded, in file order.")
       .def_property_readonly("odometry", &odometry_of,
                              "Stamp [s], x, y [m], heading [rad] in the frame odom, in file order; shape (N, 4).")
@@ -123,7 +124,7 @@ void bind_log(py::module_& module) {
             return samples(self, lasers_of(*self, deployment), from, to);
           },
           py::arg("deployment"), from_s, to_s)
-      .def("__repr__", [](const RecordedLog& self) {
+      .def("__repr__", [](const benchmark::RecordedLog& self) {
         return "<opal.Log " + self.file + ": " + std::to_string(self.records.size()) + " records>";
       });
   module.def("read_log", &read_log, py::arg("path"), py::arg("deployment") = py::none(),

@@ -26,8 +26,9 @@ using Text = std::optional<std::string>;
 MapHandle read_map(const std::string& source, const std::vector<std::string>& overlays, const py::object& options) {
   const nlohmann::json given = options.is_none() ? nlohmann::json::object() : from_python(options);
   const py::gil_scoped_release others_run;
-  const auto map = given.empty() ? load_map(*registry(), source) : import_map(*registry(), source, given).map;
-  return {with_overlays(map, overlays)};
+  const auto map =
+      given.empty() ? session::load_map(*registry(), source) : session::import_map(*registry(), source, given).map;
+  return {session::with_overlays(map, overlays)};
 }
 
 void write_map(const MapHandle& self, const std::string& path) { opal::write_map(*self.map, path); }

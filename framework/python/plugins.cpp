@@ -20,14 +20,14 @@ class SharedRegistry {
  public:
   std::shared_ptr<const PluginRegistry> get() {
     const std::lock_guard lock(mutex_);
-    if (!registry_) registry_ = std::make_shared<const PluginRegistry>(load_plugins(folders_));
+    if (!registry_) registry_ = std::make_shared<const PluginRegistry>(session::load_plugins(folders_));
     return registry_;
   }
   void add(const std::string& folder) {
     const std::lock_guard lock(mutex_);
     std::vector<std::string> folders = folders_;
     folders.push_back(folder);
-    registry_ = std::make_shared<const PluginRegistry>(load_plugins(folders));
+    registry_ = std::make_shared<const PluginRegistry>(session::load_plugins(folders));
     folders_ = std::move(folders);
   }
 

@@ -11,7 +11,7 @@ namespace opal::python {
 
 /// A replay, with the records that it walks.
 struct ReplayHandle {
-  std::shared_ptr<const RecordedLog> log;
+  std::shared_ptr<const benchmark::RecordedLog> log;
   std::vector<LaserModel> lasers;
   Replay replay;
 };

@@ -10,7 +10,7 @@ namespace py = pybind11;
 namespace {
 
 /// The columns of results.csv, by its names: a storey only where a row has one.
-py::dict columns_of(const RunRecord& run) {
+py::dict columns_of(const benchmark::RunRecord& run) {
   std::vector<double> stamps, xs, ys, headings, probabilities, nones;
   py::list queries, statuses, flags, storeys;
   bool has_storeys = false;
@@ -36,22 +36,22 @@ py::dict columns_of(const RunRecord& run) {
   return columns;
 }
 
-Array trajectory_of(const RunRecord& run) {
+Array trajectory_of(const benchmark::RunRecord& run) {
   std::vector<double> rows;
   for (const StampedPose& at : run.trajectory)
     rows.insert(rows.end(), {at.stamp_s, at.pose.x(), at.pose.y(), at.pose.heading_rad()});
   return table_of(rows, 4);
 }
 
-void write_rows(const RunRecord& run, const std::string& path) {
+void write_rows(const benchmark::RunRecord& run, const std::string& path) {
   write_with(path, [&](std::ostream& out) { write_results(out, run.rows); });
 }
 
-void write_others(const RunRecord& run, const std::string& path) {
+void write_others(const benchmark::RunRecord& run, const std::string& path) {
   write_with(path, [&](std::ostream& out) { write_alternatives(out, run.alternatives); });
 }
 
-py::object localized_after(const RunRecord& run) {
+py::object localized_after(const benchmark::RunRecord& run) {
   if (!run.localized_after) return py::none();
   return py::make_tuple(run.localized_after->driven_m, run.localized_after->time_s);
 }
@@ -61,27 +61,29 @@ py::object localized_after(const RunRecord& run) {
 py::object data_frame(const py::object& columns) { return py::module_::import("pandas").attr("DataFrame")(columns); }
 
 void bind_run(py::module_& module) {
-  py::class_<RunRecord>(module, "Run", "What replays through a localizer have left: a row per scan that had a pose.")
+  py::class_<benchmark::RunRecord>(module, "Run",
+                                   "What replays through a localizer have left: a row per scan that had a pose.")
       .def(
           "columns", &columns_of,
           "The columns of results.csv as arrays and lists: query_id, timestamp, x, y, theta (of the first LASER in the "
           "map), localized_flag, probability, none, status; and storey, if the map holds storeys.")
       .def(
-          "frame", [](const RunRecord& self) { return data_frame(columns_of(self)); },
+          "frame", [](const benchmark::RunRecord& self) { return data_frame(columns_of(self)); },
           "The same as a pandas.DataFrame; needs pandas.")
       .def_property_readonly("trajectory", &trajectory_of,
                              "Stamp [s], x, y [m], heading [rad] of the ROBOT in the map; shape (N, 4).")
       .def_property_readonly(
-          "cpu_ms", [](const RunRecord& self) { return array_of(std::span<const double>(self.update_cpu_ms)); },
+          "cpu_ms",
+          [](const benchmark::RunRecord& self) { return array_of(std::span<const double>(self.update_cpu_ms)); },
           "CPU time of each keyframe; shape (K,).")
       .def_property_readonly("localized_after", &localized_after,
                              "Of the newest replay: (metres, seconds) until it was localized; None: never.")
       .def_property_readonly(
-          "last", [](const RunRecord& self) { return self.last; }, "The newest estimate.")
+          "last", [](const benchmark::RunRecord& self) { return self.last; }, "The newest estimate.")
       .def("write_results", &write_rows, py::arg("path"), "Writes results.csv as `opal localize` does.")
       .def("write_alternatives", &write_others, py::arg("path"), "Writes alternatives.csv as `opal bench` does.")
-      .def("__len__", [](const RunRecord& self) { return self.rows.size(); })
-      .def("__repr__", [](const RunRecord& self) {
+      .def("__len__", [](const benchmark::RunRecord& self) { return self.rows.size(); })
+      .def("__repr__", [](const benchmark::RunRecord& self) {
         return "<opal.Run: " + std::to_string(self.rows.size()) + " poses, " +
                std::to_string(self.update_cpu_ms.size()) + " keyframes>";
       });

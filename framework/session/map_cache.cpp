@@ -9,6 +9,7 @@
 
 #include <cctype>
 
+namespace opal::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,3 +70,5 @@ std::string MapCache::keep(const std::string& where, const opal::StoreSource& so
   opal::write_text(file.string(), cached.dump(1));
   return file.string();
 }
+
+}  // namespace opal::session

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+namespace opal::session {
+
 /// The last map that was pulled from a store, per store and source, so that a robot starts without its server. A file
 /// each, written whole or not at all.
 class MapCache {
@@ -33,3 +35,5 @@ class MapCache {
   std::filesystem::path file_of(const std::string& where, const opal::StoreSource& source) const;
   std::filesystem::path folder_;
 };
+
+}  // namespace opal::session

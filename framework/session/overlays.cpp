@@ -4,6 +4,8 @@
 
 #include <iostream>
 
+namespace opal::session {
+
 MapPtr with_overlays(const MapPtr& map, const std::vector<std::string>& files) {
   if (files.empty()) return map;
   std::vector<opal::MapOverlay> overlays;
@@ -12,3 +14,5 @@ MapPtr with_overlays(const MapPtr& map, const std::vector<std::string>& files) {
   for (const std::string& doubt : overlaid.doubts) std::cerr << "overlay: " << doubt << '\n';
   return overlaid.map;
 }
+
+}  // namespace opal::session

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <set>
 
+namespace opal::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -186,3 +187,5 @@ std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& plugins, c
   if (!doubt.empty()) std::cerr << "opal: " << doubt << '\n';
   return log_source(registry, source, deployment, words)->open_for(path, deployment.lasers);
 }
+
+}  // namespace opal::session

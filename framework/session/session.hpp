@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::session {
+
 /// What several verbs begin with.
 
 /// All plugins of the program's folders; refused ones are reported on stderr and left out.
@@ -72,3 +74,5 @@ std::string log_sources_doubt(const opal::Deployment& deployment, const std::vec
 std::unique_ptr<opal::LogReader> open_log(const opal::PluginRegistry& registry, const std::string& path,
                                           const opal::Deployment& deployment = {},
                                           const std::vector<std::string>& words = {});
+
+}  // namespace opal::session

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+namespace opal::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,3 +47,5 @@ std::string config_file(const std::string& name) {
     }
   throw opal::ConfigError(name + ": does not exist, and is none of the configurations that ship: " + shipped_configs());
 }
+
+}  // namespace opal::session

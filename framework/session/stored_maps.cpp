@@ -12,6 +12,7 @@
 #include <ctime>
 #include <iostream>
 
+namespace opal::session {
 namespace {
 
 constexpr const char* kNoStore =
@@ -92,3 +93,5 @@ std::string described(const opal::StoredVersion& version) {
                                        version.pushed_at, version.pushed_by);
   return version.message.empty() ? text : text + ": " + version.message;
 }
+
+}  // namespace opal::session

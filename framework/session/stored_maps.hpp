@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+namespace opal::session {
+
 /// The type of the map store that a plugin offers; of several, the one that OPAL_MAP_STORE names.
 /// @throws opal::PluginError if there is none, or no telling which.
 std::string map_store_type(const opal::PluginRegistry& registry);
@@ -28,3 +30,5 @@ VersionedMap load_stored_map(const opal::PluginRegistry& registry, const opal::S
 
 /// "version 3 of 'hall', pushed 2026-11-21T14:02:11Z by ann: moved the east wall"
 std::string described(const opal::StoredVersion& version);
+
+}  // namespace opal::session

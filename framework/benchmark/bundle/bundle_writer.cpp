@@ -53,7 +53,8 @@ class BundleFiles {
 /// Copies what an experiment names, and says where it is in the bundle.
 class ExperimentCopy {
  public:
-  ExperimentCopy(const Experiment& experiment, WorldSource& worlds, BundleFiles& files, std::uint64_t largest_bytes)
+  ExperimentCopy(const Experiment& experiment, benchmark::WorldSource& worlds, BundleFiles& files,
+                 std::uint64_t largest_bytes)
       : experiment_(experiment), worlds_(worlds), files_(files), largest_bytes_(largest_bytes) {}
 
   void write() {
@@ -113,7 +114,7 @@ class ExperimentCopy {
   }
 
   const Experiment& experiment_;
-  WorldSource& worlds_;
+  benchmark::WorldSource& worlds_;
   BundleFiles& files_;
   std::uint64_t largest_bytes_;
   std::map<std::string, std::string> classes_;  ///< in the bundle, by the file that they come from
@@ -149,7 +150,7 @@ void expect_new_folder(const std::string& folder) {
 
 }  // namespace
 
-Bundle write_bundle(const Experiment& experiment, const ordered_json& manifest, WorldSource& worlds,
+Bundle write_bundle(const Experiment& experiment, const ordered_json& manifest, benchmark::WorldSource& worlds,
                     const ResultFolder& results, const BundleOptions& options) {
   expect_new_folder(options.folder);
   BundleFiles files(options.folder);

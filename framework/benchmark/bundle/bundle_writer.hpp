@@ -15,7 +15,7 @@ struct BundleOptions {
 /// Makes a bundle of an experiment that is finished: documents with their places in the bundle, whole configurations,
 /// classes of Python, plugin folders of arms, maps, recordings, and the results.
 /// @throws ConfigError if the folder holds something, WriteError if it cannot be written.
-Bundle write_bundle(const Experiment& experiment, const nlohmann::ordered_json& manifest, WorldSource& worlds,
-                    const ResultFolder& results, const BundleOptions& options);
+Bundle write_bundle(const Experiment& experiment, const nlohmann::ordered_json& manifest,
+                    benchmark::WorldSource& worlds, const ResultFolder& results, const BundleOptions& options);
 
 }  // namespace opal::ab

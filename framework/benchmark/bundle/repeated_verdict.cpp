@@ -106,7 +106,7 @@ void compare_metric(const std::string& arm, const json& then, const json& now, R
   const std::string what = arm + ", " + name + ": ";
   if (then.at("outcome") != now.at("outcome"))
     told.verdict.push_back(then_and_now(what + "outcome", then["outcome"], now["outcome"]));
-  if (is_measured(name)) {
+  if (benchmark::is_measured(name)) {
     told.costs.push_back(then_and_now(what + "difference", then.at("difference"), now.at("difference")));
     return;
   }

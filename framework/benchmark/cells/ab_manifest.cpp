@@ -3,6 +3,8 @@
 #include "benchmark/ab/records/program_files.hpp"
 #include "common/digest/sha256.hpp"
 
+namespace opal::benchmark {
+
 namespace ab = opal::ab;
 using nlohmann::ordered_json;
 
@@ -27,3 +29,5 @@ std::vector<std::string> arm_digests(const ordered_json& manifest) {
     digests.push_back(opal::sha256_of(manifest.at("opal").dump() + arm.dump()).substr(0, kDigits));
   return digests;
 }
+
+}  // namespace opal::benchmark

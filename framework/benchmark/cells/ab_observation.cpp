@@ -2,6 +2,8 @@
 
 #include "evaluation/pose_tolerance.hpp"
 
+namespace opal::benchmark {
+
 std::vector<ObservedScorer> let_observe(opal::Deployment& deployment, const opal::ab::Arm& arm, bool decides) {
   std::vector<ObservedScorer> observed;
   for (opal::ScorerConfig scorer : arm.deployment.scorers) {
@@ -42,3 +44,5 @@ std::string RankedRun::digest() {
   constexpr std::size_t kDigits = 16;
   return seen_.finish().substr(0, kDigits);
 }
+
+}  // namespace opal::benchmark

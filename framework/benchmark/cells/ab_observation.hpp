@@ -7,6 +7,8 @@
 #include <opal/localization/localizer.hpp>
 #include "evaluation/ground_truth.hpp"
 
+namespace opal::benchmark {
+
 /// A scorer of the arm that observes.
 struct ObservedScorer {
   std::string name;  ///< by which the localizer knows its scores
@@ -39,3 +41,5 @@ class RankedRun {
   opal::ab::RankingTally tally_;
   opal::Sha256 seen_;
 };
+
+}  // namespace opal::benchmark

@@ -14,6 +14,7 @@
 #include <map>
 #include <regex>
 
+namespace opal::benchmark {
 namespace {
 
 namespace ab = opal::ab;
@@ -188,3 +189,5 @@ void report(const ab::Experiment& experiment, const ab::CellPlan& plan, const ab
   opal::write_text(folder.file("report.html"), to_html(page));
   write_paper(page, folder.file("paper"));
 }
+
+}  // namespace opal::benchmark

@@ -5,6 +5,8 @@
 #include "benchmark/verdict/comparison.hpp"
 #include "benchmark/verdict_page/report_page.hpp"
 
+namespace opal::benchmark {
+
 /// The metrics that an experiment is judged by, the one that decides first. @throws opal::ConfigError for an unknown
 /// name.
 std::vector<opal::statistics::Metric> metrics_of(const opal::ab::Experiment& experiment);
@@ -24,3 +26,5 @@ int look_at(const opal::ab::Experiment& experiment, const opal::ab::ResultFolder
 void report(const opal::ab::Experiment& experiment, const opal::ab::CellPlan& plan,
             const opal::ab::ResultFolder& folder, const opal::ab::MergedResults& results,
             const nlohmann::ordered_json& manifest, int look, const ViewLinks& links);
+
+}  // namespace opal::benchmark

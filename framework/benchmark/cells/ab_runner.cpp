@@ -21,6 +21,7 @@
 #include <numeric>
 #include <set>
 
+namespace opal::benchmark {
 namespace {
 
 namespace ab = opal::ab;
@@ -82,7 +83,7 @@ std::vector<ArmPlugins> load_arm_plugins(const ab::Experiment& experiment) {
     const std::vector<std::string> folders = folders_of(arm, experiment);
     ArmPlugins& plugins = by_folders[folders];
     if (!plugins.registry) {
-      plugins.registry = std::make_shared<const opal::PluginRegistry>(load_plugins(folders));
+      plugins.registry = std::make_shared<const opal::PluginRegistry>(session::load_plugins(folders));
       plugins.files = ab::plugin_files(*plugins.registry);
     }
     opal::check_parts(arm.deployment, *plugins.registry);
@@ -153,3 +154,5 @@ void LocalizingRunner::run(const ab::Task& task, ab::CellResult& result) {
   result.costs = costs_of(record);
   result.failure = failure_of(localizer_->plugin_failures());
 }
+
+}  // namespace opal::benchmark

@@ -5,6 +5,8 @@
 
 #include "benchmark/ab/execution/cell_runner.hpp"
 
+namespace opal::benchmark {
+
 /// The plugins that an arm may use: the program's own, and the arm's.
 struct ArmPlugins {
   std::shared_ptr<const opal::PluginRegistry> registry;
@@ -40,3 +42,5 @@ class LocalizingRunner final : public opal::ab::CellRunner {
   std::unique_ptr<opal::Localizer> localizer_;
   std::vector<ObservedScorer> observed_;
 };
+
+}  // namespace opal::benchmark

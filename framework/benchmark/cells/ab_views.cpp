@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <iostream>
 
+namespace opal::benchmark {
 namespace {
 
 namespace ab = opal::ab;
@@ -107,3 +108,5 @@ ViewLinks write_views(const ab::Experiment& experiment, const ab::CellPlan& plan
     return found == links.end() ? std::string() : found->second;
   };
 }
+
+}  // namespace opal::benchmark

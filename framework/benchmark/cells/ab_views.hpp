@@ -6,6 +6,8 @@
 
 #include "benchmark/verdict/results_table.hpp"
 
+namespace opal::benchmark {
+
 /// Where the run behind a row is shown, relative to the results; empty if nowhere.
 using ViewLinks = std::function<std::string(const opal::statistics::ResultRow&)>;
 
@@ -15,3 +17,5 @@ using ViewLinks = std::function<std::string(const opal::statistics::ResultRow&)>
 ViewLinks write_views(const opal::ab::Experiment& experiment, const opal::ab::CellPlan& plan,
                       const opal::ab::ResultFolder& folder, const opal::ab::MergedResults& results,
                       LocalizingRunner& runner);
+
+}  // namespace opal::benchmark

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 
+namespace opal::benchmark {
 namespace {
 
 namespace ab = opal::ab;
@@ -127,7 +128,7 @@ const WorldSource::Map& WorldSource::map_of(const ab::Scenario& scenario) {
     map_ = site_map(registry_, place->prefix, opal::read_map_damage(scenario.damage));
   } else {
     const auto& drives = std::get<ab::SimulatedDrives>(scenario.source);
-    map_ = drives.building ? generate_building(*drives.building).map : load_map(registry_, drives.map);
+    map_ = drives.building ? generate_building(*drives.building).map : session::load_map(registry_, drives.map);
   }
   of_ = scenario.name;
   return map_;
@@ -169,3 +170,5 @@ World WorldSource::simulated(const ab::Scenario& scenario, const ab::SimulatedDr
   world.digest = digest.finish();
   return world;
 }
+
+}  // namespace opal::benchmark

@@ -10,6 +10,8 @@
 
 #include <map>
 
+namespace opal::benchmark {
+
 /// What robots are given for one scenario and seed, and what they are judged by.
 struct World {
   BenchPlace place;  ///< with the baseline's deployment
@@ -46,3 +48,5 @@ class WorldSource {
   Map map_;
   std::map<std::string, std::string> log_digests_;  ///< of recordings, by prefix
 };
+
+}  // namespace opal::benchmark

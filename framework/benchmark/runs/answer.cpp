@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 
+namespace opal::benchmark {
 namespace {
 
 const opal::LocalFeature* find_local(const opal::LocalMap& map, opal::LocalFeatureId id) {
@@ -86,3 +87,5 @@ void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& an
                 named.local_feature.number(), named.feature.c_str());
   std::printf("%s", skipped_text(localizer.plugin_failures()).c_str());
 }
+
+}  // namespace opal::benchmark

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::benchmark {
+
 /// An association of the best hypothesis, by name and by geometry (map frame).
 struct NamedAssociation {
   opal::LocalFeatureId local_feature = {};
@@ -27,3 +29,5 @@ std::string skipped_text(const std::map<std::string, int>& plugin_failures);
 /// Status, pose, alternatives and associations, on stdout.
 /// @param why  the status is what it is.
 void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer, const std::string& why);
+
+}  // namespace opal::benchmark

@@ -3,6 +3,8 @@
 #include "benchmark/runs/recorded_log.hpp"
 #include "sensing/log_check.hpp"
 
+namespace opal::benchmark {
+
 opal::Replay BenchPlace::replay(const opal::Query& window) const {
   opal::ReplayOptions options;
   options.from_s = window.start_s;
@@ -42,3 +44,5 @@ BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSit
   place.records = std::move(log.records);
   return place;
 }
+
+}  // namespace opal::benchmark

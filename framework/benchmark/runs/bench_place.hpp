@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::benchmark {
+
 /// One recorded place with its map, ready to be run.
 struct BenchPlace {
   BenchSite site;
@@ -26,3 +28,5 @@ RunRecord run_query(opal::Localizer& localizer, const BenchPlace& place, const o
 
 /// @throws Error naming the file that is wrong.
 BenchPlace read_bench_place(const opal::PluginRegistry& registry, const BenchSite& site, opal::Deployment deployment);
+
+}  // namespace opal::benchmark

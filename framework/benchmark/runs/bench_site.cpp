@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <filesystem>
 
+namespace opal::benchmark {
+
 std::shared_ptr<const opal::SemanticMap> site_map(const opal::PluginRegistry& registry, const std::string& prefix,
                                                   const opal::MapDamage& damage) {
   const std::string document = prefix + ".map.jsonld";
@@ -15,7 +17,7 @@ std::shared_ptr<const opal::SemanticMap> site_map(const opal::PluginRegistry& re
   if (!std::filesystem::exists(prefix + ".map.yaml"))
     throw opal::MapError(document + " and " + prefix +
                          ".map.yaml do not exist, expected the prefix of a recorded place");
-  return import_map(registry, prefix + ".map.yaml", import_options(damage)).map;
+  return session::import_map(registry, prefix + ".map.yaml", session::import_options(damage)).map;
 }
 
 std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const std::vector<std::string>& prefixes,
@@ -44,3 +46,5 @@ void join_sites(std::vector<BenchSite>& sites, const opal::MapJoin& join) {
     site.T_map_site = opal::placement_of(*joined, site.name).T_map_source;
   }
 }
+
+}  // namespace opal::benchmark

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::benchmark {
+
 /// A recorded place, and the map that its queries run on.
 struct BenchSite {
   std::string prefix;  ///< of its files: "sites/acapulco"
@@ -37,3 +39,5 @@ std::vector<BenchSite> load_sites(const opal::PluginRegistry& registry, const st
 
 /// Puts the maps of all places side by side: each place's queries then run on all of them together.
 void join_sites(std::vector<BenchSite>& sites, const opal::MapJoin& join);
+
+}  // namespace opal::benchmark

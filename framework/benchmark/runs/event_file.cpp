@@ -7,6 +7,8 @@
 
 #include <cerrno>
 
+namespace opal::benchmark {
+
 EventFile::EventFile(const std::string& path)
     : path_(path), file_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   if (file_ < 0) throw opal::WriteError(path, errno);
@@ -49,3 +51,5 @@ void EventFile::finish() {
   flush();
   if (fsync(file_) != 0 && errno != EINVAL) throw opal::WriteError(path_, errno);
 }
+
+}  // namespace opal::benchmark

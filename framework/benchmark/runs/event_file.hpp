@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string>
 
+namespace opal::benchmark {
+
 /// The event stream of a run as a file. The file ends with a whole event at any moment, also when the disk is full or
 /// the program is killed.
 class EventFile final : public opal::EventSink {
@@ -31,3 +33,5 @@ class EventFile final : public opal::EventSink {
   int file_ = -1;
   long written_ = 0;  ///< bytes, up to the end of a line
 };
+
+}  // namespace opal::benchmark

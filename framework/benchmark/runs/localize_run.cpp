@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 
+namespace opal::benchmark {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,3 +122,5 @@ void LocalizeRun::draw(const std::string& moment, const RunRecord& record, const
   opal::write_svg(scene, without_extension.string() + ".svg");
   opal::write_png(scene, without_extension.string() + ".png");
 }
+
+}  // namespace opal::benchmark

@@ -14,6 +14,8 @@
 #include <stop_token>
 #include <string>
 
+namespace opal::benchmark {
+
 /// The truth of a window for the event stream, as poses of the robot.
 nlohmann::ordered_json truth_event_of(const opal::GroundTruth& truth, const opal::Query& window,
                                       const opal::LaserModel& laser);
@@ -66,3 +68,5 @@ class LocalizeRun {
   bool first_scan_drawn_ = false;
   std::size_t finished_ = 0, unfinished_ = 0;  // windows
 };
+
+}  // namespace opal::benchmark

@@ -6,6 +6,8 @@
 #include <optional>
 #include <stop_token>
 
+namespace opal::benchmark {
+
 /// Makes a recorded log come at its own speed, or faster, or as fast as can be.
 class Pace {
  public:
@@ -37,3 +39,5 @@ class Pace {
   std::mutex mutex_;
   std::condition_variable_any stopped_;
 };
+
+}  // namespace opal::benchmark

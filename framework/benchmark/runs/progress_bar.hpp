@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string>
 
+namespace opal::benchmark {
+
 /// A bar on a terminal, nothing elsewhere.
 class ProgressBar {
  public:
@@ -27,3 +29,5 @@ class ProgressBar {
   int shown_ = -1;
   std::string note_;
 };
+
+}  // namespace opal::benchmark

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <set>
 
+namespace opal::benchmark {
 namespace {
 
 using opal::sentence;
@@ -108,7 +109,7 @@ std::string doubt_of_limits(const RecordedLog& log, const opal::LaserModel& lase
 
 RecordedLog read_recorded_log(const opal::PluginRegistry& registry, const std::string& file,
                               const opal::Deployment& deployment, const std::vector<std::string>& words) {
-  const auto reader = open_log(registry, file, deployment, words);
+  const auto reader = session::open_log(registry, file, deployment, words);
   RecordedLog log{file, opal::read_all(*reader), reader->defects()};
   if (holds_scan(log)) return log;
   std::string found = sentence("%zu records of odometry or mounts", log.records.size());
@@ -158,3 +159,5 @@ void expect_overlap(const opal::GroundTruth& truth, const RecordedLog& log, cons
   throw opal::ConfigError(file + ": covers " + covered.text() + " and no scan of " + log.file +
                           ", expected times from " + span_of(log).text());
 }
+
+}  // namespace opal::benchmark

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::benchmark {
+
 /// A log that a command plays, all of it.
 struct RecordedLog {
   std::string file;
@@ -33,3 +35,5 @@ void expect_scans(const std::vector<opal::Query>& queries, const RecordedLog& lo
 /// @param file  of the truth, for the message.
 /// @throws opal::ConfigError if the truth covers no scan of the log.
 void expect_overlap(const opal::GroundTruth& truth, const RecordedLog& log, const std::string& file);
+
+}  // namespace opal::benchmark

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+namespace opal::benchmark {
 namespace {
 
 /// A wider gap between two returns is not known to be free.
@@ -84,3 +85,5 @@ void add_truth(opal::DrawingScene& scene, const std::vector<opal::StampedPose>& 
   const opal::Pose2 T_laser_base = laser.T_base_laser.inverse();
   for (const opal::StampedPose& pose : T_map_laser) scene.truth.push_back((pose.pose * T_laser_base).position());
 }
+
+}  // namespace opal::benchmark

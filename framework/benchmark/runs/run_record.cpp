@@ -2,6 +2,7 @@
 
 #include "common/stage_clock.hpp"
 
+namespace opal::benchmark {
 namespace {
 
 void add(opal::StageTimes& sum, const opal::StageTimes& one) {
@@ -106,3 +107,5 @@ RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opa
   };
   return run_samples(localizer, laser, next, query, observer);
 }
+
+}  // namespace opal::benchmark

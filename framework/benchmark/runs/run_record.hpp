@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::benchmark {
+
 /// How far a replay had come, since its first scan and as odometry tells it.
 struct ReplayProgress {
   double time_s = 0, driven_m = 0;
@@ -49,3 +51,5 @@ RunRecord run_samples(opal::Localizer& localizer, const opal::LaserModel& laser,
 /// The same with a replay.
 RunRecord run_log(opal::Localizer& localizer, const opal::LaserModel& laser, opal::Replay& replay,
                   const std::string& query, const RunObserver& observer = {});
+
+}  // namespace opal::benchmark

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+namespace opal::benchmark {
 namespace {
 
 /// Says what `opal explain` says, at every frame.
@@ -42,3 +43,5 @@ std::vector<std::string> write_view_page(const std::vector<ViewedRun>& runs, con
   opal::write_text(file, opal::page_of(packed));
   return notes;
 }
+
+}  // namespace opal::benchmark

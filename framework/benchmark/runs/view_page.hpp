@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::benchmark {
+
 /// A run that a page shows.
 struct ViewedRun {
   std::string out;   ///< folder that holds events.jsonl, or the file itself
@@ -13,3 +15,5 @@ struct ViewedRun {
 /// @return what a reader should know of it, in words: damaged ends, detail that was left out.
 /// @throws opal::Error naming the file that is wrong.
 std::vector<std::string> write_view_page(const std::vector<ViewedRun>& runs, const std::string& file);
+
+}  // namespace opal::benchmark

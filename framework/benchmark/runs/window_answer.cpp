@@ -4,6 +4,7 @@
 #include "report/quantity_text.hpp"
 #include "report/status_text.hpp"
 
+namespace opal::benchmark {
 namespace {
 
 std::string progress_text(const ReplayProgress& progress) {
@@ -49,3 +50,5 @@ std::string summary_of(const std::vector<WindowAnswer>& answers) {
   const auto middle_m = opal::median_of(driven_m);
   return middle_m ? text + ", after " + opal::fixed_text(*middle_m, 1) + " m (median)" : text;
 }
+
+}  // namespace opal::benchmark

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace opal::benchmark {
+
 /// What became of one window of a log, for a line of text.
 struct WindowAnswer {
   std::string window;
@@ -30,3 +32,5 @@ bool doubts_map(const WindowAnswer& answer);
 std::string line_of(const WindowAnswer& answer);
 /// "5 of 5 queries localized, after 0.4 m (median)"
 std::string summary_of(const std::vector<WindowAnswer>& answers);
+
+}  // namespace opal::benchmark

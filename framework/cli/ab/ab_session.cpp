@@ -47,18 +47,18 @@ std::size_t jobs_of(const AbOptions& options) {
 }
 
 AbSession::AbSession(const AbOptions& options)
-    : experiment_(ab::read_experiment(options.experiment,
-                                      [](const std::string& name) { return shipped_config(name + ".jsonld"); })),
-      metrics_(metrics_of(experiment_)),
-      plugins_(load_arm_plugins(experiment_)),
+    : experiment_(ab::read_experiment(
+          options.experiment, [](const std::string& name) { return opal::session::shipped_config(name + ".jsonld"); })),
+      metrics_(opal::benchmark::metrics_of(experiment_)),
+      plugins_(opal::benchmark::load_arm_plugins(experiment_)),
       worlds_(experiment_, *plugins_[experiment_.baseline].registry),
       plan_(experiment_, all_queries()),
-      manifest_(manifest_of(experiment_, plugins_, worlds_)),
+      manifest_(opal::benchmark::manifest_of(experiment_, plugins_, worlds_)),
       folder_(out_of(options), manifest_) {}
 
 void AbSession::work(const ab::Shard& shard, std::size_t jobs) {
-  LocalizingRunner runner(experiment_, plugins_, worlds_);
-  ProgressBar bar;
+  opal::benchmark::LocalizingRunner runner(experiment_, plugins_, worlds_);
+  opal::benchmark::ProgressBar bar;
   compute(runner, plan_, folder_, experiment_.limits, shard, jobs, [&](const ab::WorkProgress& progress) {
     bar.show(progress.share(), opal::sentence("%zu of %zu cells, %s left", progress.before + progress.done,
                                               progress.all, duration_text(progress.left_s()).c_str()));
@@ -68,16 +68,17 @@ void AbSession::work(const ab::Shard& shard, std::size_t jobs) {
 bool AbSession::collect() {
   const ab::MergedResults results(folder_, plan_);
   std::cout << results.finished() << " of " << plan_.cells() << " cells are finished\n";
-  const int look = look_at(experiment_, folder_, results, plan_);
+  const int look = opal::benchmark::look_at(experiment_, folder_, results, plan_);
   if (look == 0 && experiment_.looks > 1)
     std::cout << "looks are at every " << plan_.cells() / static_cast<std::size_t>(experiment_.looks)
               << " cells, once\n";
-  if (results.complete()) results.write(arm_digests(manifest_));
+  if (results.complete()) results.write(opal::benchmark::arm_digests(manifest_));
   if (look > 0) {
-    LocalizingRunner runner(experiment_, plugins_, worlds_);
-    const ViewLinks links =
-        experiment_.observes ? ViewLinks() : write_views(experiment_, plan_, folder_, results, runner);
-    report(experiment_, plan_, folder_, results, manifest_, look, links);
+    opal::benchmark::LocalizingRunner runner(experiment_, plugins_, worlds_);
+    const opal::benchmark::ViewLinks links =
+        experiment_.observes ? opal::benchmark::ViewLinks()
+                             : opal::benchmark::write_views(experiment_, plan_, folder_, results, runner);
+    opal::benchmark::report(experiment_, plan_, folder_, results, manifest_, look, links);
   }
   if (results.complete())
     std::cout << "written: results.jsonl, times.jsonl, verdict.json, report.html, paper in " << folder_.path() << '\n';

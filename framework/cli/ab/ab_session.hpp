@@ -37,15 +37,15 @@ class AbSession {
   const opal::ab::Experiment& experiment() const { return experiment_; }
   const opal::ab::ResultFolder& folder() const { return folder_; }
   const nlohmann::ordered_json& manifest() const { return manifest_; }
-  WorldSource& worlds() { return worlds_; }
+  opal::benchmark::WorldSource& worlds() { return worlds_; }
 
  private:
   std::vector<std::vector<std::string>> all_queries() const;
 
   opal::ab::Experiment experiment_;
   std::vector<opal::statistics::Metric> metrics_;  // a wrong name shows before hours of work
-  std::vector<ArmPlugins> plugins_;
-  WorldSource worlds_;
+  std::vector<opal::benchmark::ArmPlugins> plugins_;
+  opal::benchmark::WorldSource worlds_;
   opal::ab::CellPlan plan_;
   nlohmann::ordered_json manifest_;
   opal::ab::ResultFolder folder_;

@@ -23,7 +23,7 @@ double allocated_mb() {
   return static_cast<double>(info.uordblks + info.hblkhd) / (1 << 20);
 }
 
-nlohmann::ordered_json summarize(const RunRecord& all, const BenchCost& cost) {
+nlohmann::ordered_json summarize(const opal::benchmark::RunRecord& all, const BenchCost& cost) {
   std::vector<double> cpu = all.update_cpu_ms;
   std::sort(cpu.begin(), cpu.end());
   const double n = std::max<double>(1, static_cast<double>(cpu.size()));

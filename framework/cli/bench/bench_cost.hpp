@@ -17,7 +17,7 @@ struct BenchCost {
 double allocated_mb();
 
 /// Counts, CPU time and memory of a run, as summary.json has them.
-nlohmann::ordered_json summarize(const RunRecord& all, const BenchCost& cost);
+nlohmann::ordered_json summarize(const opal::benchmark::RunRecord& all, const BenchCost& cost);
 
 /// The costs of a summary for people, one line.
 std::string cost_text(const nlohmann::ordered_json& summary);

@@ -3,7 +3,7 @@
 namespace {
 
 /// Gives the rows the stamps of the recording. @return the first row after the cut.
-std::size_t restore_stamps(RunRecord& record, const opal::KidnappingLog& log) {
+std::size_t restore_stamps(opal::benchmark::RunRecord& record, const opal::KidnappingLog& log) {
   std::size_t sample = 0, alternative = 0, first_after = record.rows.size();
   for (std::size_t row = 0; row < record.rows.size(); ++row) {
     double& stamp_s = record.rows[row].stamp_s;
@@ -20,8 +20,9 @@ std::size_t restore_stamps(RunRecord& record, const opal::KidnappingLog& log) {
 
 }  // namespace
 
-KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const opal::GroundTruth& truth,
-                               const opal::KidnappingSequenceOptions& options, const std::stop_token& stop) {
+KidnappingRuns run_kidnappings(opal::Localizer& localizer, const opal::benchmark::BenchPlace& place,
+                               const opal::GroundTruth& truth, const opal::KidnappingSequenceOptions& options,
+                               const std::stop_token& stop) {
   KidnappingRuns runs;
   for (const opal::KidnappingSequence& sequence :
        opal::draw_kidnapping_sequences(place.site.name, place.queries, truth, options)) {
@@ -29,12 +30,13 @@ KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& pla
     const opal::KidnappingLog log = opal::with_kidnapping(opal::read_all(before), opal::read_all(after));
     localizer.reset();
     auto next = log.samples.begin();
-    const SampleSource source = [&]() -> std::optional<opal::Sample> {
+    const opal::benchmark::SampleSource source = [&]() -> std::optional<opal::Sample> {
       if (next == log.samples.end()) return std::nullopt;
       return *next++;
     };
-    const RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
-    RunRecord record = run_samples(localizer, place.deployment.lasers.front(), source, sequence.id, observer);
+    const opal::benchmark::RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
+    opal::benchmark::RunRecord record =
+        opal::benchmark::run_samples(localizer, place.deployment.lasers.front(), source, sequence.id, observer);
     runs.is_cut = stop.stop_requested();
     if (runs.is_cut) break;
     const std::size_t cut = restore_stamps(record, log);

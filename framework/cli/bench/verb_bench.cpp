@@ -41,16 +41,17 @@ struct BenchOptions {
 
 /// What was run of a place before a stop was asked for; what had begun then is left out.
 struct PlaceRun {
-  RunRecord all;
+  opal::benchmark::RunRecord all;
   std::size_t finished = 0;  ///< queries or kidnappings
   bool is_cut = false;
 };
 
-PlaceRun run_queries(opal::Localizer& localizer, const BenchPlace& place, const std::stop_token& stop) {
-  const RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
+PlaceRun run_queries(opal::Localizer& localizer, const opal::benchmark::BenchPlace& place,
+                     const std::stop_token& stop) {
+  const opal::benchmark::RunObserver observer{[&](double) { return !stop.stop_requested(); }, {}, {}};
   PlaceRun run;
   for (const opal::Query& query : place.queries) {
-    const RunRecord record = run_query(localizer, place, query, observer);
+    const opal::benchmark::RunRecord record = opal::benchmark::run_query(localizer, place, query, observer);
     run.is_cut = stop.stop_requested();
     if (run.is_cut) break;
     run.all.append(record);
@@ -59,8 +60,8 @@ PlaceRun run_queries(opal::Localizer& localizer, const BenchPlace& place, const 
   return run;
 }
 
-KidnappingRuns run_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options,
-                               const std::stop_token& stop) {
+KidnappingRuns run_kidnappings(opal::Localizer& localizer, const opal::benchmark::BenchPlace& place,
+                               const BenchOptions& options, const std::stop_token& stop) {
   opal::KidnappingSequenceOptions sequences = options.sequences;
   sequences.seed = *options.sequence;
   return run_kidnappings(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), sequences, stop);
@@ -73,7 +74,7 @@ struct BenchFiles {
 };
 
 /// Results are told in the frame of the place's own map.
-void write_record(RunRecord& all, const BenchSite& site, const BenchFiles& files) {
+void write_record(opal::benchmark::RunRecord& all, const opal::benchmark::BenchSite& site, const BenchFiles& files) {
   const opal::Pose2 T_site_map = site.T_map_site.inverse();
   for (opal::ResultRow& row : all.rows) row.T_map_laser = T_site_map * row.T_map_laser;
   for (opal::AlternativeRow& row : all.alternatives) row.T_map_laser = T_site_map * row.T_map_laser;
@@ -83,7 +84,8 @@ void write_record(RunRecord& all, const BenchSite& site, const BenchFiles& files
 }
 
 /// Judges the rows of all queries, in the frame of the place's own map, if the place has a recorded truth.
-std::optional<opal::PlaceVerdict> judged(const BenchPlace& place, const RunRecord& all) {
+std::optional<opal::PlaceVerdict> judged(const opal::benchmark::BenchPlace& place,
+                                         const opal::benchmark::RunRecord& all) {
   const std::string truth = place.site.prefix + ".gt.csv";
   if (!fs::exists(truth)) return std::nullopt;
   return opal::judge_place(all.rows, place.queries, opal::GroundTruth::read(truth));
@@ -97,8 +99,9 @@ struct PlaceReport {
   bool is_cut = false;  ///< by a stop
 };
 
-PlaceRun run_and_judge_kidnappings(opal::Localizer& localizer, const BenchPlace& place, const BenchOptions& options,
-                                   const BenchFiles& files, const std::stop_token& stop, PlaceReport& report) {
+PlaceRun run_and_judge_kidnappings(opal::Localizer& localizer, const opal::benchmark::BenchPlace& place,
+                                   const BenchOptions& options, const BenchFiles& files, const std::stop_token& stop,
+                                   PlaceReport& report) {
   KidnappingRuns runs = run_kidnappings(localizer, place, options, stop);
   opal::write_with((files.folder / "kidnappings.csv").string(),
                    [&](std::ostream& out) { opal::write_kidnappings(out, runs.verdicts); });
@@ -107,7 +110,7 @@ PlaceRun run_and_judge_kidnappings(opal::Localizer& localizer, const BenchPlace&
 }
 
 /// Says whether queries succeeded, where their truth is recorded.
-void judge(const BenchPlace& place, const PlaceRun& run, PlaceReport& report) {
+void judge(const opal::benchmark::BenchPlace& place, const PlaceRun& run, PlaceReport& report) {
   report.verdict = judged(place, run.all);
   if (!report.verdict) {
     report.text = "not judged: there is no recorded truth in " + place.site.prefix + ".gt.csv\n";
@@ -118,8 +121,8 @@ void judge(const BenchPlace& place, const PlaceRun& run, PlaceReport& report) {
 }
 
 /// All queries of a place, or as many kidnappings, as far as no stop is asked for.
-PlaceReport run_place(const BenchPlace& place, const opal::PluginRegistry& registry, const BenchOptions& options,
-                      const BenchFiles& files, const std::stop_token& stop) {
+PlaceReport run_place(const opal::benchmark::BenchPlace& place, const opal::PluginRegistry& registry,
+                      const BenchOptions& options, const BenchFiles& files, const std::stop_token& stop) {
   const double before_mb = allocated_mb();
   opal::Localizer localizer(opal::build_parts(place.deployment, registry, place.site.map));
   const double localizer_mb = allocated_mb() - before_mb;
@@ -132,7 +135,7 @@ PlaceReport run_place(const BenchPlace& place, const opal::PluginRegistry& regis
   report.summary["site"] = fs::absolute(place.site.prefix).lexically_normal().string();
   if (!options.sequence && !run.is_cut) judge(place, run, report);
   report.summary["plugin_failures"] = localizer.plugin_failures();
-  report.text += skipped_text(localizer.plugin_failures()) + cost_text(report.summary);
+  report.text += opal::benchmark::skipped_text(localizer.plugin_failures()) + cost_text(report.summary);
   opal::write_text((files.folder / "summary.json").string(), report.summary.dump(2) + '\n');
   return report;
 }
@@ -143,11 +146,12 @@ void print_totals(const opal::PlaceVerdict& all, std::size_t places) {
 }
 
 /// Overlays speak of one building's ids, and of the map as it was imported.
-void lay_overlays(std::vector<BenchSite>& sites, const std::vector<std::string>& files, const DamageOptions& damage) {
+void lay_overlays(std::vector<opal::benchmark::BenchSite>& sites, const std::vector<std::string>& files,
+                  const DamageOptions& damage) {
   if (files.empty()) return;
   if (sites.size() > 1 || damage.any())
     throw opal::ConfigError("bench: overlays with several places or with damage, expected one place as it is");
-  sites.front().map = with_overlays(sites.front().map, files);
+  sites.front().map = opal::session::with_overlays(sites.front().map, files);
 }
 
 opal::MapJoin join_of(const BenchOptions& options) {
@@ -158,26 +162,27 @@ opal::MapJoin join_of(const BenchOptions& options) {
   return join;
 }
 
-std::vector<BenchSite> sites_of(const BenchOptions& options, const opal::PluginRegistry& registry,
-                                const opal::Deployment& deployment) {
+std::vector<opal::benchmark::BenchSite> sites_of(const BenchOptions& options, const opal::PluginRegistry& registry,
+                                                 const opal::Deployment& deployment) {
   const opal::MapJoin join = join_of(options);
-  std::vector<BenchSite> sites = load_sites(registry, options.prefixes, {options.maps, options.damage.asked()});
+  std::vector<opal::benchmark::BenchSite> sites =
+      opal::benchmark::load_sites(registry, options.prefixes, {options.maps, options.damage.asked()});
   std::vector<std::string> overlays = deployment.overlays;
   overlays.insert(overlays.end(), options.overlays.files.begin(), options.overlays.files.end());
   lay_overlays(sites, overlays, options.damage);
-  if (options.joined) join_sites(sites, join);
+  if (options.joined) opal::benchmark::join_sites(sites, join);
   return sites;
 }
 
 /// Of all places; each has a folder of its own if there are several.
-std::vector<std::string> products_of(const std::vector<BenchSite>& sites) {
+std::vector<std::string> products_of(const std::vector<opal::benchmark::BenchSite>& sites) {
   std::vector<std::string> names = run_products();
-  for (const BenchSite& site : sites) names.push_back(site.name + ".csv");
+  for (const opal::benchmark::BenchSite& site : sites) names.push_back(site.name + ".csv");
   return names;
 }
 
 /// One of several places.
-PlaceReport run_in_own_folder(const BenchPlace& place, const opal::PluginRegistry& registry,
+PlaceReport run_in_own_folder(const opal::benchmark::BenchPlace& place, const opal::PluginRegistry& registry,
                               const BenchOptions& options, const StopSignals& signals) {
   const fs::path out = options.out;
   opal::OutputFolder folder(out / place.site.name, "opal bench", run_products());
@@ -191,12 +196,12 @@ PlaceReport run_in_own_folder(const BenchPlace& place, const opal::PluginRegistr
 }
 
 /// All places one after the other until a stop is asked for. @return whether one was cut.
-bool run_places(const std::vector<BenchSite>& sites, const opal::Deployment& deployment,
+bool run_places(const std::vector<opal::benchmark::BenchSite>& sites, const opal::Deployment& deployment,
                 const opal::PluginRegistry& registry, const BenchOptions& options, const StopSignals& signals) {
   opal::PlaceVerdict all;
-  for (const BenchSite& site : sites) {
+  for (const opal::benchmark::BenchSite& site : sites) {
     const PlaceReport report =
-        run_in_own_folder(read_bench_place(registry, site, deployment), registry, options, signals);
+        run_in_own_folder(opal::benchmark::read_bench_place(registry, site, deployment), registry, options, signals);
     std::cout << site.name << '\n' << report.text << std::flush;
     if (report.is_cut) return true;
     if (report.verdict) all.add(*report.verdict);
@@ -206,11 +211,11 @@ bool run_places(const std::vector<BenchSite>& sites, const opal::Deployment& dep
 }
 
 int bench(const BenchOptions& options) {
-  const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
-  const opal::PluginRegistry registry = load_plugins(deployment);
-  const std::vector<BenchSite> sites = sites_of(options, registry, deployment);
-  std::vector<BenchPlace> places;
-  if (sites.size() == 1) places.push_back(read_bench_place(registry, sites.front(), deployment));
+  const opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
+  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
+  const std::vector<opal::benchmark::BenchSite> sites = sites_of(options, registry, deployment);
+  std::vector<opal::benchmark::BenchPlace> places;
+  if (sites.size() == 1) places.push_back(opal::benchmark::read_bench_place(registry, sites.front(), deployment));
   const StopSignals signals;
   opal::OutputFolder folder(options.out, "opal bench", products_of(sites));
   bool is_cut = false;

@@ -152,12 +152,12 @@ std::optional<opal::MotionCalibration> calibration_of(std::vector<Timed>& motion
 }
 
 int calibrate(CalibrateOptions options) {
-  options.config = config_file(options.config);
+  options.config = opal::session::config_file(options.config);
   const opal::Deployment deployment = opal::read_deployment(options.config);
-  const opal::PluginRegistry registry = load_plugins(deployment);
+  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
   opal::LaserModel laser = options.info.empty() ? deployment.lasers.front() : opal::read_site_laser(options.info);
   const std::vector<opal::LogRecord> records =
-      opal::read_all(*open_log(registry, options.log, deployment, options.log_words));
+      opal::read_all(*opal::session::open_log(registry, options.log, deployment, options.log_words));
   laser = opal::lasers_of_log(records, {laser}, options.log,
                               options.info.empty() ? options.config + ": /sensor" : options.info)
               .front();

@@ -29,12 +29,12 @@ int run_command(Words words) {
 }
 
 int demo(const std::string& out) {
-  const fs::path data = shipped_file("maps/malaga"), folder = out;
+  const fs::path data = opal::session::shipped_file("maps/malaga"), folder = out;
   const std::string map = (folder / "malaga.jsonld").string();
   fs::create_directories(folder);
   const std::vector<Words> commands{{"map", "import", data / "malaga.map.yaml", "-o", map, "--svg", folder / "map.svg"},
-                                    {"localize", shipped_config("malaga.jsonld"), data / "malaga.log.gz", "--map", map,
-                                     "--truth", data / "malaga.gt.csv", "-o", out},
+                                    {"localize", opal::session::shipped_config("malaga.jsonld"), data / "malaga.log.gz",
+                                     "--map", map, "--truth", data / "malaga.gt.csv", "-o", out},
                                     {"view", out}};
   for (const Words& command : commands)
     if (const int exit_code = run_command(command); exit_code != 0) return exit_code;

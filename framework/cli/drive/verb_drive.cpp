@@ -121,16 +121,16 @@ std::shared_ptr<const opal::SemanticMap> driven_map(const DriveVerbOptions& opti
 DriveSetup set_up(DriveVerbOptions& options) {
   options.loop.motion.omnidirectional = options.world.drive == sim::Drive::omnidirectional;
   options.loop.motion.radius_m = options.world.robot_radius_m;
-  opal::Deployment deployment = opal::read_deployment(config_file(options.config));
-  DriveSetup setup{load_plugins(deployment), std::move(deployment), {}, {}, {}};
+  opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
+  DriveSetup setup{opal::session::load_plugins(deployment), std::move(deployment), {}, {}, {}};
   options.take_laser(setup.deployment);
   setup.deployment.lasers.front() = options.world.laser;
   setup.deployment.map = options.map;
-  setup.map = load_map(setup.plugins, setup.deployment);
+  setup.map = opal::session::load_map(setup.plugins, setup.deployment);
   driven_map(options, setup.map, options.seed);  // an unknown storey is told before the map is indexed
   options.furnish(setup.plugins, *setup.map);
   setup.localization = localization_of(options, setup.deployment, setup.plugins, setup.map);
-  setup.trees = config_file(options.trees.empty() ? "behaviours" : options.trees);
+  setup.trees = opal::session::config_file(options.trees.empty() ? "behaviours" : options.trees);
   navigation::read_tree(navigation::standard_nodes(), setup.trees, options.behaviour);  // before anything is written
   if (options.behaviour.empty()) options.behaviour = navigation::first_tree(setup.trees);
   return setup;

@@ -73,12 +73,12 @@ std::string command_of(const BuildingsVerbOptions& o, bool with_choice) {
 
 std::vector<experiments::BuildingRuns> run(const BuildingsVerbOptions& options, const std::vector<SuiteBuilding>& suite,
                                            const std::stop_token& stop) {
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = opal::session::load_plugins();
   experiments::BuildingsOptions runs = options.runs;
   runs.contenders = contenders(options.configs);
   if (options.record) opal::make_folder(runs.recordings = (fs::path(options.out) / "recordings").string());
   std::vector<std::vector<experiments::BuildingRuns>> parts(suite.size());
-  ProgressBar bar;
+  opal::benchmark::ProgressBar bar;
   std::mutex counting;
   double finished = 0;
   const auto run = [&](std::size_t k) {

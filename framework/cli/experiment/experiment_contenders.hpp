@@ -17,14 +17,15 @@
 inline std::vector<opal::experiments::Contender> contenders(const std::vector<std::string>& configs) {
   std::vector<opal::experiments::Contender> all;
   for (const std::string& config : configs)
-    all.push_back({std::filesystem::path(config).stem().string(), opal::read_deployment(config_file(config)), ""});
+    all.push_back(
+        {std::filesystem::path(config).stem().string(), opal::read_deployment(opal::session::config_file(config)), ""});
   return all;
 }
 
 /// The map that is asked for, or a building of our own.
 inline std::shared_ptr<const opal::SemanticMap> building(const opal::PluginRegistry& registry, const std::string& map,
                                                          const std::string& kind) {
-  if (!map.empty()) return load_map(registry, map);
+  if (!map.empty()) return opal::session::load_map(registry, map);
   opal::simulation::BuildingRequest request;
   request.kind = kind;
   return opal::simulation::generate_building(request).map;

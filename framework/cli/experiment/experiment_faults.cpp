@@ -49,14 +49,14 @@ std::vector<experiments::Trouble> chosen_troubles(const std::vector<std::string>
 }
 
 std::vector<experiments::FaultRun> run_all(const FaultsVerbOptions& options, const std::stop_token& stop) {
-  const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
-  const opal::PluginRegistry registry = load_plugins(deployment);
+  const opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
+  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
   if (!deployment.describes_laser || deployment.lasers.front().geometry_from_log)
     throw opal::ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
   const std::vector<experiments::Trouble> troubles = chosen_troubles(options.only);
   std::vector<experiments::FaultRun> runs(troubles.size() * static_cast<std::size_t>(options.drives));
   std::vector<char> is_done(runs.size(), 0);
-  ProgressBar bar;
+  opal::benchmark::ProgressBar bar;
   std::mutex counting;
   double finished = 0;
   const auto run = [&](std::size_t k) {

@@ -37,7 +37,7 @@ struct IntegrityVerbOptions {
 
 /// A deployment with lasers to simulate: its own, or the simulator's.
 opal::Deployment robot_of(const std::string& config) {
-  const opal::Deployment deployment = opal::read_deployment(config_file(config));
+  const opal::Deployment deployment = opal::read_deployment(opal::session::config_file(config));
   if (deployment.describes_laser && !takes_geometry_from_log(deployment)) return deployment;
   return with_lasers(deployment, {opal::simulation::SimulationOptions::default_laser()});
 }
@@ -98,7 +98,7 @@ int run_campaign(const IntegrityVerbOptions& options, const experiments::Campaig
   const ab::ResultFolder folder(options.out, manifest_of(options, robots));
   const ab::Shard shard = ab::read_shard(options.shard);
   {
-    ProgressBar bar;
+    opal::benchmark::ProgressBar bar;
     drive_campaign(
         campaign, robots, folder, shard, options.jobs,
         [&](std::size_t done, std::size_t all) {
@@ -129,7 +129,7 @@ int repeat(const IntegrityVerbOptions& options, const experiments::CampaignRobot
 }
 
 int integrity(const IntegrityVerbOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = opal::session::load_plugins();
   const experiments::CampaignRobots robots{robot_of(options.one_laser), robot_of(options.two_lasers), &registry};
   check_parts(robots.one_laser, registry);
   check_parts(robots.two_lasers, registry);

@@ -97,7 +97,7 @@ class StoreyRuns {
   experiments::StoreyWorld world_;
   std::vector<Trip> trips_;
   std::vector<std::optional<experiments::StoreyRun>> runs_;
-  ProgressBar bar_;
+  opal::benchmark::ProgressBar bar_;
   std::mutex counting_;
   double finished_ = 0;
 };
@@ -107,13 +107,13 @@ int storeys(StoreysVerbOptions options) {
   std::vector<std::string> products = drive_products();
   products.push_back("recordings");
   opal::OutputFolder folder(options.out, "opal experiment storeys", products);
-  opal::Deployment deployment = opal::read_deployment(config_file(options.config));
-  const opal::PluginRegistry registry = load_plugins(deployment);
+  opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
+  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
   options.take_laser(deployment);
   deployment.lasers = {options.world.laser};
   deployment.lasers.insert(deployment.lasers.end(), options.world.more_lasers.begin(), options.world.more_lasers.end());
   options.ride.drive.drives = 1;
-  const opal::LocalizerParts parts = build_parts(deployment, registry, load_map(registry, options.map));
+  const opal::LocalizerParts parts = build_parts(deployment, registry, opal::session::load_map(registry, options.map));
   if (options.has_recordings) opal::make_folder(options.out + "/recordings");
   const std::vector<experiments::StoreyRun> runs = StoreyRuns(options, parts).run(signals.token());
   const opal::Table table = storey_table(runs);

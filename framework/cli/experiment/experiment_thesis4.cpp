@@ -32,7 +32,7 @@ std::vector<Contender> drivers(const ExperimentOptions& options, const std::stri
 
 GoalExperiment setting(const ExperimentOptions& options, const opal::PluginRegistry& registry) {
   GoalExperiment experiment{building(registry, options.map, "gemini"), thesis_robot(), {}, options.trees};
-  if (experiment.trees.empty()) experiment.trees = shipped_config("behaviours.jsonld");
+  if (experiment.trees.empty()) experiment.trees = opal::session::shipped_config("behaviours.jsonld");
   experiment.loop.motion.radius_m = experiment.world.robot_radius_m;
   experiment.loop.most_s = options.most_s;
   return experiment;

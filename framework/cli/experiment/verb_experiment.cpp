@@ -17,7 +17,7 @@ int experiment(ExperimentOptions options) {
   if (options.configs.empty())
     options.configs =
         third ? std::vector<std::string>{"thesis3", "default"} : std::vector<std::string>{"thesis4", "default"};
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = opal::session::load_plugins();
   return third ? experiment_thesis3(options, registry) : experiment_thesis4(options, registry);
 }
 

@@ -133,7 +133,7 @@ std::string doubt_of_lines(const LogContents& contents) {
 }
 
 void write_deployment(const nlohmann::ordered_json& lines, const std::string& config, const std::string& out) {
-  const std::string start = config_file(config);
+  const std::string start = session::config_file(config);
   read_deployment(start);  // what is wrong with it is told here
   auto document = nlohmann::ordered_json::parse(std::ifstream(start));
   document.erase("comment");

@@ -18,9 +18,9 @@ struct InfoOptions {
 };
 
 int info(const InfoOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const std::string source = log_source_of(registry, options.log);
-  const auto reader = log_source(registry, source, {}, options.words);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const std::string source = opal::session::log_source_of(registry, options.log);
+  const auto reader = opal::session::log_source(registry, source, {}, options.words);
   opal::LogContents contents = reader->contents(options.log);
   if (contents.format.empty()) contents.format = "log read by " + source;
   const nlohmann::ordered_json lines = opal::deployment_lines(contents, source);

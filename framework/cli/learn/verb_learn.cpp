@@ -73,7 +73,7 @@ void expect_pushable(const LearnOptions& options, const opal::Deployment& deploy
 /// @return whether the store has it. Otherwise it waits on this machine, for the next time.
 bool push(const opal::PluginRegistry& registry, const opal::StoreSource& version,
           const std::vector<opal::DriveEvidence>& drives) {
-  const auto store = map_store(registry);
+  const auto store = opal::session::map_store(registry);
   const opal::EvidenceOutbox outbox = opal::EvidenceOutbox::usual();
   for (const opal::DriveEvidence& drive : drives)
     if (!drive.visits.empty()) outbox.keep(store->where(), version, opal::to_json(drive).dump());
@@ -92,8 +92,8 @@ bool push(const opal::PluginRegistry& registry, const opal::StoreSource& version
 int learn(const LearnOptions& options) {
   const opal::Deployment deployment = options.inputs.run.deployment();
   expect_pushable(options, deployment);
-  const opal::PluginRegistry registry = load_plugins(deployment);
-  const VersionedMap loaded = load_versioned_map(registry, deployment);
+  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
+  const opal::session::VersionedMap loaded = opal::session::load_versioned_map(registry, deployment);
   const auto& map = loaded.map;
   const bool has_drives = !options.inputs.files.empty();
   bool is_sent = !options.is_pushed || has_drives || push(registry, *loaded.version, {});

@@ -30,7 +30,7 @@ struct LocalizeOptions : LogRunOptions {
 struct LocalizeSetup {
   opal::PluginRegistry plugins;
   opal::Deployment deployment;
-  RecordedLog log;
+  opal::benchmark::RecordedLog log;
   std::vector<opal::Query> windows;
   std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
   std::optional<opal::GroundTruth> truth;
@@ -39,24 +39,24 @@ struct LocalizeSetup {
 
 LocalizeSetup set_up(const LocalizeOptions& options) {
   opal::Deployment deployment = options.deployment();
-  LocalizeSetup setup{load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
-  const auto map = load_map(setup.plugins, setup.deployment);
-  setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
+  LocalizeSetup setup{opal::session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
+  const auto map = opal::session::load_map(setup.plugins, setup.deployment);
+  setup.log = opal::benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
   setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
   setup.windows = options.windows();
-  if (!options.queries.empty()) expect_scans(setup.windows, setup.log, options.queries);
+  if (!options.queries.empty()) opal::benchmark::expect_scans(setup.windows, setup.log, options.queries);
   if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
-  if (setup.truth) expect_overlap(*setup.truth, setup.log, options.truth);
+  if (setup.truth) opal::benchmark::expect_overlap(*setup.truth, setup.log, options.truth);
   setup.parts = opal::build_parts(setup.deployment, setup.plugins, map);
   return setup;
 }
 
-void tell(const LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
+void tell(const opal::benchmark::LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
   run.print();
   if (!setup.mount_doubt.empty()) std::printf("sensor: %s\n", setup.mount_doubt.c_str());
   for (const auto& [cause, count] : setup.log.defects) std::printf("log: %s: %d times\n", cause.c_str(), count);
-  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.lasers.front()))
+  for (const std::string& doubt : opal::benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
     std::printf("log: %s\n", doubt.c_str());
   std::printf("written to %s: trajectory.tum, results.csv, events.jsonl, first_scan and picture as .svg and .png\n",
               out.c_str());
@@ -70,14 +70,15 @@ int localize(const LocalizeOptions& options) {
   std::optional<LiveView> live;
   if (options.serve) live.emplace(options.port, signals.token());
   opal::OutputFolder folder(options.out, "opal localize", run_products());
-  EventFile recorder(folder.file("events.jsonl"));
+  opal::benchmark::EventFile recorder(folder.file("events.jsonl"));
   opal::NullEventSink nobody;
   EventSplitter events(recorder, live ? live->events() : nobody);
   events.write(opal::run_event({options.log, options.config, setup.deployment.map}, setup.parts.lasers.front()));
   events.write(opal::map_event(*setup.parts.map));
 
   opal::Localizer localizer(setup.parts, &events);
-  LocalizeRun run(localizer, setup.deployment.lasers, events, fs::path(options.log).filename().string());
+  opal::benchmark::LocalizeRun run(localizer, setup.deployment.lasers, events,
+                                   fs::path(options.log).filename().string());
   if (setup.truth) run.set_truth(*setup.truth);
   run.play(setup.log.records, setup.windows, {options.speed, signals.token()}, folder.path());
   recorder.finish();

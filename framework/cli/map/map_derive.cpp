@@ -36,8 +36,8 @@ void draw(const opal::Derivation& derivation, const DeriveOptions& options) {
 }
 
 int derive(const DeriveOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const auto map = load_map(registry, options.map);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const auto map = opal::session::load_map(registry, options.map);
   const opal::Derivation derivation = derived_by(registry, *map, options.detector, options.words, options.derivation);
   for (const std::string& id : derivation.added) std::cout << "  " << id << '\n';
   opal::write_map(*derivation.map, options.out);

@@ -14,8 +14,9 @@ struct DiffOptions {
 };
 
 int diff(const DiffOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const auto before = load_map(registry, options.before), after = load_map(registry, options.after);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const auto before = opal::session::load_map(registry, options.before),
+             after = opal::session::load_map(registry, options.after);
   const opal::MapDiff diff = opal::map_diff(*before, *after);
   const std::vector<std::string> sentences = diff.sentences();
   const std::size_t shown = options.summary ? sentences.size() - diff.changes.size() : sentences.size();

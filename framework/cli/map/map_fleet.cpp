@@ -19,13 +19,13 @@ struct PushOptions {
 };
 
 int push(const PushOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const auto store = map_store(registry);
-  const auto map = load_map(registry, options.map);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const auto store = opal::session::map_store(registry);
+  const auto map = opal::session::load_map(registry, options.map);
   try {
     const opal::StoredVersion version = store->push(*map, options.push);
-    std::cout << "pushed: " << described(version) << "; " << version.features << " features, to " << store->where()
-              << '\n';
+    std::cout << "pushed: " << opal::session::described(version) << "; " << version.features << " features, to "
+              << store->where() << '\n';
     return kDone;
   } catch (const opal::StoreConflict& conflict) {
     std::cerr << "opal: " << conflict.what() << '\n';
@@ -51,13 +51,13 @@ struct PullOptions {
 };
 
 int pull(const PullOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const auto store = map_store(registry);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const auto store = opal::session::map_store(registry);
   const opal::StoredMap stored = store->pull(options.source.building, options.source.version);
   const auto map = opal::SemanticMap::parse(stored.document, opal::text_of(options.source));
   opal::write_map(*map, options.out);
-  std::cout << "pulled: " << described(stored.version) << "; " << stored.version.features << " features, from "
-            << store->where() << "\nwritten: " << options.out << '\n';
+  std::cout << "pulled: " << opal::session::described(stored.version) << "; " << stored.version.features
+            << " features, from " << store->where() << "\nwritten: " << options.out << '\n';
   return kDone;
 }
 
@@ -93,8 +93,8 @@ std::string first_line(const std::string& text) {
 }
 
 int list(const std::string& building) {
-  const opal::PluginRegistry registry = load_plugins();
-  const auto store = map_store(registry);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const auto store = opal::session::map_store(registry);
   const std::vector<opal::StoredVersion> versions = store->list(building);
   if (versions.empty()) {
     std::cout << store->where() << ": no map" << (building.empty() ? "" : " of building '" + building + "'") << '\n';

@@ -22,7 +22,7 @@ struct FrameVerbOptions {
 opal::NamedDocument read_document(const std::string& source) {
   const std::string extension = std::filesystem::path(source).extension().string();
   if (extension == ".jsonld" || extension == ".json") return {opal::read_json(source), source};
-  return {nlohmann::json(load_map(load_plugins(), source)->to_json_ld()), source};
+  return {nlohmann::json(opal::session::load_map(opal::session::load_plugins(), source)->to_json_ld()), source};
 }
 
 int frame(const FrameVerbOptions& options) {

@@ -28,7 +28,9 @@ struct ImportOptions {
 
 /// Those that --config trusts.
 opal::PluginRegistry plugins_for(const ImportOptions& options) {
-  return options.config.empty() ? load_plugins() : load_plugins(opal::read_deployment(config_file(options.config)));
+  return options.config.empty()
+             ? opal::session::load_plugins()
+             : opal::session::load_plugins(opal::read_deployment(opal::session::config_file(options.config)));
 }
 
 /// All that was said about options: by the deployment first, then on the command line.
@@ -36,7 +38,8 @@ nlohmann::json options_for(const opal::RegisteredType& importer, const opal::Plu
                            const ImportOptions& options) {
   nlohmann::json chosen = nlohmann::json::object();
   if (!options.config.empty())
-    chosen = opal::importer_options(opal::read_deployment(config_file(options.config)), registry, importer.info.name);
+    chosen = opal::importer_options(opal::read_deployment(opal::session::config_file(options.config)), registry,
+                                    importer.info.name);
   chosen.merge_patch(opal::parse_options(importer.info.name, importer.options, options.words));
   if (!options.storey.empty()) chosen["storey"] = options.storey;
   if (options.z_m) chosen["z_m"] = *options.z_m;
@@ -100,10 +103,10 @@ int import_all(const ImportOptions& options, const opal::PluginRegistry& registr
 
 int import(const ImportOptions& options) {
   const opal::PluginRegistry registry = plugins_for(options);
-  const opal::RegisteredType& importer = importer_of(registry, options.source);
+  const opal::RegisteredType& importer = opal::session::importer_of(registry, options.source);
   const nlohmann::json chosen = options_for(importer, registry, options);
   if (options.all) return import_all(options, registry, chosen);
-  opal::MapImport imported = import_map(registry, options.source, chosen);
+  opal::MapImport imported = opal::session::import_map(registry, options.source, chosen);
   for (const std::string& detector : options.detectors)
     imported.map = derived_by(registry, *imported.map, detector, {}, {}).map;
   opal::write_map(*imported.map, options.out);
@@ -122,7 +125,7 @@ void print(const opal::Storey& storey) {
 
 int storeys(const std::string& source, const ImportOptions& options) {
   const opal::PluginRegistry registry = plugins_for(options);
-  const opal::RegisteredType& type = importer_of(registry, source);
+  const opal::RegisteredType& type = opal::session::importer_of(registry, source);
   const auto importer = registry.make<opal::MapImporter>(type.info.name, options_for(type, registry, options));
   const std::vector<opal::Storey> levels = importer->storeys(source);
   if (levels.empty()) std::cout << source << ": has no storeys\n";

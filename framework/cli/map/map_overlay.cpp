@@ -30,8 +30,8 @@ void draw(const std::shared_ptr<const opal::SemanticMap>& map, const OverlayVerb
 int overlay(const OverlayVerbOptions& options) {
   std::vector<opal::MapOverlay> overlays;
   for (const std::string& file : options.overlays) overlays.push_back(opal::read_overlay(file));
-  const opal::OverlaidMap overlaid =
-      opal::overlaid_map(*load_map(load_plugins(), options.map), overlays, options.overlay);
+  const opal::OverlaidMap overlaid = opal::overlaid_map(
+      *opal::session::load_map(opal::session::load_plugins(), options.map), overlays, options.overlay);
   for (const std::string& sentence : overlaid.changes) std::cout << sentence << '\n';
   for (const std::string& doubt : overlaid.doubts) std::cout << "does not fit: " << doubt << '\n';
   opal::write_map(*overlaid.map, options.out);

@@ -88,8 +88,8 @@ void draw(const Map& map, const opal::PatternLayer& layer, const PatternsOptions
 }
 
 int patterns(const PatternsOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const Map map = load_map(registry, options.map);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const Map map = opal::session::load_map(registry, options.map);
   const opal::MapView view(map, options.sensor);
   const opal::PatternLayer layer = find_pattern_layer(view, chosen_templates(registry, *map, options), options.layer);
   print(*map, layer, !options.summary);

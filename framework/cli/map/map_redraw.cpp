@@ -29,7 +29,7 @@ std::vector<opal::PlacedScan> placed_scans(const opal::PluginRegistry& registry,
   const opal::LaserModel laser = opal::read_site_laser(prefix + ".info.json");
   const opal::GroundTruth truth = opal::GroundTruth::read(prefix + ".gt.csv");
   const std::string file = prefix + ".log.gz";
-  opal::Replay replay(open_log(registry, file, {}), {laser});
+  opal::Replay replay(opal::session::open_log(registry, file, {}), {laser});
   std::vector<opal::PlacedScan> scans;
   while (auto sample = replay.next())
     if (const auto pose = truth.T_map_laser_at(sample->stamp_s))
@@ -48,7 +48,7 @@ void redraw(const opal::PluginRegistry& registry, const std::string& prefix, con
 }
 
 int redraw(const RedrawOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = opal::session::load_plugins();
   fs::create_directories(options.folder);
   for (const std::string& prefix : options.prefixes) redraw(registry, prefix, options);
   return kDone;

@@ -40,9 +40,9 @@ std::string digest_of(const std::vector<opal::DriveEvidence>& drives) {
 
 opal::ReviewMatter matter_of(const ReviewOptions& options) {
   const opal::Deployment deployment = options.inputs.run.deployment();
-  const opal::PluginRegistry registry = load_plugins(deployment);
+  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
   opal::ReviewMatter matter;
-  const VersionedMap loaded = load_versioned_map(registry, deployment);
+  const opal::session::VersionedMap loaded = opal::session::load_versioned_map(registry, deployment);
   matter.map = loaded.map;
   const std::vector<opal::DriveEvidence> drives = options.inputs.drives(registry, loaded);
   matter.learned = opal::learned_from(*matter.map, drives);

@@ -29,11 +29,12 @@ opal::PlanSketch plan_of(const SketchOptions& options) {
 }
 
 int sketch(const SketchOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = opal::session::load_plugins();
   fs::create_directories(options.folder);
   for (const std::string& map : options.maps) {
-    const std::string out = (fs::path(options.folder) / (name_of_map(map) + ".map.yaml")).lexically_normal().string();
-    const opal::MapRaster raster = opal::sketched(*load_map(registry, map), plan_of(options));
+    const std::string out =
+        (fs::path(options.folder) / (opal::session::name_of_map(map) + ".map.yaml")).lexically_normal().string();
+    const opal::MapRaster raster = opal::sketched(*opal::session::load_map(registry, map), plan_of(options));
     opal::write_raster(raster, out);
     std::cout << "written: " << out << ", " << raster.columns << " x " << raster.rows << " cells of "
               << raster.resolution_m << " m\n";

@@ -96,15 +96,16 @@ class StoreyMaps {
       : registry_(registry), words_(words) {}
 
   std::shared_ptr<const opal::SemanticMap> load(const std::string& file) {
-    if (is_map_document(file) || opal::read_store_source(file)) return load_map(registry_, file);
-    const opal::RegisteredType& type = importer_of(registry_, file);
+    if (opal::session::is_map_document(file) || opal::read_store_source(file))
+      return opal::session::load_map(registry_, file);
+    const opal::RegisteredType& type = opal::session::importer_of(registry_, file);
     nlohmann::json options = opal::parse_options(type.info.name, type.options, words_);
     const bool has_origin = options.contains(kOrigin) || options.contains("origin_lon_deg");
     const bool takes_origin = std::any_of(type.options.begin(), type.options.end(),
                                           [](const opal::OptionInfo& option) { return option.name == kOrigin; });
     if (takes_origin && !has_origin && !first_.empty()) options[kOrigin] = first_;
     if (takes_origin && first_.empty()) first_ = file;
-    return import_map(registry_, file, options).map;
+    return opal::session::import_map(registry_, file, options).map;
   }
 
  private:
@@ -115,7 +116,7 @@ class StoreyMaps {
 };
 
 int stack(const StackFilesOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = opal::session::load_plugins();
   StoreyMaps maps(registry, options.words);
   std::set<std::string> taken;
   std::vector<opal::StoreyPart> parts;
@@ -141,7 +142,7 @@ void StackVerbOptions::add_to(CLI::App& verb) {
 
 ImportedStoreys import_storeys(const opal::PluginRegistry& registry, const std::string& source,
                                const nlohmann::json& options, const StackVerbOptions& stack) {
-  const opal::RegisteredType& type = importer_of(registry, source);
+  const opal::RegisteredType& type = opal::session::importer_of(registry, source);
   const std::vector<opal::Storey> all = registry.make<opal::MapImporter>(type.info.name, options)->storeys(source);
   if (all.empty())
     throw opal::MapError(source + ": has no storeys, expected a source that names some; leave out --all");

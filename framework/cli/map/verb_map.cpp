@@ -52,8 +52,8 @@ void tell_reasons(const opal::PipelinePlan& plan) {
 }
 
 int check(const CheckOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const auto map = with_overlays(load_map(registry, options.map), options.overlays.files);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const auto map = opal::session::with_overlays(opal::session::load_map(registry, options.map), options.overlays.files);
   for (const std::string& sentence : opal::check_map(*map).sentences()) std::cout << sentence << '\n';
   const opal::PipelinePlan plan = opal::plan_pipeline(*map, options.sensor, registry.types());
   tell_reasons(plan);
@@ -76,11 +76,11 @@ struct DamageVerbOptions {
 };
 
 int damage(const DamageVerbOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
-  const auto worse = load_map(registry, options.map, options.damage.damage());
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const auto worse = opal::session::load_map(registry, options.map, options.damage.damage());
   opal::write_map(*worse, options.out);
   std::cout << "written: " << options.out << ", " << worse->features().size() << " features of "
-            << load_map(registry, options.map)->features().size() << '\n';
+            << opal::session::load_map(registry, options.map)->features().size() << '\n';
   return kDone;
 }
 
@@ -112,9 +112,10 @@ void tell_places(const std::vector<opal::MapPlacement>& placements) {
 }
 
 int join(const JoinVerbOptions& options) {
-  const opal::PluginRegistry registry = load_plugins();
+  const opal::PluginRegistry registry = opal::session::load_plugins();
   std::vector<opal::MapSourcePart> sources;
-  for (const std::string& map : options.maps) sources.push_back({name_of_map(map), load_map(registry, map)});
+  for (const std::string& map : options.maps)
+    sources.push_back({opal::session::name_of_map(map), opal::session::load_map(registry, map)});
   const auto joined = opal::joined_map(sources, options.join.join);
   opal::write_map(*joined, options.out);
   tell_places(joined->origin().placements);
@@ -146,7 +147,7 @@ int raster(const RasterVerbOptions& options) {
   const std::string extension = std::filesystem::path(options.out).extension().string();
   if (extension != ".yaml" && extension != ".yml")
     throw opal::ConfigError(options.out + ": expected a name that ends with .yaml; the image goes beside it (.pgm)");
-  const auto map = load_map(load_plugins(), options.map);
+  const auto map = opal::session::load_map(opal::session::load_plugins(), options.map);
   const opal::MapRaster raster = opal::rasterized(*map, options.raster);
   opal::write_raster(raster, options.out);
   std::cout << "written: " << options.out << ", " << raster.columns << " x " << raster.rows << " cells of "

@@ -23,7 +23,8 @@ std::vector<opal::DriveEvidence> watched(const LogRunOptions& options, const opa
   LogRunOptions run = options;
   run.log = log_file;
   opal::Deployment deployment = run.deployment();
-  const RecordedLog log = read_recorded_log(registry, log_file, deployment, run.log_words);
+  const opal::benchmark::RecordedLog log =
+      opal::benchmark::read_recorded_log(registry, log_file, deployment, run.log_words);
   deployment.lasers = run.lasers_of(log.records, deployment.lasers);
   const opal::LocalizerParts parts = opal::build_parts(deployment, registry, map);
   std::vector<opal::DriveEvidence> drives;
@@ -41,10 +42,11 @@ std::vector<opal::DriveEvidence> watched(const LogRunOptions& options, const opa
   return drives;
 }
 
-std::vector<opal::DriveEvidence> pushed_by_robots(const opal::PluginRegistry& registry, const VersionedMap& map) {
+std::vector<opal::DriveEvidence> pushed_by_robots(const opal::PluginRegistry& registry,
+                                                  const opal::session::VersionedMap& map) {
   if (!map.version)
     throw opal::ConfigError("LOG is missing: without a recorded log or evidence (.json), MAP must be store:BUILDING");
-  const auto store = map_store(registry);
+  const auto store = opal::session::map_store(registry);
   opal::FleetEvidence evidence = opal::evidence_in(*store, *map.version, map.map->name());
   for (const std::string& refusal : evidence.refused) std::cerr << "opal: left out: " << refusal << '\n';
   std::printf("%zu drives about %s, from %s\n", evidence.drives.size(), opal::text_of(*map.version).c_str(),
@@ -69,7 +71,7 @@ void DriveInputs::add_to(CLI::App& verb) {
 }
 
 std::vector<opal::DriveEvidence> DriveInputs::drives(const opal::PluginRegistry& registry,
-                                                     const VersionedMap& loaded) const {
+                                                     const opal::session::VersionedMap& loaded) const {
   if (files.empty()) return pushed_by_robots(registry, loaded);
   const auto& map = loaded.map;
   std::vector<opal::DriveEvidence> drives;

@@ -19,5 +19,6 @@ struct DriveInputs {
   /// The evidence of all files; without files, what robots have pushed about this version of the map. What is learned
   /// from logs, and what the store has that is no evidence, is told on the screen.
   /// @throws opal::ConfigError naming a drive if it tells of another map; without files if the map is in no store.
-  std::vector<opal::DriveEvidence> drives(const opal::PluginRegistry& registry, const VersionedMap& map) const;
+  std::vector<opal::DriveEvidence> drives(const opal::PluginRegistry& registry,
+                                          const opal::session::VersionedMap& map) const;
 };

@@ -26,7 +26,7 @@ void LogRunOptions::add_to(CLI::App& verb, const std::string& written) {
 }
 
 opal::Deployment LogRunOptions::deployment() const {
-  opal::Deployment deployment = opal::read_deployment(config_file(config));
+  opal::Deployment deployment = opal::read_deployment(opal::session::config_file(config));
   if (!map.empty()) deployment.map = map;
   deployment.overlays.insert(deployment.overlays.end(), overlays.files.begin(), overlays.files.end());
   if (deployment.map.empty()) throw opal::ConfigError(config + ": /map: missing; name a map here or with --map");

@@ -15,7 +15,7 @@ struct WorldOptions {
   /// Reads what is to be read, when the building is known.
   void furnish(const opal::PluginRegistry& registry, const opal::SemanticMap& building) {
     if (!furnished.empty())
-      world.furniture = opal::simulation::furniture_solids(*load_map(registry, furnished), building);
+      world.furniture = opal::simulation::furniture_solids(*opal::session::load_map(registry, furnished), building);
   }
 
   /// The lasers that a deployment describes; the simulator's, if it describes none or leaves it to the log.

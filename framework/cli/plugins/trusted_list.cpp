@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Deployment deployment_of(const TrustedListRequest& request) {
-  Deployment deployment = read_deployment(config_file(request.config));
+  Deployment deployment = read_deployment(session::config_file(request.config));
   deployment.trusted_plugins.reset();
   if (!request.map.empty()) deployment.map = request.map;
   if (deployment.map.empty())
@@ -33,12 +33,12 @@ Deployment deployment_of(const TrustedListRequest& request) {
 /// Of the parts, the map and the log.
 std::vector<std::string> types_of(const TrustedListRequest& request, const Deployment& deployment,
                                   const PluginRegistry& registry) {
-  std::vector<std::string> types = types_made(deployment, registry, *load_map(registry, deployment));
+  std::vector<std::string> types = types_made(deployment, registry, *session::load_map(registry, deployment));
   if (read_store_source(deployment.map))
-    types.push_back(map_store_type(registry));
-  else if (!is_map_document(deployment.map))
-    types.push_back(importer_of(registry, deployment.map).info.name);
-  if (!request.log.empty()) types.push_back(log_source_of(registry, request.log));
+    types.push_back(session::map_store_type(registry));
+  else if (!session::is_map_document(deployment.map))
+    types.push_back(session::importer_of(registry, deployment.map).info.name);
+  if (!request.log.empty()) types.push_back(session::log_source_of(registry, request.log));
   return types;
 }
 
@@ -51,7 +51,7 @@ std::string entry(const char* key, const std::string& name, const std::string& f
 
 std::string trusted_list(const TrustedListRequest& request) {
   const Deployment deployment = deployment_of(request);
-  const PluginRegistry registry = load_plugins();
+  const PluginRegistry registry = session::load_plugins();
   std::map<std::string, std::string> plugins;
   for (const std::string& type : types_of(request, deployment, registry))
     plugins[registry.type(type).plugin] = registry.type(type).file;

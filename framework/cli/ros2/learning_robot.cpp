@@ -21,10 +21,10 @@ std::string host_name() {
 }  // namespace
 
 LearningRobot::LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins,
-                             const VersionedMap& map)
+                             const opal::session::VersionedMap& map)
     : options_(options) {
   if (!options.is_pushed) return;
-  store_ = map_store(plugins);
+  store_ = opal::session::map_store(plugins);
   version_ = map.version.value();
   outbox_ = opal::EvidenceOutbox::usual();
 }

@@ -23,7 +23,8 @@ struct LearningOptions {
 class LearningRobot {
  public:
   /// @param map  that the robot is localized on; if evidence shall be pushed, a version of a map store.
-  LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins, const VersionedMap& map);
+  LearningRobot(const LearningOptions& options, const opal::PluginRegistry& plugins,
+                const opal::session::VersionedMap& map);
   /// Ends the visit. It is kept, and sent by the next program that pushes: nobody waits for a server now.
   ~LearningRobot();
   LearningRobot(const LearningRobot&) = delete;

@@ -108,7 +108,7 @@ void Ros2Options::add_to(CLI::App& verb) {
 }
 
 Deployment Ros2Options::deployment_if_any() const {
-  Deployment deployment = read_deployment(config_file(config));
+  Deployment deployment = read_deployment(session::config_file(config));
   if (!map.empty()) deployment.map = map;
   return deployment;
 }
@@ -164,7 +164,7 @@ bool Ros2Options::names_scans(const Deployment& deployment) const {
 }
 
 std::string Ros2Options::sources_doubt(const Deployment& deployment) const {
-  return log_sources_doubt(deployment, kSourcesOfRobot);
+  return session::log_sources_doubt(deployment, kSourcesOfRobot);
 }
 
 ros2::NodeOptions Ros2Options::node(const Deployment& deployment) const {

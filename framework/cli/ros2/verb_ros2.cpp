@@ -38,7 +38,7 @@ class RobotParts {
     opal::check_parts(deployment_, plugins_);
     const std::string objection = learning.is_pushed ? opal::objection_to_push(deployment_) : "";
     if (!objection.empty()) throw opal::ConfigError(objection);
-    const VersionedMap loaded = load_versioned_map(plugins_, deployment_);
+    const opal::session::VersionedMap loaded = opal::session::load_versioned_map(plugins_, deployment_);
     map_ = loaded.map;
     if (learning.any()) learning_.emplace(learning, plugins_, loaded);
     if (!takes_geometry_from_log(deployment_))
@@ -81,7 +81,7 @@ void tell_doubt(const opal::Ros2Options& options, const opal::Deployment& deploy
 int localize_robot(const opal::Ros2Options& options) {
   const opal::Deployment deployment = options.deployment();
   tell_doubt(options, deployment);
-  const opal::PluginRegistry plugins = load_plugins(deployment);
+  const opal::PluginRegistry plugins = opal::session::load_plugins(deployment);
   const StopSignals signals;  // before other threads
   std::optional<LiveView> page;
   if (options.serve) page.emplace(options.port, signals.token());

@@ -20,10 +20,10 @@ struct ServeOptions {
 };
 
 int serve(const ServeOptions& options) {
-  opal::Deployment deployment = opal::read_deployment(config_file(options.config));
-  const opal::PluginRegistry registry = load_plugins(deployment);
+  opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
+  const opal::PluginRegistry registry = opal::session::load_plugins(deployment);
   if (!options.map.empty()) deployment.map = options.map;
-  const auto map = load_map(registry, deployment);
+  const auto map = opal::session::load_map(registry, deployment);
   opal::build_parts(deployment, registry, map);  // what cannot run is said now, not to the first robot
   const auto localizer_for = [&](const opal::LaserModel& laser) {
     return std::make_unique<opal::Localizer>(opal::build_parts(with_lasers(deployment, {laser}), registry, map));

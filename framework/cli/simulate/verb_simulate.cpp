@@ -38,7 +38,7 @@ void set_laser(SimulateOptions& options) {
     return;
   }
   if (!options.config.empty()) {
-    const opal::Deployment deployment = opal::read_deployment(config_file(options.config));
+    const opal::Deployment deployment = opal::read_deployment(opal::session::config_file(options.config));
     if (!deployment.describes_laser || deployment.lasers.front().geometry_from_log)
       throw opal::ConfigError(deployment.file + ": /sensor: describes no laser, expected one to simulate");
     return options.take_laser(deployment);
@@ -70,7 +70,7 @@ sim::BeamStatistics recorded_beams(const opal::PluginRegistry& registry, const S
                                    const opal::GroundTruth& truth, const sim::RayCaster& mapped) {
   const opal::LaserModel laser = opal::read_site_laser(options.along + ".info.json");
   sim::BeamStatistics recorded;
-  for (const opal::LogRecord& record : opal::read_all(*open_log(registry, options.along + ".log.gz")))
+  for (const opal::LogRecord& record : opal::read_all(*opal::session::open_log(registry, options.along + ".log.gz")))
     if (const auto* scan = std::get_if<opal::RawScan>(&record))
       if (const auto pose = truth.T_map_laser_at(scan->stamp_s))
         sim::count_beams(*scan, *pose, laser, mapped, recorded);
@@ -107,8 +107,8 @@ int simulate_storeys(const SimulateOptions& options, const opal::SemanticMap& ma
 int simulate(SimulateOptions options) {
   expect_other_place(options);
   set_laser(options);
-  const opal::PluginRegistry registry = load_plugins();
-  const auto map = load_map(registry, options.map);
+  const opal::PluginRegistry registry = opal::session::load_plugins();
+  const auto map = opal::session::load_map(registry, options.map);
   options.furnish(registry, *map);
   const auto building = options.damage.any() ? opal::damaged_map(*map, options.damage.damage()) : map;
   if (!map->origin().storeys.empty()) return simulate_storeys(options, *map, *building);

@@ -105,7 +105,7 @@ void TrackOutput::write() const {
   scene.map = map_;
   scene.scan_points = worst_.last_points;
   for (const opal::StampedPose& pose : worst_.trajectory) scene.trajectory.push_back(pose.pose.position());
-  if (truth_) add_truth(scene, truth_->poses(), laser_);
+  if (truth_) opal::benchmark::add_truth(scene, truth_->poses(), laser_);
   opal::write_svg(scene, (folder_ / "picture.svg").string());
   opal::write_png(scene, (folder_ / "picture.png").string());
 }

@@ -52,7 +52,7 @@ struct TrackSetup {
   opal::PluginRegistry plugins;
   opal::Deployment deployment;
   std::shared_ptr<const opal::SemanticMap> map;
-  RecordedLog log;
+  opal::benchmark::RecordedLog log;
   std::string mount_doubt;  ///< in words; empty: the laser's place on the robot is stated
   std::optional<opal::GroundTruth> truth;
   opal::LocalizerParts parts;
@@ -60,15 +60,15 @@ struct TrackSetup {
 
 TrackSetup set_up(const TrackOptions& options) {
   opal::Deployment deployment = deployment_for(options);
-  TrackSetup setup{load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
-  setup.map = load_map(setup.plugins, setup.deployment);
+  TrackSetup setup{opal::session::load_plugins(deployment), std::move(deployment), {}, {}, {}, {}, {}};
+  setup.map = opal::session::load_map(setup.plugins, setup.deployment);
   if (options.damage.any()) setup.map = opal::damaged_map(*setup.map, options.damage.damage());
-  setup.log = read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
+  setup.log = opal::benchmark::read_recorded_log(setup.plugins, options.log, setup.deployment, options.log_words);
   setup.deployment.lasers = options.lasers_of(setup.log.records, setup.deployment.lasers);
   setup.mount_doubt = options.mount_doubt(setup.log.records, setup.deployment);
-  if (!options.queries.empty()) expect_scans(options.windows(), setup.log, options.queries);
+  if (!options.queries.empty()) opal::benchmark::expect_scans(options.windows(), setup.log, options.queries);
   if (!options.truth.empty()) setup.truth = opal::GroundTruth::read(options.truth);
-  if (setup.truth) expect_overlap(*setup.truth, setup.log, options.truth);
+  if (setup.truth) opal::benchmark::expect_overlap(*setup.truth, setup.log, options.truth);
   setup.parts = opal::build_parts(setup.deployment, setup.plugins, setup.map);
   return setup;
 }
@@ -105,7 +105,7 @@ TrackedWindow track_windows(const TrackOptions& options, const TrackSetup& setup
 /// The whole log, into truth.csv. @return what is believed of the map then; a stop leaves it as it was.
 opal::MapBelief smooth(const opal::PoseTracker& tracker, const TrackedWindow& window, TrackOutput& output,
                        const std::stop_token& stop) {
-  ProgressBar bar;
+  opal::benchmark::ProgressBar bar;
   const auto goes_on = [&](double share) {
     bar.show(share, "smoothing " + opal::count_of(window.track.size(), "pose"));
     return !stop.stop_requested();
@@ -119,7 +119,7 @@ opal::MapBelief smooth(const opal::PoseTracker& tracker, const TrackedWindow& wi
 
 void tell_doubts(const TrackSetup& setup) {
   if (!setup.mount_doubt.empty()) std::printf("sensor: %s\n", setup.mount_doubt.c_str());
-  for (const std::string& doubt : doubts_of(setup.log, setup.deployment.lasers.front()))
+  for (const std::string& doubt : opal::benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
     std::printf("log: %s\n", doubt.c_str());
 }
 

@@ -36,10 +36,10 @@ fs::path page_file(const ViewOptions& options) {
 }
 
 int write_page(const ViewOptions& options) {
-  std::vector<ViewedRun> runs;
+  std::vector<opal::benchmark::ViewedRun> runs;
   for (std::size_t k = 0; k < options.outs.size(); ++k) runs.push_back({options.outs[k], name_of_run(options, k)});
   const std::string file = page_file(options).string();
-  for (const std::string& note : write_view_page(runs, file)) std::cerr << "opal: " << note << '\n';
+  for (const std::string& note : opal::benchmark::write_view_page(runs, file)) std::cerr << "opal: " << note << '\n';
   std::cout << "written: " << file << '\n';
   return kDone;
 }

@@ -193,10 +193,10 @@ TEST_CASE("the metrics that are measured are the costs of cells") {
   };
   const json costs = first_of("times.jsonl").at("costs"), values = first_of("results.jsonl").at("values");
   for (const char* name : {"cpu_ms", "cpu_ms_p99", "peak_mb"}) {
-    CHECK(is_measured(name));
+    CHECK(opal::benchmark::is_measured(name));
     CHECK(costs.contains(name));
   }
-  for (const auto& [name, value] : values.items()) CHECK_FALSE(is_measured(name));
+  for (const auto& [name, value] : values.items()) CHECK_FALSE(opal::benchmark::is_measured(name));
 }
 
 TEST_CASE("only a finished experiment becomes a bundle, in a folder of its own") {

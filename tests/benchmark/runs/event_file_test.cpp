@@ -47,7 +47,7 @@ class FileSizeLimit {
 TEST_CASE("events stand in the file line by line, the last ones too") {
   const TemporaryFolder folder;
   {
-    EventFile events(folder.path_of("events.jsonl"));
+    opal::benchmark::EventFile events(folder.path_of("events.jsonl"));
     for (int k = 0; k < 10000; ++k) events.write({{"event", "e"}, {"number", k}});
     events.finish();
   }
@@ -62,7 +62,7 @@ TEST_CASE("a file that can grow no more ends with a whole event, and the cause i
   const std::string path = folder.path_of("events.jsonl");
   {
     const FileSizeLimit limit(100'003);
-    EventFile events(path);
+    opal::benchmark::EventFile events(path);
     const auto write_too_many = [&] {
       for (int k = 0; k < 10000; ++k) events.write({{"event", "e"}, {"number", k}});
     };
@@ -75,5 +75,6 @@ TEST_CASE("a file that can grow no more ends with a whole event, and the cause i
 }
 
 TEST_CASE("a file that cannot be made is named") {
-  CHECK_THROWS_WITH(EventFile("/dev/null/events.jsonl"), "/dev/null/events.jsonl: cannot be written: Not a directory");
+  CHECK_THROWS_WITH(opal::benchmark::EventFile("/dev/null/events.jsonl"),
+                    "/dev/null/events.jsonl: cannot be written: Not a directory");
 }

@@ -86,7 +86,7 @@ ShownDrive repeat_drive(const DrawnDrive& drive, const CampaignRobots& robots, c
   write_text((folder / "drive.json").string(), to_json(drive).dump(1) + '\n');
   const DriveWorld world = world_of(drive, robots, folder);
   const std::string name = fmt::format("drive {}", drive.number);
-  EventFile events((folder / "events.jsonl").string());
+  benchmark::EventFile events((folder / "events.jsonl").string());
   events.write(run_event({name, "", ""}, robots.of(drive).lasers.front()));
   events.write(map_event(MapView(world.map, robots.of(drive).lasers.front().id)));
   events.write(start_event(name));
@@ -98,7 +98,7 @@ ShownDrive repeat_drive(const DrawnDrive& drive, const CampaignRobots& robots, c
   shown.drive.run = run_drive(drive, world, robots, observer);
   events.write(truth_event(trace.truth()));
   events.finish();
-  write_view_page({{folder.string(), name}}, (folder / "page.html").string());
+  benchmark::write_view_page({{folder.string(), name}}, (folder / "page.html").string());
   shown.picture = trace.picture(*world.map, name);
   return shown;
 }

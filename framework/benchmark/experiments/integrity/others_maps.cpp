@@ -101,7 +101,7 @@ std::shared_ptr<const SemanticMap> redrawn_map(const std::shared_ptr<const Seman
   mapping.seed = drive.seed;
   const GridFile grid(scratch, drive);
   write_raster(cone_mapped(placed_scans(simulation), mapping), grid.yaml());
-  return load_map(trusted_by(robots.one_laser, *robots.registry), grid.yaml());
+  return session::load_map(trusted_by(robots.one_laser, *robots.registry), grid.yaml());
 }
 
 std::shared_ptr<const SemanticMap> learned_map(const std::shared_ptr<const SemanticMap>& building,
