@@ -33,7 +33,7 @@ PlaceVerdict judged_minute() {
 
 TEST_CASE("a place's verdict says first whether it worked, then what was wrongly called localized, then who failed") {
   const std::string text = summary_of(judged_minute());
-  CHECK_THAT(text, StartsWith("success in 2 of 3 queries (strict: 1), after 3.0 m (median)\n"
+  CHECK_THAT(text, StartsWith("success in 2 of 3 queries (strict: 1), after 1.5 m (median)\n"
                               "localized in 1 of 3 queries, after 5.0 m (median)\n"
                               "wrongly localized: 21 of 37 localized rows, in 1 query\n"
                               "no success: q2\n"));
