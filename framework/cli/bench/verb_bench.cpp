@@ -64,7 +64,7 @@ KidnappingRuns run_kidnappings(opal::Localizer& localizer, const opal::benchmark
                                const BenchOptions& options, const std::stop_token& stop) {
   opal::KidnappingSequenceOptions sequences = options.sequences;
   sequences.seed = *options.sequence;
-  return run_kidnappings(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), sequences, stop);
+  return ::run_kidnappings(localizer, place, opal::GroundTruth::read(place.site.prefix + ".gt.csv"), sequences, stop);
 }
 
 /// Where the results of a place go.
