@@ -63,7 +63,7 @@ void bind_deployment(py::module_& module) {
   module.def("make_deployment", &make_deployment, py::arg("document"), py::arg("file") = "deployment",
              "A deployment of a dict, with the members of a document.\n\n"
              "file: what messages call it, and what relative paths in it start from.");
-  module.def("shipped_file", &shipped_file, py::arg("name"),
+  module.def("shipped_file", &session::shipped_file, py::arg("name"),
              "Path of what ships with Opal: \"maps/malaga/malaga-demo.log.gz\". Raises opal.ConfigError.");
 }
 
