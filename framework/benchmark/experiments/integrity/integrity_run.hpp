@@ -14,6 +14,9 @@
 
 namespace opal::experiments {
 
+/// A drive is false if it calls a wrong pose localized for longer than this [s]: a controller acts on it by then.
+inline constexpr double kFalseAfter_s = 1;
+
 /// What became of one drive. A pose is right by kRightPose.
 struct IntegrityRun {
   LocalizedTime localized;
@@ -23,8 +26,8 @@ struct IntegrityRun {
   double driven_m = 0, duration_s = 0;
   int answers = 0;
 
-  /// A wrong pose was called localized for longer than a second.
-  bool is_false() const { return localized.longest_wrong_s > 1; }
+  /// A wrong pose was called localized for longer than kFalseAfter_s.
+  bool is_false() const { return localized.longest_wrong_s > kFalseAfter_s; }
 };
 
 /// One answer beside the truth, for pictures.
