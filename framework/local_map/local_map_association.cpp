@@ -35,10 +35,18 @@ double farthest_end_m(const Segment& line, const Segment& piece) {
   return std::max(std::abs(normal.dot(piece.begin - line.begin)), std::abs(normal.dot(piece.end - line.begin)));
 }
 
+/// A bound that costs no arc tangent: no angle is less than its sine. Most pairs of walls are far from parallel.
+bool are_surely_turned(const Segment& a, const Segment& b, double by_rad) {
+  const Point along_a = a.end - a.begin, along_b = b.end - b.begin;
+  const double across = cross(along_a, along_b);
+  return across * across > by_rad * by_rad * along_a.squaredNorm() * along_b.squaredNorm();
+}
+
 /// Both ends of the shorter one near the infinite line of the longer one, whose direction is better known.
 Cost segment_cost(const Feature& a, const Feature& b, const LocalMapOptions& options) {
   const auto& segment_a = std::get<Segment>(a.geometry);
   const auto& segment_b = std::get<Segment>(b.geometry);
+  if (are_surely_turned(segment_a, segment_b, options.association_angle_rad)) return std::nullopt;
   const bool a_longer = segment_a.length_m() >= segment_b.length_m();
   const Segment& line = a_longer ? segment_a : segment_b;
   const Segment& piece = a_longer ? segment_b : segment_a;

@@ -16,13 +16,27 @@ constexpr double kSmallStep = 1e-4;    ///< [m], [rad]
 struct Equations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
-  double cost = 0;
-  int inliers = 0;
 
   void add(const Eigen::Vector3d& jacobian, double residual, double weight) {
     H.noalias() += weight * jacobian * jacobian.transpose();
     g.noalias() += weight * residual * jacobian;
   }
+};
+
+/// How well a pose fits.
+struct Fit {
+  double cost = 0;  ///< robust, with the prior [nat]
+  int inliers = 0;
+};
+
+/// A point beside the surfel that is nearest to it.
+struct Residual {
+  const Surfel* surfel;  ///< null: nothing is in reach
+  Point turned;          ///< the point, in axes of the reference, from the scan's origin
+  Point away;            ///< from the surfel's mean
+  double value = 0;      ///< distance from its line; from its mean if it has no direction
+
+  bool on_line() const { return !surfel->normal.isZero(); }
 };
 
 class Refinement {
@@ -33,9 +47,17 @@ class Refinement {
 
   Equations equations_at(const Pose2& pose, double scale_m) const {
     Equations e;
-    add_prior(e, pose);
-    for (const Point& p : scan_) add_point(e, pose, p, scale_m);
+    e.H.diagonal() += prior_information();
+    e.g += prior_information().cwiseProduct(prior_residual(pose));
+    for (const Point& p : scan_) add_point(e, residual_of(pose, p), scale_m * scale_m);
     return e;
+  }
+
+  Fit fit_at(const Pose2& pose, double scale_m) const {
+    const Eigen::Vector3d off = prior_residual(pose);
+    Fit fit{0.5 * off.dot(prior_information().cwiseProduct(off)), 0};
+    for (const Point& p : scan_) add_fit(fit, residual_of(pose, p), scale_m * scale_m);
+    return fit;
   }
 
   /// Covariance at the solution: prior and points, the latter with the errors they share.
@@ -46,45 +68,44 @@ class Refinement {
 
  private:
   Eigen::Vector3d prior_information() const { return prior_.sigma.cwiseAbs2().cwiseInverse(); }
+  double point_information() const { return 1.0 / (options_.point_sigma_m * options_.point_sigma_m); }
 
-  void add_prior(Equations& e, const Pose2& pose) const {
+  Eigen::Vector3d prior_residual(const Pose2& pose) const {
     const Point away = pose.position() - prior_.T_reference_scan.position();
     const double turned = wrap_angle(pose.heading_rad() - prior_.T_reference_scan.heading_rad());
-    const Eigen::Vector3d residual(away.x(), away.y(), turned);
-    const Eigen::Vector3d information = prior_information();
-    e.H.diagonal() += information;
-    e.g += information.cwiseProduct(residual);
-    e.cost += 0.5 * residual.dot(information.cwiseProduct(residual));
+    return {away.x(), away.y(), turned};
   }
 
-  /// Cauchy: cost = s^2 / 2 log(1 + (r / s)^2) in units of the point's variance, weight = 1 / (1 + (r / s)^2). A point
-  /// far from everything costs as much as one at the edge of reach.
-  void add_point(Equations& e, const Pose2& pose, const Point& p, double scale_m) const {
-    const double information = 1.0 / (options_.point_sigma_m * options_.point_sigma_m);
-    const double scale_squared = scale_m * scale_m;
-    const Point turned = pose.rotate(p);
-    const Point moved = pose.position() + turned;
-    const Surfel* surfel = grid_.nearest(moved);
-    if (!surfel) {
-      constexpr double reach_squared = ReferenceGrid::kReach_m * ReferenceGrid::kReach_m;
-      e.cost += 0.5 * information * scale_squared * std::log1p(reach_squared / scale_squared);
-      return;
+  Residual residual_of(const Pose2& pose, const Point& p) const {
+    Residual residual{nullptr, pose.rotate(p), Point::Zero()};
+    const Point moved = pose.position() + residual.turned;
+    residual.surfel = grid_.nearest(moved);
+    if (!residual.surfel) return residual;
+    residual.away = moved - residual.surfel->mean;
+    residual.value = residual.on_line() ? residual.surfel->normal.dot(residual.away) : residual.away.norm();
+    return residual;
+  }
+
+  /// Cauchy: weight = 1 / (1 + (r / s)^2), in units of the point's variance.
+  void add_point(Equations& e, const Residual& r, double scale_squared) const {
+    if (!r.surfel) return;
+    const Point lever = left_of(r.turned);  // derivative of the moved point by the heading
+    const double weight = point_information() / (1 + r.value * r.value / scale_squared);
+    if (r.on_line()) {
+      const Point& n = r.surfel->normal;
+      e.add({n.x(), n.y(), n.dot(lever)}, r.value, weight);
+    } else if (r.surfel->dense) {
+      e.add({1, 0, lever.x()}, r.away.x(), kPointToPoint * weight);
+      e.add({0, 1, lever.y()}, r.away.y(), kPointToPoint * weight);
     }
-    const Point away = moved - surfel->mean;
-    const Point lever = left_of(turned);  // derivative of the moved point by the heading
-    const bool on_line = !surfel->normal.isZero();
-    const double residual = on_line ? surfel->normal.dot(away) : away.norm();
-    const double squared = residual * residual / scale_squared;
-    const double weight = information / (1 + squared);
-    e.cost += 0.5 * information * scale_squared * std::log1p(squared);
-    e.inliers += std::abs(residual) < options_.inlier_distance_m;
-    if (on_line) {
-      const Point& n = surfel->normal;
-      e.add({n.x(), n.y(), n.dot(lever)}, residual, weight);
-    } else if (surfel->dense) {
-      e.add({1, 0, lever.x()}, away.x(), kPointToPoint * weight);
-      e.add({0, 1, lever.y()}, away.y(), kPointToPoint * weight);
-    }
+  }
+
+  /// Cauchy: cost = s^2 / 2 log(1 + (r / s)^2). A point far from everything costs as much as one at the edge of reach.
+  void add_fit(Fit& fit, const Residual& r, double scale_squared) const {
+    constexpr double kReachSquared = ReferenceGrid::kReach_m * ReferenceGrid::kReach_m;
+    const double squared = (r.surfel ? r.value * r.value : kReachSquared) / scale_squared;
+    fit.cost += 0.5 * point_information() * scale_squared * std::log1p(squared);
+    fit.inliers += r.surfel && std::abs(r.value) < options_.inlier_distance_m;
   }
 
   const ReferenceGrid& grid_;
@@ -109,12 +130,12 @@ Refined refine(const ReferenceGrid& grid, std::span<const Point> scan, const Pos
     if (widest_passed && step.cwiseAbs().maxCoeff() < kSmallStep) break;
     scale_m = std::max(options.robust_scale_m, kScaleShrinks * scale_m);
   }
-  const Equations last = refinement.equations_at(pose, options.robust_scale_m);
+  const Fit fit = refinement.fit_at(pose, options.robust_scale_m);
   result.match.T_reference_scan = pose;
-  result.match.covariance = refinement.covariance(last);
-  result.match.inlier_share = static_cast<double>(last.inliers) / static_cast<double>(scan.size());
+  result.match.covariance = refinement.covariance(refinement.equations_at(pose, options.robust_scale_m));
+  result.match.inlier_share = static_cast<double>(fit.inliers) / static_cast<double>(scan.size());
   result.match.converged = pose.position().allFinite() && std::isfinite(pose.heading_rad());
-  result.cost = last.cost;
+  result.cost = fit.cost;
   return result;
 }
 

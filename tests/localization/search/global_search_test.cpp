@@ -1,5 +1,7 @@
 #include "searching.hpp"
 
+#include "map_tools/map_stack.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -249,4 +251,28 @@ TEST_CASE("places outside the region do not crowd out those inside") {
   const auto found = Searching(features, kTruth, options).find().candidates;
   REQUIRE_FALSE(found.empty());
   CHECK(is_at(found.front(), T_map_second * kTruth));
+}
+
+namespace {
+
+/// Two storeys that are alike, side by side.
+std::shared_ptr<const MapView> two_storeys() {
+  const auto storey = std::make_shared<const SemanticMap>(view_of(room())->map());
+  const std::vector<StoreyPart> parts{{"lower", "", {}, storey}, {"upper", "", {}, storey}};
+  return std::make_shared<MapView>(stacked_map("house", parts).map, "lidar");
+}
+
+}  // namespace
+
+TEST_CASE("a place on another storey is a candidate, unless the region leaves it out") {
+  const auto house = two_storeys();
+  const Pose2 lower = find_storey(house->map(), "lower")->to_map(kTruth),
+              upper = find_storey(house->map(), "upper")->to_map(kTruth);
+  const auto is_upper = [&](const VerifiedCandidate& each) { return is_at(each, upper); };
+  const auto anywhere = Searching(house, lower, {}).find().candidates;
+  CHECK(std::any_of(anywhere.begin(), anywhere.end(), is_upper));
+  const auto found = Searching(house, lower, in_region(lower.position(), 8)).find().candidates;
+  REQUIRE_FALSE(found.empty());
+  CHECK(is_at(found.front(), lower));
+  CHECK(std::none_of(found.begin(), found.end(), is_upper));
 }

@@ -15,7 +15,10 @@ inline Named<PatternTemplate> walls() { return {"wall", std::make_shared<WallTem
 struct Searching {
   explicit Searching(const Features& features = room(), const Pose2& T_map_base = kTruth,
                      const SearchOptions& options = {}, std::vector<Named<PatternTemplate>> templates = {corners()})
-      : map(view_of(features)),
+      : Searching(view_of(features), T_map_base, options, std::move(templates)) {}
+  Searching(std::shared_ptr<const MapView> searched, const Pose2& T_map_base, const SearchOptions& options,
+            std::vector<Named<PatternTemplate>> templates = {corners()})
+      : map(std::move(searched)),
         judges(map, {{"fit", fit_scorer(), ScorerRole::decides, 1}}),
         robot(map, T_map_base),
         search(map, std::move(templates), judges.ensemble, options) {}

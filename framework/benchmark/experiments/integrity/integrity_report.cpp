@@ -103,7 +103,8 @@ std::string bound_sentence(const Stratum& all) {
   if (all.drives.empty()) return "No drive has ended yet.";
   const double median_m = quantile_over(all.drives, &IntegrityRun::localized_after_m, 0.5);
   return fmt::format(
-      "At most {} of 1,000 drives call a wrong pose localized for longer than {} s (upper end of the 95 % interval; {} of "
+      "At most {} of 1,000 drives call a wrong pose localized for longer than {} s (upper end of the 95 % interval; {} "
+      "of "
       "{} drives did). {} % of the drives are sure of their pose at some time, half of all after {} m.",
       per_thousand(all.false_share().high), number(kFalseAfter_s, 0), all.false_drives(), all.drives.size(),
       number(100.0 * static_cast<double>(localized_drives(all)) / static_cast<double>(all.drives.size()), 1),
