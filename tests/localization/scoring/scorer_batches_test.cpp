@@ -151,7 +151,7 @@ TEST_CASE("a scorer that throws at one of many hypotheses says nothing of any, a
     if (hypothesis.id == HypothesisId(1)) throw std::runtime_error("not this one");
     return Score{5, {}, {}};
   });
-  const Judges judges(three.map, {always("a", 2), {"choosy", choosy, true, 1}});
+  const Judges judges(three.map, {always("a", 2), {"choosy", choosy, ScorerRole::decides, 1}});
   CHECK(judges.ensemble.decide_all(three.pointers, three.seen) == std::vector<double>{2, 2, 2});
   CHECK(judges.failures.counts().at("choosy") == 1);
   CHECK(judges.ensemble.decide(three.all[0], three.seen) == 7);
