@@ -16,6 +16,11 @@ constexpr double kMaxParallelSine = 0.2;
 constexpr double kMinGoingOnCosine = 0.93;
 // A square pillar's sides are just as long as they are apart.
 constexpr double kMinOverlapByDistance = 0.95;
+// Cavities and insulation in walls are narrower than this, niches are not.
+constexpr double kMinNiche_m = 0.3;
+// So much thinner are the walls on both sides of a niche, and along so much of it they run.
+constexpr double kMaxWallByNiche = 0.75;
+constexpr double kMinWallAlongNiche = 0.5;
 
 /// Two edges side by side: the stretch of the first one [m from its begin], and the wall between them.
 struct SideBySide {
@@ -129,6 +134,71 @@ struct Overlap {
   bool is_enough() const { return length_m >= kMinOverlapByDistance * distance_m; }
 };
 
+/// Tells niches between two walls from walls: both have lines side by side.
+class Niches {
+ public:
+  /// @param pairs  all stretches that may have wall between them.
+  explicit Niches(const std::vector<SideBySide>& pairs) : pairs_(pairs), is_niche_(pairs.size()) {
+    std::vector<std::size_t> order(pairs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (const std::size_t k : order) {
+      beside_[{pairs[k].edge, pairs[k].is_left}].push_back(k);
+      number_[{pairs[k].edge, pairs[k].other}] = k;
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return pairs[a].distance_m < pairs[b].distance_m; });
+    for (const std::size_t k : order)
+      if (pairs[k].distance_m >= kMinNiche_m) is_niche_[k] = is_between_walls(k) || reaches_over_niche(k);
+  }
+
+  bool contains(std::size_t pair) const { return is_niche_[pair] || (has_reverse(pair) && is_niche_[reverse(pair)]); }
+
+ private:
+  bool has_reverse(std::size_t k) const { return number_.contains({pairs_[k].other, pairs_[k].edge}); }
+  std::size_t reverse(std::size_t k) const { return number_.at({pairs_[k].other, pairs_[k].edge}); }
+
+  bool is_between_walls(std::size_t k) const {
+    return has_reverse(k) && is_face_of_thinner_wall(k) && is_face_of_thinner_wall(reverse(k));
+  }
+
+  /// Whether the edge has a much nearer partner on its other side.
+  bool is_face_of_thinner_wall(std::size_t k) const {
+    const SideBySide& gap = pairs_[k];
+    double along_m = 0;
+    for (const std::size_t wall : on_side(gap.edge, !gap.is_left))
+      if (pairs_[wall].distance_m <= kMaxWallByNiche * gap.distance_m)
+        along_m = std::max(along_m, shared_m(pairs_[wall], gap));
+    return along_m >= kMinWallAlongNiche * (gap.to_m - gap.from_m);
+  }
+
+  /// Whether what lies between its lines is a wall and a niche behind it.
+  bool reaches_over_niche(std::size_t k) const {
+    const SideBySide& gap = pairs_[k];
+    const std::vector<std::size_t>& near = on_side(gap.edge, gap.is_left);
+    return std::any_of(near.begin(), near.end(), [&](std::size_t wall) {
+      if (pairs_[wall].distance_m >= gap.distance_m) return false;
+      const auto behind = number_.find({pairs_[wall].other, gap.other});
+      return behind != number_.end() && is_niche_[behind->second] &&
+             shared_m(pairs_[wall], gap) >= kMinWallAlongNiche * (gap.to_m - gap.from_m);
+    });
+  }
+
+  const std::vector<std::size_t>& on_side(int edge, bool is_left) const {
+    static const std::vector<std::size_t> kNone;
+    const auto found = beside_.find({edge, is_left});
+    return found == beside_.end() ? kNone : found->second;
+  }
+
+  static double shared_m(const SideBySide& a, const SideBySide& b) {
+    return std::min(a.to_m, b.to_m) - std::max(a.from_m, b.from_m);
+  }
+
+  const std::vector<SideBySide>& pairs_;
+  std::vector<bool> is_niche_;
+  std::map<std::pair<int, bool>, std::vector<std::size_t>> beside_;  ///< by edge and side
+  std::map<std::pair<int, int>, std::size_t> number_;                ///< by edge and other edge
+};
+
 /// Ends of the covered stretches of one edge on one side. Gaps up to the thickness of a wall, where one abuts, do not
 /// count, nor do ends as near as that to the edge's own: there is a corner.
 void add_ends(PlanPairs& pairs, int number, const Segment& edge, std::vector<std::pair<double, double>> covered,
@@ -158,11 +228,17 @@ PlanPairs find_pairs(const PlanStrokes& strokes, const PlanOptions& options) {
     overlap.length_m += one.to_m - one.from_m;
     overlap.distance_m = std::min(overlap.distance_m, one.distance_m);
   }
-  PlanPairs pairs;
-  std::map<std::pair<int, bool>, std::vector<std::pair<double, double>>> covered;
+  std::vector<SideBySide> enough;
   for (const SideBySide& one : all) {
     const int run = runs.of(one.edge), other = runs.of(one.other);
-    if (run == other || !overlaps[{run, other}].is_enough()) continue;
+    if (run != other && overlaps[{run, other}].is_enough()) enough.push_back(one);
+  }
+  const Niches niches(enough);
+  PlanPairs pairs;
+  std::map<std::pair<int, bool>, std::vector<std::pair<double, double>>> covered;
+  for (std::size_t k = 0; k < enough.size(); ++k) {
+    if (niches.contains(k)) continue;
+    const SideBySide& one = enough[k];
     pairs.walls.push_back(one.between);
     covered[{one.edge, one.is_left}].emplace_back(one.from_m, one.to_m);
   }

@@ -16,7 +16,8 @@ struct PlanPairs {
 };
 
 /// Among the lines whose sides are to be found. Edges that go on straight, or around a smooth bend, count together:
-/// side by side over at least their distance, which is at most max_wall_thickness_m.
+/// side by side over at least their distance, which is at most max_wall_thickness_m. A niche between two thinner walls
+/// is none.
 PlanPairs find_pairs(const PlanStrokes& strokes, const PlanOptions& options);
 
 }  // namespace opal

@@ -118,6 +118,29 @@ TEST_CASE("at an opening both ends of the wall are seen, and nothing closes the 
   CHECK(faces(lines).size() == 6);
 }
 
+TEST_CASE("a niche between thin walls stays open, and a cavity in a wall is wall") {
+  const auto open_to_the_right = [](double thickness, double gap) {
+    // Two walls along x with their ends at 1, and between them the back of the niche at 0.
+    const double a = 0, b = thickness, c = thickness + gap, d = 2 * thickness + gap;
+    return assembled({wall("a", {{0, a}, {1, a}}), wall("b", {{0, b}, {1, b}}), wall("c", {{0, c}, {1, c}}),
+                      wall("d", {{0, d}, {1, d}}), wall("ab", {{1, a}, {1, b}}), wall("cd", {{1, c}, {1, d}}),
+                      wall("back", {{0, a}, {0, d}})});
+  };
+  for (const auto& [thickness, gap] : {std::pair{0.137, 0.508}, {0.1, 0.4}, {0.05, 0.32}}) {
+    CAPTURE(thickness, gap);
+    const auto niche = faces(open_to_the_right(thickness, gap));
+    CHECK(has(niche, {0, thickness}, {1, thickness}));
+    CHECK(has(niche, {1, thickness + gap}, {0, thickness + gap}));
+    CHECK(has(niche, {1, 0}, {0, 0}));
+    CHECK(has(niche, {0, 2 * thickness + gap}, {1, 2 * thickness + gap}));
+  }
+  for (const auto& [thickness, gap] : {std::pair{0.1, 0.25}, {0.2, 0.1}, {0.2, 0.25}}) {
+    CAPTURE(thickness, gap);
+    const PlanAssembly cavity = open_to_the_right(thickness, gap);
+    CHECK_FALSE(has(faces(cavity), {0, thickness}, {1, thickness}));
+  }
+}
+
 TEST_CASE("solid outlines that overlap or touch are one, and holes are seen from inside") {
   const PlanAssembly overlap = assembled(
       {wall("a", box(0, 0, 5, 0.3), true, PlanSides::solid), wall("b", box(4.7, 0, 5, 4), true, PlanSides::solid)});

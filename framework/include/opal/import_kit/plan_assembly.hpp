@@ -83,8 +83,9 @@ struct PlanAssembly {
 ///
 /// Massive is what a solid outline says, closed lines that enclose something thin (mean thickness, twice area by
 /// perimeter, up to max_wall_thickness_m), and what lies between parallel lines that are near each other and side by
-/// side for at least their distance. A line with something massive on one side is a face; on both: hidden; on none: two
-/// faces.
+/// side for at least their distance. What lies between two such walls is a niche if it is at least 0.3 m wide and both
+/// walls are thinner than that: it is not massive. A line with something massive on one side is a face; on both:
+/// hidden; on none: two faces.
 ///
 /// @param source    stands for the file in error messages.
 /// @param name      of the map.
