@@ -98,7 +98,10 @@ bool stands_in_the_way(const MapObject& object) {
 }
 
 void warn_about_reach(const SemanticMap& map, MapCheck& check) {
-  if (map.features().empty()) check.warnings.push_back("no feature at all: nothing to localize by");
+  if (map.features().empty())
+    check.warnings.push_back("no feature at all: nothing to localize by");
+  else if (std::all_of(map.features().begin(), map.features().end(), [](const auto& f) { return f.sensor.empty(); }))
+    check.warnings.push_back("no feature that a sensor perceives: nothing to localize by");
   std::vector<std::string> names;
   for (const MapObject& object : map.objects())
     if (object.features.empty() && stands_in_the_way(object)) names.push_back(in_quotes(object.id));

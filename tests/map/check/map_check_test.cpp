@@ -223,3 +223,15 @@ TEST_CASE("what only runs classes of Python is not told of, for no map can call 
   CHECK(plan.reasons == plan_pipeline(*map_of({feature("w", kWall)}), "lidar", kTypes).reasons);
   CHECK(plan.on_request == Names{"opal:PythonPattern"});
 }
+
+TEST_CASE("a map of which no sensor perceives anything is warned of, also if it is made of doors and glass alone") {
+  const std::string warning = "no feature that a sensor perceives: nothing to localize by";
+  const auto map_with = [](const std::string& sensor) {
+    return SemanticMap::make("test", {{"pane", "opal:Window"}},
+                             {feature("pane/line-1", kWall, ""), feature("pane/line-2", kColumn, sensor)}, {});
+  };
+  const auto warnings = check_map(*map_with("")).warnings;
+  CHECK(std::find(warnings.begin(), warnings.end(), warning) != warnings.end());
+  const auto seen = check_map(*map_with("lidar")).warnings;
+  CHECK(std::find(seen.begin(), seen.end(), warning) == seen.end());
+}
