@@ -44,9 +44,10 @@ class Entry {
 
   bool flag() const {
     const std::string word = text();
-    if (word == "0" || word == "false" || word == "False") return false;
-    if (word == "1" || word == "true" || word == "True") return true;
-    refuse("0 or 1");
+    if (word == "0" || word == "1") return word == "1";
+    bool value = false;
+    if (!YAML::convert<bool>::decode(value_, value)) refuse("0 or 1");
+    return value;
   }
 
   Pose2 pose() const {
@@ -139,12 +140,14 @@ void read_entries(const YAML::Node& root, const std::string& name, GridDescripti
   for (const auto& pair : root) {
     const std::string key = key_text(pair.first, name);
     const Entry entry(name, key, pair.second);
-    if (!seen.insert(key).second) entry.refuse("this key only once");
+    const bool is_new = seen.insert(key).second;
     const auto reader = readers().find(key);
-    if (reader == readers().end())
-      description.ignored_keys.push_back(key);
-    else
-      reader->second(entry, description);
+    if (reader == readers().end()) {
+      if (is_new) description.ignored_keys.push_back(key);
+      continue;
+    }
+    if (!is_new) entry.refuse("this key only once");
+    reader->second(entry, description);
   }
   require(seen, name);
 }
@@ -158,9 +161,6 @@ GridDescription parse_description(const std::string& text, const std::string& na
   } catch (const YAML::Exception& error) {
     throw MapError(name + ": " + place_of(error.mark) + ": not valid YAML: " + error.msg);
   }
-  if (description.free_threshold > description.occupied_threshold)
-    throw MapError(fmt::format("{}: free_thresh: {}, expected at most occupied_thresh {}", name,
-                               description.free_threshold, description.occupied_threshold));
   return description;
 }
 

@@ -18,7 +18,7 @@ struct GridDescription {
   GridMode mode = GridMode::trinary;
   bool negate = false;
   double occupied_threshold = 0.65;
-  double free_threshold = 0.196;
+  double free_threshold = 0.196;  ///< above the other one: what is not occupied is free, and nothing is unknown between
   std::vector<std::string> ignored_keys;
 };
 

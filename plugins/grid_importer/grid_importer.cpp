@@ -7,9 +7,11 @@
 #include "smear.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <string_view>
 
 namespace opal::grid_importer {
 namespace {
@@ -31,6 +33,13 @@ bool names_an_image(const std::string& path) {
   return false;
 }
 
+/// With upper and lower case the same.
+bool ends_with_any_case(const std::string& path, std::string_view ending) {
+  if (path.size() < ending.size()) return false;
+  return std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                    [](char e, char p) { return e == std::tolower(static_cast<unsigned char>(p)); });
+}
+
 /// No face is known better than the cells that it runs through.
 constexpr double kToleranceCells = 1.2;
 
@@ -43,7 +52,7 @@ VectorizerLimits GridImporter::limits_for(const OccupancyGrid& grid) const {
 }
 
 bool GridImporter::recognizes(const std::string& path) const {
-  return (path.ends_with(".yaml") || path.ends_with(".yml")) && names_an_image(path);
+  return (ends_with_any_case(path, ".yaml") || ends_with_any_case(path, ".yml")) && names_an_image(path);
 }
 
 MapImport GridImporter::import(const std::string& path) const {

@@ -152,6 +152,11 @@ std::vector<std::string> report(const GridDescription& description, const Bounda
   if (vectors.drawn_faces > 0)
     sentences.push_back(
         sentence("a drawn plan: %d faces run along its rows and columns as they are drawn", vectors.drawn_faces));
+  if (description.free_threshold > description.occupied_threshold)
+    sentences.push_back(
+        sentence("doubtful: free_thresh %g lies above occupied_thresh %g: cells up to occupied_thresh are free, all "
+                 "others occupied",
+                 description.free_threshold, description.occupied_threshold));
   for (const std::string& key : description.ignored_keys)
     sentences.push_back("ignored in the yaml file: \"" + key + "\", which map_server does not define");
   return sentences;
