@@ -29,6 +29,7 @@ class Expansion {
     if (frame.insert.empty() || entity.layer != "0") frame.layer = entity.layer;
     if (const auto layer = drawing_.layers.find(entity.layer); layer != drawing_.layers.end())
       frame.is_frozen |= layer->second.is_frozen;
+    if (frame.damage.empty()) frame.damage = entity.damage;
     const auto* insert = std::get_if<DxfInsert>(&entity.shape);
     if (insert != nullptr && !entity.is_in_paper_space)
       place_block(*insert, std::move(frame));
@@ -49,6 +50,7 @@ class Expansion {
       placed_.push_back(std::move(frame));
       return;
     }
+    if (frame.damage.empty()) frame.damage = block->second.damage;
     check_depth(name);
     open_.push_back(name);
     const std::size_t before = placed_.size();

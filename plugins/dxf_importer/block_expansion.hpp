@@ -17,6 +17,7 @@ struct PlacedEntity {
   std::vector<std::pair<std::string, std::string>> inserts;  ///< these ids and their layers, from the outermost on
   std::string layer;                                         ///< that of its INSERT, if it is on layer 0 of a block
   std::string trouble;  ///< why it cannot be used, as far as blocks are to blame; then it may be an INSERT
+  std::string damage;   ///< of the entity, of an INSERT that it came by, or of the name of their block: a whole message
   bool is_frozen = false;
 };
 

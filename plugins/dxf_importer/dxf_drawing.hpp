@@ -71,7 +71,8 @@ struct DxfEntity {
   bool is_in_paper_space = false;
   bool is_hidden = false;  ///< as those states of a dynamic block that are not chosen
   bool has_width = false;
-  std::string damage;   ///< a whole message, if its record is damaged: a map must not be made of it
+  /// A whole message, if its record is damaged: a map must not be made of it. An INSERT still names its block.
+  std::string damage;
   std::string trouble;  ///< why there is no shape, if there should be one
   DxfShape shape;
 };
@@ -80,6 +81,8 @@ struct DxfBlock {
   Point base = Point::Zero();
   bool is_external = false;  ///< stands for another file
   std::vector<DxfEntity> entities;
+  /// A whole message, if nobody knows what it draws: its base is no place, or another block of its name is different.
+  std::string damage;
 };
 
 struct DxfDrawing {
@@ -87,6 +90,8 @@ struct DxfDrawing {
   std::map<std::string, DxfLayer> layers;
   std::map<std::string, DxfBlock> blocks;  ///< by name in upper case
   std::vector<DxfEntity> entities;
+  std::vector<std::string> repeated_blocks;  ///< "CHAIR (line 184)": the first block of this name counts
+  int lines_after_end = 0;
 };
 
 /// Names of blocks do not distinguish upper and lower case.

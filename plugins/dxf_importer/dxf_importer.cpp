@@ -49,7 +49,7 @@ class Sorting {
     const std::optional<std::string> type = plan_.rules.class_of(placed.layer);
     const std::string why = why_left_out(placed, type);
     if (!why.empty()) return leave_out(placed, why, ImportStatus::left_out);
-    if (!placed.entity->damage.empty()) throw MapError(placed.entity->damage);
+    if (!placed.damage.empty()) throw MapError(placed.damage);
     if (const std::string trouble = use(placed, *type); !trouble.empty())
       leave_out(placed, trouble, ImportStatus::unreadable);
   }
@@ -129,6 +129,22 @@ class Sorting {
   std::map<std::string, std::size_t> parts_;
 };
 
+/// What is not in the map and is no entity, and what was made of curves.
+std::vector<std::string> about_drawing(const Sorting& sorting, const DxfDrawing& drawing) {
+  std::vector<std::string> sentences;
+  const auto add = [&](int count, const char* words) {
+    if (count > 0) sentences.push_back(fmt::format("{}: {}", words, count));
+  };
+  add(sorting.refitted, "circles that were drawn as closed lines");
+  add(sorting.chorded, "curved lines that became short straight ones, at most 5 mm off");
+  add(sorting.wide, "doubtful: polylines that are drawn with a width, of which the middle was taken");
+  add(sorting.open_loops, "left out: loops of hatches whose edges do not meet");
+  for (const std::string& block : drawing.repeated_blocks)
+    sentences.push_back("left out: a second block of the same name: " + block);
+  add(drawing.lines_after_end, "left out: lines of text after EOF, where the drawing ends");
+  return sentences;
+}
+
 }  // namespace
 
 DxfImporter::DxfImporter(const nlohmann::json& options) : plan_(options, classes_of_layers()) {
@@ -193,17 +209,7 @@ MapImport DxfImporter::import(const std::string& path) const {
   for (const std::string& sentence : sorting.tally.sentences()) imported.report.push_back(sentence);
   for (const std::string& pattern : plan_.rules.unused(sorting.tally.classes()))
     imported.report.push_back("doubtful: no layer is called '" + pattern + "', as a rule of the option classes has it");
-  if (sorting.refitted > 0)
-    imported.report.push_back(fmt::format("circles that were drawn as closed lines: {}", sorting.refitted));
-  if (sorting.chorded > 0)
-    imported.report.push_back(
-        fmt::format("curved lines that became short straight ones, at most 5 mm off: {}", sorting.chorded));
-  if (sorting.wide > 0)
-    imported.report.push_back(fmt::format(
-        "doubtful: polylines that are drawn with a width, of which the middle was taken: {}", sorting.wide));
-  if (sorting.open_loops > 0)
-    imported.report.push_back(
-        fmt::format("left out: loops of hatches whose edges do not meet: {}", sorting.open_loops));
+  for (const std::string& sentence : about_drawing(sorting, drawing)) imported.report.push_back(sentence);
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;
 }

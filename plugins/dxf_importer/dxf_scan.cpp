@@ -62,10 +62,6 @@ class Pairs {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
     text_.erase(text_.find_last_not_of(kPadding) + 1);
     text_ += '\n';
-    if (const std::size_t zero = text_.find('\0'); zero != std::string::npos) {
-      line_ = 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(zero), '\n'));
-      fail("holds a zero byte, expected text");
-    }
   }
 
   [[noreturn]] void fail(const std::string& complaint) const { fail_at(line_, complaint); }
@@ -85,8 +81,15 @@ class Pairs {
     return pair;
   }
 
-  void expect_end() {
-    if (text_.find_first_not_of(" \t\r\n", at_) != std::string::npos) fail("goes on after EOF, expected nothing");
+  /// Lines from here on that are not blank.
+  int lines_left() {
+    int lines = 0;
+    while (at_ < text_.size()) {
+      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+      lines += !trimmed(text_.substr(at_, end - at_)).empty();
+      at_ = end + 1;
+    }
+    return lines;
   }
 
  private:
@@ -96,6 +99,7 @@ class Pairs {
     std::string line = trimmed(text_.substr(at_, end - at_));
     at_ = end + 1;
     ++line_;
+    if (line.find('\0') != std::string::npos) fail("holds a zero byte, expected text");
     return line;
   }
 
@@ -112,8 +116,8 @@ class Scanner {
   DxfScan run() {
     advance();
     while (!is_record("EOF")) section();
-    pairs_.expect_end();
     if (!has_entities_) pairs_.fail("the file has no section ENTITIES, expected a drawing");
+    scan_.lines_after_end = pairs_.lines_left();
     return std::move(scan_);
   }
 

@@ -34,12 +34,13 @@ struct DxfLayer {
 };
 
 /// A DXF file as records. Nothing in it has been understood yet, but it is whole: every section and block is closed,
-/// and the file ends as it should.
+/// and the record EOF is there.
 struct DxfScan {
   std::optional<int> insunits;  ///< header variable $INSUNITS
   std::map<std::string, DxfLayer> layers;
   std::vector<DxfRecord> blocks;    ///< of the section BLOCKS: BLOCK, entities, ENDBLK, ...
   std::vector<DxfRecord> entities;  ///< of the section ENTITIES
+  int lines_after_end = 0;          ///< lines after EOF, where the drawing ends: nobody reads them
 };
 
 /// @throws MapError "PATH:LINE: what was found, what was expected".

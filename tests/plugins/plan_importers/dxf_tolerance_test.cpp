@@ -106,3 +106,57 @@ TEST_CASE("a drawing whose unit makes a doll's house of it is refused, unless th
   CHECK_NOTHROW(tolerated_dxf(text, {{"unit", "in"}}));
   CHECK_NOTHROW(tolerated_dxf(text, {{"unit", "mm"}}));
 }
+
+TEST_CASE("what follows EOF is no part of the drawing, and is told") {
+  const std::string good = DxfText(6).box("A-WALL", 0, 0, 5, 0.2).text();
+  const MapImport imported = tolerated_dxf(good + "ignored\n\n" + std::string("zero\0\n", 6) + "EOF");
+  CHECK(all<Segment>(*imported.map).size() == 4);
+  CHECK(says(imported, "left out: lines of text after EOF, where the drawing ends: 3"));
+  CHECK_FALSE(says(tolerated_dxf(good), "after EOF"));
+  CHECK_THROWS_WITH(tolerated_dxf(std::string("0\nSEC\0TION\n", 12) + good), Contains(":2: holds a zero byte"));
+}
+
+TEST_CASE("of two blocks with one name the first counts; it is doubtful only if the second differs and becomes map") {
+  const auto drawing = [](const std::string& layer, double second_size) {
+    DxfText dxf(6);
+    dxf.box("A-WALL", 0, 0, 5, 0.2);
+    dxf.begin_block("Chair").box("0", 0, 0, 0.5, 0.5).end_block();
+    dxf.begin_block("CHAIR").box("0", 0, 0, second_size, 0.5).end_block();
+    return dxf.insert(layer, "chair", {1, 2}).text();
+  };
+  const MapImport furniture = tolerated_dxf(drawing("A-FURN", 0.4));
+  CHECK(all<Segment>(*furniture.map).size() == 4);
+  CHECK(says(furniture, "left out: a second block of the same name: CHAIR (line "));
+  const MapImport same = tolerated_dxf(drawing("S-COLS", 0.5));
+  CHECK(has_face(*same.map, {1.5, 2}, {1, 2}));
+  CHECK(says(same, "left out: a second block of the same name"));
+  CHECK_THROWS_WITH(tolerated_dxf(drawing("S-COLS", 0.4)),
+                    Contains("a second block 'CHAIR' that differs from the one at line"));
+}
+
+TEST_CASE("a damaged insert is no matter unless it, or what is in its block, becomes map") {
+  const auto drawing = [](const std::string& layer, const std::string& inside) {
+    DxfText dxf(6);
+    dxf.box("A-WALL", 0, 0, 5, 0.2);
+    dxf.begin_block("SYMBOL").box(inside, 0, 0, 0.5, 0.5).end_block();
+    dxf.entity("INSERT", layer).pair(2, "SYMBOL").point(10, {1, 2}).pair(41, std::string("1.#INF"));
+    return dxf.text();
+  };
+  const MapImport imported = tolerated_dxf(drawing("G-ANNO-SYMB", "0"));
+  CHECK(all<Segment>(*imported.map).size() == 4);
+  CHECK(thing(imported, "102/101").reason == "no class for its layer");
+  CHECK_THROWS_WITH(tolerated_dxf(drawing("S-COLS", "0")), Contains("INSERT: \"1.#INF\" for code 41"));
+  CHECK_THROWS_WITH(tolerated_dxf(drawing("G-ANNO-SYMB", "A-WALL")), Contains("INSERT: \"1.#INF\" for code 41"));
+}
+
+TEST_CASE("a polyline without its end is no matter on a layer without a class") {
+  const auto drawing = [](const std::string& layer) {
+    DxfText dxf(6);
+    dxf.entity("POLYLINE", layer).pair(66, 1).entity("VERTEX", layer).point(10, {0, 0});
+    return dxf.box("A-WALL", 0, 0, 5, 0.2).text();
+  };
+  const MapImport imported = tolerated_dxf(drawing("TEXT"));
+  CHECK(all<Segment>(*imported.map).size() == 4);
+  CHECK(thing(imported, "100").reason == "no class for its layer");
+  CHECK_THROWS_WITH(tolerated_dxf(drawing("A-WALL")), Contains("POLYLINE without SEQEND"));
+}
