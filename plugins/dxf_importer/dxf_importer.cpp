@@ -42,13 +42,16 @@ std::string name_of(const std::string& path) {
 /// Sorts the entities of a drawing by what shall become of them.
 class Sorting {
  public:
-  Sorting(const PlanImportOptions& plan, const ShapeOptions& shape, const DxfDrawing& drawing)
-      : plan_(plan), shape_(shape), drawing_(drawing) {}
+  Sorting(const PlanImportOptions& plan, const LayerClasses& classes, const ShapeOptions& shape,
+          const DxfDrawing& drawing)
+      : plan_(plan), classes_(classes), shape_(shape), drawing_(drawing) {}
 
   void add(const PlacedEntity& placed) {
-    const std::optional<std::string> type = plan_.rules.class_of(placed.layer);
-    const std::string why = why_left_out(placed, type);
-    if (!why.empty()) return leave_out(placed, why, ImportStatus::left_out);
+    const std::optional<std::string> type = class_of(placed.layer);
+    if (const std::string why = why_not_drawn(placed); !why.empty())
+      return leave_out(placed, why, ImportStatus::left_out);
+    if (const std::string why = why_no_class(type); !why.empty())
+      return leave_out(placed, why, ImportStatus::left_out);
     if (!placed.damage.empty()) throw MapError(placed.damage);
     if (const std::string trouble = use(placed, *type); !trouble.empty())
       leave_out(placed, trouble, ImportStatus::unreadable);
@@ -60,12 +63,22 @@ class Sorting {
   int refitted = 0, chorded = 0, wide = 0, open_loops = 0;
 
  private:
-  std::string why_left_out(const PlacedEntity& placed, const std::optional<std::string>& type) const {
+  const std::optional<std::string>& class_of(const std::string& layer) {
+    const auto [known, is_new] = class_of_layer_.emplace(layer, std::nullopt);
+    if (is_new) known->second = classes_.class_of(layer);
+    return known->second;
+  }
+
+  std::string why_not_drawn(const PlacedEntity& placed) const {
     if (placed.entity->is_in_paper_space) return "it is on a sheet, not in the model";
     if (placed.entity->is_hidden) return "it is hidden";
     if (placed.is_frozen) return "its layer is frozen";
     if (const auto layer = drawing_.layers.find(placed.layer); layer != drawing_.layers.end() && layer->second.is_off)
       return "its layer is off";
+    return "";
+  }
+
+  static std::string why_no_class(const std::optional<std::string>& type) {
     if (!type) return "no class for its layer";
     return *type == ClassRules::kLeaveOut ? "a rule for its layer says so" : "";
   }
@@ -76,11 +89,11 @@ class Sorting {
 
   /// Lines of one block that are no wall are one thing: the leaf and the swing of a door. A block that lies on a layer
   /// of doors is one door with all that is in it.
-  std::string thing_of(const PlacedEntity& placed, const std::string& type) const {
+  std::string thing_of(const PlacedEntity& placed, const std::string& type) {
     if (placed.insert.empty() || type == "opal:Wall") return "";
     if (type != "opal:Column")
       for (const auto& [insert, layer] : placed.inserts)
-        if (plan_.rules.class_of(layer) == type) return insert + "/" + layer;
+        if (class_of(layer) == type) return insert + "/" + layer;
     const DxfShape& shape = placed.entity->shape;
     const auto* path = std::get_if<DxfPath>(&shape);
     const bool is_open = (path != nullptr && !path->closed) || std::holds_alternative<DxfArc>(shape) ||
@@ -124,10 +137,22 @@ class Sorting {
   }
 
   const PlanImportOptions& plan_;
+  const LayerClasses& classes_;
   const ShapeOptions& shape_;
   const DxfDrawing& drawing_;
   std::map<std::string, std::size_t> parts_;
+  std::map<std::string, std::optional<std::string>> class_of_layer_;
 };
+
+/// @throws MapError if nothing that a sensor perceives comes in: no unit is to blame for that.
+void expect_perceivable(const std::string& path, const Sorting& sorting) {
+  const bool is_perceivable = std::any_of(sorting.elements.begin(), sorting.elements.end(),
+                                          [](const PlanElement& element) { return !element.sensor.empty(); });
+  if (is_perceivable) return;
+  throw MapError(fmt::format("{}: no layer gives anything {}, expected the option classes to name one of: {}", path,
+                             sorting.elements.empty() ? "for a map" : "that a sensor perceives",
+                             sorting.tally.overview()));
+}
 
 /// What is not in the map and is no entity, and what was made of curves.
 std::vector<std::string> about_drawing(const Sorting& sorting, const DxfDrawing& drawing) {
@@ -147,7 +172,8 @@ std::vector<std::string> about_drawing(const Sorting& sorting, const DxfDrawing&
 
 }  // namespace
 
-DxfImporter::DxfImporter(const nlohmann::json& options) : plan_(options, classes_of_layers()) {
+DxfImporter::DxfImporter(const nlohmann::json& options)
+    : plan_(options, classes_of_layers()), classes_(options.at("classes")) {
   shape_.origin_m = {options.at("origin_x_m").get<double>(), options.at("origin_y_m").get<double>()};
   shape_.circle_tolerance_m = options.at("circle_tolerance_m");
   shape_.max_column_radius_m = options.at("max_column_radius_m");
@@ -189,11 +215,9 @@ MapImport DxfImporter::import(const std::string& path) const {
   const Unit unit = unit_of(path, drawing);
   ShapeOptions shape = shape_;
   shape.metres_per_unit = unit.metres;
-  Sorting sorting(plan_, shape, drawing);
+  Sorting sorting(plan_, classes_, shape, drawing);
   for (const PlacedEntity& placed : expand_blocks(path, drawing)) sorting.add(placed);
-  if (sorting.elements.empty())
-    throw MapError(path + ": no layer gives anything for a map, expected the option classes to name one of: " +
-                   sorting.tally.overview());
+  expect_perceivable(path, sorting);
   if (!unit_) expect_building(path, unit, extent_m(sorting.elements));
 
   const PlanAssembly assembly = assemble_plan(path, name_of(path), sorting.elements, plan_.plan);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "layer_classes.hpp"
 #include "shapes.hpp"
 #include "unit.hpp"
 
@@ -21,6 +22,7 @@ class DxfImporter final : public MapImporter {
   Unit unit_of(const std::string& path, const DxfDrawing& drawing) const;
 
   PlanImportOptions plan_;
+  LayerClasses classes_;
   ShapeOptions shape_;
   std::optional<Unit> unit_;  ///< as an option says; none: as the drawing says
 };

@@ -1,0 +1,60 @@
+// What the names of layers say.
+#include "dxf_text.hpp"
+#include "import_source.hpp"
+
+#include <opal/common/error.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace opal;
+using Catch::Contains;
+using nlohmann::json;
+
+namespace {
+
+/// A drawing with a wall, and with something on one more layer.
+MapImport layered_dxf(const std::string& layer, const json& options = json::object()) {
+  DxfText dxf(6);
+  dxf.box("A-WALL", 0, 0, 5, 0.2).box(layer, 0, 3, 5, 3.2);
+  return import_text("dxf_importer", "opal:DxfImporter", "plan.dxf", dxf.text(), options);
+}
+
+}  // namespace
+
+TEST_CASE("symbols, axes, cupboards and other disciplines are no walls and columns") {
+  for (const char* layer :
+       {"E-POWR-WALL", "PLAN$0$E-POWR-WALL", "M-EXHS-WALL", "P-FIXT-COLS", "COLUMN GRID", "COLUMN TAG", "COLUMN_TAGS",
+        "AXE POTEAUX", "Axe_Stützen", "STÜTZENRASTER", "STÜTZENACHSE", "COLUMN AXIS", "Mauerwerk_Schraffur",
+        "WALL CABINETS", "WALLPAPER LEGEND", "DEMO-WALL", "A-WALL-DEMO", "A-WALL-DEMOLITION", "Wandschrank"}) {
+    CAPTURE(layer);
+    const MapImport plan = layered_dxf(layer);
+    CHECK(thing(plan, "101").reason == "a rule for its layer says so");
+    CHECK(all<Segment>(*plan.map).size() == 4);
+  }
+}
+
+TEST_CASE("words of walls stand anywhere in the names of layers, and other words may hold the letters of symbols") {
+  for (const char* layer : {"Wand (neu)", "Wand_EG", "EG_WAND_NEU", "EG-Wand-tragend", "A.Wall_Internal",
+                            "WALL_ETAGE_2", "DEMOUNTABLE WALLS", "E-WALL", "WAND DACHSEITE"}) {
+    CAPTURE(layer);
+    CHECK(says(layered_dxf(layer), std::string("layer ") + layer + " as opal:Wall"));
+  }
+}
+
+TEST_CASE("a rule of the deployment goes before those that leave out") {
+  const MapImport plan = layered_dxf("COLUMN GRID", {{"classes", {{"COLUMN*", "Column"}}}});
+  CHECK(says(plan, "layer COLUMN GRID as opal:Column"));
+}
+
+TEST_CASE("where no sensor perceives anything the layers are named, and no unit is blamed") {
+  DxfText dxf(4);
+  dxf.line("Fenster", {0, 0}, {800, 0}).box("Mauern der Stadt", 0, 3, 5, 3.2).box("Waende", 0, 0, 9000, 200);
+  const auto with = [&](const json& options) {
+    return import_text("dxf_importer", "opal:DxfImporter", "plan.dxf", dxf.text(), options);
+  };
+  CHECK_NOTHROW(with(json::object()));
+  CHECK_THROWS_WITH(with({{"classes", {{"WAENDE", "leave_out"}, {"MAUER*", "leave_out"}}}}),
+                    Contains("no layer gives anything that a sensor perceives, expected the option classes to name one "
+                             "of: 'Fenster' (1 LINE)") &&
+                        Contains("'Waende' (1 LWPOLYLINE)"));
+}
