@@ -1,5 +1,6 @@
 #include "dxf_importer.hpp"
 
+#include "doubts.hpp"
 #include "layer_classes.hpp"
 
 #include <opal/common/error.hpp>
@@ -18,6 +19,8 @@ namespace {
 
 // A drawing that says mm and is one in inches becomes a building of a metre.
 constexpr double kSmallestBuilding_m = 2;
+// No leaf and no swing has so many.
+constexpr std::size_t kMaxDoorPoints = 64;
 
 /// Width or depth of everything that shall become map, whichever is larger.
 double extent_m(const std::vector<PlanElement>& elements) {
@@ -50,8 +53,10 @@ class Sorting {
     const std::optional<std::string> type = class_of(placed.layer);
     if (const std::string why = why_not_drawn(placed); !why.empty())
       return leave_out(placed, why, ImportStatus::left_out);
-    if (const std::string why = why_no_class(type); !why.empty())
+    if (const std::string why = why_no_class(type); !why.empty()) {
+      add_perhaps_a_door(placed);
       return leave_out(placed, why, ImportStatus::left_out);
+    }
     if (!placed.damage.empty()) throw MapError(placed.damage);
     if (const std::string trouble = use(placed, *type); !trouble.empty())
       leave_out(placed, trouble, ImportStatus::unreadable);
@@ -59,6 +64,7 @@ class Sorting {
 
   std::vector<PlanElement> elements;
   std::vector<ImportedElement> things;
+  std::vector<DoorStroke> perhaps_doors;  ///< open lines of no class, in the map's frame
   ClassTally tally{"layer"};
   int refitted = 0, chorded = 0, wide = 0, open_loops = 0;
 
@@ -99,6 +105,19 @@ class Sorting {
     const bool is_open = (path != nullptr && !path->closed) || std::holds_alternative<DxfArc>(shape) ||
                          std::holds_alternative<DxfEllipse>(shape) || std::holds_alternative<BSpline>(shape);
     return is_open ? placed.insert + "/" + placed.layer : "";
+  }
+
+  /// A leaf and its swing are a door on any layer, and a wall that goes on under them is worth a word.
+  void add_perhaps_a_door(const PlacedEntity& placed) {
+    const DxfShape& shape = placed.entity->shape;
+    const bool is_line = std::holds_alternative<DxfPath>(shape) || std::holds_alternative<DxfArc>(shape);
+    if (!is_line || !placed.damage.empty() || !placed.trouble.empty()) return;
+    Shapes shapes;
+    if (!add_shape(placed, shape_, PlanSides::to_find, shapes).empty()) return;
+    for (PlanLine& line : shapes.lines)
+      if (line.points.size() <= kMaxDoorPoints)
+        perhaps_doors.push_back(
+            {placed.insert.empty() ? placed.entity->id : placed.insert, false, std::move(line.points)});
   }
 
   std::string use(const PlacedEntity& placed, const std::string& type) {
@@ -143,6 +162,18 @@ class Sorting {
   std::map<std::string, std::size_t> parts_;
   std::map<std::string, std::optional<std::string>> class_of_layer_;
 };
+
+/// What is drawn as a door first, then what may be one.
+std::vector<DoorStroke> door_strokes(const Sorting& sorting) {
+  std::vector<DoorStroke> strokes;
+  for (const PlanElement& element : sorting.elements)
+    for (const PlanLine& line : element.lines) {
+      if (element.type == "opal:Wall" || element.type == "opal:Column") continue;
+      strokes.push_back({element.id, element.type == "opal:Door", line.points});
+    }
+  strokes.insert(strokes.end(), sorting.perhaps_doors.begin(), sorting.perhaps_doors.end());
+  return strokes;
+}
 
 /// @throws MapError if nothing that a sensor perceives comes in: no unit is to blame for that.
 void expect_perceivable(const std::string& path, const Sorting& sorting) {
@@ -235,6 +266,8 @@ MapImport DxfImporter::import(const std::string& path) const {
     imported.report.push_back("doubtful: no layer is called '" + pattern + "', as a rule of the option classes has it");
   for (const std::string& sentence : about_drawing(sorting, drawing)) imported.report.push_back(sentence);
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
+  for (const std::string& doubt : doubts_about(sorting.elements, door_strokes(sorting), assembly, plan_.plan))
+    imported.report.push_back(doubt);
   return imported;
 }
 
