@@ -178,7 +178,7 @@ class Niches {
     return std::any_of(near.begin(), near.end(), [&](std::size_t wall) {
       if (pairs_[wall].distance_m >= gap.distance_m) return false;
       const auto behind = number_.find({pairs_[wall].other, gap.other});
-      return behind != number_.end() && is_niche_[behind->second] &&
+      return behind != number_.end() && contains(behind->second) &&
              shared_m(pairs_[wall], gap) >= kMinWallAlongNiche * (gap.to_m - gap.from_m);
     });
   }

@@ -1,6 +1,5 @@
 // What map_server yaml files and images mean, and what is wrong with bad ones.
 #include "drawn_grid.hpp"
-#include "grid_description.hpp"
 
 #include <opal/common/error.hpp>
 
@@ -15,7 +14,6 @@ namespace {
 using namespace opal;
 using namespace opal::test;
 using Catch::Matchers::Contains;
-using grid_importer::parse_description;
 
 DrawnGrid room() { return DrawnGrid(60, 50).room(10, 10, 49, 39); }
 
@@ -159,14 +157,16 @@ TEST_CASE("thresholds that are exchanged leave nothing unknown, which is told") 
 
 TEST_CASE("negate takes the booleans of YAML") {
   const std::string start = "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: ";
-  for (const char* no : {"0", "false", "FALSE", "no", "No", "off"}) {
+  const auto with = [&](const char* word) { return import_yaml(start + word).map; };
+  for (const char* no : {"false", "FALSE", "no", "No", "off"}) {
     CAPTURE(no);
-    CHECK_FALSE(parse_description(start + no, "a.yaml").negate);
+    CHECK(same_geometry(*with(no), *with("0")));
   }
-  for (const char* yes : {"1", "true", "TRUE", "yes", "Yes", "on"}) {
+  for (const char* yes : {"true", "TRUE", "yes", "Yes", "on"}) {
     CAPTURE(yes);
-    CHECK(parse_description(start + yes, "a.yaml").negate);
+    CHECK(same_geometry(*with(yes), *with("1")));
   }
+  CHECK_FALSE(same_geometry(*with("0"), *with("1")));
 }
 
 TEST_CASE("a key that map_server does not define may be there twice, and is told once") {
