@@ -16,7 +16,7 @@
 namespace opal::dxf_importer {
 namespace {
 
-constexpr double kRadPerDegree = std::numbers::pi / 180;
+constexpr double kDegree_rad = radians(1);
 constexpr int kClosed = 1, kFitted = 2 | 4, kFrameVertex = 16;
 
 /// What dxflib says about one entity.
@@ -29,14 +29,14 @@ class EntityListener final : public DL_CreationAdapter {
   void addCircle(const DL_CircleData& d) override { take(Circle{{d.cx, d.cy}, d.radius}); }
   void addArc(const DL_ArcData& d) override {
     const double sweep_deg = std::fmod(std::fmod(d.angle2 - d.angle1, 360) + 360, 360);
-    take(DxfArc{{{d.cx, d.cy}, d.radius}, d.angle1 * kRadPerDegree, (sweep_deg > 0 ? sweep_deg : 360) * kRadPerDegree});
+    take(DxfArc{{{d.cx, d.cy}, d.radius}, d.angle1 * kDegree_rad, (sweep_deg > 0 ? sweep_deg : 360) * kDegree_rad});
   }
   void addPolyline(const DL_PolylineData& d) override { take(DxfPath{{}, (d.flags & kClosed) != 0}); }
   void addVertex(const DL_VertexData& d) override {
     if (auto* path = std::get_if<DxfPath>(&shape)) path->vertices.push_back({{d.x, d.y}, d.bulge});
   }
   void addInsert(const DL_InsertData& d) override {
-    take(DxfInsert{d.name, {d.ipx, d.ipy}, {d.sx, d.sy}, d.angle * kRadPerDegree, d.cols, d.rows, {d.colSp, d.rowSp}});
+    take(DxfInsert{d.name, {d.ipx, d.ipy}, {d.sx, d.sy}, d.angle * kDegree_rad, d.cols, d.rows, {d.colSp, d.rowSp}});
   }
   void addSolid(const DL_SolidData& d) override { take_filled(d); }
   void addTrace(const DL_TraceData& d) override { take_filled(d); }
