@@ -47,6 +47,7 @@ RecordDecoder::RecordDecoder(TopicChoice topics) : topics_(std::move(topics)) {
 
 void RecordDecoder::take_odometry_from_transforms(const std::string& base_frame) {
   transforms_are_odometry_ = true;
+  topics_.odometry.clear();
   topics_.base_frame = base_frame;
 }
 

@@ -32,7 +32,7 @@ class RecordDecoder {
   explicit RecordDecoder(TopicChoice topics);
 
   const TopicChoice& topics() const { return topics_; }
-  /// From now on transforms from the frame of odometry to this one are the odometry.
+  /// From now on transforms from the frame of odometry to this one are the odometry, and no topic is.
   void take_odometry_from_transforms(const std::string& base_frame);
   bool transforms_are_odometry() const { return transforms_are_odometry_; }
   /// The beams of lasers that hang upside down are turned the right way round. Point clouds are sliced as it says.

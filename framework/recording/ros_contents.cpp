@@ -224,12 +224,13 @@ void tell_options(LogContents& contents, const TopicChoice& chosen) {
 
 }  // namespace
 
-LogContents ros_contents(const std::string& path, const Parts& parts, TopicChoice wanted) {
+LogContents ros_contents(const std::string& path, const Parts& parts, TopicChoice wanted,
+                         OdometryFirst first) {
   LogContents contents;
   wanted.are_all_slices = wanted.scans.empty() && has_only_clouds(parts);
   ChosenTopics chosen{wanted, {}};
   try {
-    chosen = choose_topics(path, parts, wanted);
+    chosen = choose_topics(path, parts, wanted, first);
     for (const std::string& remark : chosen.remarks) ++contents.defects[remark];
   } catch (const LogError& error) {
     ++contents.defects[error.what()];  // there is something to tell all the same

@@ -22,6 +22,18 @@ void RosStream::take_odometry_from_topic(const std::string& topic) {
   base_frame_.clear();
 }
 
+bool RosStream::take_odometry_from_transforms(const std::string& base_frame) {
+  if (is_open_ && base_frame != base_frame_) return false;
+  base_frame_ = base_frame;
+  std::erase_if(held_, [&](const ReceivedMessage& held) {
+    const bool is_odometry = held.topic.name == decoder_.topics().odometry;
+    if (is_odometry) held_bytes_ -= held.data.size();
+    return is_odometry;
+  });
+  decoder_.take_odometry_from_transforms(base_frame);
+  return true;
+}
+
 void RosStream::take(ReceivedMessage message) {
   newest_s_ = seconds_of(message.received_ns);
   if (!first_s_) first_s_ = newest_s_;

@@ -32,6 +32,9 @@ class RosStream {
 
   /// Instead of transforms. For a stream that is still closed.
   void take_odometry_from_topic(const std::string& topic);
+  /// Instead of a topic; what it has said and is held, is dropped. @return false if the stream is open, and goes by
+  /// another frame of the robot: nothing has changed then.
+  bool take_odometry_from_transforms(const std::string& base_frame);
   /// The next message in the order of arrival.
   void take(ReceivedMessage message);
   /// In the order of arrival; nullopt if there is none or it is held.

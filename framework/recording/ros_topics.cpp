@@ -71,6 +71,18 @@ void choose_scans(const std::string& path, const Parts& parts, const TopicChoice
                              " is read, the option scan_topic may name another one");
 }
 
+/// The topic of odometry; none where transforms are it.
+void choose_odometry(const std::string& path, const Parts& parts, const TopicChoice& wanted, ChosenTopics& chosen) {
+  const std::set<std::string> odometry = names_where(parts, kOdometry.test);
+  chosen.topics.odometry =
+      choose(path, odometry, kOdometry, wanted.odometry, odometry.empty() ? transforms_hint(parts) : "");
+  if (chosen.topics.odometry.empty() && odometry.size() > 1)
+    throw LogError(path + ": several topics of type " + kOdometry.type + " (" + listed(odometry) +
+                   "), expected an option to choose one: odometry_topic=" + *odometry.begin());
+  if (!chosen.topics.odometry.empty() && !wanted.base_frame.empty())
+    chosen.remarks.push_back("the option base_frame is not used: " + chosen.topics.odometry + " is the odometry");
+}
+
 }  // namespace
 
 std::vector<std::size_t> topics_where(const Recording& part, const TopicTest& test) {
@@ -98,20 +110,17 @@ void expect_laser_each(const TopicChoice& topics, std::size_t lasers) {
                     " described, expected a list /sensor with a laser for each topic");
 }
 
-ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted) {
+ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted,
+                           OdometryFirst first) {
   ChosenTopics chosen{wanted, {}};
   if (!wanted.are_all_slices) choose_scans(path, parts, wanted, chosen);
   for (const auto& [topic, laser] : wanted.slices) choose(path, cloud_topics(parts), kClouds, topic);
-  const std::set<std::string> odometry = names_where(parts, kOdometry.test);
-  chosen.topics.odometry =
-      choose(path, odometry, kOdometry, wanted.odometry, odometry.empty() ? transforms_hint(parts) : "");
-  if (chosen.topics.odometry.empty() && odometry.size() > 1)
-    throw LogError(path + ": several topics of type " + kOdometry.type + " (" + listed(odometry) +
-                   "), expected an option to choose one: odometry_topic=" + *odometry.begin());
-  if (!chosen.topics.odometry.empty() && !wanted.base_frame.empty())
-    chosen.remarks.push_back("the option base_frame is not used: " + chosen.topics.odometry + " is the odometry");
   chosen.topics.odom_frame = without_slash(wanted.odom_frame);
   chosen.topics.base_frame = without_slash(wanted.base_frame);
+  if (first == OdometryFirst::transforms && find_odometry_link(parts, chosen.topics).exists)
+    chosen.topics.odometry.clear();
+  else
+    choose_odometry(path, parts, wanted, chosen);
   return chosen;
 }
 

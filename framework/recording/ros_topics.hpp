@@ -27,8 +27,12 @@ std::set<std::string> cloud_topics(const Parts& parts);
 bool has_only_clouds(const Parts& parts);
 /// @param lasers  how many are described. @throws ConfigError if more topics of scans are named than that.
 void expect_laser_each(const TopicChoice& topics, std::size_t lasers);
+/// What has odometry, where a topic and transforms both do.
+enum class OdometryFirst { topic, transforms };
+/// @param first  with transforms, a topic of odometry is only read where no transform is it.
 /// @throws LogError if there is no scan, or no topic of a name that was asked for.
-ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted);
+ChosenTopics choose_topics(const std::string& path, const Parts& parts, const TopicChoice& wanted,
+                           OdometryFirst first = OdometryFirst::topic);
 
 /// What transforms are the odometry, where no topic has it.
 struct OdometryLink {

@@ -29,6 +29,11 @@ class Incoming {
 
   void want(const WantedTopic& wanted);
   bool wants(const std::string& topic) const { return topics_.contains(topic); }
+  /// Whether somebody publishes it, and it is read.
+  bool reads(const std::string& topic) const {
+    const auto found = topics_.find(topic);
+    return found != topics_.end() && found->second.reader;
+  }
   /// Makes readers for what is offered by now, and others where the offer has changed.
   void adapt();
   using Sink = std::function<void(recording::ReceivedMessage)>;

@@ -71,15 +71,15 @@ std::vector<std::string> missing_in(const LogContents& contents, const std::vect
 
 }  // namespace
 
-RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicChoice& choice, double seconds,
-                            const std::stop_token& stop) {
+RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicChoice& choice,
+                            recording::OdometryFirst first, double seconds, const std::stop_token& stop) {
   const Participant participant(range);
   Incoming incoming(participant);
   RobotContents seen;
   const std::string recorded = record(incoming, seconds, stop);
   recording::Parts parts;
   parts.push_back(recording::read_mcap(std::make_unique<std::istringstream>(recorded), "the robot"));
-  seen.contents = recording::ros_contents("the robot", parts, choice);
+  seen.contents = recording::ros_contents("the robot", parts, choice, first);
   seen.contents.format = "Robot in " + words_of(range);
   seen.offers = incoming.offers();
   seen.missing = missing_in(seen.contents, seen.offers);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "recording/ros_topics.hpp"
 #include "ros2/incoming.hpp"
 
 #include <opal/recording/ros_log.hpp>
@@ -17,9 +18,10 @@ struct RobotContents {
 
 /// Listens to a robot for a while, and publishes nothing.
 /// @param choice  which scans and odometry would be read; without scans all are.
+/// @param first  where a topic and transforms both have odometry.
 /// @throws Error if DDS cannot be started.
-RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicChoice& choice, double seconds,
-                            const std::stop_token& stop);
+RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicChoice& choice,
+                            recording::OdometryFirst first, double seconds, const std::stop_token& stop);
 
 /// The offers as a table: topic, type, quality of service.
 std::string offers_text(const std::vector<Offer>& offers);

@@ -18,8 +18,6 @@ constexpr double kHealthS = 1;
 constexpr double kComplainS = 5;
 // How long others may take to be found before their absence is told.
 constexpr double kSettleS = 2;
-// Transforms usually begin at once: after this time odometry may come from its topic.
-constexpr double kWaitForTransformsS = 3;
 // How far a robot may have been moved while the program was off, one sigma.
 constexpr double kMemorySigmaM = 0.5, kMemorySigmaRad = 0.3;
 constexpr double kMountPatienceS = 10;
@@ -105,23 +103,31 @@ void RobotNode::route(recording::ReceivedMessage message) {
     std::cerr << "ros2: asked on " << topics.forget << " to forget everything\n";
     return;
   }
-  if (message.topic.name == topics.tf) watch_for_others(message);
+  if (message.topic.name == topics.tf) look_at_transforms(message);
+  if (recording::has_odometry(message.topic) && message.topic.name != options_.read.odometry &&
+      message.topic.name != recorded_odometry_)
+    return odometry_patience_.odometry_is_heard(steady_s());
   stream_.take(std::move(message));
   drain();
 }
 
-void RobotNode::watch_for_others(const recording::ReceivedMessage& message) {
+void RobotNode::look_at_transforms(const recording::ReceivedMessage& message) {
   const auto transforms = recording::decode_transforms(message.bytes(), message.topic.wire);
-  for (const recording::Transform& transform : transforms.value_or(std::vector<recording::Transform>{}))
+  for (const recording::Transform& transform : transforms.value_or(std::vector<recording::Transform>{})) {
     if (recording::without_slash(transform.child) == options_.frames.odom &&
         recording::without_slash(transform.parent) == options_.frames.map)
       other_seen_s_ = steady_s();
+    if (options_.read.odometry.empty() || !recording::is_odometry(transform, options_.read)) continue;
+    odometry_rivals_.hear_transform({transform.stamp_s, recording::projected(transform.T_parent_child)});
+    if (fell_back_) return_to_transforms(recording::without_slash(transform.child));
+  }
 }
 
 void RobotNode::drain() {
   while (auto next = stream_.next()) {
     record(next->message);
     if (!next->record) continue;
+    if (const auto* odometry = std::get_if<OdometryRecord>(&*next->record)) odometry_rivals_.hear_message(*odometry);
     if (live_)
       localize(std::move(*next->record), now_s());
     else
@@ -203,15 +209,37 @@ void RobotNode::set_clock(const recording::ReceivedMessage& message) {
 
 void RobotNode::fall_back_to_odometry_topic() {
   if (!options_.read.odometry.empty() || stream_.is_open() || stream_.knows_the_robot()) return;
-  if (steady_s() - started_s_ < kWaitForTransformsS) return;
-  const std::string topic = usual_odometry(incoming_.offers());
+  if (incoming_.reads(options_.incoming.tf)) odometry_patience_.transforms_are_read(steady_s());
+  const std::string& named = options_.odometry_without_transforms;
+  const std::string topic = named.empty() ? usual_odometry(incoming_.offers()) : named;
   if (topic.empty()) return;
+  if (!incoming_.wants(topic)) incoming_.want({topic, "nav_msgs/msg/Odometry", false});
+  if (!odometry_patience_.is_over(steady_s())) return;
   const std::string& base = options_.read.base_frame;
   std::cerr << "ros2: no transform from " << options_.read.odom_frame << (base.empty() ? "" : " to " + base) << " on "
             << options_.incoming.tf << ": odometry is taken from " << topic << '\n';
   options_.read.odometry = topic;
+  fell_back_ = true;
   incoming_.want({topic, "nav_msgs/msg/Odometry"});
+  incoming_.want({options_.incoming.tf, "tf2_msgs/msg/TFMessage", false});
   stream_.take_odometry_from_topic(topic);
+}
+
+/// The robot's own transform has begun: what others place in the map builds on it.
+void RobotNode::return_to_transforms(const std::string& base_frame) {
+  fell_back_ = false;
+  const std::string topic = options_.read.odometry;
+  if (!stream_.take_odometry_from_transforms(base_frame)) {
+    std::cerr << "ros2: a transform from " << options_.read.odom_frame << " to " << base_frame << " has begun, and "
+              << topic << " is about another frame: start again to use it\n";
+    return;
+  }
+  std::cerr << "ros2: a transform from " << options_.read.odom_frame << " to " << base_frame
+            << " has begun: it is the odometry from now on\n";
+  if (stream_.is_open()) recorded_odometry_ = topic;  // a recording of which one part has it, needs it to its end
+  options_.read.odometry.clear();
+  incoming_.want({topic, "nav_msgs/msg/Odometry", false});
+  incoming_.want({options_.incoming.tf, "tf2_msgs/msg/TFMessage"});
 }
 
 void RobotNode::look_around() {
@@ -225,6 +253,10 @@ NodeState RobotNode::state() {
   if (steady_s() - other_seen_s_ < kComplainS)
     state.complaints.push_back(options_.incoming.tf + ": somebody else publishes the transform from " +
                                options_.frames.map + " to " + options_.frames.odom + " (AMCL? SLAM?): switch it off");
+  if (const std::string& apart = odometry_rivals_.difference(); !apart.empty() && !options_.read.odometry.empty())
+    state.complaints.push_back(options_.read.odometry + " and the transform from " + options_.read.odom_frame +
+                               " to the robot on " + options_.incoming.tf + " differ by " + apart +
+                               ": leave --odometry-topic out, or frames of others are wrong in " + options_.frames.map);
   if (live_)
     for (const auto& [cause, times] : live_->counts()) state.odd_counts[cause] += times;
   return state;

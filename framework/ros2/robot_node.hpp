@@ -4,6 +4,8 @@
 #include "ros2/message_recorder.hpp"
 #include "ros2/messages/outgoing.hpp"
 #include "ros2/network/discovery_range.hpp"
+#include "ros2/odometry_patience.hpp"
+#include "ros2/odometry_rivals.hpp"
 #include "ros2/pose_hint.hpp"
 #include "ros2/pose_memory.hpp"
 #include "ros2/service_notice.hpp"
@@ -30,6 +32,7 @@ struct NodeOptions {
   FrameOptions frames;
   DiscoveryRange range;
   bool use_sim_time = false;  ///< "now" is what /clock says
+  std::string odometry_without_transforms;  ///< topic that is read if no transform is odometry; empty: the usual one
   bool needs_mounts = true;   ///< the deployment says nothing of them: they have to come
   std::string record_file;    ///< empty: nothing is kept; if it is there, the next free name is taken
   std::string state_file;     ///< empty: the last pose is not kept
@@ -57,7 +60,7 @@ class RobotNode {
 
  private:
   void route(recording::ReceivedMessage message);
-  void watch_for_others(const recording::ReceivedMessage& message);
+  void look_at_transforms(const recording::ReceivedMessage& message);
   void drain();
   void hint_at(const recording::ReceivedMessage& message);
   void set_clock(const recording::ReceivedMessage& message);
@@ -67,6 +70,7 @@ class RobotNode {
   void begin();
   void localize(LogRecord record, double now_s);
   void fall_back_to_odometry_topic();
+  void return_to_transforms(const std::string& base_frame);
   void announce(const std::stop_token& stop);
   void look_around();
   void tell_health(ServiceNotice& notice);
@@ -86,6 +90,10 @@ class RobotNode {
   std::mutex publishing_;
   Outgoing outgoing_;
   recording::RosStream stream_;
+  OdometryPatience odometry_patience_;
+  OdometryRivals odometry_rivals_;
+  bool fell_back_ = false;         // odometry is read from its topic, because no transform was it
+  std::string recorded_odometry_;  // a topic that is not read any more, but for the recording
   std::optional<FileRecorder> recorder_;
   std::vector<LogRecord> before_;       // records from before the localizer was made
   std::optional<PoseHint> early_hint_;  // the same

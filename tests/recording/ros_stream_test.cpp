@@ -2,6 +2,7 @@
 #include "mcap_file.hpp"
 #include "tests/plugins/logs/bag_writer.hpp"
 
+#include "recording/ros_contents.hpp"
 #include "recording/ros_log_reader.hpp"
 
 #include <catch2/catch.hpp>
@@ -55,7 +56,7 @@ std::vector<LogRecord> streamed(RosStream& stream, const std::vector<ReceivedMes
   return records;
 }
 
-std::vector<LogRecord> recorded(const std::vector<ReceivedMessage>& messages) {
+Parts parts_of(const std::vector<ReceivedMessage>& messages) {
   std::ostringstream out;
   McapWriter writer(out, "made.mcap");
   std::map<std::string, std::uint16_t> channels;
@@ -69,6 +70,11 @@ std::vector<LogRecord> recorded(const std::vector<ReceivedMessage>& messages) {
   writer.finish();
   Parts parts;
   parts.push_back(read_mcap(std::make_unique<std::istringstream>(out.str()), "made.mcap"));
+  return parts;
+}
+
+std::vector<LogRecord> recorded(const std::vector<ReceivedMessage>& messages) {
+  Parts parts = parts_of(messages);
   ChosenTopics chosen = choose_topics("made.mcap", parts, {});
   RosLogReader reader(std::move(parts), std::move(chosen));
   std::vector<LogRecord> records;
@@ -156,4 +162,50 @@ TEST_CASE("a topic of odometry can be read instead of transforms") {
   REQUIRE(stream.is_open());
   CHECK(std::holds_alternative<RawScan>(*stream.next()->record));
   CHECK(std::get<OdometryRecord>(*stream.next()->record).T_odom_base.y() == 2);
+}
+
+TEST_CASE("a stream goes back from a topic of odometry to transforms, before it is open and after") {
+  const Topic wheels{"/odom", "nav_msgs/msg/Odometry", Wire::cdr};
+  const bool is_open = GENERATE(false, true);
+  RosStream stream(one_laser());
+  stream.take_odometry_from_topic("/odom");
+  if (is_open) stream.take(received(kStatic, 1, laser_link(0.3)));
+  stream.take(received(kScan, 1, scan_of(1)));
+  stream.take(received(wheels, 2, log_tests::odometry_bytes(2, {1, 2, 0, 0, 0, 0, 1}, "base")));
+  REQUIRE(stream.is_open() == is_open);
+  while (stream.next()) continue;
+  REQUIRE(stream.take_odometry_from_transforms("base"));
+  stream.take(received(kStatic, 3, laser_link(0.3)));
+  stream.take(received(wheels, 3, log_tests::odometry_bytes(3, {8, 2, 0, 0, 0, 0, 1}, "base")));
+  stream.take(received(kTf, 3.1, odometry_link(3.1, 5)));
+  std::vector<double> xs_m;
+  while (const auto next = stream.next())
+    if (next->record && std::holds_alternative<OdometryRecord>(*next->record))
+      xs_m.push_back(std::get<OdometryRecord>(*next->record).T_odom_base.x());
+  CHECK(xs_m == std::vector<double>{5});
+}
+
+TEST_CASE("an open stream does not go over to transforms of another frame of the robot") {
+  const Topic wheels{"/odom", "nav_msgs/msg/Odometry", Wire::cdr};
+  RosStream stream(one_laser(), 0);
+  stream.take_odometry_from_topic("/odom");
+  stream.take(received(kScan, 1, scan_of(1)));
+  stream.take(received(wheels, 2, log_tests::odometry_bytes(2, {1, 2, 0, 0, 0, 0, 1}, "base")));
+  REQUIRE(stream.is_open());
+  CHECK_FALSE(stream.take_odometry_from_transforms("footprint"));
+}
+
+TEST_CASE("where a topic and transforms both have odometry, a robot's transforms can go first") {
+  const Topic wheels{"/odom", "nav_msgs/msg/Odometry", Wire::cdr};
+  std::vector<ReceivedMessage> messages = late_mount();
+  messages.push_back(received(wheels, 2, log_tests::odometry_bytes(2, {1, 2, 0, 0, 0, 0, 1}, "base")));
+  const Parts parts = parts_of(messages);
+  CHECK(choose_topics("made.mcap", parts, {}).topics.odometry == "/odom");
+  CHECK(choose_topics("made.mcap", parts, {}, OdometryFirst::transforms).topics.odometry.empty());
+  const auto options = ros_contents("made.mcap", parts, {}, OdometryFirst::transforms).options;
+  using Option = std::pair<std::string, std::string>;
+  CHECK(options == std::vector<Option>{{"scan_topic", "/scan"}, {"odom_frame", "odom"}, {"base_frame", "base"}});
+  TopicChoice elsewhere;
+  elsewhere.odom_frame = "odometry";
+  CHECK(choose_topics("made.mcap", parts, elsewhere, OdometryFirst::transforms).topics.odometry == "/odom");
 }

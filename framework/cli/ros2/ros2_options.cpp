@@ -148,7 +148,7 @@ recording::TopicChoice Ros2Options::choice_of(const Deployment& deployment) cons
   const std::vector<LaserModel> lasers = lasers_of(deployment);
   if (choice.scans.empty()) choice.scans = topics_of(lasers);
   if (!scan_topics.empty()) choice.scans = scan_topics;
-  if (!odometry_topic.empty()) choice.odometry = odometry_topic;
+  choice.odometry = odometry_topic;  // that of the deployment is read where no transform is odometry
   if (!odom_frame.empty()) choice.odom_frame = odom_frame;
   if (!base_frame.empty()) choice.base_frame = base_frame;
   for (std::string& scan : choice.scans) scan = topic("--scan-topic", scan);
@@ -170,6 +170,8 @@ std::string Ros2Options::sources_doubt(const Deployment& deployment) const {
 ros2::NodeOptions Ros2Options::node(const Deployment& deployment) const {
   ros2::NodeOptions node = rest;
   node.read = choice_of(deployment);
+  const std::string of_deployment = recording_options(deployment).at("odometry_topic");
+  if (!of_deployment.empty()) node.odometry_without_transforms = topic("/log_sources", of_deployment);
   node.needs_mounts = takes_geometry_from_log(deployment);
   node.frames.odom = node.read.odom_frame;
   node.incoming.tf = node.outgoing.tf = topic("--tf-topic", node.incoming.tf);

@@ -98,6 +98,7 @@ int localize_robot(const opal::Ros2Options& options) {
 }
 
 int check_robot(const opal::Ros2Options& options) {
+  using opal::recording::OdometryFirst;
   const StopSignals signals;
   const opal::Deployment deployment = options.deployment_if_any();
   tell_doubt(options, deployment);
@@ -105,7 +106,9 @@ int check_robot(const opal::Ros2Options& options) {
   std::cerr << "looking for " << options.check_s << " s, " << words_of(node.range) << '\n';
   opal::recording::TopicChoice choice = node.read;
   if (!options.names_scans(deployment)) choice.scans.clear();
-  const opal::ros2::RobotContents seen = look_at_robot(node.range, choice, options.check_s, signals.token());
+  const auto first = choice.odometry.empty() ? OdometryFirst::transforms : OdometryFirst::topic;
+  if (choice.odometry.empty()) choice.odometry = node.odometry_without_transforms;
+  const opal::ros2::RobotContents seen = look_at_robot(node.range, choice, first, options.check_s, signals.token());
   std::cout << opal::contents_text(seen.contents) << '\n' << offers_text(seen.offers);
   const nlohmann::ordered_json lines = opal::deployment_lines(seen.contents, "opal:McapLog");
   if (!seen.missing.empty()) std::cout << "\nmissing\n";
