@@ -29,11 +29,6 @@ bool fits(const Offer& offer, const WantedTopic& wanted) {
   return offer.topic == wanted.topic && offer.type == wanted.type;
 }
 
-/// Whether a reader of this quality gets what is offered with the other one.
-bool is_served(const Quality& asked, const Quality& offered) {
-  return (offered.reliable || !asked.reliable) && (offered.transient_local || !asked.transient_local);
-}
-
 }  // namespace
 
 std::int64_t system_ns() {
@@ -55,17 +50,18 @@ const dds_topic_descriptor_t& descriptor_of(const std::string& type) {
   return *found->second;
 }
 
-std::optional<Quality> quality_for(const WantedTopic& wanted, const std::vector<Offer>& offers) {
-  const bool has_clouds = wanted.type == "sensor_msgs/msg/PointCloud2";
-  Quality quality{true, wanted.transient_local, has_clouds ? kReadClouds : kReadDepth};
-  bool is_offered = false;
+std::vector<Quality> qualities_for(const WantedTopic& wanted, const std::vector<Offer>& offers) {
+  const int depth = wanted.type == "sensor_msgs/msg/PointCloud2" ? kReadClouds : kReadDepth;
+  std::map<bool, Quality> qualities;  // by whether they are transient local
   for (const Offer& offer : offers) {
     if (!fits(offer, wanted)) continue;
-    is_offered = true;
+    const bool is_kept = wanted.transient_local && offer.quality.transient_local;
+    Quality& quality = qualities.try_emplace(is_kept, Quality{true, is_kept, depth}).first->second;
     quality.reliable = quality.reliable && offer.quality.reliable;
-    quality.transient_local = quality.transient_local && offer.quality.transient_local;
   }
-  return is_offered ? std::optional(quality) : std::nullopt;
+  std::vector<Quality> all;
+  for (const auto& [is_kept, quality] : qualities) all.push_back(quality);
+  return all;
 }
 
 std::string complaint_about(const WantedTopic& wanted, const std::vector<Offer>& offers) {
@@ -92,29 +88,31 @@ void Incoming::want(const WantedTopic& wanted) {
 }
 
 void Incoming::subscribe(Subscription& subscription, const Quality& quality) {
-  if (subscription.reader) dds_waitset_detach(waitset_.handle(), subscription.reader.handle());
-  subscription.reader = {};
+  Reader& reader = subscription.readers[quality.transient_local];
+  if (reader.entity) dds_waitset_detach(waitset_.handle(), reader.entity.handle());
+  reader.entity = {};
   const WantedTopic& wanted = subscription.wanted;
-  subscription.reader = participant_.reader(descriptor_of(wanted.type), wanted.topic, quality);
-  subscription.quality = quality;
+  reader.entity = participant_.reader(descriptor_of(wanted.type), wanted.topic, quality);
+  reader.quality = quality;
   subscription.since_ns = system_ns();
-  dds_set_status_mask(subscription.reader.handle(), DDS_DATA_AVAILABLE_STATUS);
-  dds_waitset_attach(waitset_.handle(), subscription.reader.handle(), 0);
+  dds_set_status_mask(reader.entity.handle(), DDS_DATA_AVAILABLE_STATUS);
+  dds_waitset_attach(waitset_.handle(), reader.entity.handle(), 0);
 }
 
 void Incoming::adapt() {
   offers_ = participant_.offers();
-  for (auto& [topic, subscription] : topics_) {
-    const std::optional<Quality> quality = quality_for(subscription.wanted, offers_);
-    if (quality && (!subscription.reader || !is_served(subscription.quality, *quality)))
-      subscribe(subscription, *quality);
-  }
+  for (auto& [topic, subscription] : topics_)
+    for (const Quality& quality : qualities_for(subscription.wanted, offers_)) {
+      const auto reader = subscription.readers.find(quality.transient_local);
+      const bool is_served = reader != subscription.readers.end() && (quality.reliable || !reader->second.quality.reliable);
+      if (!is_served) subscribe(subscription, quality);
+    }
 }
 
 std::int64_t Incoming::next_receipt_ns() { return last_receipt_ns_ = std::max(system_ns(), last_receipt_ns_ + 1); }
 
-void Incoming::take_from(Subscription& subscription, const Sink& sink) {
-  take_raw(subscription.reader, [&](recording::Bytes bytes) {
+void Incoming::take_from(Subscription& subscription, const Entity& reader, const Sink& sink) {
+  take_raw(reader, [&](recording::Bytes bytes) {
     subscription.newest_ns = next_receipt_ns();
     ++subscription.since_asked;
     sink({{subscription.wanted.topic, subscription.wanted.type, recording::Wire::cdr},
@@ -126,7 +124,7 @@ void Incoming::take_from(Subscription& subscription, const Sink& sink) {
 void Incoming::take(double timeout_s, const Sink& sink) {
   dds_waitset_wait(waitset_.handle(), nullptr, 0, static_cast<dds_duration_t>(timeout_s * 1e9));
   for (auto& [topic, subscription] : topics_)
-    if (subscription.reader) take_from(subscription, sink);
+    for (const auto& [is_kept, reader] : subscription.readers) take_from(subscription, reader.entity, sink);
 }
 
 std::vector<std::string> Incoming::complaints() const {
@@ -135,8 +133,8 @@ std::vector<std::string> Incoming::complaints() const {
     std::string words = complaint_about(subscription.wanted, offers_);
     const std::int64_t awaited_since_ns = std::max(subscription.newest_ns, subscription.since_ns);
     const double silent_s = 1e-9 * static_cast<double>(system_ns() - awaited_since_ns);
-    if (words.empty() && subscription.reader)
-      if (const auto policy = incompatible_policy(subscription.reader))
+    if (words.empty() && subscription.readers.size() == 1)  // two are there, because publishers differ
+      if (const auto policy = incompatible_policy(subscription.readers.begin()->second.entity))
         words = topic + ": somebody publishes it with another quality of service: " + *policy;
     if (words.empty() && subscription.wanted.is_needed && silent_s > kSilentS && !subscription.wanted.transient_local)
       words = topic + (subscription.newest_ns == 0 ? ": somebody publishes it, but no message has come"

@@ -15,9 +15,11 @@ struct WantedTopic {
   bool transient_local = false;  ///< what was published before is wanted, too
 };
 
-/// How a topic is read of which others offer this: everything that they send, and nothing that they do not offer.
-/// nullopt if nobody offers it with its type.
-std::optional<Quality> quality_for(const WantedTopic& wanted, const std::vector<Offer>& offers);
+/// How a topic is read of which others offer this: everything that they send, and nothing that they do not offer. Where
+/// only some publishers keep what was published before, each kind of them has a reader of its own: one volatile
+/// publisher must not keep what the others have kept from being read.
+/// @return a quality for each reader; none if nobody offers the topic with its type.
+std::vector<Quality> qualities_for(const WantedTopic& wanted, const std::vector<Offer>& offers);
 /// What keeps a topic from being read, in words; empty: nothing.
 std::string complaint_about(const WantedTopic& wanted, const std::vector<Offer>& offers);
 
@@ -32,7 +34,7 @@ class Incoming {
   /// Whether somebody publishes it, and it is read.
   bool reads(const std::string& topic) const {
     const auto found = topics_.find(topic);
-    return found != topics_.end() && found->second.reader;
+    return found != topics_.end() && !found->second.readers.empty();
   }
   /// Makes readers for what is offered by now, and others where the offer has changed.
   void adapt();
@@ -47,16 +49,19 @@ class Incoming {
   const std::vector<Offer>& offers() const { return offers_; }
 
  private:
+  struct Reader {
+    Quality quality;
+    Entity entity;
+  };
   struct Subscription {
     WantedTopic wanted;
-    Quality quality;
-    Entity reader;
-    std::int64_t since_ns = 0;   // when the reader was made
+    std::map<bool, Reader> readers = {};  // by whether they are transient local
+    std::int64_t since_ns = 0;            // when the newest reader was made
     std::int64_t newest_ns = 0;  // when the last message came; 0: none has
     int since_asked = 0;         // messages
   };
   void subscribe(Subscription& subscription, const Quality& quality);
-  void take_from(Subscription& subscription, const Sink& sink);
+  void take_from(Subscription& subscription, const Entity& reader, const Sink& sink);
   std::int64_t next_receipt_ns();
 
   const Participant& participant_;

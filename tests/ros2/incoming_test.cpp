@@ -30,12 +30,24 @@ recording::Bytes as_bytes(const std::string& text) { return std::as_bytes(std::s
 }  // namespace
 
 TEST_CASE("a topic is read with the quality that all who publish it offer") {
-  CHECK_FALSE(quality_for(kScans, {}));
-  CHECK(quality_for(kScans, {offer(kScans, true, false)})->reliable);
-  CHECK_FALSE(quality_for(kScans, {offer(kScans, true, false), offer(kScans, false, false)})->reliable);
-  CHECK_FALSE(quality_for(kScans, {offer(kScans, true, true)})->transient_local);
-  CHECK(quality_for(kFixed, {offer(kFixed, true, true)})->transient_local);
-  CHECK_FALSE(quality_for(kFixed, {offer(kFixed, true, false)})->transient_local);
+  CHECK(qualities_for(kScans, {}).empty());
+  const auto reliable = [](const std::vector<Offer>& offers) { return qualities_for(kScans, offers).at(0).reliable; };
+  CHECK(reliable({offer(kScans, true, false)}));
+  CHECK_FALSE(reliable({offer(kScans, true, false), offer(kScans, false, false)}));
+  const std::vector<Quality> kept = qualities_for(kScans, {offer(kScans, true, true), offer(kScans, true, false)});
+  REQUIRE(kept.size() == 1);  // what was published before is not wanted
+  CHECK_FALSE(kept[0].transient_local);
+}
+
+TEST_CASE("one volatile publisher does not keep from being read what others have kept") {
+  const auto kinds = [](const std::vector<Offer>& offers) {
+    std::vector<bool> kinds;
+    for (const Quality& quality : qualities_for(kFixed, offers)) kinds.push_back(quality.transient_local);
+    return kinds;
+  };
+  CHECK(kinds({offer(kFixed, true, true)}) == std::vector<bool>{true});
+  CHECK(kinds({offer(kFixed, true, false)}) == std::vector<bool>{false});
+  CHECK(kinds({offer(kFixed, true, true), offer(kFixed, false, false)}) == std::vector<bool>{false, true});
 }
 
 TEST_CASE("a topic that is not there is told, with others of its type") {
