@@ -47,6 +47,7 @@ RobotNode::RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map
       events_(events),
       heard_(std::move(heard)),
       memory_(options_.state_file, map_->name()),
+      keeper_([this](const Pose2& T_map_base) { memory_.keep(T_map_base, steady_s()); }),
       participant_(options_.range),
       incoming_(participant_),
       outgoing_(participant_, options_.outgoing, options_.frames),
@@ -185,7 +186,7 @@ void RobotNode::announce(const std::stop_token& stop) {
     const Announcement announcement = announcement_of(*answer, options_.frames);
     const std::lock_guard lock(publishing_);
     outgoing_.publish(announcement);
-    if (announcement.pose) memory_.keep(announcement.pose->T_map_base, steady_s());
+    if (announcement.pose) keeper_.give(announcement.pose->T_map_base);
   }
 }
 

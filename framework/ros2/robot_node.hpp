@@ -7,6 +7,7 @@
 #include "ros2/odometry_patience.hpp"
 #include "ros2/odometry_rivals.hpp"
 #include "ros2/pose_hint.hpp"
+#include "ros2/pose_keeper.hpp"
 #include "ros2/pose_memory.hpp"
 #include "ros2/service_notice.hpp"
 
@@ -85,6 +86,7 @@ class RobotNode {
   EventSink* events_;
   RecordListener heard_;
   PoseMemory memory_;
+  PoseKeeper keeper_;
   Participant participant_;
   Incoming incoming_;
   std::mutex publishing_;
