@@ -106,7 +106,7 @@ std::optional<LogRecord> RecordDecoder::pose_of(Bytes data, Wire wire, double re
 }
 
 std::optional<LogRecord> RecordDecoder::transform_of(Bytes data, Wire wire, double received_s) {
-  const auto decoded = decode_transforms(data, wire);
+  const auto decoded = decode_transforms(data, wire, &defects_);
   if (!decoded) {
     ++defects_["damaged TFMessage"];
     return std::nullopt;

@@ -135,7 +135,7 @@ void MessageTally::take_odometry(const Message& message, const Topic& topic, dou
 }
 
 void MessageTally::take_transforms(const Message& message, const Topic& topic, double recorded_s) {
-  const auto decoded = decode_transforms(message.data, topic.wire);
+  const auto decoded = decode_transforms(message.data, topic.wire, &defects_);
   if (!decoded) ++defects_["damaged TFMessage"];
   const bool are_static = has_transforms(topic, true);
   for (const Transform& transform : decoded.value_or(std::vector<Transform>{})) {

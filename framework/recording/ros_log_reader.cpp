@@ -39,7 +39,7 @@ SeenTransforms RosLogReader::read_transforms(bool with_moving) {
     while (const auto message = walk->next()) {
       if (with_moving && seconds_of(message->recorded_ns) > until_s) break;
       const Topic& topic = part.topics()[message->topic];
-      const auto transforms = decode_transforms(message->data, topic.wire);
+      const auto transforms = decode_transforms(message->data, topic.wire, with_moving ? nullptr : &defects_);
       // Moving transforms are counted while they are played, if they are.
       if (!transforms && !with_moving) ++defects_["damaged TFMessage"];
       for (const Transform& transform : transforms.value_or(std::vector<Transform>{}))

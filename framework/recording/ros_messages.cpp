@@ -11,6 +11,7 @@ constexpr std::size_t kMostReadings = 100'000;
 constexpr double kFarthest_m = 1e7;
 
 /// Position and quaternion (x y z w), as in geometry_msgs/msg/Pose and Transform.
+/// @return nullopt if they are no pose; or there are too few bytes, which the reader tells.
 std::optional<Eigen::Isometry3d> read_pose(WireReader& wire) {
   double values[7];
   for (double& value : values) value = wire.number<double>();
@@ -76,19 +77,22 @@ std::optional<OdometryMessage> decode_odometry(Bytes message, Wire wire) {
   return OdometryMessage{{header->stamp_s, projected(*T_odom_base)}, header->frame, std::move(base_frame)};
 }
 
-std::optional<std::vector<Transform>> decode_transforms(Bytes message, Wire wire) {
+std::optional<std::vector<Transform>> decode_transforms(Bytes message, Wire wire, Defects* left_out) {
   WireReader reader(message, wire);
   constexpr std::size_t kLeastBytes = 72;  // stamp, two empty names, seven numbers
-  std::vector<Transform> transforms(reader.length(kLeastBytes));
-  for (Transform& transform : transforms) {
+  std::vector<Transform> transforms;
+  for (std::size_t left = reader.length(kLeastBytes); left > 0; --left) {
     const std::optional<MessageHeader> header = read_header(reader);
     if (!header) return std::nullopt;
-    transform.stamp_s = header->stamp_s;
-    transform.parent = header->frame;
-    transform.child = reader.text();
+    Transform transform{header->stamp_s, header->frame, reader.text()};
     const std::optional<Eigen::Isometry3d> T_parent_child = read_pose(reader);
-    if (!T_parent_child) return std::nullopt;
-    transform.T_parent_child = *T_parent_child;
+    if (!reader.ok()) return std::nullopt;
+    if (T_parent_child) {
+      transform.T_parent_child = *T_parent_child;
+      transforms.push_back(std::move(transform));
+    } else if (left_out != nullptr) {
+      ++(*left_out)["transform from " + transform.parent + " to " + transform.child + " that is no pose"];
+    }
   }
   if (!reader.ok()) return std::nullopt;
   return transforms;

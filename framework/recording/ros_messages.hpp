@@ -34,8 +34,11 @@ struct Transform {
 std::optional<LaserScanMessage> decode_laser_scan(Bytes message, Wire wire);
 /// @return nullopt for a damaged message, or one whose pose is none.
 std::optional<OdometryMessage> decode_odometry(Bytes message, Wire wire);
-/// tf2_msgs/TFMessage and tf/tfMessage. @return nullopt for a damaged message.
-std::optional<std::vector<Transform>> decode_transforms(Bytes message, Wire wire);
+/// tf2_msgs/TFMessage and tf/tfMessage. A transform whose numbers are no pose is left out: the others of its message
+/// are whole.
+/// @param left_out  counts those, each by its frames; may be null.
+/// @return nullopt for a damaged message.
+std::optional<std::vector<Transform>> decode_transforms(Bytes message, Wire wire, Defects* left_out = nullptr);
 
 /// The projection of a pose on the floor: where its x axis points.
 Pose2 projected(const Eigen::Isometry3d& pose);

@@ -59,7 +59,9 @@ void RosStream::look_at(const ReceivedMessage& message) {
 }
 
 void RosStream::look_at_transforms(const ReceivedMessage& message, bool are_static) {
-  const auto transforms = decode_transforms(message.bytes(), message.topic.wire);
+  // Moving ones are counted while they are played, if they are.
+  const bool is_counted = are_static || !decoder_.topics().odometry.empty();
+  const auto transforms = decode_transforms(message.bytes(), message.topic.wire, is_counted ? &defects_ : nullptr);
   if (!transforms && are_static) ++defects_["damaged TFMessage"];
   for (const Transform& transform : transforms.value_or(std::vector<Transform>{})) {
     const bool is_motion = !are_static && is_odometry(transform, decoder_.topics());

@@ -15,9 +15,8 @@ namespace {
 constexpr double kTickS = 0.05;
 constexpr double kLookAroundS = 0.1;
 constexpr double kHealthS = 1;
-constexpr double kComplainS = 5;
-// How long others may take to be found before their absence is told.
-constexpr double kSettleS = 2;
+// Another transform from the map is there as long as one was seen in this time.
+constexpr double kOthersS = 5;
 // How far a robot may have been moved while the program was off, one sigma.
 constexpr double kMemorySigmaM = 0.5, kMemorySigmaRad = 0.3;
 constexpr double kMountPatienceS = 10;
@@ -52,8 +51,7 @@ RobotNode::RobotNode(NodeOptions options, std::shared_ptr<const SemanticMap> map
       incoming_(participant_),
       outgoing_(participant_, options_.outgoing, options_.frames),
       stream_(stream_of(options_)),
-      started_s_(steady_s()),
-      complained_s_(started_s_ + kSettleS - kComplainS) {
+      report_(std::cerr, steady_s()) {
   const IncomingTopics& topics = options_.incoming;
   for (const std::string& scan : options_.read.scans) incoming_.want({scan, "sensor_msgs/msg/LaserScan"});
   for (const auto& [cloud, laser] : options_.read.slices) incoming_.want({cloud, "sensor_msgs/msg/PointCloud2"});
@@ -251,7 +249,7 @@ void RobotNode::look_around() {
 NodeState RobotNode::state() {
   NodeState state{stream_.waits_for(), incoming_.complaints(), stream_.defects(), incoming_.take_rates_hz()};
   if (incoming_.offers().empty()) state.complaints = {"nobody publishes anything (" + words_of(options_.range) + ")"};
-  if (steady_s() - other_seen_s_ < kComplainS)
+  if (steady_s() - other_seen_s_ < kOthersS)
     state.complaints.push_back(options_.incoming.tf + ": somebody else publishes the transform from " +
                                options_.frames.map + " to " + options_.frames.odom + " (AMCL? SLAM?): switch it off");
   if (const std::string& apart = odometry_rivals_.difference(); !apart.empty() && !options_.read.odometry.empty())
@@ -273,24 +271,12 @@ void RobotNode::tell_health(ServiceNotice& notice) {
   }
   notice.alive();
   notice.status(diagnoses.front().message);
-  tell_status(answer);
+  report_.status(answer);
+  report_.defects(stream_.defects());
   std::vector<std::string> words = now.complaints;
   if (!now.waits_for.empty()) words.push_back("waits for " + now.waits_for);
   if (const std::string clock = clock_complaint(answer, now_s()); !clock.empty()) words.push_back(clock);
-  complain(words);
-}
-
-void RobotNode::tell_status(const LiveAnswer& answer) {
-  if (answer.number == 0 || told_status_ == answer.estimate.status) return;
-  told_status_ = answer.estimate.status;
-  std::cerr << "ros2: " << status_words(answer) << '\n';
-}
-
-void RobotNode::complain(const std::vector<std::string>& complaints) {
-  const bool is_over = complaints.empty() && !complained_.empty();
-  if ((complaints.empty() && !is_over) || !is_due(complained_s_, kComplainS)) return;
-  complained_ = listed(complaints);
-  std::cerr << "ros2: " << (is_over ? "all that is needed is received" : complained_) << '\n';
+  report_.complaints(words, steady_s());
 }
 
 }  // namespace opal::ros2

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ros2/health_report.hpp"
 #include "ros2/incoming.hpp"
 #include "ros2/message_recorder.hpp"
 #include "ros2/messages/outgoing.hpp"
@@ -75,8 +76,6 @@ class RobotNode {
   void announce(const std::stop_token& stop);
   void look_around();
   void tell_health(ServiceNotice& notice);
-  void tell_status(const LiveAnswer& answer);
-  void complain(const std::vector<std::string>& complaints);
   NodeState state();
   double now_s() const;
 
@@ -100,9 +99,8 @@ class RobotNode {
   std::vector<LogRecord> before_;       // records from before the localizer was made
   std::optional<PoseHint> early_hint_;  // the same
   std::optional<double> sim_time_s_;
-  double started_s_ = 0, complained_s_ = 0, other_seen_s_ = -1e9;
-  std::optional<Status> told_status_;
-  std::string complained_;
+  double other_seen_s_ = -1e9;
+  HealthReport report_;
   std::unique_ptr<LiveLocalizer> live_;
   std::jthread announcer_;  // ends first
 };

@@ -209,3 +209,15 @@ TEST_CASE("where a topic and transforms both have odometry, a robot's transforms
   elsewhere.odom_frame = "odometry";
   CHECK(choose_topics("made.mcap", parts, elsewhere, OdometryFirst::transforms).topics.odometry == "/odom");
 }
+
+TEST_CASE("a transform that is no pose does not take those beside it with it, and is counted by its frames") {
+  RosStream stream(one_laser());
+  const std::string both =
+      log_tests::transforms_bytes({{"base", "camera", {0, 0, 0, 0, 0, 0, 0}}, {"base", "laser", {0.3, 0, 0, 0, 0, 0, 1}}});
+  stream.take(received(kStatic, 1, both));
+  stream.take(received(kScan, 1, scan_of(1)));
+  stream.take(received(kTf, 1, odometry_link(1, 0)));
+  REQUIRE(stream.is_open());
+  CHECK(stream.mounts().at(0).T_parent_child.x() == Approx(0.3));
+  CHECK(stream.defects() == Defects{{"transform from base to camera that is no pose", 1}});
+}
