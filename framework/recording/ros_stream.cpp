@@ -2,6 +2,7 @@
 
 #include "common/phrases.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace opal::recording {
@@ -70,9 +71,18 @@ void RosStream::look_at_transforms(const ReceivedMessage& message, bool are_stat
       decoder_.take_odometry_from_transforms(base_frame_);
     }
     if (are_static) static_.add(transform, message.topic.name, true);
-    if (!are_static && !is_motion && newest_s_ <= *first_s_ + kMountWindow_s)
-      moving_.add(transform, message.topic.name, false);
+    if (!are_static) newest_stamp_s_ = std::max(newest_stamp_s_, transform.stamp_s);
+    if (!are_static && !is_motion) look_at_link(transform, message.topic.name);
   }
+}
+
+/// Drivers may begin late, and stamps may go slower than this clock: each link has its own time to stand still in.
+void RosStream::look_at_link(Transform transform, const std::string& topic) {
+  SeenTransforms& moving = transform.stamp_s == 0 ? unstamped_ : moving_;
+  if (transform.stamp_s == 0) transform.stamp_s = newest_s_;
+  const auto seen = moving.by_link().find({without_slash(transform.parent), without_slash(transform.child)});
+  if (seen == moving.by_link().end() || transform.stamp_s <= seen->second.first.stamp_s + kMountWindow_s)
+    moving.add(transform, topic, false);
 }
 
 void RosStream::bound_memory() {
@@ -85,9 +95,12 @@ void RosStream::bound_memory() {
 
 FixedFrames RosStream::frames() const {
   FixedFrames frames = static_.fixed_frames();
-  if (newest_s_ <= *first_s_ + kMountWindow_s) return frames;
-  for (const auto& [link, seen] : moving_.by_link())
-    if (!seen.moves) frames.add_unless_known(seen.last);
+  const auto add_still = [&](const SeenTransforms& moving, double now_s) {
+    for (const auto& [link, seen] : moving.by_link())
+      if (!seen.moves && now_s > seen.first.stamp_s + kMountWindow_s) frames.add_unless_known(seen.last);
+  };
+  add_still(moving_, newest_stamp_s_);
+  add_still(unstamped_, newest_s_);
   return frames;
 }
 

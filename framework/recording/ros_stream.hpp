@@ -54,6 +54,7 @@ class RosStream {
  private:
   void look_at(const ReceivedMessage& message);
   void look_at_transforms(const ReceivedMessage& message, bool are_static);
+  void look_at_link(Transform transform, const std::string& topic);
   void bound_memory();
   FixedFrames frames() const;
   void try_to_open();
@@ -66,7 +67,8 @@ class RosStream {
   double newest_s_ = 0;
   std::string base_frame_;                             // empty: not known yet
   std::map<std::string, std::string> laser_by_topic_;  // frames
-  SeenTransforms static_, moving_;
+  SeenTransforms static_, moving_, unstamped_;  // of the last, the time of receipt is the stamp
+  double newest_stamp_s_ = 0;                   // of transforms that move
   std::vector<MountRecord> mounts_;
   bool is_open_ = false;
   Defects defects_;

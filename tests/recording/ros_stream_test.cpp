@@ -221,3 +221,18 @@ TEST_CASE("a transform that is no pose does not take those beside it with it, an
   CHECK(stream.mounts().at(0).T_parent_child.x() == Approx(0.3));
   CHECK(stream.defects() == Defects{{"transform from base to camera that is no pose", 1}});
 }
+
+TEST_CASE("a mount on /tf counts though it begins late, and not before it has stood still by its own stamps") {
+  RosStream stream(one_laser());
+  stream.take(received(kScan, 1, scan_of(1)));
+  stream.take(received(kTf, 1, odometry_link(1, 0)));
+  const auto link = [](double stamp_s) {
+    return log_tests::transforms_bytes({{"base", "laser", {0.2, 0, 0, 0, 0, 0, 1}}}, stamp_s);
+  };
+  for (int second = 20; second < 40; ++second)  // stamps go four times slower than the clock
+    stream.take(received(kTf, second, link(1 + 0.25 * (second - 20))));
+  CHECK_FALSE(stream.is_open());
+  stream.take(received(kTf, 41, link(6.25)));
+  REQUIRE(stream.is_open());
+  CHECK(stream.mounts().at(0).T_parent_child.x() == Approx(0.2));
+}
