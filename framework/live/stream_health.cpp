@@ -14,6 +14,7 @@ constexpr double kSilentIntervals = 5;
 constexpr double kShare = 0.1, kUsualShare = 0.01;  // of a new value in an average
 constexpr int kKnown = 50;                          // records that tell a rate
 constexpr double kSlower = 1.3;
+constexpr int kFewRecords = 5;  // that tell whether two clocks are apart
 
 double stamp_of(const LogRecord& record) {
   if (const auto* odometry = std::get_if<OdometryRecord>(&record)) return odometry->stamp_s;
@@ -44,13 +45,16 @@ StreamHealth::Stream* StreamHealth::stream_of(const LogRecord& record) {
   return nullptr;
 }
 
-void StreamHealth::hear(Stream& stream, double received_s, double age_s) {
+void StreamHealth::hear(Stream& stream, double received_s, double stamp_s, double now_s) {
+  const double age_s = now_s - stamp_s, ahead_s = stamp_s - received_s;
   if (stream.received_s) {
     const double since_s = received_s - *stream.received_s;
     stream.interval_s = stream.interval_s > 0 ? (1 - kShare) * stream.interval_s + kShare * since_s : since_s;
     stream.usual_s = stream.usual_s > 0 ? (1 - kUsualShare) * stream.usual_s + kUsualShare * since_s : since_s;
   }
   if (std::isfinite(age_s)) stream.age_s = stream.received_s ? (1 - kShare) * stream.age_s + kShare * age_s : age_s;
+  const bool is_delayed = stream.received_s && ahead_s < stream.stamp_ahead_s;
+  stream.stamp_ahead_s = is_delayed ? (1 - kShare) * stream.stamp_ahead_s + kShare * ahead_s : ahead_s;
   stream.received_s = received_s;
   ++stream.records;
 }
@@ -61,8 +65,8 @@ void StreamHealth::take(const LogRecord& record, double received_s, double now_s
   if (!stream) return;
   // An own odometry in every scan is odometry, too.
   if (const auto* scan = std::get_if<RawScan>(&record); scan && scan->T_odom_base)
-    hear(odometry_, received_s, now_s - scan->stamp_s);
-  hear(*stream, received_s, now_s - stamp_of(record));
+    hear(odometry_, received_s, scan->stamp_s, now_s);
+  hear(*stream, received_s, stamp_of(record), now_s);
 }
 
 void StreamHealth::note(const std::map<std::string, int>& counts, double received_s) {
@@ -105,6 +109,17 @@ void StreamHealth::judge(const Stream& stream, double received_s, std::vector<He
          name + sentence("stamps lie %.2f s in the future; do two computers' clocks differ?", -stream.age_s)});
 }
 
+/// Stamps of scans and of odometry that arrive at one time are compared: both clocks may differ from this one.
+void StreamHealth::compare_clocks(const Stream& scans, std::vector<HealthFinding>& findings) const {
+  if (std::min(scans.records, odometry_.records) < kFewRecords) return;
+  const double later_s = scans.stamp_ahead_s - odometry_.stamp_ahead_s;
+  if (!(std::abs(later_s) > options_.pairing.odometry_wait_s)) return;
+  findings.push_back({Level::bad, "clock",
+                      sentence("%s: scans are stamped %.1f s %s than odometry that arrives with them; are the clocks of "
+                               "two computers apart?",
+                               scans.subject.c_str(), std::abs(later_s), later_s > 0 ? "later" : "earlier")});
+}
+
 std::vector<HealthFinding> StreamHealth::findings(double received_s) const {
   std::vector<HealthFinding> findings;
   if (!begun_s_) return findings;
@@ -115,6 +130,7 @@ std::vector<HealthFinding> StreamHealth::findings(double received_s) const {
   if (std::any_of(scans_.begin(), scans_.end(), is_well))
     for (HealthFinding& finding : findings)
       if (finding.subject != odometry_.subject) finding.level = Level::doubtful;
+  for (const Stream& stream : scans_) compare_clocks(stream, findings);
   for (const auto& [cause, oddity] : oddities_)
     if (received_s - oddity.newest_s <= options_.told_for_s)
       findings.push_back({Level::doubtful, subject_of(cause),

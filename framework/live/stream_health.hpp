@@ -31,7 +31,8 @@ class OPAL_EXPORT StreamHealth {
     double interval_s = 0;  ///< between arrivals, on average of late
     double usual_s = 0;     ///< the same over a longer time
     int records = 0;
-    double age_s = 0;  ///< of stamps on arrival, on average
+    double age_s = 0;         ///< of stamps on arrival, on average
+    double stamp_ahead_s = 0;  ///< of the clock of arrival, by the records that were delayed least of late
   };
   struct Oddity {
     int times = 0;        ///< in all
@@ -40,8 +41,9 @@ class OPAL_EXPORT StreamHealth {
   };
 
   Stream* stream_of(const LogRecord& record);
-  static void hear(Stream& stream, double received_s, double age_s);
+  static void hear(Stream& stream, double received_s, double stamp_s, double now_s);
   void judge(const Stream& stream, double received_s, std::vector<HealthFinding>& findings) const;
+  void compare_clocks(const Stream& scans, std::vector<HealthFinding>& findings) const;
   bool is_silent(const Stream& stream, double received_s) const;
 
   LiveOptions options_;

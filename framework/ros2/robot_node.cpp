@@ -276,6 +276,7 @@ void RobotNode::tell_health(ServiceNotice& notice) {
   std::vector<std::string> words = now.complaints;
   if (!now.waits_for.empty()) words.push_back("waits for " + now.waits_for);
   if (const std::string clock = clock_complaint(answer, now_s()); !clock.empty()) words.push_back(clock);
+  for (const std::string& finding : health_complaints(answer)) words.push_back(finding);
   report_.complaints(words, steady_s());
 }
 

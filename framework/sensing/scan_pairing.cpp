@@ -34,13 +34,14 @@ struct ScanPairing::State {
   State(std::vector<LaserModel> models, const PairingOptions& limits)
       : options(limits),
         track({limits.max_speed_mps, limits.max_turn_radps, limits.jump_m, limits.jump_rad, limits.bridge_jumps}) {
-    for (LaserModel& model : models) lasers.push_back({std::move(model), {}, {}});
+    for (LaserModel& model : models) lasers.push_back({std::move(model), {}, {}, kNever});
   }
 
   struct Laser {
     LaserModel model;
     RawScan newest;
     LaserRhythm rhythm;
+    double last_stamp_s = kNever;  // of this timeline
   };
 
   std::vector<Laser> lasers;
@@ -48,14 +49,15 @@ struct ScanPairing::State {
   OdometryTrack track;
   std::deque<PendingScan> pending;  // by stamp, within a timeline
   double last_stamp_s = kNever;     // of this timeline
-  double last_odometry_s = kNever;
+  double last_odometry_s = kNever;  // of records and of scans with their own
+  double last_stream_odometry_s = kNever;  // of records
   double last_left_s = kNever;  // stamp of the newest scan that does not wait any more
   std::map<std::string, int> counts;
 
   void take(const MountRecord&) {}
   void take(const OdometryRecord& odometry);
   void take(const RawScan& raw);
-  void advance_clock(double stamp_s);
+  void advance_clock(double stamp_s, double& last_of_stream_s);
   void restart_clock();
   void count_jump(OdometryTrack::Added added) {
     if (added == OdometryTrack::Added::jumped) ++counts["odometry jump"];
@@ -83,11 +85,15 @@ void ScanPairing::State::restart_clock() {
   settle_all();  // what still waits will see no later odometry of its own timeline
   track.restart_clock();
   last_stamp_s = last_odometry_s = last_left_s = kNever;
+  last_stream_odometry_s = kNever;
   for (Laser& laser : lasers) laser.rhythm.restart();
+  for (Laser& laser : lasers) laser.last_stamp_s = kNever;
 }
 
-void ScanPairing::State::advance_clock(double stamp_s) {
-  if (stamp_s < last_stamp_s - options.clock_reset_s) restart_clock();
+/// Scans and odometry may be stamped by two clocks that are apart: only a stream that steps back itself tells of a reset.
+void ScanPairing::State::advance_clock(double stamp_s, double& last_of_stream_s) {
+  if (stamp_s < last_of_stream_s - options.clock_reset_s) restart_clock();
+  last_of_stream_s = std::max(last_of_stream_s, stamp_s);
   if (std::isfinite(last_stamp_s) && stamp_s > last_stamp_s + options.gap_s) ++counts["gap"];
   last_stamp_s = std::max(last_stamp_s, stamp_s);
 }
@@ -97,7 +103,7 @@ void ScanPairing::State::take(const OdometryRecord& odometry) {
     ++counts["odometry that is not finite"];
     return;
   }
-  advance_clock(odometry.stamp_s);
+  advance_clock(odometry.stamp_s, last_stream_odometry_s);
   if (odometry.stamp_s < last_odometry_s) {
     ++counts["odometry stamp steps back"];
     return;
@@ -130,7 +136,7 @@ void ScanPairing::State::take(const RawScan& raw) {
     ++counts["scan stamp that is not finite"];
     return;
   }
-  advance_clock(raw.stamp_s);
+  advance_clock(raw.stamp_s, laser->last_stamp_s);
   if (raw.stamp_s < last_left_s) {
     ++counts["scan stamp steps back"];
     return;

@@ -116,3 +116,21 @@ TEST_CASE("what is odd in records is told for a while, by how often it came sinc
   CHECK(robot.said("clock") == Words{"clock reset: 1 times of late"});
   CHECK(robot.said("odometry") == Words{"odometry jump: 2 times of late"});
 }
+
+TEST_CASE("scans and odometry that are stamped by two clocks are told by how much, whatever the clock of arrival") {
+  const double apart_s = GENERATE(2.0, -2.0, 0.8);
+  StreamHealth health({LaserModel{}}, LiveOptions{});
+  double now_s = 50;
+  for (int k = 0; k < 10; ++k, now_s += 0.1) {
+    RawScan scan;
+    scan.stamp_s = 5e6 + now_s + apart_s;
+    health.take(OdometryRecord{5e6 + now_s, Pose2()}, now_s, kNoClock);
+    health.take(scan, now_s + 0.02, kNoClock);
+  }
+  Words words;
+  for (const HealthFinding& finding : health.findings(now_s)) words.push_back(finding.words);
+  const std::string end = " than odometry that arrives with them; are the clocks of two computers apart?";
+  if (apart_s > 1) CHECK(words == Words{"laser: scans are stamped 2.0 s later" + end});
+  if (apart_s < 0) CHECK(words == Words{"laser: scans are stamped 2.0 s earlier" + end});
+  if (apart_s == 0.8) CHECK(words.empty());
+}

@@ -44,6 +44,15 @@ TEST_CASE("a change of the status is a line with the pose, or with the reason") 
   CHECK(status_words(answer_at(1, Status::lost)) == "lost: the reason");
 }
 
+TEST_CASE("what keeps a node from its first answer is a complaint, and later what clocks say") {
+  LiveAnswer answer;
+  answer.health = {{HealthFinding::Level::doubtful, "scans", "scan without odometry: 3 times of late"},
+                   {HealthFinding::Level::bad, "clock", "scans are stamped 2.0 s later"}};
+  CHECK(health_complaints(answer).size() == 2);
+  answer.number = 1;
+  CHECK(health_complaints(answer) == std::vector<std::string>{"scans are stamped 2.0 s later"});
+}
+
 TEST_CASE("another clock is a complaint for stderr, too") {
   CHECK(clock_complaint({}, 5).empty());
   CHECK(clock_complaint(answer_at(10, Status::localized), 10.5).empty());

@@ -41,9 +41,9 @@ TEST_CASE("a topic is read with the quality that all who publish it offer") {
 
 TEST_CASE("one volatile publisher does not keep from being read what others have kept") {
   const auto kinds = [](const std::vector<Offer>& offers) {
-    std::vector<bool> kinds;
-    for (const Quality& quality : qualities_for(kFixed, offers)) kinds.push_back(quality.transient_local);
-    return kinds;
+    std::vector<bool> all;
+    for (const Quality& quality : qualities_for(kFixed, offers)) all.push_back(quality.transient_local);
+    return all;
   };
   CHECK(kinds({offer(kFixed, true, true)}) == std::vector<bool>{true});
   CHECK(kinds({offer(kFixed, true, false)}) == std::vector<bool>{false});

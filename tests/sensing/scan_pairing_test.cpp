@@ -234,11 +234,27 @@ TEST_CASE("a scan is that of the laser whose frame it names; a single laser with
 
 TEST_CASE("over a clock reset nobody knows how long the robot drove: what is farther than a jump is one") {
   ScanPairing pairing({LaserModel{}});
-  pairing.take(OdometryRecord{50, Pose2()});
+  pairing.take(OdometryRecord{100, Pose2()});
   pairing.take(plain(100));
   pairing.take(OdometryRecord{60, Pose2(5, 0, 0)});
   CHECK(pairing.counts().at("clock reset") == 1);
   CHECK(pairing.counts().at("odometry jump") == 1);
   pairing.take(OdometryRecord{65, Pose2(10, 0, 0)});  // from then on time tells again
   CHECK(pairing.counts().at("odometry jump") == 1);
+}
+
+TEST_CASE("two clocks that are apart are no clock that went back") {
+  const double apart_s = GENERATE(-2.0, -1.2, 1.2, 2.0);
+  ScanPairing pairing({LaserModel{}});
+  std::size_t left = 0;
+  for (int k = 0; k < 100; ++k) {
+    pairing.take(odometry_at(100 + k * 0.1));
+    pairing.take(plain(100 + k * 0.1 + apart_s, 1 + static_cast<float>(k) * 0.01f));
+    left += stamps_of(pairing).size();
+  }
+  CHECK(pairing.counts().count("clock reset") == 0);
+  // Odometry of the same stamp has come, or never will in time.
+  CHECK(left + static_cast<std::size_t>(pairing.counts().count("scan without odometry")
+                                            ? pairing.counts().at("scan without odometry")
+                                            : 0) >= 70);
 }

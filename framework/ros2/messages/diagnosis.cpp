@@ -83,6 +83,14 @@ std::string clock_complaint(const LiveAnswer& answer, double now_s) {
   return "";
 }
 
+std::vector<std::string> health_complaints(const LiveAnswer& answer) {
+  std::vector<std::string> words;
+  for (const HealthFinding& finding : answer.health)
+    if (answer.number == 0 || (finding.subject == "clock" && finding.level == HealthFinding::Level::bad))
+      words.push_back(finding.words);
+  return words;
+}
+
 std::string status_words(const LiveAnswer& answer) {
   const PoseEstimate& estimate = answer.estimate;
   const std::string name = name_of(estimate.status);

@@ -34,6 +34,9 @@ std::vector<Diagnosis> diagnoses_of(const LiveAnswer& answer, const NodeState& s
 
 /// That the scans' clock is another one than `now_s` is by; empty: nothing says so.
 std::string clock_complaint(const LiveAnswer& answer, double now_s);
+/// What of its health keeps a node from answers: all findings before the first answer, then those of clocks that are
+/// apart.
+std::vector<std::string> health_complaints(const LiveAnswer& answer);
 /// The status with its pose, or why it is not localized: a line for a person.
 std::string status_words(const LiveAnswer& answer);
 

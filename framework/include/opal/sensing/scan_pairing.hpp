@@ -17,7 +17,8 @@ struct PairingOptions {
   double gap_s = 2.0;            ///< records farther apart than this are counted as a gap
   double odometry_wait_s = 1.0;  ///< a scan takes odometry that is at most this much older or newer, if it is
                                  ///< not between two odometry records
-  double clock_reset_s = 1.0;    ///< a stamp that steps back by more than this starts a new timeline
+  double clock_reset_s = 1.0;    ///< a stamp that steps back by more than this, behind those of its own sensor, starts a
+                                 ///< new timeline
   double max_speed_mps = 3.0;    ///< odometry that moves farther than this speed makes plausible,
   double max_turn_radps = 6.0;   ///< or turns more,
   double jump_m = 1.0;           ///< by more than this, has jumped. Lost records and coarse stamps look like jumps:
