@@ -73,6 +73,18 @@ Sweep sweep_of(const RawScan& raw, const LaserModel& laser) {
   return sweep;
 }
 
+bool is_possible_sweep(double sweep_s, double interval_s) {
+  constexpr double kLongest_s = 1;
+  constexpr double kMostIntervals = 1.5;  // a sweep ends before the next one begins; stamps jitter
+  return sweep_s <= kLongest_s && (interval_s <= 0 || sweep_s <= kMostIntervals * interval_s);
+}
+
+bool drop_impossible_times(Sweep& sweep, const LaserModel& laser, double interval_s) {
+  if (laser.sweep_s || !sweep.times_s.empty() || is_possible_sweep(sweep.duration_s(), interval_s)) return false;
+  sweep.beam_s = 0;
+  return true;
+}
+
 void deskew(Scan& scan, const Sweep& sweep, const Pose2& T_base_laser, const MotionInSweep& T_fixed_base) {
   if (!sweep.takes_time()) return;
   const LaserMotion motion(sweep, T_base_laser, T_fixed_base);

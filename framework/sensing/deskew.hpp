@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opal/common/export.hpp>
 #include <opal/sensing/scan.hpp>
 
 #include <algorithm>
@@ -29,6 +30,13 @@ struct Sweep {
 
 /// @return the sweep as the laser's description has it, or as the record states it.
 Sweep sweep_of(const RawScan& raw, const LaserModel& laser);
+
+/// Whether a sweep can take so long, of a laser that scans once in `interval_s` (0: not known). Some drivers state a
+/// time_increment in another unit.
+OPAL_EXPORT bool is_possible_sweep(double sweep_s, double interval_s);
+/// A sweep whose time_increment cannot be true would hold its scan back and move its returns: it takes no time then.
+/// What the laser's description states is kept. @return whether it was changed.
+bool drop_impossible_times(Sweep& sweep, const LaserModel& laser, double interval_s);
 
 /// The pose of base_link in a fixed frame, so many seconds after the scan's stamp; none if it is not known.
 using MotionInSweep = std::function<std::optional<Pose2>(double later_s)>;

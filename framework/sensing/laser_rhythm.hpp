@@ -14,6 +14,8 @@ class LaserRhythm {
 
   /// Usual time between two scans.
   double interval_s() const { return interval_s_; }
+  /// Time between two scans on average of late; 0 before there are some.
+  double mean_interval_s() const { return intervals_ < kFewIntervals ? 0 : mean_interval_s_; }
   /// Whether a scan of it that begins until `stamp_s` is to be expected. @param now_s  the newest stamp of anything.
   bool is_due_until(double stamp_s, double now_s) const;
 
@@ -23,6 +25,9 @@ class LaserRhythm {
   double last_s_ = kNever;
   double before_s_ = 0;  ///< time between the two scans before the newest one
   double interval_s_ = 0.1;
+  static constexpr int kFewIntervals = 5;
+  int intervals_ = 0;
+  double mean_interval_s_ = 0;
 };
 
 }  // namespace opal

@@ -18,6 +18,9 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 // Odometry that no scan has asked for is forgotten: where a laser is silent, memory must not grow.
 constexpr double kLongestTrack_s = 60;
 
+const std::string kImpossibleSweep =
+    "scan whose time_increment is too long to be true (sensor.sweep_s of the deployment can state the sweep)";
+
 bool is_finite(const Pose2& pose) { return pose.position().allFinite() && std::isfinite(pose.heading_rad()); }
 
 struct PendingScan {
@@ -149,6 +152,7 @@ void ScanPairing::State::take(const RawScan& raw) {
   laser->rhythm.scanned(raw.stamp_s);
   PendingScan waiting{
       static_cast<int>(laser - lasers.data()), make_scan(raw, laser->model), {}, sweep_of(raw, laser->model)};
+  if (drop_impossible_times(waiting.sweep, laser->model, laser->rhythm.mean_interval_s())) ++counts[kImpossibleSweep];
   if (waiting.scan.points.empty() && waiting.scan.free_bearings_rad.empty()) ++counts["scan without a valid beam"];
   add_own_odometry(raw, waiting);
   insert(std::move(waiting));

@@ -258,3 +258,24 @@ TEST_CASE("two clocks that are apart are no clock that went back") {
                                             ? pairing.counts().at("scan without odometry")
                                             : 0) >= 70);
 }
+
+TEST_CASE("a time between beams that is too long to be true holds no scan back, and is counted") {
+  const double increment_s = GENERATE(25.0 / 359, 0.9 / 359, 0.14 / 359);  // of a laser that scans ten times a second
+  LaserModel laser = all_around(0.1);
+  laser.sweep_s.reset();
+  ScanPairing pairing({laser});
+  int left = 0;
+  for (int k = 0; k < 40; ++k) {
+    RawScan raw = sweep_at(1 + 0.1 * k, laser);
+    raw.time_increment_s = increment_s;
+    pairing.take(odometry_at(raw.stamp_s));
+    pairing.take(raw);
+    while (pairing.next()) ++left;
+  }
+  int counted = 0;
+  for (const auto& [cause, times] : pairing.counts())
+    if (cause.find("sensor.sweep_s") != std::string::npos) counted = times;
+  // The rhythm is known after five intervals.
+  CHECK(counted == (increment_s * 359 > 10 ? 40 : increment_s * 359 > 0.5 ? 35 : 0));
+  CHECK(left >= 38);
+}

@@ -1,10 +1,12 @@
 #include "cli/info/contents_text.hpp"
 
 #include <opal/common/sentence.hpp>
+#include "sensing/deskew.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace opal {
@@ -155,6 +157,17 @@ std::string frame_lines(const LogContents& contents) {
   return text.empty() ? "" : "\nframes\n" + text;
 }
 
+/// A sweep that cannot be true. Its laser is named by its topic.
+std::string sweep_doubt(const LogLaser& laser, const std::vector<LogTopic>& topics) {
+  const auto topic =
+      std::find_if(topics.begin(), topics.end(), [&](const LogTopic& named) { return named.name == laser.topic; });
+  const double interval_s = topic == topics.end() ? 0 : topic->interval_s;
+  if (!laser.is_read || is_possible_sweep(laser.sweep_s, interval_s)) return "";
+  return "  laser " + laser.topic + sentence(": its time_increment says that a sweep takes %.3f s", laser.sweep_s) +
+         (interval_s > 0 ? sentence(", and a scan comes every %.3f s", interval_s) : "") +
+         ": sweeps are not corrected; sensor.sweep_s of the deployment can state the true time\n";
+}
+
 /// What makes a log that is whole useless.
 std::string doubt_lines(const LogContents& contents) {
   constexpr double kStands = 0.05;  // [m] and [rad]
@@ -163,6 +176,7 @@ std::string doubt_lines(const LogContents& contents) {
   for (const LogLaser& laser : contents.lasers)
     if (laser.is_read && laser.scans > 0 && laser.no_return_share + laser.invalid_share > kBlind)
       text += "  laser " + laser.topic + " sees nothing: hardly a reading is a return\n";
+  for (const LogLaser& laser : contents.lasers) text += sweep_doubt(laser, contents.topics);
   for (const LogOdometry& odometry : contents.odometries)
     if (odometry.is_read && odometry.driven_m < kStands && odometry.turned_rad < kStands)
       text += "  odometry " + odometry.topic + " never moves: a robot is localized while it drives or turns\n";

@@ -54,7 +54,8 @@ class OPAL_EXPORT ScanPairing {
   /// How often something odd was met so far, by cause: "clock reset", "odometry stamp steps back", "scan stamp steps
   /// back", "scan out of order" (put in order), "repeated odometry stamp", "repeated scan stamp", "doubled scan" (left
   /// out), "gap", "odometry jump", "scan without odometry" (left out), "scan without a valid beam" (passed on), "too
-  /// many scans wait for odometry", "scan of a laser that is not described" (left out).
+  /// many scans wait for odometry", "scan of a laser that is not described" (left out), "scan whose time_increment is too
+  /// long to be true ..." (its sweep is not corrected).
   const std::map<std::string, int>& counts() const;
 
  private:
