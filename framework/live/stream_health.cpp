@@ -114,10 +114,11 @@ void StreamHealth::compare_clocks(const Stream& scans, std::vector<HealthFinding
   if (std::min(scans.records, odometry_.records) < kFewRecords) return;
   const double later_s = scans.stamp_ahead_s - odometry_.stamp_ahead_s;
   if (!(std::abs(later_s) > options_.pairing.odometry_wait_s)) return;
-  findings.push_back({Level::bad, "clock",
-                      sentence("%s: scans are stamped %.1f s %s than odometry that arrives with them; are the clocks of "
-                               "two computers apart?",
-                               scans.subject.c_str(), std::abs(later_s), later_s > 0 ? "later" : "earlier")});
+  findings.push_back(
+      {Level::bad, "clock",
+       sentence("%s: scans are stamped %.1f s %s than odometry that arrives with them; are the clocks of "
+                "two computers apart?",
+                scans.subject.c_str(), std::abs(later_s), later_s > 0 ? "later" : "earlier")});
 }
 
 std::vector<HealthFinding> StreamHealth::findings(double received_s) const {

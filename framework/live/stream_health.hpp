@@ -31,7 +31,7 @@ class OPAL_EXPORT StreamHealth {
     double interval_s = 0;  ///< between arrivals, on average of late
     double usual_s = 0;     ///< the same over a longer time
     int records = 0;
-    double age_s = 0;         ///< of stamps on arrival, on average
+    double age_s = 0;          ///< of stamps on arrival, on average
     double stamp_ahead_s = 0;  ///< of the clock of arrival, by the records that were delayed least of late
   };
   struct Oddity {

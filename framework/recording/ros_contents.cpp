@@ -224,8 +224,7 @@ void tell_options(LogContents& contents, const TopicChoice& chosen) {
 
 }  // namespace
 
-LogContents ros_contents(const std::string& path, const Parts& parts, TopicChoice wanted,
-                         OdometryFirst first) {
+LogContents ros_contents(const std::string& path, const Parts& parts, TopicChoice wanted, OdometryFirst first) {
   LogContents contents;
   wanted.are_all_slices = wanted.scans.empty() && has_only_clouds(parts);
   ChosenTopics chosen{wanted, {}};

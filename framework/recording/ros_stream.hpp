@@ -67,8 +67,8 @@ class RosStream {
   double newest_s_ = 0;
   std::string base_frame_;                             // empty: not known yet
   std::map<std::string, std::string> laser_by_topic_;  // frames
-  SeenTransforms static_, moving_, unstamped_;  // of the last, the time of receipt is the stamp
-  double newest_stamp_s_ = 0;                   // of transforms that move
+  SeenTransforms static_, moving_, unstamped_;         // of the last, the time of receipt is the stamp
+  double newest_stamp_s_ = 0;                          // of transforms that move
   std::vector<MountRecord> mounts_;
   bool is_open_ = false;
   Defects defects_;

@@ -104,7 +104,8 @@ void Incoming::adapt() {
   for (auto& [topic, subscription] : topics_)
     for (const Quality& quality : qualities_for(subscription.wanted, offers_)) {
       const auto reader = subscription.readers.find(quality.transient_local);
-      const bool is_served = reader != subscription.readers.end() && (quality.reliable || !reader->second.quality.reliable);
+      const bool is_served =
+          reader != subscription.readers.end() && (quality.reliable || !reader->second.quality.reliable);
       if (!is_served) subscribe(subscription, quality);
     }
 }

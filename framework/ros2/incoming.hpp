@@ -57,8 +57,8 @@ class Incoming {
     WantedTopic wanted;
     std::map<bool, Reader> readers = {};  // by whether they are transient local
     std::int64_t since_ns = 0;            // when the newest reader was made
-    std::int64_t newest_ns = 0;  // when the last message came; 0: none has
-    int since_asked = 0;         // messages
+    std::int64_t newest_ns = 0;           // when the last message came; 0: none has
+    int since_asked = 0;                  // messages
   };
   void subscribe(Subscription& subscription, const Quality& quality);
   void take_from(Subscription& subscription, const Entity& reader, const Sink& sink);

@@ -33,11 +33,11 @@ struct NodeOptions {
   OutgoingTopics outgoing;
   FrameOptions frames;
   DiscoveryRange range;
-  bool use_sim_time = false;  ///< "now" is what /clock says
+  bool use_sim_time = false;                ///< "now" is what /clock says
   std::string odometry_without_transforms;  ///< topic that is read if no transform is odometry; empty: the usual one
-  bool needs_mounts = true;   ///< the deployment says nothing of them: they have to come
-  std::string record_file;    ///< empty: nothing is kept; if it is there, the next free name is taken
-  std::string state_file;     ///< empty: the last pose is not kept
+  bool needs_mounts = true;                 ///< the deployment says nothing of them: they have to come
+  std::string record_file;                  ///< empty: nothing is kept; if it is there, the next free name is taken
+  std::string state_file;                   ///< empty: the last pose is not kept
 };
 
 /// What is localized with, once it is known what the lasers are.

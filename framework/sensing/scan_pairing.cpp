@@ -50,11 +50,11 @@ struct ScanPairing::State {
   std::vector<Laser> lasers;
   PairingOptions options;
   OdometryTrack track;
-  std::deque<PendingScan> pending;  // by stamp, within a timeline
-  double last_stamp_s = kNever;     // of this timeline
-  double last_odometry_s = kNever;  // of records and of scans with their own
+  std::deque<PendingScan> pending;         // by stamp, within a timeline
+  double last_stamp_s = kNever;            // of this timeline
+  double last_odometry_s = kNever;         // of records and of scans with their own
   double last_stream_odometry_s = kNever;  // of records
-  double last_left_s = kNever;  // stamp of the newest scan that does not wait any more
+  double last_left_s = kNever;             // stamp of the newest scan that does not wait any more
   std::map<std::string, int> counts;
 
   void take(const MountRecord&) {}
@@ -93,7 +93,8 @@ void ScanPairing::State::restart_clock() {
   for (Laser& laser : lasers) laser.last_stamp_s = kNever;
 }
 
-/// Scans and odometry may be stamped by two clocks that are apart: only a stream that steps back itself tells of a reset.
+/// Scans and odometry may be stamped by two clocks that are apart: only a stream that steps back itself tells of a
+/// reset.
 void ScanPairing::State::advance_clock(double stamp_s, double& last_of_stream_s) {
   if (stamp_s < last_of_stream_s - options.clock_reset_s) restart_clock();
   last_of_stream_s = std::max(last_of_stream_s, stamp_s);

@@ -212,8 +212,8 @@ TEST_CASE("where a topic and transforms both have odometry, a robot's transforms
 
 TEST_CASE("a transform that is no pose does not take those beside it with it, and is counted by its frames") {
   RosStream stream(one_laser());
-  const std::string both =
-      log_tests::transforms_bytes({{"base", "camera", {0, 0, 0, 0, 0, 0, 0}}, {"base", "laser", {0.3, 0, 0, 0, 0, 0, 1}}});
+  const std::string both = log_tests::transforms_bytes(
+      {{"base", "camera", {0, 0, 0, 0, 0, 0, 0}}, {"base", "laser", {0.3, 0, 0, 0, 0, 0, 1}}});
   stream.take(received(kStatic, 1, both));
   stream.take(received(kScan, 1, scan_of(1)));
   stream.take(received(kTf, 1, odometry_link(1, 0)));

@@ -256,7 +256,8 @@ TEST_CASE("two clocks that are apart are no clock that went back") {
   // Odometry of the same stamp has come, or never will in time.
   CHECK(left + static_cast<std::size_t>(pairing.counts().count("scan without odometry")
                                             ? pairing.counts().at("scan without odometry")
-                                            : 0) >= 70);
+                                            : 0) >=
+        70);
 }
 
 TEST_CASE("a time between beams that is too long to be true holds no scan back, and is counted") {
