@@ -19,7 +19,7 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kLongestTrack_s = 60;
 
 const std::string kImpossibleSweep =
-    "scan whose time_increment is too long to be true (sensor.sweep_s of the deployment can state the sweep)";
+    "time_increment that is too long to be true (sensor.sweep_s of the deployment can state the sweep)";
 
 bool is_finite(const Pose2& pose) { return pose.position().allFinite() && std::isfinite(pose.heading_rad()); }
 

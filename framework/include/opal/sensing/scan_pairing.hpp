@@ -17,14 +17,13 @@ struct PairingOptions {
   double gap_s = 2.0;            ///< records farther apart than this are counted as a gap
   double odometry_wait_s = 1.0;  ///< a scan takes odometry that is at most this much older or newer, if it is
                                  ///< not between two odometry records
-  double clock_reset_s = 1.0;   ///< a stamp that steps back by more than this, behind those of its own sensor, starts a
-                                ///< new timeline
-  double max_speed_mps = 3.0;   ///< odometry that moves farther than this speed makes plausible,
-  double max_turn_radps = 6.0;  ///< or turns more,
-  double jump_m = 1.0;          ///< by more than this, has jumped. Lost records and coarse stamps look like jumps:
-  double jump_rad = 1.5;        ///< in the csail and belgioioso logs true motion exceeds the speeds by 0.4 m, 0.6 rad
-  bool bridge_jumps = true;     ///< a jump is taken for a new odometry frame in which the robot stands still
-  double laser_wait_s = 0.2;    ///< a scan waits for those of other lasers that are due by at most this much
+  double clock_reset_s = 1.0;    ///< a sensor's stamp that steps back by more than this starts a new timeline
+  double max_speed_mps = 3.0;    ///< odometry that moves farther than this speed makes plausible,
+  double max_turn_radps = 6.0;   ///< or turns more,
+  double jump_m = 1.0;           ///< by more than this, has jumped. Lost records and coarse stamps look like jumps:
+  double jump_rad = 1.5;         ///< in the csail and belgioioso logs true motion exceeds the speeds by 0.4 m, 0.6 rad
+  bool bridge_jumps = true;      ///< a jump is taken for a new odometry frame in which the robot stands still
+  double laser_wait_s = 0.2;     ///< a scan waits for those of other lasers that are due by at most this much
   std::size_t most_waiting = 256;  ///< scans; when one more comes, the oldest leaves with the odometry that there is
 };
 
@@ -54,8 +53,7 @@ class OPAL_EXPORT ScanPairing {
   /// How often something odd was met so far, by cause: "clock reset", "odometry stamp steps back", "scan stamp steps
   /// back", "scan out of order" (put in order), "repeated odometry stamp", "repeated scan stamp", "doubled scan" (left
   /// out), "gap", "odometry jump", "scan without odometry" (left out), "scan without a valid beam" (passed on), "too
-  /// many scans wait for odometry", "scan of a laser that is not described" (left out), "scan whose time_increment is
-  /// too long to be true ..." (its sweep is not corrected).
+  /// many scans wait for odometry", "scan of a laser that is not described" (left out), "time_increment ...".
   const std::map<std::string, int>& counts() const;
 
  private:
