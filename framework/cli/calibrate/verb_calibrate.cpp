@@ -1,3 +1,4 @@
+#include "cli/calibrate/calibrated_sensor.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/options/log_run_options.hpp"
 #include "cli/options/verbs.hpp"
@@ -108,7 +109,9 @@ Learned learned_of(const opal::MotionCalibration& drive) {
   return learned;
 }
 
-int write_deployment(const opal::MotionCalibration& drive, const CalibrateOptions& options) {
+/// @param described  the deployment's laser. @param used  the same with the log's beams and mount.
+int write_deployment(const opal::MotionCalibration& drive, const CalibrateOptions& options,
+                     const opal::LaserModel& described, const opal::LaserModel& used) {
   const Learned learned = learned_of(drive);
   if (drive.turn_scale.value < 0) {
     std::printf("not written: a deployment cannot say that scans are mirrored\n");
@@ -119,10 +122,11 @@ int write_deployment(const opal::MotionCalibration& drive, const CalibrateOption
     return kNo;
   }
   auto document = nlohmann::ordered_json::parse(std::ifstream(options.config));
-  if (!learned.mount.empty()) document["sensor"]["T_base_laser"].merge_patch(learned.mount);
+  const std::string objection = learned.mount.empty() ? "" : write_mount(document, described, used, learned.mount);
   if (!learned.odometry.empty()) document["odometry"].merge_patch(learned.odometry);
   opal::write_text(options.out, document.dump(2) + '\n');
   std::printf("written: %s\n", options.out.c_str());
+  if (!objection.empty()) std::printf("the mount is not written: %s\n", objection.c_str());
   if (!learned.left.empty())
     std::printf("left as described, because the drive tells too little of it: %s\n",
                 opal::listed(learned.left).c_str());
@@ -166,7 +170,9 @@ int calibrate(CalibrateOptions options) {
   if (!options.motions.empty()) write_motions(motions, options.motions);
   if (!drive) throw opal::LogError(options.log + ": too few motions that scans tell, expected a drive with turns");
   print(*drive, laser.T_base_laser);
-  return options.out.empty() ? kDone : write_deployment(*drive, options);
+  if (options.out.empty()) return kDone;
+  const opal::LaserModel& described = deployment.lasers.front();
+  return write_deployment(*drive, options, described, opal::with_log_geometry(described, records));
 }
 
 }  // namespace

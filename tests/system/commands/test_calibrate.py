@@ -34,6 +34,34 @@ class Calibrate(Commands):
         self.assertAlmostEqual(found["odometry"]["distance_scale"], 1, delta=0.05)
         self.opal("calibrate", "found.jsonld", log, "-o", "again.jsonld")
 
+    def test_in_a_list_of_lasers_the_first_one_is_corrected(self):
+        log = self.drive()
+        config = json.loads((self.folder / self.described(math.pi)).read_text())
+        config["sensor"] = [config["sensor"]]
+        (self.folder / "list.jsonld").write_text(json.dumps(config))
+        self.opal("calibrate", "list.jsonld", log, "-o", "found.jsonld")
+        found = json.loads((self.folder / "found.jsonld").read_text())
+        self.assertAlmostEqual(found["sensor"][0]["T_base_laser"]["heading_rad"], 0, delta=0.05)
+
+    def test_a_mount_that_a_drive_tells_holds_though_beams_came_from_the_log(self):
+        def state_angles(words, end):
+            """A ROBOTLASER1 line says where its beams point."""
+            beams, ranges, laser = words[1], words[2:end], json.loads((self.folder / "drive.info.json").read_text())["laser"]
+            step_rad = math.radians(laser["angle_increment_deg"])
+            pose, stamp = words[end:end + 6], words[-3:]
+            words[:] = ["ROBOTLASER1", "0", str(math.radians(laser["angle_min_deg"])), str(step_rad * int(beams)), str(step_rad),
+                        "80", "0.01", "0", beams, *ranges, "0", *pose, "0", "0", "0", "0", "0", *stamp]
+        log = self.drive(state_angles)
+        config = json.loads((self.folder / self.described(0.3)).read_text())
+        config["sensor"]["geometry_from_log"] = True
+        config["log_sources"] = [{"@type": "opal:CarmenLog", "options": {"laser_message": "ROBOTLASER1"}}]
+        (self.folder / "stated.jsonld").write_text(json.dumps(config))
+        self.opal("calibrate", "stated.jsonld", log, "-o", "found.jsonld")
+        sensor = json.loads((self.folder / "found.jsonld").read_text())["sensor"]
+        self.assertFalse(sensor["geometry_from_log"])
+        self.assertAlmostEqual(sensor["T_base_laser"]["heading_rad"], 0, delta=0.05)
+        self.opal("calibrate", "found.jsonld", log)
+
     def test_a_robot_that_stands_teaches_nothing_and_nothing_is_written(self):
         def stand(words, end):
             words[end:end + 6] = ["0"] * 6
