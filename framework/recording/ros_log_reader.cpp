@@ -63,6 +63,7 @@ std::string RosLogReader::base_frame_of(const FixedFrames& frames, const std::st
   if (decoder_.transforms_are_odometry()) return decoder_.topics().base_frame;
   const auto odometry = first_of<OdometryMessage>(
       decoder_.topics().odometry, [](const Topic& topic, Bytes data) { return decode_odometry(data, topic.wire); });
+  if (odometry && odometry->base_frame.empty()) return decoder_.topics().base_frame;
   return odometry ? odometry->base_frame : frames.root_of(laser_frame);
 }
 

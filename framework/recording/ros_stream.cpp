@@ -21,11 +21,13 @@ void RosStream::take_odometry_from_topic(const std::string& topic) {
   topics.odometry = topic;
   decoder_ = RecordDecoder(std::move(topics));
   base_frame_.clear();
+  odom_frame_.reset();
 }
 
 bool RosStream::take_odometry_from_transforms(const std::string& base_frame) {
   if (is_open_ && base_frame != base_frame_) return false;
   base_frame_ = base_frame;
+  odom_frame_.reset();
   std::erase_if(held_, [&](const ReceivedMessage& held) {
     const bool is_odometry = held.topic.name == decoder_.topics().odometry;
     if (is_odometry) held_bytes_ -= held.data.size();
@@ -50,13 +52,20 @@ void RosStream::look_at(const ReceivedMessage& message) {
   if (reads_scans_of(decoder_.topics(), topic.name)) {
     if (laser_by_topic_.contains(topic.name)) return;
     if (const auto frame = frame_of(topic, message.bytes())) laser_by_topic_[topic.name] = *frame;
-  } else if (has_odometry(topic) && topic.name == decoder_.topics().odometry && base_frame_.empty()) {
-    if (const auto odometry = decode_odometry(message.bytes(), topic.wire)) base_frame_ = odometry->base_frame;
+  } else if (has_odometry(topic) && topic.name == decoder_.topics().odometry && !odom_frame_) {
+    if (const auto odometry = decode_odometry(message.bytes(), topic.wire)) meet_odometry(*odometry);
   } else if (has_transforms(topic, true)) {
     look_at_transforms(message, true);
   } else if (has_transforms(topic, false)) {
     look_at_transforms(message, false);
   }
+}
+
+/// Some drivers leave the robot's frame empty: then somebody has to say which it is.
+void RosStream::meet_odometry(const OdometryMessage& odometry) {
+  odom_frame_ = without_slash(odometry.odom_frame);
+  base_frame_ = without_slash(odometry.base_frame);
+  if (base_frame_.empty()) base_frame_ = decoder_.topics().base_frame;
 }
 
 void RosStream::look_at_transforms(const ReceivedMessage& message, bool are_static) {
@@ -105,17 +114,17 @@ FixedFrames RosStream::frames() const {
 }
 
 void RosStream::try_to_open() {
-  if (base_frame_.empty() || laser_by_topic_.size() < scan_topics_of(decoder_.topics()).size()) return;
+  if (!hears_odometry() || laser_by_topic_.size() < scan_topics_of(decoder_.topics()).size()) return;
   const FixedFrames known = frames();
   std::map<std::string, std::optional<LaserMount>> mounts;  // by frame
   bool has_all = true;
   for (const auto& [topic, laser] : laser_by_topic_) {
-    mounts[laser] = find_laser_mount(known, base_frame_, laser);
+    if (!base_frame_.empty()) mounts[laser] = find_laser_mount(known, base_frame_, laser);
     has_all = has_all && mounts[laser];
   }
   if (!has_all && newest_s_ - *first_s_ < mount_patience_s_) return;
   for (const auto& [laser, mount] : mounts) {
-    if (!mount) ++defects_["no static transform from " + base_frame_ + " to " + laser];
+    if (!mount) ++defects_["no static transform from " + base_words() + " to " + laser];
     if (!mount) continue;
     decoder_.add_mount(*mount);
     mounts_.push_back(mount->record);
@@ -133,20 +142,24 @@ std::optional<StreamedMessage> RosStream::next() {
   return streamed;
 }
 
+std::string RosStream::base_words() const {
+  return base_frame_.empty() ? "the robot (" + decoder_.topics().odometry + " does not name its frame)" : base_frame_;
+}
+
 std::string RosStream::waits_for() const {
   std::vector<std::string> missing;
   if (is_open_) return "";
   for (const std::string& topic : scan_topics_of(decoder_.topics()))
     if (!laser_by_topic_.contains(topic)) missing.push_back("scans on " + topic);
   const std::string& odometry = decoder_.topics().odometry;
-  if (base_frame_.empty() && !odometry.empty()) missing.push_back("odometry on " + odometry);
-  if (base_frame_.empty() && odometry.empty())
+  if (!hears_odometry() && !odometry.empty()) missing.push_back("odometry on " + odometry);
+  if (!hears_odometry() && odometry.empty())
     missing.push_back("the transform from " + decoder_.topics().odom_frame + " to " +
                       (decoder_.topics().base_frame.empty() ? "the robot" : decoder_.topics().base_frame) + " on /tf");
-  if (!base_frame_.empty())
+  if (hears_odometry())
     for (const auto& [topic, laser] : laser_by_topic_)
-      if (!first_s_ || !find_laser_mount(frames(), base_frame_, laser))
-        missing.push_back("the transform from " + base_frame_ + " to " + laser + " on /tf_static");
+      if (!first_s_ || base_frame_.empty() || !find_laser_mount(frames(), base_frame_, laser))
+        missing.push_back("the transform from " + base_words() + " to " + laser + " on /tf_static");
   return listed(missing);
 }
 

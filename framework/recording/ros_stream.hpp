@@ -44,6 +44,8 @@ class RosStream {
   bool is_open() const { return is_open_; }
   /// Whether a message of odometry has told the robot's frame.
   bool knows_the_robot() const { return !base_frame_.empty(); }
+  /// The frame that messages of odometry give poses in; empty: transforms are the odometry, or no message has come.
+  std::string odom_frame() const { return odom_frame_.value_or(""); }
   /// Where the lasers are mounted, as far as frames lead there; of an open stream.
   const std::vector<MountRecord>& mounts() const { return mounts_; }
   /// What messages are held for, in words; empty if it is open.
@@ -53,6 +55,9 @@ class RosStream {
 
  private:
   void look_at(const ReceivedMessage& message);
+  void meet_odometry(const OdometryMessage& odometry);
+  bool hears_odometry() const { return odom_frame_ || !base_frame_.empty(); }
+  std::string base_words() const;
   void look_at_transforms(const ReceivedMessage& message, bool are_static);
   void look_at_link(Transform transform, const std::string& topic);
   void bound_memory();
@@ -65,7 +70,8 @@ class RosStream {
   std::size_t held_bytes_ = 0;
   std::optional<double> first_s_;  // when the first message was received
   double newest_s_ = 0;
-  std::string base_frame_;                             // empty: not known yet
+  std::string base_frame_;                             // empty: not known yet, or not named
+  std::optional<std::string> odom_frame_;              // of messages of odometry, once one has come
   std::map<std::string, std::string> laser_by_topic_;  // frames
   SeenTransforms static_, moving_, unstamped_;         // of the last, the time of receipt is the stamp
   double newest_stamp_s_ = 0;                          // of transforms that move

@@ -164,6 +164,25 @@ TEST_CASE("a topic of odometry can be read instead of transforms") {
   CHECK(std::get<OdometryRecord>(*stream.next()->record).T_odom_base.y() == 2);
 }
 
+TEST_CASE("odometry that does not name the robot is heard, and somebody else may say which frame it is") {
+  const Topic wheels{"/odom", "nav_msgs/msg/Odometry", Wire::cdr};
+  const bool is_named = GENERATE(false, true);
+  TopicChoice topics = one_laser();
+  topics.odometry = "/odom";
+  if (is_named) topics.base_frame = "base";
+  RosStream stream(topics, 10);
+  stream.take(received(wheels, 1, log_tests::odometry_bytes(1, {1, 2, 0, 0, 0, 0, 1}, "")));
+  stream.take(received(kScan, 1, scan_of(1)));
+  stream.take(received(kStatic, 1, laser_link(0.3)));
+  CHECK(stream.is_open() == is_named);
+  if (!is_named)
+    CHECK(stream.waits_for() == "the transform from the robot (/odom does not name its frame) to laser on /tf_static");
+  stream.take(received(kScan, 12, scan_of(12)));  // the deployment states the mount
+  CHECK(stream.is_open());
+  CHECK(stream.mounts().size() == (is_named ? 1 : 0));
+  CHECK(stream.odom_frame() == "odom");
+}
+
 TEST_CASE("a stream goes back from a topic of odometry to transforms, before it is open and after") {
   const Topic wheels{"/odom", "nav_msgs/msg/Odometry", Wire::cdr};
   const bool is_open = GENERATE(false, true);

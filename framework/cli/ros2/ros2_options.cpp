@@ -37,9 +37,8 @@ void Ros2Options::add_topics(CLI::App& verb) {
   verb.add_option("--namespace", name_space, "of this node's topics: robot1 reads /robot1/scan");
   verb.add_option("--scan-topic", scan_topics, "sensor_msgs/LaserScan, one topic a laser; may be repeated (scan)")
       ->allow_extra_args(false);
-  CLI::Option* const odometry =
-      verb.add_option("--odometry-topic", odometry_topic,
-                      "nav_msgs/Odometry instead of transforms (the usual topic if there are none)");
+  verb.add_option("--odometry-topic", odometry_topic,
+                  "nav_msgs/Odometry instead of transforms (the usual topic if there are none)");
   verb.add_option("--tf-topic", rest.incoming.tf, "transforms, read and written")->capture_default_str();
   verb.add_option("--tf-static-topic", rest.incoming.tf_static, "transforms that never change")->capture_default_str();
   verb.add_option("--pose-topic", pose_topic, "where the pose is published")->capture_default_str();
@@ -47,8 +46,10 @@ void Ros2Options::add_topics(CLI::App& verb) {
       ->capture_default_str();
   verb.add_option("--map-frame", rest.frames.map, "fixed to the building")->capture_default_str();
   verb.add_option("--odom-frame", odom_frame, "fixed to the start of odometry (odom)");
-  verb.add_option("--base-frame", base_frame, "the robot; otherwise the first that a transform from odom leads to")
-      ->excludes(odometry);  // its messages name the robot's frame
+  verb.add_option(
+      "--base-frame", base_frame,
+      "the robot, where messages of odometry do not name it; otherwise the first that a transform from odom "
+      "leads to");
   verb.add_option("--transform-tolerance", rest.frames.transform_tolerance_s,
                   "seconds that the transform is stamped later than its scan")
       ->capture_default_str()

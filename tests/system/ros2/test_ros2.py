@@ -231,7 +231,6 @@ class ALook(Bench):
         self.check_refused(2, "--seconds requires --check", "--seconds", "4")
         self.check_refused(2, "--out requires --check", "-o", "robot.jsonld")
         self.check_refused(2, "--check", "--check", "--record", "drive.mcap")
-        self.check_refused(2, "--odometry-topic excludes --base-frame", "--base-frame", "base", "--odometry-topic", "odom")
         self.check_refused(2, "expected a name that ends in .mcap", "--record", "drive.bag")
         self.check_refused(4, "nope/dir/st.json: cannot be written", "--state", "nope/dir/st.json")
         self.check_refused(3, "2 topics of scans are named (/front, /rear), and 1 laser is described",
