@@ -161,6 +161,10 @@ void RobotNode::publish_map() {
 }
 
 void RobotNode::begin() {
+  const OdomFrame odom = odom_frame_of(options_.frames.odom, options_.is_odom_frame_stated, stream_.odom_frame());
+  if (!odom.words.empty()) std::cerr << "ros2: " << odom.words << '\n';
+  if (odom.frame != options_.read.odom_frame) fell_back_ = false;  // transforms of another frame are no odometry here
+  options_.frames.odom = options_.read.odom_frame = odom.frame;
   const std::vector<MountRecord>& mounts = stream_.mounts();
   before_.insert(before_.begin(), mounts.begin(), mounts.end());
   live_ = std::make_unique<LiveLocalizer>(make_parts_(before_), LiveOptions{}, events_);

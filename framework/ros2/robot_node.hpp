@@ -5,6 +5,7 @@
 #include "ros2/message_recorder.hpp"
 #include "ros2/messages/outgoing.hpp"
 #include "ros2/network/discovery_range.hpp"
+#include "ros2/odom_frame.hpp"
 #include "ros2/odometry_patience.hpp"
 #include "ros2/odometry_rivals.hpp"
 #include "ros2/pose_hint.hpp"
@@ -35,6 +36,7 @@ struct NodeOptions {
   DiscoveryRange range;
   bool use_sim_time = false;                ///< "now" is what /clock says
   std::string odometry_without_transforms;  ///< topic that is read if no transform is odometry; empty: the usual one
+  bool is_odom_frame_stated = false;        ///< messages of odometry that name another one do not change it
   bool needs_mounts = true;                 ///< the deployment says nothing of them: they have to come
   std::string record_file;                  ///< empty: nothing is kept; if it is there, the next free name is taken
   std::string state_file;                   ///< empty: the last pose is not kept

@@ -164,6 +164,14 @@ bool Ros2Options::names_scans(const Deployment& deployment) const {
          !recording::topic_choice(recording_options(deployment)).scans.empty();
 }
 
+bool Ros2Options::states_odom_frame(const Deployment& deployment) const {
+  const auto states = [](const PartConfig& source) {
+    return std::count(kSourcesOfRobot.begin(), kSourcesOfRobot.end(), source.type) > 0 &&
+           source.options.contains("odom_frame");
+  };
+  return !odom_frame.empty() || std::any_of(deployment.log_sources.begin(), deployment.log_sources.end(), states);
+}
+
 std::string Ros2Options::sources_doubt(const Deployment& deployment) const {
   return session::log_sources_doubt(deployment, kSourcesOfRobot);
 }
@@ -175,6 +183,7 @@ ros2::NodeOptions Ros2Options::node(const Deployment& deployment) const {
   if (!of_deployment.empty()) node.odometry_without_transforms = topic("/log_sources", of_deployment);
   node.needs_mounts = takes_geometry_from_log(deployment);
   node.frames.odom = node.read.odom_frame;
+  node.is_odom_frame_stated = states_odom_frame(deployment);
   node.incoming.tf = node.outgoing.tf = topic("--tf-topic", node.incoming.tf);
   node.incoming.tf_static = topic("--tf-static-topic", node.incoming.tf_static);
   node.outgoing.pose = topic("--pose-topic", pose_topic);

@@ -44,6 +44,7 @@ struct Ros2Options {
  private:
   std::vector<LaserModel> lasers_of(const Deployment& deployment) const;
   recording::TopicChoice choice_of(const Deployment& deployment) const;
+  bool states_odom_frame(const Deployment& deployment) const;
   std::string topic(const std::string& option, const std::string& name) const;
   void add_topics(CLI::App& verb);
   void add_network(CLI::App& verb);
