@@ -81,6 +81,7 @@ double RobotNode::now_s() const {
 void RobotNode::run(const std::stop_token& stop, ServiceNotice& notice) {
   publish_map();
   notice.ready();
+  notice_ = &notice;
   double looked_s = 0, told_s = 0;
   while (!stop.stop_requested()) {
     incoming_.take(kTickS, [this](recording::ReceivedMessage message) { route(std::move(message)); });
@@ -88,6 +89,7 @@ void RobotNode::run(const std::stop_token& stop, ServiceNotice& notice) {
     if (is_due(looked_s, kLookAroundS)) look_around();
     if (is_due(told_s, kHealthS)) tell_health(notice);
   }
+  notice_ = nullptr;
   notice.stopping();
   announcer_ = {};
   if (recorder_) recorder_->finish();
@@ -167,7 +169,11 @@ void RobotNode::begin() {
   options_.frames.odom = options_.read.odom_frame = odom.frame;
   const std::vector<MountRecord>& mounts = stream_.mounts();
   before_.insert(before_.begin(), mounts.begin(), mounts.end());
-  live_ = std::make_unique<LiveLocalizer>(make_parts_(before_), LiveOptions{}, events_);
+  {
+    std::optional<AliveMeanwhile> alive;  // a large map takes longer than a watchdog waits
+    if (notice_ != nullptr) alive.emplace(*notice_);
+    live_ = std::make_unique<LiveLocalizer>(make_parts_(before_), LiveOptions{}, events_);
+  }
   if (const auto pose = memory_.recall()) {
     live_->hint({*pose, kMemorySigmaM, kMemorySigmaRad});
     std::cerr << "ros2: the pose of the last run is taken as a hint\n";

@@ -103,6 +103,7 @@ class RobotNode {
   std::optional<double> sim_time_s_;
   double other_seen_s_ = -1e9;
   HealthReport report_;
+  ServiceNotice* notice_ = nullptr;  // while it runs
   std::unique_ptr<LiveLocalizer> live_;
   std::jthread announcer_;  // ends first
 };

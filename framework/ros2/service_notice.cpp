@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <utility>
 
@@ -27,5 +28,14 @@ void ServiceNotice::send(const std::string& text) const {
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + address_.size());
   sendto(socket_, text.data(), text.size(), MSG_NOSIGNAL, reinterpret_cast<const sockaddr*>(&to), length);
 }
+
+AliveMeanwhile::AliveMeanwhile(ServiceNotice& notice, double every_s)
+    : thread_([this, &notice, every = std::chrono::duration<double>(every_s)](const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        while (!stop.stop_requested()) {
+          notice.alive();
+          stopped_.wait_for(lock, stop, every, [] { return false; });
+        }
+      }) {}
 
 }  // namespace opal::ros2

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace opal::ros2 {
 
@@ -25,6 +28,18 @@ class ServiceNotice {
 
   std::string address_;
   int socket_ = -1;
+};
+
+/// Says that the program is alive while it does one thing that takes long, as it must not be ended for.
+class AliveMeanwhile {
+ public:
+  /// @param notice  must outlive it; others may use it meanwhile. @param every_s  less than WatchdogSec.
+  explicit AliveMeanwhile(ServiceNotice& notice, double every_s = 1);
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any stopped_;
+  std::jthread thread_;  // last: it ends before what it uses
 };
 
 }  // namespace opal::ros2
