@@ -17,10 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of one recording may have any names: their messages tell the order.
+bool is_empty(const Recording& part) { return part.span_ns() == std::pair<std::int64_t, std::int64_t>(0, 0); }
+
+/// The files of one recording may have any names: their messages tell the order. Those without any come last.
 Parts by_time(Parts parts) {
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const auto& a, const auto& b) { return span_of(*a).begin_s < span_of(*b).begin_s; });
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return std::pair(is_empty(*a), span_of(*a).begin_s) < std::pair(is_empty(*b), span_of(*b).begin_s);
+  });
   return parts;
 }
 
@@ -56,10 +59,33 @@ bool are_numbered(const std::vector<std::string>& files) {
   return names.size() == 1 && numbers.size() == files.size();
 }
 
+/// What rosbag2 says of the parts of what it recorded into a folder.
+std::string metadata_of(const std::string& folder) {
+  std::ifstream list(fs::path(folder) / "metadata.yaml");
+  return std::string(std::istreambuf_iterator<char>(list), {});
+}
+
+/// The parts that it lists, and that are not there.
+std::vector<std::string> absent_parts(const std::string& folder, const std::string& ending) {
+  std::set<std::string> absent;
+  static const std::regex kPart(R"(\s*(- )?(path: )?["']?(.*?)["']?\s*)");  // "  - NAME_0.db3", "  - path: NAME_0.db3"
+  std::istringstream lines(fs::is_directory(folder) ? metadata_of(folder) : "");
+  std::smatch found;
+  for (std::string line; std::getline(lines, line);) {
+    if (!std::regex_match(line, found, kPart) || !found[3].str().ends_with(ending)) continue;
+    const std::string name = name_of(found[3]);
+    if (!fs::exists(fs::path(folder) / name)) absent.insert(name);
+  }
+  return {absent.begin(), absent.end()};
+}
+
+std::string absence_words(const std::vector<std::string>& absent) {
+  return "metadata.yaml names " + listed(absent) + ", and no such file is there: that part of the recording is missing";
+}
+
 /// Whether rosbag2 has listed all files as parts of what it recorded into this folder.
 bool are_listed(const std::string& folder, const std::vector<std::string>& files) {
-  std::ifstream list(fs::path(folder) / "metadata.yaml");
-  const std::string text(std::istreambuf_iterator<char>(list), {});
+  const std::string text = metadata_of(folder);
   return std::all_of(files.begin(), files.end(),
                      [&](const std::string& file) { return text.find(name_of(file)) != std::string::npos; });
 }
@@ -136,12 +162,15 @@ std::unique_ptr<LogReader> RosLogSource::open_for(const std::string& path,
 std::unique_ptr<LogReader> RosLogSource::open_with(const std::string& path, const TopicChoice& topics) const {
   Parts parts = parts_of(files_of(path));
   ChosenTopics chosen = choose_topics(path, parts, topics);
+  if (const auto absent = absent_parts(path, ending()); !absent.empty())
+    chosen.remarks.push_back(absence_words(absent));
   return std::make_unique<RosLogReader>(std::move(parts), std::move(chosen));
 }
 
 LogContents RosLogSource::contents(const std::string& path) const {
   const std::vector<std::string> files = files_of(path);
   LogContents contents = ros_contents(path, parts_of(files), topics_);
+  if (const auto absent = absent_parts(path, ending()); !absent.empty()) ++contents.defects[absence_words(absent)];
   contents.format = format() + (fs::is_directory(path) ? " of " + listed(names_of(files)) : "");
   return contents;
 }

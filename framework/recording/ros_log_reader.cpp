@@ -18,6 +18,7 @@ RosLogReader::RosLogReader(Parts parts, ChosenTopics chosen)
   for (const auto& part : parts_) {
     add_all(defects_, part->defects());
     spans_.push_back(span_of(*part));
+    end_s_ = std::max(end_s_, spans_.back().end_s);
   }
   reached_s_ = spans_.front().begin_s;
   if (decoder_.topics().odometry.empty()) {
@@ -136,7 +137,7 @@ std::map<std::string, int> RosLogReader::defects() const {
 
 double RosLogReader::progress() const {
   if (part_ == parts_.size()) return 1;
-  const double whole_s = spans_.back().end_s - spans_.front().begin_s;
+  const double whole_s = end_s_ - spans_.front().begin_s;
   return whole_s > 0 ? std::clamp((reached_s_ - spans_.front().begin_s) / whole_s, 0.0, 1.0) : 0;
 }
 

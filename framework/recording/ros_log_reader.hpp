@@ -12,7 +12,7 @@ constexpr double kMountWindow_s = 5;
 /// Walks the files of one recording, in order.
 class RosLogReader final : public LogReader {
  public:
-  /// @param parts  by time; at least one.
+  /// @param parts  by time, those without messages last; at least one.
   RosLogReader(Parts parts, ChosenTopics chosen);
 
   std::optional<LogRecord> next() override;
@@ -32,6 +32,7 @@ class RosLogReader final : public LogReader {
   Parts parts_;
   RecordDecoder decoder_;
   std::vector<Span> spans_;  // of the parts
+  double end_s_ = 0;         // of the last one
   std::size_t part_ = 0;
   std::unique_ptr<MessageWalk> walk_;  // of that part; after parts_, so that it goes first
   std::deque<MountRecord> mounts_;     // not yet handed out

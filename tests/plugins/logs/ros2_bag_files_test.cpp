@@ -19,6 +19,8 @@ using ros2_bag::Ros2Bag;
 
 std::vector<LogRecord> records_of(const std::string& path) { return read_all(*Ros2Bag({}).open(path)); }
 
+LogContents contents_of(const std::string& path) { return Ros2Bag({}).contents(path); }
+
 LaserScanMessage scan_stamped(double stamp_s) {
   LaserScanMessage scan;
   scan.stamp_s = stamp_s;
@@ -42,6 +44,37 @@ TEST_CASE("a recording in several files is read by time, as one") {
   for (const LogRecord& record : records)
     if (const auto* scan = std::get_if<RawScan>(&record)) stamps_s.push_back(scan->stamp_s);
   CHECK(stamps_s == std::vector<double>{1, 2, 11, 12, 21, 22});
+}
+
+TEST_CASE("a part without messages hides no mount on /tf, and does not begin in 1970") {
+  const TemporaryFolder folder;
+  { BagWriter(folder.path_of("part_0.db3")).scans(); }
+  {
+    BagWriter bag(folder.path_of("part_1.db3"));
+    const int scans = bag.scans(), odometry = bag.odometry(), transforms = bag.transforms();
+    bag.message(scans, 1000, scan_stamped(1000).bytes());
+    bag.message(odometry, 1000, odometry_bytes(1000, {0, 0, 0, 0, 0, 0, 1}));
+    bag.message(transforms, 1001, transforms_bytes({{"base_link", "laser", {0.2, 0, 0, 0, 0, 0, 1}}}));
+  }
+  const auto records = records_of(folder.path());
+  REQUIRE(records.size() == 3);
+  CHECK(std::get<MountRecord>(records.front()).T_parent_child.x() == Approx(0.2));
+  CHECK(contents_of(folder.path()).first_s == 1000);
+}
+
+TEST_CASE("parts that the recording's list names and that are not there are told") {
+  const TemporaryFolder folder;
+  {
+    BagWriter bag(folder.path_of("my drive_0.db3"));
+    bag.message(bag.scans(), 1, scan_stamped(1).bytes());
+  }
+  std::ofstream(folder.path_of("metadata.yaml"))
+      << "rosbag2_bagfile_information:\n  relative_file_paths:\n    - my drive_0.db3\n    - \"my drive_1.db3\"\n"
+         "  files:\n    - path: my drive_1.db3\n";
+  const std::string words =
+      "metadata.yaml names my drive_1.db3, and no such file is there: that part of the recording is missing";
+  CHECK(contents_of(folder.path()).defects.contains(words));
+  CHECK(Ros2Bag({}).open(folder.path())->defects().contains(words));
 }
 
 TEST_CASE("of a folder only the files of one recording are joined") {
