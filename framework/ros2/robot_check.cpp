@@ -20,15 +20,16 @@ constexpr int kEnoughClouds = 20;  // of each topic: they are large
 
 bool is_static(const Offer& offer) { return offer.topic.ends_with("tf_static"); }
 
-/// Listens to everything that localization could use.
-void want_all(Incoming& incoming) {
+/// Listens to everything that localization could use. Only what is chosen is missed if it is silent.
+void want_all(Incoming& incoming, const recording::TopicChoice& choice) {
   for (const Offer& offer : incoming.offers())
     if (kHeard.contains(offer.type) && !incoming.wants(offer.topic))
-      incoming.want({offer.topic, offer.type, true, is_static(offer)});
+      incoming.want({offer.topic, offer.type, is_chosen(choice, offer.topic), is_static(offer)});
 }
 
 /// All messages of some seconds as a recording in memory.
-std::string record(Incoming& incoming, double seconds, const std::stop_token& stop) {
+std::string record(Incoming& incoming, const recording::TopicChoice& choice, double seconds,
+                   const std::stop_token& stop) {
   constexpr double kTurnS = 0.05;
   std::ostringstream out;
   MessageRecorder recorder(out, "the robot");
@@ -36,7 +37,7 @@ std::string record(Incoming& incoming, double seconds, const std::stop_token& st
   const std::int64_t end_ns = system_ns() + static_cast<std::int64_t>(seconds * 1e9);
   while (system_ns() < end_ns && !stop.stop_requested()) {
     incoming.adapt();
-    want_all(incoming);
+    want_all(incoming, choice);
     incoming.take(kTurnS, [&](const recording::ReceivedMessage& message) {
       const recording::Topic& topic = message.topic;
       if (topic.type != kCloudType || ++clouds[topic.name] <= kEnoughClouds) recorder.write(message);
@@ -71,12 +72,18 @@ std::vector<std::string> missing_in(const LogContents& contents, const std::vect
 
 }  // namespace
 
+bool is_chosen(const recording::TopicChoice& choice, const std::string& topic) {
+  return topic == choice.odometry || recording::reads_scans_of(choice, topic);
+}
+
 RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicChoice& choice,
                             recording::OdometryFirst first, double seconds, const std::stop_token& stop) {
   const Participant participant(range);
   Incoming incoming(participant);
   RobotContents seen;
-  const std::string recorded = record(incoming, seconds, stop);
+  recording::TopicChoice needed = choice;
+  if (first == recording::OdometryFirst::transforms) needed.odometry.clear();
+  const std::string recorded = record(incoming, needed, seconds, stop);
   recording::Parts parts;
   parts.push_back(recording::read_mcap(std::make_unique<std::istringstream>(recorded), "the robot"));
   seen.contents = recording::ros_contents("the robot", parts, choice, first);

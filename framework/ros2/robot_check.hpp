@@ -16,6 +16,9 @@ struct RobotContents {
   std::vector<std::string> missing;  ///< what localization needs and is not there
 };
 
+/// Whether this topic has to speak: scans or odometry that are named are read from it.
+bool is_chosen(const recording::TopicChoice& choice, const std::string& topic);
+
 /// Listens to a robot for a while, and publishes nothing.
 /// @param choice  which scans and odometry would be read; without scans all are.
 /// @param first  where a topic and transforms both have odometry.
