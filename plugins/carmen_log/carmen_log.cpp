@@ -38,6 +38,7 @@ class CarmenReader final : public LogReader {
   std::optional<LogRecord> next() override {
     while (const std::optional<Line> line = lines_.next()) {
       ParsedLine parsed = parse_line(line->text, line->terminated, laser_messages_);
+      if (!has_scans_) look_for_lasers(line->text, parsed);
       if (parsed.defect) ++defects_[parsed.defect];
       if (parsed.record) return std::move(parsed.record);
     }
@@ -47,12 +48,28 @@ class CarmenReader final : public LogReader {
     std::map<std::string, int> all = defects_;
     if (lines_.overlong() > 0) all["line of more than 4 MB"] = lines_.overlong();
     if (lines_.damage()) all[lines_.damage()] = 1;
+    if (!has_scans_ && !other_lasers_.empty()) all[words_of_others()] = 1;
     return all;
   }
   double progress() const override { return lines_.progress(); }
 
  private:
+  /// Until the first scan: lines of lasers that are not read.
+  void look_for_lasers(std::string_view text, const ParsedLine& parsed) {
+    has_scans_ = parsed.record && std::holds_alternative<RawScan>(*parsed.record);
+    const std::string_view message = message_of(text);
+    const bool is_read = std::find(laser_messages_.begin(), laser_messages_.end(), message) != laser_messages_.end();
+    if (!is_read && is_laser_message(message)) other_lasers_.emplace(message);
+  }
+  std::string words_of_others() const {
+    std::string words;
+    for (const std::string& message : other_lasers_) words += (words.empty() ? "" : ", ") + message;
+    return "no scan of " + laser_messages_.front() + "; the option laser_message can name one of " + words;
+  }
+
   GzLines lines_;
+  bool has_scans_ = false;
+  std::set<std::string, std::less<>> other_lasers_;
   std::vector<std::string> laser_messages_;
   std::map<std::string, int> defects_;
 };

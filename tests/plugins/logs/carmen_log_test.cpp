@@ -173,6 +173,14 @@ TEST_CASE("newer messages state their own beams") {
   CHECK_THROWS_AS(CarmenLog("SONAR"), ConfigError);
 }
 
+TEST_CASE("a log without scans of the laser that is read names the option and the other lasers") {
+  const std::string other = "ROBOTLASER0 0 -1 2 1 80 0.01 0 2 1 2 0 1 2 0 1 2 0 0 0 0 0 0 11 nohost 11\n";
+  const std::string words = "no scan of FLASER; the option laser_message can name one of ROBOTLASER0";
+  CHECK(walk(kStart + other + other).defects == Counts{{words, 1}});
+  CHECK(walk(kStart + other + kScan).defects.empty());
+  CHECK(walk(kStart).defects.empty());
+}
+
 TEST_CASE("compressed logs are read as plain ones are, across blocks") {
   const TemporaryFolder folder;
   const std::string text = long_log(300);
