@@ -54,6 +54,13 @@ TEST_CASE("options win over variables, and the configuration of Cyclone DDS has 
              Catch::EndsWith(",file:///etc/dds.xml"));
 }
 
+TEST_CASE("how many programs of DDS may run is told where this program sets the limit") {
+  CHECK(limit_words(range_with({{"ROS_LOCALHOST_ONLY", "0"}})).empty());
+  const DiscoveryRange here = range_with({{"ROS_LOCALHOST_ONLY", "1"}});
+  CHECK_THAT(limit_words(here), Catch::Contains("programs of DDS may run on this machine in domain 0") &&
+                                    Catch::Contains("MaxAutoParticipantIndex"));
+}
+
 TEST_CASE("a variable that makes no sense is named with what it holds") {
   CHECK_THROWS_WITH(range_with({{"ROS_DOMAIN_ID", "233"}}), "ROS_DOMAIN_ID: '233', expected a number from 0 to 232");
   CHECK_THROWS_WITH(range_with({{"ROS_DOMAIN_ID", "-1"}}), "ROS_DOMAIN_ID: '-1', expected a number from 0 to 232");

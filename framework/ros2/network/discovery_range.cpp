@@ -110,4 +110,12 @@ std::string words_of(const DiscoveryRange& range) {
          (range.peers.empty() ? "" : ", beside " + listed(range.peers));
 }
 
+std::string limit_words(const DiscoveryRange& range) {
+  if (range.reach != Reach::localhost) return "";
+  return fmt::format(
+      " ({} programs of DDS may run on this machine in domain {}; end one, or raise MaxAutoParticipantIndex in "
+      "CYCLONEDDS_URI)",
+      kMostNeighbours + 1, range.domain);
+}
+
 }  // namespace opal::ros2

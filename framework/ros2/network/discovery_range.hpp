@@ -42,5 +42,7 @@ DiscoveryRange discovery_range(const Environment& environment, const DiscoveryOp
 std::string cyclone_configuration(const DiscoveryRange& range);
 /// In words: "domain 0, on this machine only".
 std::string words_of(const DiscoveryRange& range);
+/// What DDS allows no more of, if no participant can be made; empty: this program sets no limit.
+std::string limit_words(const DiscoveryRange& range);
 
 }  // namespace opal::ros2

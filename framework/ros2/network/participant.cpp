@@ -44,10 +44,10 @@ Quality quality_of(const dds_qos_t* qos) {
   return quality;
 }
 
-Entity make_participant(unsigned domain) {
+Entity make_participant(const DiscoveryRange& range) {
   Qos qos(dds_create_qos());
   dds_qset_userdata(qos.get(), kUserData, std::strlen(kUserData));
-  return {dds_create_participant(domain, qos.get(), nullptr), "a participant of DDS"};
+  return {dds_create_participant(range.domain, qos.get(), nullptr), "a participant of DDS" + limit_words(range)};
 }
 
 bool is_own(const dds_builtintopic_endpoint_t& endpoint, const dds_guid_t& own) {
@@ -93,7 +93,7 @@ std::string words_of(const Quality& quality) {
 Participant::Participant(const DiscoveryRange& range)
     : domain_(dds_create_domain(range.domain, cyclone_configuration(range).c_str()),
               "DDS domain " + std::to_string(range.domain)),
-      participant_(make_participant(range.domain)),
+      participant_(make_participant(range)),
       publications_(dds_create_reader(participant_.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr),
                     "a reader of who publishes") {}
 
