@@ -119,7 +119,7 @@ void RobotNode::look_at_transforms(const recording::ReceivedMessage& message) {
         recording::without_slash(transform.parent) == options_.frames.map)
       other_seen_s_ = steady_s();
     if (options_.read.odometry.empty() || !recording::is_odometry(transform, options_.read)) continue;
-    odometry_rivals_.hear_transform({transform.stamp_s, recording::projected(transform.T_parent_child)});
+    odometry_comparison_.hear_transform({transform.stamp_s, recording::projected(transform.T_parent_child)});
     if (fell_back_) return_to_transforms(recording::without_slash(transform.child));
   }
 }
@@ -128,7 +128,8 @@ void RobotNode::drain() {
   while (auto next = stream_.next()) {
     record(next->message);
     if (!next->record) continue;
-    if (const auto* odometry = std::get_if<OdometryRecord>(&*next->record)) odometry_rivals_.hear_message(*odometry);
+    if (const auto* odometry = std::get_if<OdometryRecord>(&*next->record))
+      odometry_comparison_.hear_message(*odometry);
     if (live_)
       localize(std::move(*next->record), now_s());
     else
@@ -262,7 +263,7 @@ NodeState RobotNode::state() {
   if (steady_s() - other_seen_s_ < kOthersS)
     state.complaints.push_back(options_.incoming.tf + ": somebody else publishes the transform from " +
                                options_.frames.map + " to " + options_.frames.odom + " (AMCL? SLAM?): switch it off");
-  if (const std::string& apart = odometry_rivals_.difference(); !apart.empty() && !options_.read.odometry.empty())
+  if (const std::string& apart = odometry_comparison_.difference(); !apart.empty() && !options_.read.odometry.empty())
     state.complaints.push_back(options_.read.odometry + " and the transform from " + options_.read.odom_frame +
                                " to the robot on " + options_.incoming.tf + " differ by " + apart +
                                ": leave --odometry-topic out, or frames of others are wrong in " + options_.frames.map);

@@ -6,8 +6,8 @@
 #include "ros2/messages/outgoing.hpp"
 #include "ros2/network/discovery_range.hpp"
 #include "ros2/odom_frame.hpp"
+#include "ros2/odometry_comparison.hpp"
 #include "ros2/odometry_patience.hpp"
-#include "ros2/odometry_rivals.hpp"
 #include "ros2/pose_hint.hpp"
 #include "ros2/pose_keeper.hpp"
 #include "ros2/pose_memory.hpp"
@@ -94,7 +94,7 @@ class RobotNode {
   Outgoing outgoing_;
   recording::RosStream stream_;
   OdometryPatience odometry_patience_;
-  OdometryRivals odometry_rivals_;
+  OdometryComparison odometry_comparison_;
   bool fell_back_ = false;         // odometry is read from its topic, because no transform was it
   std::string recorded_odometry_;  // a topic that is not read any more, but for the recording
   std::optional<FileRecorder> recorder_;

@@ -1,5 +1,5 @@
+#include "ros2/odometry_comparison.hpp"
 #include "ros2/odometry_patience.hpp"
-#include "ros2/odometry_rivals.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -19,14 +19,14 @@ TEST_CASE("transforms are waited for from the first odometry on, and since they 
 }
 
 TEST_CASE("odometry by messages and by transforms is told where it differs at the same time") {
-  OdometryRivals rivals;
-  rivals.hear_transform({1, Pose2(5, 0, 0)});
-  CHECK(rivals.difference().empty());
-  rivals.hear_message({1, Pose2(0, 0, 0)});
-  rivals.hear_transform({1.5, Pose2(1, 0, 0)});  // the robot has driven since
-  CHECK(rivals.difference().empty());
-  rivals.hear_transform({1.02, Pose2(1, 0, 0)});
-  CHECK(rivals.difference() == "1.00 m and 0.00 rad");
-  rivals.hear_transform({1.04, Pose2(0.1, 0, 0)});
-  CHECK(rivals.difference().empty());
+  OdometryComparison comparison;
+  comparison.hear_transform({1, Pose2(5, 0, 0)});
+  CHECK(comparison.difference().empty());
+  comparison.hear_message({1, Pose2(0, 0, 0)});
+  comparison.hear_transform({1.5, Pose2(1, 0, 0)});  // the robot has driven since
+  CHECK(comparison.difference().empty());
+  comparison.hear_transform({1.02, Pose2(1, 0, 0)});
+  CHECK(comparison.difference() == "1.00 m and 0.00 rad");
+  comparison.hear_transform({1.04, Pose2(0.1, 0, 0)});
+  CHECK(comparison.difference().empty());
 }

@@ -1,4 +1,4 @@
-#include "ros2/odometry_rivals.hpp"
+#include "ros2/odometry_comparison.hpp"
 
 #include <opal/common/sentence.hpp>
 
@@ -14,7 +14,7 @@ constexpr double kSameM = 0.2, kSameRad = 0.2;
 
 }  // namespace
 
-void OdometryRivals::hear_transform(const OdometryRecord& odometry) {
+void OdometryComparison::hear_transform(const OdometryRecord& odometry) {
   if (!message_ || !(std::abs(odometry.stamp_s - message_->stamp_s) < kSameTimeS)) return;
   const double apart_m = distance_m(odometry.T_odom_base, message_->T_odom_base);
   const double apart_rad = std::abs(angle_between_rad(odometry.T_odom_base, message_->T_odom_base));

@@ -9,7 +9,7 @@ namespace opal::ros2 {
 
 /// Messages and transforms that both say where the robot is in the frame of odometry. Transforms of others build on the
 /// transform, so a pose by other odometry makes them wrong.
-class OdometryRivals {
+class OdometryComparison {
  public:
   void hear_message(const OdometryRecord& odometry) { message_ = odometry; }
   void hear_transform(const OdometryRecord& odometry);
