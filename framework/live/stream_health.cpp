@@ -14,7 +14,8 @@ constexpr double kSilentIntervals = 5;
 constexpr double kShare = 0.1, kUsualShare = 0.01;  // of a new value in an average
 constexpr int kKnown = 50;                          // records that tell a rate
 constexpr double kSlower = 1.3;
-constexpr int kFewRecords = 5;  // that tell whether two clocks are apart
+constexpr int kFewRecords = 5;       // that tell whether two clocks are apart
+constexpr double kClockReset_s = 1;  // stamps that step back so far go by another clock than before
 
 double stamp_of(const LogRecord& record) {
   if (const auto* odometry = std::get_if<OdometryRecord>(&record)) return odometry->stamp_s;
@@ -53,7 +54,8 @@ void StreamHealth::hear(Stream& stream, double received_s, double stamp_s, doubl
     stream.usual_s = stream.usual_s > 0 ? (1 - kUsualShare) * stream.usual_s + kUsualShare * since_s : since_s;
   }
   if (std::isfinite(age_s)) stream.age_s = stream.received_s ? (1 - kShare) * stream.age_s + kShare * age_s : age_s;
-  const bool is_delayed = stream.received_s && ahead_s < stream.stamp_ahead_s;
+  const double behind_s = stream.received_s ? stream.stamp_ahead_s - ahead_s : 0;
+  const bool is_delayed = behind_s > 0 && behind_s < kClockReset_s;
   stream.stamp_ahead_s = is_delayed ? (1 - kShare) * stream.stamp_ahead_s + kShare * ahead_s : ahead_s;
   stream.received_s = received_s;
   ++stream.records;

@@ -28,11 +28,6 @@ bool RosStream::take_odometry_from_transforms(const std::string& base_frame) {
   if (is_open_ && base_frame != base_frame_) return false;
   base_frame_ = base_frame;
   odom_frame_.reset();
-  std::erase_if(held_, [&](const ReceivedMessage& held) {
-    const bool is_odometry = held.topic.name == decoder_.topics().odometry;
-    if (is_odometry) held_bytes_ -= held.data.size();
-    return is_odometry;
-  });
   decoder_.take_odometry_from_transforms(base_frame);
   return true;
 }
@@ -94,6 +89,15 @@ void RosStream::look_at_link(Transform transform, const std::string& topic) {
     moving.add(transform, topic, false);
 }
 
+/// A recording with a part of them would be replayed with them.
+void RosStream::drop_other_odometry() {
+  std::erase_if(held_, [&](const ReceivedMessage& held) {
+    const bool is_other = has_odometry(held.topic) && held.topic.name != decoder_.topics().odometry;
+    if (is_other) held_bytes_ -= held.data.size();
+    return is_other;
+  });
+}
+
 void RosStream::bound_memory() {
   while (held_bytes_ > kMostHeldBytes && held_.size() > 1) {
     held_bytes_ -= held_.front().data.size();
@@ -129,6 +133,7 @@ void RosStream::try_to_open() {
     decoder_.add_mount(*mount);
     mounts_.push_back(mount->record);
   }
+  drop_other_odometry();
   is_open_ = true;
 }
 

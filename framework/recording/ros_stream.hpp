@@ -32,10 +32,11 @@ class RosStream {
 
   /// Instead of transforms. For a stream that is still closed.
   void take_odometry_from_topic(const std::string& topic);
-  /// Instead of a topic; what it has said and is held, is dropped. @return false if the stream is open, and goes by
-  /// another frame of the robot: nothing has changed then.
+  /// Instead of a topic. @return false if the stream is open, and goes by another frame of the robot: nothing has
+  /// changed then.
   bool take_odometry_from_transforms(const std::string& base_frame);
-  /// The next message in the order of arrival.
+  /// The next message in the order of arrival. Messages of odometry that turn out not to be read are dropped when the
+  /// stream opens.
   void take(ReceivedMessage message);
   /// In the order of arrival; nullopt if there is none or it is held.
   std::optional<StreamedMessage> next();
@@ -60,6 +61,7 @@ class RosStream {
   std::string base_words() const;
   void look_at_transforms(const ReceivedMessage& message, bool are_static);
   void look_at_link(Transform transform, const std::string& topic);
+  void drop_other_odometry();
   void bound_memory();
   FixedFrames frames() const;
   void try_to_open();

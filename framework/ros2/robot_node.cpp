@@ -106,8 +106,10 @@ void RobotNode::route(recording::ReceivedMessage message) {
   }
   if (message.topic.name == topics.tf) look_at_transforms(message);
   if (recording::has_odometry(message.topic) && message.topic.name != options_.read.odometry &&
-      message.topic.name != recorded_odometry_)
-    return odometry_patience_.odometry_is_heard(steady_s());
+      message.topic.name != recorded_odometry_) {
+    odometry_patience_.odometry_is_heard(steady_s());
+    if (stream_.is_open()) return;
+  }
   stream_.take(std::move(message));
   drain();
 }

@@ -204,6 +204,28 @@ TEST_CASE("a stream goes back from a topic of odometry to transforms, before it 
   CHECK(xs_m == std::vector<double>{5});
 }
 
+TEST_CASE("odometry from before the choice of its topic is held, and dropped where transforms are chosen") {
+  const Topic wheels{"/odom", "nav_msgs/msg/Odometry", Wire::cdr};
+  const bool is_topic = GENERATE(false, true);
+  RosStream stream(one_laser());
+  stream.take(received(kStatic, 1, laser_link(0.3)));
+  stream.take(received(wheels, 1, log_tests::odometry_bytes(1, {7, 0, 0, 0, 0, 0, 1}, "base")));
+  stream.take(received(kScan, 2, scan_of(2)));
+  if (is_topic) stream.take_odometry_from_topic("/odom");
+  stream.take(received(wheels, 3, log_tests::odometry_bytes(3, {8, 0, 0, 0, 0, 0, 1}, "base")));
+  if (!is_topic) stream.take(received(kTf, 4, odometry_link(4, 5)));
+  REQUIRE(stream.is_open());
+  std::vector<double> xs_m;
+  int others = 0;
+  while (const auto next = stream.next())
+    if (next->record && std::holds_alternative<OdometryRecord>(*next->record))
+      xs_m.push_back(std::get<OdometryRecord>(*next->record).T_odom_base.x());
+    else
+      ++others;
+  CHECK(xs_m == (is_topic ? std::vector<double>{7, 8} : std::vector<double>{5}));
+  CHECK(others == 2);  // the mount and the scan
+}
+
 TEST_CASE("an open stream does not go over to transforms of another frame of the robot") {
   const Topic wheels{"/odom", "nav_msgs/msg/Odometry", Wire::cdr};
   RosStream stream(one_laser(), 0);
