@@ -10,6 +10,6 @@ namespace opal {
 /// finds no pattern among the features that it was offered, and the match has not converged. Detectors and scorers are
 /// guarded where they are called.
 /// @param failures  must outlive the parts.
-LocalizerParts guarded(LocalizerParts parts, PluginFailures& failures);
+OPAL_EXPORT LocalizerParts guarded(LocalizerParts parts, PluginFailures& failures);
 
 }  // namespace opal
