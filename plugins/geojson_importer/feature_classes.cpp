@@ -11,19 +11,28 @@ constexpr const char* kClassKeys[] = {"class", "indoor",  "element",      "type"
                                       "kind",  "barrier", "feature_type", "layer", "ifc_class"};
 
 constexpr std::pair<const char*, const char*> kWords[] = {
-    {"wall", "Wall"},    {"walls", "Wall"},    {"column", "Column"},    {"columns", "Column"}, {"pillar", "Column"},
-    {"door", "Door"},    {"doors", "Door"},    {"opening", "Door"},     {"window", "Window"},  {"windows", "Window"},
-    {"glass", "Window"}, {"IfcWall*", "Wall"}, {"IfcColumn", "Column"}, {"IfcDoor", "Door"},   {"IfcWindow", "Window"}};
-
-/// Of a feature of IMDF with a category; else empty.
-std::string imdf_type_of(const Feature& feature) {
-  const nlohmann::json& properties = feature.properties;
-  const bool has_both = properties.contains("feature_type") && properties.at("feature_type").is_string() &&
-                        properties.contains("category") && properties.at("category").is_string();
-  return has_both ? properties.at("feature_type").get<std::string>() : "";
-}
+    {"wall", "Wall"},        {"walls", "Wall"},        {"column", "Column"},     {"columns", "Column"},
+    {"pillar", "Column"},    {"door", "Door"},         {"doors", "Door"},        {"opening", "Door"},
+    {"window", "Window"},    {"windows", "Window"},    {"glass", "Window"},      {"IfcWall*", "Wall"},
+    {"IfcColumn", "Column"}, {"IfcDoor", "Door"},      {"IfcWindow", "Window"},  {"room", "Room"},
+    {"rooms", "Room"},       {"corridor", "Corridor"}, {"corridors", "Corridor"}};
 
 std::string text_of(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// A property that is a text; else empty.
+std::string text_at(const Feature& feature, const char* property) {
+  const auto found = find_property(feature, property);
+  return found != feature.properties.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+/// "feature_type=unit category=walkway" of a feature of IMDF with a category; else empty.
+std::string imdf_name_of(const Feature& feature) {
+  const std::string type = text_at(feature, "feature_type");
+  const auto category = find_property(feature, "category"), outdoor = find_property(feature, "outdoor");
+  if (type.empty() || category == feature.properties.end() || !category->is_string()) return "";
+  const bool is_outdoor = outdoor != feature.properties.end() && *outdoor == true;
+  return "feature_type=" + type + " category=" + category->get<std::string>() + (is_outdoor ? " outdoor" : "");
+}
 
 // Units of IMDF that corridors and halls are: no wall stands between two of them. All other units are rooms.
 constexpr const char* kOpenUnits[] = {
@@ -37,18 +46,25 @@ constexpr const char* kTagKeys[] = {"door",    "entrance", "window", "buildingpa
 // These say who drew it, and when.
 constexpr const char* kMetadata[] = {"timestamp=", "version=", "changeset=", "user=", "uid=", "id=", "@"};
 
+bool is_metadata(const std::string& name) {
+  return std::any_of(std::begin(kMetadata), std::end(kMetadata),
+                     [&](const char* key) { return name.starts_with(key); });
+}
+
+/// Texts say more than numbers, which are often another one for each feature.
 std::string shown_class(const Feature& feature, const std::vector<std::string>& names) {
   const auto said = [&](const char* key) {
-    return feature.properties.contains(key) ? std::string(key) + "=" + text_of(feature.properties.at(key)) : "";
+    const auto found = find_property(feature, key);
+    return found == feature.properties.end() ? "" : found.key() + "=" + text_of(*found);
   };
   for (const char* key : kClassKeys)
     if (const std::string text = said(key); !text.empty()) return text;
   for (const char* key : kTagKeys)
     if (const std::string text = said(key); !text.empty()) return text;
+  for (const auto& [key, value] : feature.properties.items())
+    if (value.is_string() && !is_metadata(key + "=")) return key + "=" + value.get<std::string>();
   for (const std::string& name : names)
-    if (std::none_of(std::begin(kMetadata), std::end(kMetadata),
-                     [&](const char* key) { return name.starts_with(key); }))
-      return name;
+    if (!is_metadata(name)) return name;
   return names.empty() ? "without properties" : "without tags";
 }
 
@@ -57,17 +73,14 @@ std::string shown_class(const Feature& feature, const std::vector<std::string>& 
 FeatureClasses classes_of(const Feature& feature, const std::string& class_property) {
   FeatureClasses classes;
   if (!class_property.empty()) {
-    if (feature.properties.contains(class_property))
-      classes.names.push_back(text_of(feature.properties.at(class_property)));
+    if (const auto found = find_property(feature, class_property); found != feature.properties.end())
+      classes.names.push_back(text_of(*found));
     classes.shown = classes.names.empty() ? "without " + class_property : classes.names.front();
     return classes;
   }
   for (const auto& [key, value] : feature.properties.items())
     if (value.is_primitive() && !value.is_null()) classes.names.push_back(key + "=" + text_of(value));
-  if (const std::string type = imdf_type_of(feature); !type.empty())
-    classes.names.push_back(
-        "feature_type=" + type + " category=" + text_of(feature.properties.at("category")) +
-        (feature.properties.contains("outdoor") && feature.properties.at("outdoor") == true ? " outdoor" : ""));
+  if (const std::string name = imdf_name_of(feature); !name.empty()) classes.names.push_back(name);
   classes.shown = shown_class(feature, classes.names);
   return classes;
 }

@@ -1,14 +1,16 @@
 #include "geojson_importer.hpp"
 
 #include "connections.hpp"
+#include "file_kind.hpp"
 #include "imdf_archive.hpp"
 #include "level.hpp"
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 namespace opal::geojson_importer {
 namespace {
@@ -18,16 +20,39 @@ std::string name_of(const std::string& path) {
   return name.empty() ? "plan" : name;
 }
 
+/// Reads the options `unit` and `geographic`, which say the same thing.
+void read_unit(const nlohmann::json& options, PlacementOptions& placement) {
+  if (!options.at("geographic").is_null()) placement.is_geographic = options.at("geographic").get<bool>();
+  placement.unit = options.at("unit");
+  if (placement.unit.empty()) return;
+  if (!length_units().contains(placement.unit))
+    throw ConfigError("opal:GeoJsonImporter: option unit: \"" + placement.unit +
+                      "\", expected one of m, dm, cm, mm, in, ft, yd");
+  if (placement.is_geographic == true)
+    throw ConfigError("opal:GeoJsonImporter: options unit, geographic: a length and degrees, expected one of them");
+  placement.is_geographic = false;
+}
+
+/// About damaged features, of which no map is made.
+std::vector<std::string> sentences_about_damage(const FeatureCollection& collection) {
+  const auto is_damaged = [](const Feature& feature) { return !feature.damage.empty(); };
+  const auto first = std::find_if(collection.features.begin(), collection.features.end(), is_damaged);
+  if (first == collection.features.end()) return {};
+  return {fmt::format("damaged, and nothing is made of them: {} features, the first: {}",
+                      std::count_if(first, collection.features.end(), is_damaged), first->damage)};
+}
+
 }  // namespace
 
 GeoJsonImporter::GeoJsonImporter(const nlohmann::json& options)
     : plan_(options, default_classes()),
       storey_(options.at("storey")),
       class_property_(options.at("class_property")),
+      level_property_(options.at("level_property")),
       elements_{options.at("radius_property"), options.at("circle_tolerance_m"), options.at("max_column_radius_m"),
                 options.at("door_width_m")} {
   placement_.origin_m = {options.at("origin_x_m").get<double>(), options.at("origin_y_m").get<double>()};
-  if (!options.at("geographic").is_null()) placement_.is_geographic = options.at("geographic").get<bool>();
+  read_unit(options, placement_);
   const nlohmann::json &longitude = options.at("origin_lon_deg"), &latitude = options.at("origin_lat_deg");
   if (longitude.is_null() != latitude.is_null())
     throw ConfigError(
@@ -39,29 +64,24 @@ GeoJsonImporter::GeoJsonImporter(const nlohmann::json& options)
 }
 
 bool GeoJsonImporter::recognizes(const std::string& path) const {
-  std::error_code error;
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (is_imdf_archive(path)) return true;
-  if (!std::filesystem::is_regular_file(path, error)) return false;
-  if (extension == ".geojson") return true;
-  if (extension != ".json") return false;
-  std::string begin(4096, '\0');
-  std::ifstream(path, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return begin.find("\"FeatureCollection\"") != std::string::npos;
+  return is_imdf_archive(path) || looks_like_plan(path);
 }
 
-void GeoJsonImporter::mark_used(FeatureCollection& collection) const {
+FeatureCollection GeoJsonImporter::plan_at(const std::string& path) const {
+  refuse_openstreetmap(path);
+  FeatureCollection collection = read_plan(path);
   for (Feature& feature : collection.features) {
     const auto type = plan_.rules.class_of(classes_of(feature, class_property_).names);
     feature.is_used = type && *type != ClassRules::kLeaveOut && *type != kArea && *type != kOpening;
   }
+  find_levels(path, level_property_, collection);
+  return collection;
 }
 
 PlacementOptions GeoJsonImporter::placement() const {
   PlacementOptions placement = placement_;
   if (placement.origin_file.empty()) return placement;
-  FeatureCollection other = read_plan(placement.origin_file);
-  mark_used(other);
+  FeatureCollection other = plan_at(placement.origin_file);
   placement.origin_deg = middle_deg(placement, other);
   return placement;
 }
@@ -74,25 +94,28 @@ std::string GeoJsonImporter::chosen_level(const std::string& path, const Feature
   if (storey_.empty()) {
     if (levels.size() < 2) return "";
     const std::string level = level_at_ground(collection);
+    const std::string where =
+        collection.level_property.empty() ? "" : " (as the property '" + collection.level_property + "' says)";
+    const std::string which = is_numbered(level) ? "the nearest to the ground" : "the first by its name";
     if (!level.empty())
-      sentences.push_back("level '" + level + "' of " + listed +
-                          ", the nearest to the ground that gives anything (--storey chooses another)");
+      sentences.push_back("level '" + level + "' of " + listed + where + ", " + which +
+                          " that gives anything (--storey chooses another)");
     return level;
   }
   const auto name = collection.level_of_name.find(storey_);
   const std::string level = name == collection.level_of_name.end() ? storey_ : name->second;
   const bool is_known =
       std::any_of(collection.features.begin(), collection.features.end(),
-                  [&](const Feature& feature) { return !levels_of(feature).empty() && is_on_level(feature, level); });
+                  [&](const Feature& feature) { return !feature.levels.empty() && is_on_level(feature, level); });
   if (!is_known)
     throw MapError(path + ": has no level '" + storey_ + "', expected " +
-                   (listed.empty() ? "no storey: it has no levels" : "one of " + listed));
+                   (listed.empty() ? "no storey: it has no levels (level_property names the property that says them)"
+                                   : "one of " + listed));
   return level;
 }
 
 std::vector<Storey> GeoJsonImporter::storeys(const std::string& path) const {
-  FeatureCollection collection = read_plan(path);
-  mark_used(collection);
+  FeatureCollection collection = plan_at(path);
   std::vector<Storey> storeys;
   for (const std::string& level : all_levels(collection)) {
     const auto label = collection.label_of_level.find(level);
@@ -112,17 +135,25 @@ PlanElements GeoJsonImporter::elements_of(const std::string& path, const Feature
     if (level.empty() || is_on_level(feature, level))
       elements.add(feature, classes);
     else
-      elements.leave_out(feature, classes.shown, "it is on another level", ImportStatus::not_cut);
+      elements.leave_out(feature, classes, "it is on another level", ImportStatus::not_cut);
   }
   elements.finish();
   return elements;
 }
 
+void GeoJsonImporter::expect_features(const std::string& path, const SemanticMap& map) const {
+  if (map.features().empty())
+    throw MapError(fmt::format("{}: no line is {} m long or longer, expected a building: {}", path,
+                               plan_.plan.min_face_m,
+                               placement_.unit.empty() ? "the options unit and geographic say what its coordinates are"
+                                                       : "the option unit is wrong"));
+}
+
 MapImport GeoJsonImporter::import(const std::string& path) const {
-  FeatureCollection collection = read_plan(path);
-  mark_used(collection);
+  FeatureCollection collection = plan_at(path);
   std::vector<std::string> sentences = collection.notes;
   const std::string level = chosen_level(path, collection, sentences);
+  for (const std::string& sentence : doubts_about_levels(collection)) sentences.push_back(sentence);
   for (const std::string& sentence : place(path, placement(), collection)) sentences.push_back(sentence);
   PlanElements plan = elements_of(path, collection, level);
   if (plan.elements.empty())
@@ -136,6 +167,7 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   origin.connections = connections_of(collection, level);
   const PlanAssembly assembly =
       assemble_plan(path, collection.name.empty() ? name_of(path) : collection.name, plan.elements, plan_.plan, origin);
+  expect_features(path, *assembly.map);
   MapImport imported{assembly.map, std::move(sentences), std::move(plan.things), {}};
   report_outcomes(plan.elements, assembly, imported.elements);
   sort_by_id(imported.elements);
@@ -143,6 +175,7 @@ MapImport GeoJsonImporter::import(const std::string& path) const {
   for (const std::string& sentence : plan.tally.sentences()) imported.report.push_back(sentence);
   for (const std::string& pattern : plan_.rules.unused(plan.names))
     imported.report.push_back("doubtful: no feature is '" + pattern + "', as a rule of the option classes has it");
+  for (const std::string& sentence : sentences_about_damage(collection)) imported.report.push_back(sentence);
   for (const std::string& sentence : plan.sentences()) imported.report.push_back(sentence);
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
   return imported;

@@ -21,10 +21,12 @@ class GeoJsonImporter final : public MapImporter {
   std::vector<Storey> storeys(const std::string& path) const override;
 
  private:
-  /// Which features something becomes of, whatever level they are on.
-  void mark_used(FeatureCollection& collection) const;
+  /// A plan whose features know their levels, and whether something becomes of them on any level.
+  FeatureCollection plan_at(const std::string& path) const;
   /// With the origin that another plan gives.
   PlacementOptions placement() const;
+  /// What only the assembled map shows. @throws MapError if it holds nothing.
+  void expect_features(const std::string& path, const SemanticMap& map) const;
   /// The level to import; empty: there is one only. @throws MapError if the option names none.
   std::string chosen_level(const std::string& path, const FeatureCollection& collection,
                            std::vector<std::string>& sentences) const;
@@ -32,7 +34,7 @@ class GeoJsonImporter final : public MapImporter {
                            const std::string& level) const;
 
   PlanImportOptions plan_;
-  std::string storey_, class_property_;
+  std::string storey_, class_property_, level_property_;
   ElementOptions elements_;
   PlacementOptions placement_;
 };

@@ -1,12 +1,15 @@
 #include "geojson_reader.hpp"
 
+#include "lenient_json.hpp"
+
 #include <opal/common/error.hpp>
-#include <opal/common/strict_json.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace opal::geojson_importer {
@@ -21,12 +24,9 @@ std::string shown(const json& value) {
   return text.size() > kShownCharacters ? text.substr(0, kShownCharacters) + "..." : text;
 }
 
-json document(const std::string& path) {
-  try {
-    return read_json(path);
-  } catch (const JsonError& error) {
-    throw MapError(error.what());
-  }
+bool is_same_name(const std::string& a, const std::string& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 class Reader {
@@ -34,7 +34,7 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path) {}
 
   FeatureCollection run() {
-    const json all = document(path_);
+    const json all = read_lenient_json(path_, notes_);
     const std::string type = type_of(all, "", "FeatureCollection or Feature");
     FeatureCollection collection;
     collection.crs = crs_of(all);
@@ -79,26 +79,48 @@ class Reader {
     return object.at(key);
   }
 
+  /// What is wrong with it becomes its damage: a class may still say that no map is made of it.
   Feature feature(const json& object, const std::string& where, std::size_t number) {
-    if (type_of(object, where, "Feature") != "Feature") fail(where + "/type", shown(object.at("type")), "Feature");
     Feature feature;
-    feature.id = id_of(object, where, number);
-    if (object.contains("properties") && !object.at("properties").is_null()) {
-      if (!object.at("properties").is_object())
-        fail(where + "/properties", shown(object.at("properties")), "an object or null");
-      feature.properties = object.at("properties");
-      add_tags(feature.properties);
+    attempt(feature, [&] {
+      if (type_of(object, where, "Feature") != "Feature") fail(where + "/type", shown(object.at("type")), "Feature");
+    });
+    std::optional<std::string> id;
+    if (object.is_object()) {
+      attempt(feature, [&] { id = given_id(object, where); });
+      attempt(feature, [&] { add_properties(object, where, feature); });
+      attempt(feature, [&] { add_geometry_of(object, where, feature); });
     }
-    if (object.contains("feature_type")) feature.properties["feature_type"] = object.at("feature_type");  // IMDF
-    if (!object.contains("geometry")) fail(where, "no geometry", "an object or null");
-    if (object.at("geometry").is_null()) return feature;
-    try {
-      feature.geometry = type_of(object.at("geometry"), where + "/geometry", "a geometry");
-      add_geometry(object.at("geometry"), where + "/geometry", feature.shapes);
-    } catch (const MapError& error) {
-      feature.damage = error.what();
-    }
+    feature.id = unique_id(id.value_or(fmt::format("feature-{}", number + 1)));
     return feature;
+  }
+
+  /// The first damage is told.
+  template <class Act>
+  static void attempt(Feature& feature, Act act) {
+    try {
+      act();
+    } catch (const MapError& error) {
+      if (feature.damage.empty()) feature.damage = error.what();
+    }
+  }
+
+  void add_properties(const json& object, const std::string& where, Feature& feature) const {
+    if (object.contains("feature_type")) feature.properties["feature_type"] = object.at("feature_type");  // IMDF
+    if (!object.contains("properties") || object.at("properties").is_null()) return;
+    const json& properties = object.at("properties");
+    if (!properties.is_object()) fail(where + "/properties", shown(properties), "an object or null");
+    const json of_archive = std::move(feature.properties);
+    feature.properties = properties;
+    add_tags(feature.properties);
+    feature.properties.update(of_archive);
+  }
+
+  void add_geometry_of(const json& object, const std::string& where, Feature& feature) {
+    if (!object.contains("geometry")) fail(where, "no geometry", "an object or null");
+    if (object.at("geometry").is_null()) return;
+    feature.geometry = type_of(object.at("geometry"), where + "/geometry", "a geometry");
+    add_geometry(object.at("geometry"), where + "/geometry", feature.shapes);
   }
 
   /// Some exports of OpenStreetMap have the tags in an object of their own.
@@ -109,18 +131,19 @@ class Reader {
       if (!properties.contains(key)) properties[key] = value;
   }
 
-  std::string id_of(const json& object, const std::string& where, std::size_t number) {
-    std::string id = fmt::format("feature-{}", number + 1);
+  std::optional<std::string> given_id(const json& object, const std::string& where) const {
     const json* given = object.contains("id") ? &object.at("id") : nullptr;
     if (given == nullptr && object.contains("properties") && object.at("properties").is_object() &&
         object.at("properties").contains("@id"))
       given = &object.at("properties").at("@id");  // as exports of OpenStreetMap have it
-    if (given != nullptr && !given->is_null()) {
-      if (!given->is_string() && !given->is_number()) fail(where + "/id", shown(*given), "a text or a number");
-      if (const std::string text = given->is_string() ? given->get<std::string>() : given->dump(); !text.empty())
-        id = text;
-    }
-    const std::string first = id;
+    if (given == nullptr || given->is_null()) return std::nullopt;
+    if (!given->is_string() && !given->is_number()) fail(where + "/id", shown(*given), "a text or a number");
+    const std::string text = given->is_string() ? given->get<std::string>() : given->dump();
+    return text.empty() ? std::nullopt : std::optional<std::string>(text);
+  }
+
+  std::string unique_id(const std::string& first) {
+    std::string id = first;
     for (int k = 2; !ids_.insert(id).second; ++k) id = fmt::format("{}-{}", first, k);
     repeated_ids_ += id != first;
     return id;
@@ -190,8 +213,17 @@ class Reader {
 
 }  // namespace
 
-std::string text_or_number(const Feature& feature, const char* property) {
-  const auto found = feature.properties.find(property);
+nlohmann::json::const_iterator find_property(const Feature& feature, const std::string& name) {
+  const nlohmann::json& properties = feature.properties;
+  const auto exact = properties.find(name);
+  if (exact != properties.end()) return exact;
+  for (auto property = properties.begin(); property != properties.end(); ++property)
+    if (is_same_name(property.key(), name)) return property;
+  return properties.end();
+}
+
+std::string text_or_number(const Feature& feature, const std::string& property) {
+  const auto found = find_property(feature, property);
   if (found == feature.properties.end()) return "";
   return found->is_string() ? found->get<std::string>() : found->is_number() ? found->dump() : "";
 }

@@ -36,12 +36,17 @@ struct Feature {
   std::string geometry;  ///< "Polygon"; "" if it has none
   nlohmann::json properties = nlohmann::json::object();
   Shapes shapes;
-  std::string damage;    ///< a whole message, if its geometry is damaged: a map must not be made of it
-  bool is_used = false;  ///< something becomes of it on some level
+  std::string damage;                    ///< a whole message, if it is damaged: a map must not be made of it
+  bool is_used = false;                  ///< something becomes of it on some level
+  std::vector<std::string> levels = {};  ///< as find_levels() has them; none: it does not say, and is on all of them
 };
 
-/// A property that is a text, or a number as it is written; "" if it is neither.
-std::string text_or_number(const Feature& feature, const char* property);
+/// The property of this name; else one whose name differs in upper and lower case only; end() if there is none.
+nlohmann::json::const_iterator find_property(const Feature& feature, const std::string& name);
+
+/// A property that is a text, or a number as it is written; "" if it is neither. Upper and lower case of its name are
+/// the same.
+std::string text_or_number(const Feature& feature, const std::string& property);
 
 struct FeatureCollection {
   std::string name;  ///< empty: the file does not say
@@ -49,6 +54,7 @@ struct FeatureCollection {
   std::string crs;                                    ///< name in the member `crs` of 2008; empty: there is none
   std::map<std::string, std::string> level_of_name;   ///< what else than by `level` a level is called
   std::map<std::string, std::string> label_of_level;  ///< for people, where `level` is a number of a level with a name
+  std::string level_property;                         ///< what else than `level` says the levels; empty: nothing else
   std::vector<std::string> notes;                     ///< sentences about the reading
 };
 

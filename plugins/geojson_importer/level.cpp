@@ -1,9 +1,16 @@
 #include "level.hpp"
 
+#include <opal/common/error.hpp>
+
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -12,6 +19,12 @@ namespace opal::geojson_importer {
 namespace {
 
 constexpr double kMostLevels = 300;
+// OpenStreetMap, IMDF. Each feature may say its level by any of these.
+constexpr std::array kUsual{"level", "level_id", "levelid"};
+// Of plans that have none of these, in this order.
+constexpr std::array kOthers{"floor", "floorid", "floor_id", "storey", "storey_id"};
+// Names of properties that may mean a level.
+constexpr std::array kLikeLevels{"level", "floor", "storey", "story", "etage", "geschoss", "stockwerk"};
 
 std::optional<double> number(const std::string& text) {
   double value = 0;
@@ -39,7 +52,7 @@ void add_levels(const std::string& part, std::vector<std::string>& levels) {
 }
 
 /// "0;1", "0, 1": levels one by one.
-void add_property(const Feature& feature, const char* key, std::vector<std::string>& levels) {
+void add_property(const Feature& feature, const std::string& key, std::vector<std::string>& levels) {
   std::string text = text_or_number(feature, key);
   std::replace(text.begin(), text.end(), ',', ';');
   std::istringstream parts(text);
@@ -56,24 +69,77 @@ std::vector<std::string> levels_where(const FeatureCollection& collection, Wante
   std::set<std::pair<double, std::string>> levels;
   for (const Feature& feature : collection.features)
     if (is_wanted(feature))
-      for (const std::string& level : levels_of(feature)) levels.emplace(number(level).value_or(1e9), level);
+      for (const std::string& level : feature.levels) levels.emplace(number(level).value_or(1e9), level);
   std::vector<std::string> names;
   for (const auto& [height, name] : levels) names.push_back(name);
   return names;
 }
 
+bool any_has(const FeatureCollection& collection, const std::string& property) {
+  return std::any_of(collection.features.begin(), collection.features.end(),
+                     [&](const Feature& feature) { return !text_or_number(feature, property).empty(); });
+}
+
+/// Which properties say the levels of a plan.
+std::vector<std::string> properties_of(const FeatureCollection& collection) {
+  const auto has = [&](const char* property) { return any_has(collection, property); };
+  if (std::any_of(kUsual.begin(), kUsual.end(), has)) return {kUsual.begin(), kUsual.end()};
+  const auto other = std::find_if(kOthers.begin(), kOthers.end(), has);
+  return other == kOthers.end() ? std::vector<std::string>{} : std::vector<std::string>{*other};
+}
+
+bool is_like_level(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::any_of(kLikeLevels.begin(), kLikeLevels.end(),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+/// How often each value of the properties that are called like levels occurs among features that become map.
+std::map<std::string, std::map<std::string, int>> values_like_levels(const FeatureCollection& collection) {
+  std::map<std::string, std::map<std::string, int>> values;
+  for (const Feature& feature : collection.features)
+    for (auto property = feature.properties.begin(); feature.is_used && property != feature.properties.end();
+         ++property)
+      if (is_like_level(property.key()) && (property->is_string() || property->is_number()))
+        ++values[property.key()][text_or_number(feature, property.key())];
+  return values;
+}
+
 }  // namespace
 
-std::vector<std::string> levels_of(const Feature& feature) {
-  std::vector<std::string> levels;
-  for (const char* key : {"level", "level_id"})
-    if (levels.empty()) add_property(feature, key, levels);
-  add_property(feature, "repeat_on", levels);
-  return levels;
+void find_levels(const std::string& path, const std::string& property, FeatureCollection& collection) {
+  if (!property.empty() && !any_has(collection, property))
+    throw MapError(path + ": no feature has the property '" + property +
+                   "', expected one that says levels, as the option level_property has it");
+  const std::vector<std::string> properties =
+      property.empty() ? properties_of(collection) : std::vector<std::string>{property};
+  for (Feature& feature : collection.features) {
+    for (const std::string& key : properties)
+      if (feature.levels.empty()) add_property(feature, key, feature.levels);
+    add_property(feature, "repeat_on", feature.levels);
+    if (properties.size() == 1 && collection.level_property.empty())
+      if (const auto found = find_property(feature, properties.front()); found != feature.properties.end())
+        collection.level_property = found.key();
+  }
+}
+
+std::vector<std::string> doubts_about_levels(const FeatureCollection& collection) {
+  if (!all_levels(collection).empty()) return {};
+  std::vector<std::string> doubts;
+  for (const auto& [property, counts] : values_like_levels(collection)) {
+    int features = 0;
+    for (const auto& [value, count] : counts) features += count;
+    if (counts.size() < 2 || 2 * static_cast<int>(counts.size()) > features) continue;  // areas and heights differ
+    doubts.push_back(
+        fmt::format("doubtful: '{0}' has {1} values, and all are in the map: if it says levels, "
+                    "--set level_property={0}",
+                    property, counts.size()));
+  }
+  return doubts;
 }
 
 bool is_on_level(const Feature& feature, const std::string& level) {
-  const std::vector<std::string> levels = levels_of(feature);
+  const std::vector<std::string>& levels = feature.levels;
   const std::string wanted = number(level) ? written(*number(level)) : level;
   return levels.empty() || std::find(levels.begin(), levels.end(), wanted) != levels.end();
 }
@@ -81,6 +147,8 @@ bool is_on_level(const Feature& feature, const std::string& level) {
 std::vector<std::string> all_levels(const FeatureCollection& collection) {
   return levels_where(collection, [](const Feature&) { return true; });
 }
+
+bool is_numbered(const std::string& level) { return number(level).has_value(); }
 
 std::string level_at_ground(const FeatureCollection& collection) {
   std::string nearest;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -19,9 +20,21 @@ constexpr double kGeographicExtent = 0.05;
 constexpr double kHighestLatitude_deg = 85;
 constexpr double kRadian_deg = degrees(1);
 constexpr double kWebRadius_m = 6378137;
-// Names of coordinate systems end so: longitude and latitude, and the plane of web maps, whose metres are none.
-constexpr std::array kSystemsInDegrees{"CRS84", ":4326", "/4326"};
+// Names of coordinate systems end so: longitude and latitude (WGS 84, and what is within 2 m of it), and the plane of
+// web maps, whose metres are none.
+constexpr std::array kSystemsInDegrees{"CRS84", ":4326", "/4326", "CRS83", ":4269", "/4269", ":4258", "/4258",
+                              ":4490", "/4490", ":4979", "/4979", ":7844", "/7844", ":4283", "/4283"};
 constexpr std::array kWebMercator{":3857", "/3857", ":900913", ":102100"};
+
+struct Codes {
+  int first, last;
+};
+// EPSG codes of planes in metres that buildings are often surveyed in: UTM, MGA, and national grids of Europe.
+constexpr std::array kMetres{Codes{32601, 32660}, Codes{32701, 32760}, Codes{25828, 25838}, Codes{26901, 26923},
+                             Codes{28348, 28358}, Codes{7846, 7859},   Codes{31466, 31469}, Codes{31254, 31259},
+                             Codes{2154, 2154},   Codes{27700, 27700}, Codes{28992, 28992}, Codes{2056, 2056},
+                             Codes{21781, 21781}, Codes{31370, 31370}, Codes{3812, 3812},   Codes{3035, 3035},
+                             Codes{5514, 5514},   Codes{3006, 3006},   Codes{2180, 2180},   Codes{3067, 3067}};
 
 struct Bounds {
   Point low = Point::Constant(std::numeric_limits<double>::max());
@@ -91,21 +104,53 @@ std::string project(const std::string& path, const PlacementOptions& options, Fe
                      origin.x(), origin.y(), error_m);
 }
 
+/// Whether a coordinate system is one that is known to be in metres.
+bool is_metric(const std::string& crs) {
+  const std::size_t separator = crs.find_last_of(":/");
+  if (separator == std::string::npos) return false;
+  int code = 0;
+  const char *begin = crs.data() + separator + 1, *end = crs.data() + crs.size();
+  const auto [rest, error] = std::from_chars(begin, end, code);
+  return error == std::errc() && rest == end && std::any_of(kMetres.begin(), kMetres.end(), [&](const Codes& codes) {
+           return codes.first <= code && code <= codes.last;
+         });
+}
+
 /// Coordinates of web maps become degrees first. @return whether a plan is in degrees.
 bool is_in_degrees(const PlacementOptions& options, FeatureCollection& collection,
                    std::vector<std::string>& sentences) {
-  const bool is_web_mercator = ends_with_any(collection.crs, kWebMercator);
-  if (is_web_mercator) {
+  if (options.is_geographic == false) return false;
+  if (ends_with_any(collection.crs, kWebMercator)) {
     for (Feature& feature : collection.features)
       visit_positions(feature.shapes, [](Point& p) { p = degrees_of_web_mercator(p); });
     sentences.push_back("coordinates of web maps (" + collection.crs + "), to longitude and latitude");
+    return true;
   }
-  const bool is_said = is_web_mercator || ends_with_any(collection.crs, kSystemsInDegrees);
-  const bool is_likely = collection.crs.empty() && building_of(collection).looks_like_degrees();
-  return options.is_geographic.value_or(is_said || is_likely);
+  if (options.is_geographic || ends_with_any(collection.crs, kSystemsInDegrees)) return true;
+  if (!building_of(collection).looks_like_degrees()) return false;
+  if (!collection.crs.empty())
+    sentences.push_back("doubtful: the crs " + collection.crs +
+                        " is not known to be one of degrees, which the coordinates look like: taken for WGS 84");
+  return true;
+}
+
+/// About coordinates that are lengths.
+std::string sentence_about_lengths(const PlacementOptions& options, const std::string& crs) {
+  if (!options.unit.empty()) return "coordinates in " + options.unit + ", as the option unit says";
+  const std::string metres = "coordinates in metres";
+  if (crs.empty()) return metres;
+  return is_metric(crs) || options.is_geographic
+             ? metres + " (" + crs + ")"
+             : "doubtful: " + metres + ": the crs " + crs + " is not known here (--set unit=ft for one in feet)";
 }
 
 }  // namespace
+
+const std::map<std::string, double>& length_units() {
+  static const std::map<std::string, double> kUnits{{"m", 1},       {"dm", 0.1},    {"cm", 0.01},  {"mm", 0.001},
+                                                    {"in", 0.0254}, {"ft", 0.3048}, {"yd", 0.9144}};
+  return kUnits;
+}
 
 std::optional<Point> middle_deg(const PlacementOptions& options, FeatureCollection& collection) {
   std::vector<std::string> sentences;
@@ -121,9 +166,10 @@ std::vector<std::string> place(const std::string& path, const PlacementOptions& 
     sentences.push_back(project(path, options, collection));
     return sentences;
   }
+  const double metres_per_unit = options.unit.empty() ? 1 : length_units().at(options.unit);
   for (Feature& feature : collection.features)
-    visit_positions(feature.shapes, [&](Point& p) { p -= options.origin_m; });
-  sentences.push_back("coordinates in metres" + (collection.crs.empty() ? "" : " (" + collection.crs + ")"));
+    visit_positions(feature.shapes, [&](Point& p) { p = metres_per_unit * p - options.origin_m; });
+  sentences.push_back(sentence_about_lengths(options, collection.crs));
   return sentences;
 }
 

@@ -37,23 +37,24 @@ bool is_thin_wall(const PlanElement& element) {
 
 void PlanElements::add(const Feature& feature, const FeatureClasses& classes) {
   const std::optional<std::string> type = plan_.rules.class_of(classes.names);
-  names.insert(names.end(), classes.names.begin(), classes.names.end());
-  if (!type) return leave_out(feature, classes.shown, "no class for it", ImportStatus::left_out);
+  if (!type) return leave_out(feature, classes, "no class for it", ImportStatus::left_out);
   if (*type == ClassRules::kLeaveOut)
-    return leave_out(feature, classes.shown, "a rule says so", ImportStatus::left_out);
+    return leave_out(feature, classes, "a rule says so", ImportStatus::left_out);
   if (!feature.damage.empty()) throw MapError(feature.damage);
   expect_near(feature);
   if (const std::string trouble = use(feature, *type); !trouble.empty())
-    return leave_out(feature, classes.shown, trouble, ImportStatus::unreadable);
+    return leave_out(feature, classes, trouble, ImportStatus::unreadable);
+  names.insert(names.end(), classes.names.begin(), classes.names.end());
   tally.count_used(classes.shown, *type, feature.geometry);
   things.push_back({feature.id, classes.shown, feature.geometry});
 }
 
-void PlanElements::leave_out(const Feature& feature, const std::string& source_class, const std::string& why,
+void PlanElements::leave_out(const Feature& feature, const FeatureClasses& classes, const std::string& why,
                              ImportStatus status) {
   const std::string geometry = feature.geometry.empty() ? "null" : feature.geometry;
-  tally.count_left_out(source_class, why, geometry, feature.id);
-  things.push_back({feature.id, source_class, geometry, status, why});
+  names.insert(names.end(), classes.names.begin(), classes.names.end());
+  tally.count_left_out(classes.shown, why, geometry, feature.id);
+  things.push_back({feature.id, classes.shown, geometry, status, why});
 }
 
 void PlanElements::expect_near(const Feature& feature) const {

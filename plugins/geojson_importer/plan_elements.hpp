@@ -33,7 +33,7 @@ class PlanElements {
   /// @throws MapError if the feature is damaged and something should become of it.
   void add(const Feature& feature, const FeatureClasses& classes);
   /// Puts a feature into the report that nothing becomes of.
-  void leave_out(const Feature& feature, const std::string& source_class, const std::string& why, ImportStatus status);
+  void leave_out(const Feature& feature, const FeatureClasses& classes, const std::string& why, ImportStatus status);
   /// Puts walls around areas, cuts openings into walls, and doors into these.
   void finish();
 

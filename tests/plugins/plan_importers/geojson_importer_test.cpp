@@ -149,7 +149,7 @@ TEST_CASE("what is no GeoJSON is refused with file and place") {
              Contains("/coordinates/1: [1,\"x\"], expected a position"));
   CHECK_THAT(with(feature("Circle", {0, 0}, kWall)),
              Contains("/features/0/geometry/type: \"Circle\", expected a geometry of RFC 7946"));
-  CHECK_THAT(with({{"type", "Feature"}, {"properties", nullptr}}), Contains("/features/0: no geometry"));
+  CHECK_THAT(with({{"type", "Feature"}, {"properties", kWall}}), Contains("/features/0: no geometry"));
   CHECK_THAT(with(feature("LineString", {{0, 0}, {1e300, 0}}, kWall)), Contains("within 1e6 m of the origin"));
 }
 

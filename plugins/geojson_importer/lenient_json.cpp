@@ -1,0 +1,89 @@
+#include "lenient_json.hpp"
+
+#include <opal/common/error.hpp>
+#include <opal/common/strict_json.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+
+namespace opal::geojson_importer {
+namespace {
+
+// As Python, C and JavaScript write them.
+constexpr std::array<std::string_view, 7> kNoNumbers{"NaN", "-Infinity", "Infinity", "nan", "-nan", "inf", "-inf"};
+
+/// Of a file that is not larger than a document may be; else nothing.
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(JsonLimits{}.bytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  const auto length = static_cast<std::size_t>(file.gcount());
+  text.resize(length > JsonLimits{}.bytes ? 0 : length);
+  return text;
+}
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+std::string_view no_number_at(std::string_view text, std::size_t at) {
+  if (at > 0 && is_letter(text[at - 1])) return {};
+  for (const std::string_view word : kNoNumbers)
+    if (text.substr(at).starts_with(word) && (at + word.size() == text.size() || !is_letter(text[at + word.size()])))
+      return word;
+  return {};
+}
+
+struct Quoted {
+  std::string text;
+  int count = 0;
+  std::size_t first_line = 0;
+};
+
+/// With quotes around what is no number, outside of texts.
+Quoted quoted(const std::string& text) {
+  Quoted result;
+  bool is_in_text = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const std::string_view word = is_in_text ? std::string_view() : no_number_at(text, k);
+    if (word.empty()) {
+      result.text += text[k];
+      if (is_in_text && text[k] == '\\' && k + 1 < text.size())
+        result.text += text[++k];
+      else if (text[k] == '"')
+        is_in_text = !is_in_text;
+      continue;
+    }
+    if (result.count++ == 0)
+      result.first_line =
+          1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(k), '\n'));
+    result.text += '"' + std::string(word) + '"';
+    k += word.size() - 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+nlohmann::json read_lenient_json(const std::string& path, std::vector<std::string>& notes) {
+  try {
+    return read_json(path);
+  } catch (const JsonError& error) {
+    const Quoted lenient = quoted(text_of(path));
+    if (lenient.count == 0) throw MapError(error.what());
+    try {
+      nlohmann::json document = parse_json(lenient.text, path);
+      notes.push_back(
+          fmt::format("damaged: NaN or Infinity in the place of a number, which is no JSON: {}, the first "
+                      "in line {}; taken for texts",
+                      lenient.count, lenient.first_line));
+      return document;
+    } catch (const JsonError&) {
+      throw MapError(error.what());
+    }
+  }
+}
+
+}  // namespace opal::geojson_importer
