@@ -27,10 +27,39 @@ std::vector<std::vector<Ring>> polygons_of(const Shapes& shapes) {
   return polygons;
 }
 
-bool is_thin_wall(const PlanElement& element) {
-  return element.type == "opal:Wall" && !element.sensor.empty() && !element.lines.empty() &&
-         std::all_of(element.lines.begin(), element.lines.end(),
-                     [](const PlanLine& line) { return line.sides == PlanSides::both && !line.closed; });
+bool is_seen_wall(const PlanElement& element) { return element.type == "opal:Wall" && !element.sensor.empty(); }
+
+bool is_thin(const PlanLine& line) { return line.sides == PlanSides::both && !line.closed; }
+
+// Of a door that is an area: it cuts walls, and is an object already.
+constexpr const char* kAreaOfDoor = "";
+
+/// Through the middle of a ring, along its longest edge, as long as the ring is in that direction.
+Segment line_through(const Ring& ring) {
+  Segment longest{ring.front(), ring.front()};
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    if (const Segment edge{ring[k], ring[(k + 1) % ring.size()]}; edge.length_m() > longest.length_m()) longest = edge;
+  if (longest.length_m() == 0) return longest;
+  const Point along = longest.direction(), across = left_of(along);
+  Point low = Point::Zero(), high = Point::Zero();
+  for (const Point& p : ring) {
+    const Point place(along.dot(p - ring.front()), across.dot(p - ring.front()));
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  const Point begin = ring.front() + low.x() * along + (low.y() + high.y()) / 2 * across;
+  return {begin, begin + (high.x() - low.x()) * along};
+}
+
+/// "d1, d2, ..." of at most five.
+template <class Texts>
+std::string first_of(const Texts& texts) {
+  constexpr std::size_t kMost = 5;
+  std::string list;
+  std::size_t count = 0;
+  for (const std::string& text : texts)
+    if (count++ < kMost) list += (list.empty() ? "" : ", ") + text;
+  return count > kMost ? list + ", ..." : list;
 }
 
 }  // namespace
@@ -38,8 +67,7 @@ bool is_thin_wall(const PlanElement& element) {
 void PlanElements::add(const Feature& feature, const FeatureClasses& classes) {
   const std::optional<std::string> type = plan_.rules.class_of(classes.names);
   if (!type) return leave_out(feature, classes, "no class for it", ImportStatus::left_out);
-  if (*type == ClassRules::kLeaveOut)
-    return leave_out(feature, classes, "a rule says so", ImportStatus::left_out);
+  if (*type == ClassRules::kLeaveOut) return leave_out(feature, classes, "a rule says so", ImportStatus::left_out);
   if (!feature.damage.empty()) throw MapError(feature.damage);
   expect_near(feature);
   if (const std::string trouble = use(feature, *type); !trouble.empty())
@@ -82,6 +110,11 @@ std::string PlanElements::use(const Feature& feature, const std::string& type) {
   for (const auto& line : shapes.lines) element.lines.push_back({line, false, PlanSides::both});
   int solid = 0;
   for (const auto& polygon : shapes.polygons) add_polygon(polygon, ++solid, element);
+  if (type == "opal:Door")
+    for (const auto& polygon : shapes.polygons) {
+      openings_.push_back({feature.id, line_through(polygon.front()), 0});
+      type_of_opening_.push_back(kAreaOfDoor);
+    }
   elements.push_back(std::move(element));
   return "";
 }
@@ -104,7 +137,6 @@ std::string PlanElements::use_opening(const Feature& feature, const std::string&
   const auto add_line = [&](const Segment& line) {
     openings_.push_back({feature.id, line, width_m});
     type_of_opening_.push_back(type);
-    has_point_openings_ |= line.begin == line.end;
   };
   for (const Point& p : feature.shapes.points) add_line({p, p});
   for (const auto& line : feature.shapes.lines)
@@ -128,16 +160,24 @@ void PlanElements::add_polygon(const std::vector<Ring>& polygon, int solid, Plan
     ++refitted;
     return;
   }
+  if (element.type == "opal:Wall" && mean_thickness_m(polygon) > plan_.plan.max_wall_thickness_m) {
+    for (Ring ring : polygon) {
+      ring.push_back(ring.front());
+      element.lines.push_back({std::move(ring), false, PlanSides::both});
+    }
+    if (ringed_.empty() || ringed_.back() != element.id) ringed_.push_back(element.id);
+    return;
+  }
   for (const Ring& ring : polygon) element.lines.push_back({ring, true, PlanSides::solid, solid});
 }
 
-/// Straight pieces of the walls that were drawn as lines; only doors that are points are cut into them.
+/// Straight pieces of the walls that were drawn as lines; without doors, lines stay whole.
 std::vector<AreaWall> PlanElements::thin_walls() const {
   std::vector<AreaWall> walls;
-  for (std::size_t k = 0; has_point_openings_ && k < elements.size(); ++k)
-    if (is_thin_wall(elements[k]))
+  for (std::size_t k = 0; !openings_.empty() && k < elements.size(); ++k)
+    if (is_seen_wall(elements[k]))
       for (const PlanLine& line : elements[k].lines)
-        for (std::size_t p = 0; p + 1 < line.points.size(); ++p)
+        for (std::size_t p = 0; is_thin(line) && p + 1 < line.points.size(); ++p)
           if (line.points[p] != line.points[p + 1])
             walls.push_back({static_cast<int>(k), {line.points[p], line.points[p + 1]}});
   return walls;
@@ -154,25 +194,43 @@ void PlanElements::put_back(const std::vector<AreaWall>& walls) {
 
 void PlanElements::finish() {
   std::vector<AreaWall> walls = thin_walls();
-  for (const AreaWall& wall : walls) elements[static_cast<std::size_t>(wall.element)].lines.clear();
+  for (const AreaWall& wall : walls) std::erase_if(elements[static_cast<std::size_t>(wall.element)].lines, is_thin);
   for (AreaWall wall : walls_around(areas_)) {
     wall.element = static_cast<int>(element_of_area_[static_cast<std::size_t>(wall.element)]);
     walls.push_back(wall);
   }
   const auto places = cut_openings(openings_, plan_.plan.max_wall_thickness_m, walls);
   put_back(walls);
+  find_closed(places);
+  put_in_doors(places);
+  std::erase_if(elements, [](const PlanElement& element) { return element.lines.empty() && element.circles.empty(); });
+}
+
+void PlanElements::find_closed(const std::vector<std::optional<Segment>>& places) {
+  const MassiveWalls massive(elements);
+  for (std::size_t k = 0; k < openings_.size(); ++k) {
+    const Segment line = places[k].value_or(openings_[k].line);
+    const std::string wall = massive.wall_at((line.begin + line.end) / 2);
+    if (wall.empty()) continue;
+    closed_.emplace(openings_[k].id, wall);
+    in_massive_ += !places[k] && type_of_opening_[k] != kAreaOfDoor;
+  }
+}
+
+void PlanElements::put_in_doors(const std::vector<std::optional<Segment>>& places) {
   std::map<std::string, std::size_t> doors;
   for (std::size_t k = 0; k < openings_.size(); ++k) {
     const Opening& opening = openings_[k];
     cut_ += places[k].has_value();
+    wall_less_ += !places[k] && type_of_opening_[k] != kAreaOfDoor;
     report_opening(opening, places[k].has_value());
-    if (type_of_opening_[k] == kOpening || (!places[k] && opening.is_point())) continue;
+    if (type_of_opening_[k] == kOpening || type_of_opening_[k] == kAreaOfDoor || (!places[k] && opening.is_point()))
+      continue;
     const auto [door, is_new] = doors.try_emplace(opening.id, elements.size());
     if (is_new) elements.push_back({opening.id, "opal:Door", plan_.sensor_for("opal:Door")});
     const Segment line = places[k].value_or(opening.line);
     elements[door->second].lines.push_back({{line.begin, line.end}, false, PlanSides::both});
   }
-  std::erase_if(elements, [](const PlanElement& element) { return element.lines.empty() && element.circles.empty(); });
 }
 
 void PlanElements::report_opening(const Opening& opening, bool is_in_wall) {
@@ -180,16 +238,29 @@ void PlanElements::report_opening(const Opening& opening, bool is_in_wall) {
   const auto thing = std::find_if(things.begin(), things.end(),
                                   [&](const ImportedElement& element) { return element.id == opening.id; });
   thing->status = ImportStatus::unreadable;
-  thing->reason = fmt::format("no wall is within {} m of it", plan_.plan.max_wall_thickness_m);
+  const auto closed = closed_.find(opening.id);
+  thing->reason = closed == closed_.end() ? fmt::format("no wall is within {} m of it", plan_.plan.max_wall_thickness_m)
+                                          : "it lies in the massive wall " + closed->second + ", which is not cut";
 }
 
 std::vector<std::string> PlanElements::sentences() const {
   std::vector<std::string> sentences;
   if (refitted > 0) sentences.push_back(fmt::format("circles that were drawn as polygons: {}", refitted));
+  if (!ringed_.empty())
+    sentences.push_back(
+        fmt::format("walls that enclose more than a wall (mean thickness over {} m), taken as thin walls "
+                    "along their outlines: {} ({})",
+                    plan_.plan.max_wall_thickness_m, ringed_.size(), first_of(ringed_)));
   if (!areas_.empty()) sentences.push_back(fmt::format("walls were put around {} areas", areas_.size()));
-  if (!openings_.empty())
-    sentences.push_back(fmt::format("doors and openings: {} cut into walls, {} where no wall is", cut_,
-                                    openings_.size() - static_cast<std::size_t>(cut_)));
+  if (cut_ + wall_less_ > 0)
+    sentences.push_back(fmt::format("doors and openings: {} cut into walls, {} where no wall is{}", cut_,
+                                    wall_less_ - in_massive_,
+                                    in_massive_ > 0 ? fmt::format(", {} in massive walls", in_massive_) : ""));
+  std::vector<std::string> closed;
+  for (const auto& [door, wall] : closed_) closed.push_back(door + " in " + wall);
+  if (!closed.empty())
+    sentences.push_back(fmt::format("doubtful: doors that are closed by massive walls, which are not cut: {} ({})",
+                                    closed.size(), first_of(closed)));
   return sentences;
 }
 

@@ -2,11 +2,13 @@
 
 #include "area_walls.hpp"
 #include "feature_classes.hpp"
+#include "massive_walls.hpp"
 #include "openings.hpp"
 
 #include <opal/import_kit/class_tally.hpp>
 #include <opal/import_kit/plan_import.hpp>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -56,6 +58,9 @@ class PlanElements {
   void add_polygon(const std::vector<Ring>& polygon, int solid, PlanElement& element);
   std::vector<AreaWall> thin_walls() const;
   void put_back(const std::vector<AreaWall>& walls);
+  void put_in_doors(const std::vector<std::optional<Segment>>& places);
+  /// Doors that lie in massive walls, out of which nothing is cut.
+  void find_closed(const std::vector<std::optional<Segment>>& places);
   void report_opening(const Opening& opening, bool is_in_wall);
 
   std::string source_;
@@ -65,9 +70,10 @@ class PlanElements {
   std::vector<std::size_t> element_of_area_;
   std::vector<Opening> openings_;
   std::vector<std::string> type_of_opening_;
-  bool has_point_openings_ = false;
   std::size_t area_edges_ = 0;
-  int cut_ = 0;
+  int cut_ = 0, wall_less_ = 0, in_massive_ = 0;
+  std::map<std::string, std::string> closed_;  ///< ids of doors, and of the massive walls that close them
+  std::vector<std::string> ringed_;            ///< ids of walls that were drawn as closed lines around rooms
 };
 
 }  // namespace opal::geojson_importer

@@ -1,0 +1,68 @@
+#include "massive_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace opal::geojson_importer {
+namespace {
+
+constexpr double kAtBorder_m = 0.01;
+
+}  // namespace
+
+double mean_thickness_m(const std::vector<std::vector<Point>>& rings) {
+  double area_m2 = 0, perimeter_m = 0;
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    const std::vector<Point>& ring = rings[k];
+    double twice_m2 = 0;
+    for (std::size_t p = 0; p < ring.size(); ++p) {
+      const Point a = ring[p] - ring.front(), b = ring[(p + 1) % ring.size()] - ring.front();
+      twice_m2 += cross(a, b);
+      perimeter_m += (b - a).norm();
+    }
+    area_m2 += (k == 0 ? 1 : -1) * std::abs(twice_m2) / 2;
+  }
+  return perimeter_m > 0 ? 2 * area_m2 / perimeter_m : 0;
+}
+
+MassiveWalls::MassiveWalls(const std::vector<PlanElement>& elements) {
+  for (const PlanElement& element : elements) {
+    if (element.type != "opal:Wall" || element.sensor.empty()) continue;
+    std::map<int, Wall> polygons;
+    for (const PlanLine& line : element.lines) {
+      if (line.sides != PlanSides::solid || line.points.empty()) continue;
+      Wall& wall = polygons[line.solid];
+      if (wall.edges.empty()) wall.low = wall.high = line.points.front();
+      for (std::size_t k = 0; k < line.points.size(); ++k) {
+        wall.edges.push_back({line.points[k], line.points[(k + 1) % line.points.size()]});
+        wall.low = wall.low.cwiseMin(line.points[k]);
+        wall.high = wall.high.cwiseMax(line.points[k]);
+      }
+    }
+    for (auto& [number, wall] : polygons) {
+      wall.id = element.id;
+      walls_.push_back(std::move(wall));
+    }
+  }
+}
+
+std::string MassiveWalls::wall_at(const Point& p) const {
+  const auto found = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& wall) { return holds(wall, p); });
+  return found == walls_.end() ? "" : found->id;
+}
+
+bool MassiveWalls::holds(const Wall& wall, const Point& p) {
+  const Point margin = Point::Constant(kAtBorder_m);
+  if ((p.array() < (wall.low - margin).array()).any() || (p.array() > (wall.high + margin).array()).any()) return false;
+  bool is_inside = false;
+  for (const Segment& edge : wall.edges) {
+    if (distance_m(edge, p) <= kAtBorder_m) return true;
+    if ((edge.begin.y() > p.y()) == (edge.end.y() > p.y())) continue;
+    const double part = (p.y() - edge.begin.y()) / (edge.end.y() - edge.begin.y());
+    if (edge.begin.x() + part * (edge.end.x() - edge.begin.x()) > p.x()) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+}  // namespace opal::geojson_importer
