@@ -33,6 +33,11 @@ struct Opening {
   std::vector<Body> bodies;
 };
 
+struct Material {
+  std::string name;        ///< in lower case; may be empty
+  double thickness_m = 0;  ///< of a layer; 0: it is none
+};
+
 /// One thing of the model that has or should have a shape.
 struct Element {
   std::string id;                    ///< GlobalId
@@ -41,7 +46,8 @@ struct Element {
   std::string storey;                 ///< name of the level that holds it; may be empty
   std::string whole;                  ///< GlobalId of what it is a part of; may be empty
   std::string fills;                  ///< GlobalId of the opening that it fills; may be empty
-  std::vector<std::string> words;     ///< names of its type and materials, in lower case: what they say about glass
+  std::vector<std::string> words;     ///< its name and those of its type, in lower case: what they say about glass
+  std::vector<Material> materials;    ///< in the order of its layers, if these are layers
   std::optional<double> thickness_m;  ///< of its material layers
   std::optional<Segment> axis;
   Point along = Point::UnitX();  ///< its own x axis, seen from above: a door's width runs along it

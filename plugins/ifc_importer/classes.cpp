@@ -1,5 +1,7 @@
 #include "classes.hpp"
 
+#include "glass.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <algorithm>
@@ -69,19 +71,12 @@ Classes::Classes(const std::map<std::string, std::string>& overrides) {
 Treatment Classes::of(const Element& element) const {
   if (const Treatment* chosen = find(overrides_, element)) return *chosen;
   Treatment usual = *find(by_class_, element);
-  if (element.is_a("IfcPlate") && (element.words.empty() || speaks_of_glass(element)))
+  const bool is_nameless = element.words.empty() && element.materials.empty();
+  if (element.is_a("IfcPlate") && (is_nameless || is_glass(element)))
     usual = {Kind::glass, usual.type, "glass"};
-  else if (usual.kind == Kind::solid && speaks_of_glass(element) && !element.is_a("IfcMember"))
+  else if (usual.kind == Kind::solid && is_glass(element) && !element.is_a("IfcMember"))
     usual = {Kind::glass, usual.type, "glass, by its name or material"};
   return usual;
-}
-
-bool speaks_of_glass(const Element& element) {
-  constexpr std::array kWords{"glass", "glas", "glaz", "vitr", "vidrio", "verre"};
-  return std::any_of(element.words.begin(), element.words.end(), [&](const std::string& word) {
-    return std::any_of(kWords.begin(), kWords.end(),
-                       [&](const char* glass) { return word.find(glass) != std::string::npos; });
-  });
 }
 
 }  // namespace opal::ifc_importer

@@ -35,7 +35,4 @@ class Classes {
   std::map<std::string, Treatment> overrides_;
 };
 
-/// Whether the names of a thing, its type or its materials speak of glass.
-bool speaks_of_glass(const Element& element);
-
 }  // namespace opal::ifc_importer

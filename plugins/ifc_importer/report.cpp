@@ -128,6 +128,20 @@ std::vector<std::string> what_is_missing(const std::vector<ImportedElement>& ele
   return sentences;
 }
 
+/// "not perceivable: 3 IfcWall, glass, by its name or material: ids".
+std::vector<std::string> not_perceivable(const std::vector<ImportedElement>& elements) {
+  constexpr std::string_view kUnseen = "not perceivable: ";
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> ids;
+  for (const ImportedElement& element : elements)
+    if (element.reason.starts_with(kUnseen))
+      ids[{element.source_class, element.reason.substr(kUnseen.size())}].push_back(element.id);
+  std::vector<std::string> sentences;
+  for (const auto& [what, list] : ids)
+    sentences.push_back(std::string(kUnseen) + std::to_string(list.size()) + " " + what.first + ", " + what.second +
+                        ":" + listed(list));
+  return sentences;
+}
+
 std::vector<std::string> about_doors(const std::vector<ElementCut>& cuts) {
   std::vector<std::string> sentences, filling_nothing;
   for (const ElementCut& cut : cuts)
@@ -187,6 +201,7 @@ std::vector<std::string> report(const Building& building, const LevelChoice& lev
     sentences.push_back(none_made_of(assembled.posts, "post", "of less than 35 cm around", "feature"));
   if (plan.closed_voids > 0)
     sentences.push_back(none_made_of(plan.closed_voids, "hollow space", "of less than 0.25 m2", "room"));
+  append(not_perceivable(elements));
   append(about_doors(cuts));
   append(what_is_missing(elements));
   if (building.north_rad)

@@ -118,8 +118,9 @@ class Elements {
   }
 
   void read_material(const shared_ptr<IfcMaterialSelect>& select, Element& read) const {
-    const auto add = [&read](const shared_ptr<IfcMaterial>& material) {
-      if (material && material->m_Name) read.words.push_back(in_lower_case(text_of(material->m_Name)));
+    const auto add = [&read](const shared_ptr<IfcMaterial>& material, double thickness_m = 0) {
+      if (material && material->m_Name)
+        read.materials.push_back({in_lower_case(text_of(material->m_Name)), thickness_m});
     };
     add(as<IfcMaterial>(select));
     if (const auto list = as<IfcMaterialList>(select))
@@ -133,8 +134,9 @@ class Elements {
     double thickness_m = 0;
     for (const auto& layer : layers->m_MaterialLayers)
       if (layer) {
-        add(layer->m_Material);
-        if (layer->m_LayerThickness) thickness_m += unit_m_ * layer->m_LayerThickness->m_value;
+        const double layer_m = layer->m_LayerThickness ? unit_m_ * layer->m_LayerThickness->m_value : 0;
+        add(layer->m_Material, layer_m > 0 && layer_m < 100 ? layer_m : 0);
+        thickness_m += layer_m;
       }
     if (thickness_m > 0 && thickness_m < 100) read.thickness_m = thickness_m;
   }
