@@ -8,6 +8,7 @@
 #include <opal/import_kit/shaft_extent.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -93,7 +94,9 @@ MapOrigin origin_of(const Building& building, const LevelChoice& level, const st
 IfcImporter::IfcImporter(ImportOptions options) : options_(std::move(options)) { (void)Classes(options_.classes); }
 
 bool IfcImporter::recognizes(const std::string& path) const {
-  return (path.ends_with(".ifc") || path.ends_with(".IFC")) && begins_like_step(path);
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".ifc" && begins_like_step(path);
 }
 
 MapImport IfcImporter::import(const std::string& path) const {
@@ -106,7 +109,8 @@ MapImport IfcImporter::import(const std::string& path) const {
   std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(chosen),
                [&](const ElementCut& cut) { return comes_in(cut, duplicates); });
   if (chosen.empty())
-    throw MapError(path + ": " + level.sentence + ": nothing of the building is there" + unread(cuts) +
+    throw MapError(path + ": " + level.sentence + ": nothing of the building is there" +
+                   left_out_at(building, classes, level.height_m) + unread(cuts) +
                    ", expected a storey or height that has walls (opal map storeys)");
   const std::vector<std::size_t> order = solids_in_order(chosen);
   std::vector<PlanSolid> solids;

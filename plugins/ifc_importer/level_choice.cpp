@@ -6,6 +6,9 @@
 #include <opal/common/sentence.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -51,7 +54,7 @@ bool any_meets(const std::vector<const Element*>& elements, double height_m) {
 std::string names_of(const Building& building) {
   std::string names;
   for (const Level& level : building.levels) names += (names.empty() ? "'" : ", '") + level.name + "'";
-  return names.empty() ? "none: the model has no storeys, give z_m (--z)" : names;
+  return names;
 }
 
 LevelChoice named_level(const Building& building, const ImportOptions& options, const std::string& file) {
@@ -61,7 +64,10 @@ LevelChoice named_level(const Building& building, const ImportOptions& options, 
     if (found) throw MapError(file + ": two storeys are called '" + options.storey + "', expected z_m (--z) instead");
     found = &level;
   }
-  if (!found) throw MapError(file + ": has no storey '" + options.storey + "', expected one of " + names_of(building));
+  if (!found)
+    throw MapError(
+        file + ": has no storey '" + options.storey + "', expected " +
+        (building.levels.empty() ? "a height (--z): the model has no storeys" : "one of " + names_of(building)));
   const double height_m = found->elevation_m + options.sensor_height_m;
   return {
       height_m, found->name,
@@ -73,6 +79,29 @@ LevelChoice given_height(const Building& building, double height_m) {
   for (const Level& level : building.levels)
     if (level.elevation_m <= height_m) choice.storey = level.name;
   return choice;
+}
+
+/// What classes leave out of the things that a plane meets; without a height, of all that have a body.
+std::string left_out(const Building& building, const Classes& classes, std::optional<double> height_m) {
+  std::map<std::string, int> counts;
+  for (const Element& element : building.elements)
+    if (classes.of(element).kind == Treatment::Kind::left_out &&
+        (height_m ? meets(element, *height_m) : !element.bodies.empty()))
+      ++counts[element.source_class()];
+  if (counts.empty()) return "";
+  const auto most =
+      std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::string text;
+  for (const auto& [name, count] : counts) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+  return "; there: " + text + ", left out (--set classes." + most->first + "=opal:Wall puts " +
+         (counts.size() == 1 ? "them" : "these") + " in)";
+}
+
+/// The same, above the lowest storey that has any such thing.
+std::string left_out_above(const Building& building, const Classes& classes, double sensor_height_m) {
+  for (const Level& level : building.levels)
+    if (std::string text = left_out(building, classes, level.elevation_m + sensor_height_m); !text.empty()) return text;
+  return "";
 }
 
 /// A foundation has walls and no doors. A model without doors, or of columns alone, has a level, too.
@@ -95,8 +124,35 @@ LevelChoice lowest_level(const Building& building, const Classes& classes, const
           sentence("cut at %.3f m, %.2f m above '%s', the lowest storey with %s there (--storey or --z choose another)",
                    height_m, options.sensor_height_m, level.name.c_str(), what)};
     }
-  throw MapError(file + ": no storey has anything solid " + sentence("%.2f", options.sensor_height_m) +
-                 " m above it, expected a storey (--storey) of " + names_of(building) + ", or a height (--z)");
+  throw MapError(file + ": no storey has anything solid " + sentence("%.2f", options.sensor_height_m) + " m above it" +
+                 left_out_above(building, classes, options.sensor_height_m) + ", expected a storey (--storey) of " +
+                 names_of(building) + ", or a height (--z)");
+}
+
+/// Height of the lowest point of things; infinite if none has any.
+double lowest_of(const std::vector<const Element*>& elements) {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const Element* element : elements)
+    if (const double low_m = span_of(element->bodies).low_m; std::isfinite(low_m)) lowest_m = std::min(lowest_m, low_m);
+  return lowest_m;
+}
+
+/// Of a model without storeys: above the lowest wall, or the lowest solid thing if there are no walls.
+LevelChoice lowest_wall(const Building& building, const Classes& classes, const ImportOptions& options,
+                        const std::string& file) {
+  const char* what = "wall";
+  double lowest_m = lowest_of(walls_of(building, classes));
+  if (!std::isfinite(lowest_m)) {
+    what = "solid thing";
+    lowest_m = lowest_of(solids_of(building, classes));
+  }
+  if (!std::isfinite(lowest_m))
+    throw MapError(file + ": has no storeys and no walls" + left_out(building, classes, {}) +
+                   ", expected a height (--z)");
+  const double height_m = lowest_m + options.sensor_height_m;
+  return {height_m, "",
+          sentence("cut at %.3f m, %.2f m above the lowest %s: the model has no storeys (--z chooses another height)",
+                   height_m, options.sensor_height_m, what)};
 }
 
 }  // namespace
@@ -107,7 +163,12 @@ LevelChoice choose_level(const Building& building, const Classes& classes, const
     throw MapError(file + ": options storey and z_m are both given, expected one of them");
   if (options.z_m) return given_height(building, *options.z_m);
   if (!options.storey.empty()) return named_level(building, options, file);
+  if (building.levels.empty()) return lowest_wall(building, classes, options, file);
   return lowest_level(building, classes, options, file);
+}
+
+std::string left_out_at(const Building& building, const Classes& classes, double height_m) {
+  return left_out(building, classes, height_m);
 }
 
 std::map<std::string, int> counts_at(const Building& building, double height_m) {

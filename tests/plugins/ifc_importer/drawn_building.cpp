@@ -103,7 +103,7 @@ int DrawnBuilding::add_wall(const std::string& name, const Pose2& pose, double l
 int DrawnBuilding::add_footing(const std::string& name, const Pose2& pose, double length_m, double thickness_m,
                                double depth_m) {
   const int profile = add("IFCRECTANGLEPROFILEDEF", ".AREA.,$,$," + number(length_m) + "," + number(thickness_m));
-  return add_thing("IFCWALL", name, shape({extruded(profile, axes(pose, -depth_m), depth_m)}), "", Pose2());
+  return add_thing("IFCWALL", name, shape({extruded(profile, axes(pose, -depth_m), depth_m)}), "$");
 }
 
 int DrawnBuilding::add_column(const std::string& name, const Point& center, double radius_m) {
