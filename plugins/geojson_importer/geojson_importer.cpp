@@ -74,7 +74,6 @@ FeatureCollection GeoJsonImporter::plan_at(const std::string& path) const {
     const auto type = plan_.rules.class_of(classes_of(feature, class_property_).names);
     feature.is_used = type && *type != ClassRules::kLeaveOut && *type != kArea && *type != kOpening;
   }
-  find_levels(path, level_property_, collection);
   return collection;
 }
 
@@ -116,6 +115,7 @@ std::string GeoJsonImporter::chosen_level(const std::string& path, const Feature
 
 std::vector<Storey> GeoJsonImporter::storeys(const std::string& path) const {
   FeatureCollection collection = plan_at(path);
+  find_levels(path, level_property_, collection);
   std::vector<Storey> storeys;
   for (const std::string& level : all_levels(collection)) {
     const auto label = collection.label_of_level.find(level);
@@ -151,6 +151,7 @@ void GeoJsonImporter::expect_features(const std::string& path, const SemanticMap
 
 MapImport GeoJsonImporter::import(const std::string& path) const {
   FeatureCollection collection = plan_at(path);
+  find_levels(path, level_property_, collection);
   std::vector<std::string> sentences = collection.notes;
   const std::string level = chosen_level(path, collection, sentences);
   for (const std::string& sentence : doubts_about_levels(collection)) sentences.push_back(sentence);

@@ -21,7 +21,7 @@ class GeoJsonImporter final : public MapImporter {
   std::vector<Storey> storeys(const std::string& path) const override;
 
  private:
-  /// A plan whose features know their levels, and whether something becomes of them on any level.
+  /// A plan whose features know whether something becomes of them on any level.
   FeatureCollection plan_at(const std::string& path) const;
   /// With the origin that another plan gives.
   PlacementOptions placement() const;
