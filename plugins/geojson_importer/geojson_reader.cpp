@@ -34,20 +34,22 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path) {}
 
   FeatureCollection run() {
-    const json all = read_lenient_json(path_, notes_);
+    json all = read_lenient_json(path_, notes_);
+    const bool may_lack_numbers = !notes_.empty();
     const std::string type = type_of(all, "", "FeatureCollection or Feature");
     FeatureCollection collection;
     collection.crs = crs_of(all);
     if (all.contains("name") && all.at("name").is_string()) collection.name = all.at("name");
     if (type == "Feature") {
-      collection.features.push_back(feature(all, "", 0));
+      collection.features.push_back(feature_of(all, "", 0, may_lack_numbers));
       collection.notes = std::move(notes_);
       return collection;
     }
     if (type != "FeatureCollection") fail("/type", shown(all.at("type")), "FeatureCollection or Feature");
-    const json& features = list(all, "features", "");
+    (void)list(all, "features", "");
+    json& features = all.at("features");
     for (std::size_t k = 0; k < features.size(); ++k)
-      collection.features.push_back(feature(features[k], "/features/" + std::to_string(k), k));
+      collection.features.push_back(feature_of(features[k], "/features/" + std::to_string(k), k, may_lack_numbers));
     if (repeated_ids_ > 0)
       notes_.push_back(fmt::format("features whose id another one has, and that have another now: {}", repeated_ids_));
     collection.notes = std::move(notes_);
@@ -77,6 +79,13 @@ class Reader {
     if (!object.contains(key)) fail(where, "no " + std::string(key), "an array");
     if (!object.at(key).is_array()) fail(where + "/" + key, shown(object.at(key)), "an array");
     return object.at(key);
+  }
+
+  Feature feature_of(json& object, const std::string& where, std::size_t number, bool may_lack_numbers) {
+    const std::string found = may_lack_numbers ? take_no_number(object) : "";
+    Feature made = feature(object, where, number);
+    if (!found.empty()) made.damage = path_ + ": " + where + found + ", expected a number";
+    return made;
   }
 
   /// What is wrong with it becomes its damage: a class may still say that no map is made of it.

@@ -16,14 +16,17 @@ namespace {
 // As Python, C and JavaScript write them.
 constexpr std::array<std::string_view, 7> kNoNumbers{"NaN", "-Infinity", "Infinity", "nan", "-nan", "inf", "-inf"};
 
+// Of texts that stand for no number: a character for private use, which no plan has.
+constexpr std::string_view kMark = "\xEE\x80\x80";
+
 /// Of a file that is not larger than a document may be; else nothing.
 std::string text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string text(JsonLimits{}.bytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  const auto length = static_cast<std::size_t>(file.gcount());
-  text.resize(length > JsonLimits{}.bytes ? 0 : length);
-  return text;
+  std::string text;
+  std::array<char, 1u << 16> block;
+  while (text.size() <= JsonLimits{}.bytes && (file.read(block.data(), block.size()) || file.gcount() > 0))
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  return text.size() > JsonLimits{}.bytes ? "" : text;
 }
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -59,7 +62,7 @@ Quoted quoted(const std::string& text) {
     if (result.count++ == 0)
       result.first_line =
           1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(k), '\n'));
-    result.text += '"' + std::string(word) + '"';
+    result.text += '"' + std::string(kMark) + std::string(word) + '"';
     k += word.size() - 1;
   }
   return result;
@@ -77,13 +80,28 @@ nlohmann::json read_lenient_json(const std::string& path, std::vector<std::strin
       nlohmann::json document = parse_json(lenient.text, path);
       notes.push_back(
           fmt::format("damaged: NaN or Infinity in the place of a number, which is no JSON: {}, the first "
-                      "in line {}; taken for texts",
+                      "in line {}",
                       lenient.count, lenient.first_line));
       return document;
     } catch (const JsonError&) {
       throw MapError(error.what());
     }
   }
+}
+
+std::string take_no_number(nlohmann::json& value) {
+  if (value.is_string()) {
+    auto& text = value.get_ref<std::string&>();
+    if (!text.starts_with(kMark)) return "";
+    text.erase(0, kMark.size());
+    return ": " + text;
+  }
+  std::string first;
+  if (value.is_structured())
+    for (const auto& [key, part] : value.items())
+      if (const std::string found = take_no_number(part); first.empty() && !found.empty())
+        first = "/" + escape_pointer_step(key) + found;
+  return first;
 }
 
 }  // namespace opal::geojson_importer

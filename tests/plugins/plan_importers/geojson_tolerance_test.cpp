@@ -68,16 +68,23 @@ TEST_CASE("damage of features without a class is told, and refuses the file wher
   CHECK(all<Segment>(*import_drawn(with_wall({json("no feature")}).dump()).map).size() == 2);
 }
 
-TEST_CASE("NaN is a text in a property, and no coordinate") {
-  const auto with = [](const std::string& property, const std::string& x) {
-    return R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"indoor": "wall", "of": "NaN",
-      "height": )" +
-           property + R"(}, "geometry": {"type": "LineString", "coordinates": [[0, 0], [)" + x + ", 0]]}}]}";
+TEST_CASE("NaN in the place of a number is damage: told without a class, refused with one") {
+  const auto with = [](const std::string& tag, const std::string& property, const std::string& x) {
+    json plan =
+        with_wall({drawn("LineString", {{0, 1}, {"X", 1}}, {{tag, "wall"}, {"of", "NaN"}, {"height", "P"}}, "o")});
+    std::string text = plan.dump(1);
+    text.replace(text.find("\"P\""), 3, property);
+    return text.replace(text.find("\"X\""), 3, x);
   };
   const std::string number = GENERATE("NaN", "Infinity", "-Infinity");
-  CHECK(says(import_drawn(with(number, "10")), "in the place of a number, which is no JSON: 1, the first in line 2"));
-  CHECK_THROWS_WITH(import_drawn(with("3", number)), Contains("/coordinates/1: [\"" + number + "\",0]"));
-  CHECK_THROWS_WITH(import_drawn(with("NaNa", "10")), Contains("plan.geojson: line 2"));
+  const MapImport plan = import_drawn(with("name", number, "10"));
+  CHECK(all<Segment>(*plan.map).size() == 2);
+  CHECK(says(plan, "in the place of a number, which is no JSON: 1, the first in line"));
+  CHECK(says(plan, "/features/1/properties/height: " + number + ", expected a number"));
+  CHECK(all<Segment>(*import_drawn(with("name", "3", number)).map).size() == 2);
+  CHECK_THROWS_WITH(import_drawn(with("indoor", number, "10")), Contains("/features/1/properties/height: " + number));
+  CHECK_THROWS_WITH(import_drawn(with("indoor", "3", number)), Contains("/features/1/geometry/coordinates/1/0: "));
+  CHECK_THROWS_WITH(import_drawn(with("name", "NaNa", "10")), Contains("plan.geojson: line "));
 }
 
 TEST_CASE("a plan is known whatever the case of its ending and the order of its members") {

@@ -65,7 +65,8 @@ std::string whole_dxf(const opal::MapImport& imported, const std::string& text) 
 }
 
 std::string whole_geojson(const opal::MapImport& imported, const std::string& text) {
-  const auto json = nlohmann::json::parse(text);
+  static const std::regex kNoNumber(R"(([:,[]\s*)-?(NaN|nan|inf|Infinity)\b)");  // of features without a class
+  const auto json = nlohmann::json::parse(std::regex_replace(text, kNoNumber, "$1null"));
   const std::size_t features = json.contains("features") ? json.at("features").size() : 1;
   if (imported.elements.size() != features)
     return "the report knows " + std::to_string(imported.elements.size()) + " things of " + std::to_string(features);
