@@ -209,9 +209,9 @@ DxfImporter::DxfImporter(const nlohmann::json& options)
   shape_.circle_tolerance_m = options.at("circle_tolerance_m");
   shape_.max_column_radius_m = options.at("max_column_radius_m");
   const std::string name = options.at("unit");
-  unit_ = unit_called(name);
+  unit_ = length_unit_called(name);
   if (!unit_ && !name.empty())
-    throw ConfigError("opal:DxfImporter: option unit: \"" + name + "\", expected one of: " + unit_names());
+    throw ConfigError("opal:DxfImporter: option unit: \"" + name + "\", expected one of: " + length_unit_names());
 }
 
 bool DxfImporter::recognizes(const std::string& path) const {
@@ -220,30 +220,30 @@ bool DxfImporter::recognizes(const std::string& path) const {
   return (extension == ".DXF" || extension == ".DWG") && std::filesystem::is_regular_file(path, error);
 }
 
-Unit DxfImporter::unit_of(const std::string& path, const DxfDrawing& drawing) const {
+LengthUnit DxfImporter::unit_of(const std::string& path, const DxfDrawing& drawing) const {
   if (unit_) return *unit_;
   if (!drawing.insunits || *drawing.insunits == 0)
     throw MapError(path + ": does not say in which unit it is drawn ($INSUNITS), expected the option unit: one of " +
-                   unit_names());
-  const std::optional<Unit> unit = unit_of_insunits(*drawing.insunits);
+                   length_unit_names());
+  const std::optional<LengthUnit> unit = unit_of_insunits(*drawing.insunits);
   if (!unit)
     throw MapError(fmt::format(
         "{}: is drawn in the unit $INSUNITS {}, expected 1, 2, 4, 5, 6, 10, 14 or 21, or the option unit: one of {}",
-        path, *drawing.insunits, unit_names()));
+        path, *drawing.insunits, length_unit_names()));
   return *unit;
 }
 
-void DxfImporter::expect_building(const std::string& path, const Unit& unit, double size_m) {
+void DxfImporter::expect_building(const std::string& path, const LengthUnit& unit, double size_m) {
   if (size_m >= kSmallestBuilding_m) return;
   throw MapError(fmt::format(
       "{}: is {:.2f} m large in {}, as $INSUNITS says, expected a building of at least {:.0f} m; the option unit says "
       "what it is drawn in: one of {}",
-      path, size_m, unit.name, kSmallestBuilding_m, unit_names()));
+      path, size_m, unit.name, kSmallestBuilding_m, length_unit_names()));
 }
 
 MapImport DxfImporter::import(const std::string& path) const {
   const DxfDrawing drawing = read_dxf(path);
-  const Unit unit = unit_of(path, drawing);
+  const LengthUnit unit = unit_of(path, drawing);
   ShapeOptions shape = shape_;
   shape.metres_per_unit = unit.metres;
   Sorting sorting(plan_, classes_, shape, drawing);
@@ -258,7 +258,7 @@ MapImport DxfImporter::import(const std::string& path) const {
 
   imported.report.push_back("drawing in " + unit.name + (unit_ ? ", as the option unit says" : ", as $INSUNITS says"));
   if (unit_ && drawing.insunits && *drawing.insunits != 0 &&
-      unit_of_insunits(*drawing.insunits).value_or(Unit{}).name != unit.name)
+      unit_of_insunits(*drawing.insunits).value_or(LengthUnit{}).name != unit.name)
     imported.report.push_back(fmt::format("doubtful: $INSUNITS {} says another unit", *drawing.insunits));
   imported.report.push_back(extent_sentence(*assembly.map));
   for (const std::string& sentence : sorting.tally.sentences()) imported.report.push_back(sentence);

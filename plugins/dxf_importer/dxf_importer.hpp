@@ -18,13 +18,13 @@ class DxfImporter final : public MapImporter {
 
  private:
   /// @throws MapError if the unit that the drawing says makes it smaller than any building.
-  static void expect_building(const std::string& path, const Unit& unit, double size_m);
-  Unit unit_of(const std::string& path, const DxfDrawing& drawing) const;
+  static void expect_building(const std::string& path, const LengthUnit& unit, double size_m);
+  LengthUnit unit_of(const std::string& path, const DxfDrawing& drawing) const;
 
   PlanImportOptions plan_;
   LayerClasses classes_;
   ShapeOptions shape_;
-  std::optional<Unit> unit_;  ///< as an option says; none: as the drawing says
+  std::optional<LengthUnit> unit_;  ///< as an option says; none: as the drawing says
 };
 
 }  // namespace opal::dxf_importer

@@ -6,6 +6,7 @@
 #include "level.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/import_kit/length_unit.hpp>
 
 #include <fmt/format.h>
 
@@ -25,9 +26,9 @@ void read_unit(const nlohmann::json& options, PlacementOptions& placement) {
   if (!options.at("geographic").is_null()) placement.is_geographic = options.at("geographic").get<bool>();
   placement.unit = options.at("unit");
   if (placement.unit.empty()) return;
-  if (!length_units().contains(placement.unit))
-    throw ConfigError("opal:GeoJsonImporter: option unit: \"" + placement.unit +
-                      "\", expected one of m, dm, cm, mm, in, ft, yd");
+  if (!length_unit_called(placement.unit))
+    throw ConfigError("opal:GeoJsonImporter: option unit: \"" + placement.unit + "\", expected one of " +
+                      length_unit_names());
   if (placement.is_geographic == true)
     throw ConfigError("opal:GeoJsonImporter: options unit, geographic: a length and degrees, expected one of them");
   placement.is_geographic = false;

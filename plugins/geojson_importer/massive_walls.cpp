@@ -55,14 +55,8 @@ std::string MassiveWalls::wall_at(const Point& p) const {
 bool MassiveWalls::holds(const Wall& wall, const Point& p) {
   const Point margin = Point::Constant(kAtBorder_m);
   if ((p.array() < (wall.low - margin).array()).any() || (p.array() > (wall.high + margin).array()).any()) return false;
-  bool is_inside = false;
-  for (const Segment& edge : wall.edges) {
-    if (distance_m(edge, p) <= kAtBorder_m) return true;
-    if ((edge.begin.y() > p.y()) == (edge.end.y() > p.y())) continue;
-    const double part = (p.y() - edge.begin.y()) / (edge.end.y() - edge.begin.y());
-    if (edge.begin.x() + part * (edge.end.x() - edge.begin.x()) > p.x()) is_inside = !is_inside;
-  }
-  return is_inside;
+  const auto is_at_border = [&](const Segment& edge) { return distance_m(edge, p) <= kAtBorder_m; };
+  return std::any_of(wall.edges.begin(), wall.edges.end(), is_at_border) || is_within(wall.edges, p);
 }
 
 }  // namespace opal::geojson_importer

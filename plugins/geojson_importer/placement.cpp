@@ -3,6 +3,7 @@
 #include "local_projection.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/import_kit/length_unit.hpp>
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ constexpr double kWebRadius_m = 6378137;
 // Names of coordinate systems end so: longitude and latitude (WGS 84, and what is within 2 m of it), and the plane of
 // web maps, whose metres are none.
 constexpr std::array kSystemsInDegrees{"CRS84", ":4326", "/4326", "CRS83", ":4269", "/4269", ":4258", "/4258",
-                              ":4490", "/4490", ":4979", "/4979", ":7844", "/7844", ":4283", "/4283"};
+                                       ":4490", "/4490", ":4979", "/4979", ":7844", "/7844", ":4283", "/4283"};
 constexpr std::array kWebMercator{":3857", "/3857", ":900913", ":102100"};
 
 struct Codes {
@@ -146,12 +147,6 @@ std::string sentence_about_lengths(const PlacementOptions& options, const std::s
 
 }  // namespace
 
-const std::map<std::string, double>& length_units() {
-  static const std::map<std::string, double> kUnits{{"m", 1},       {"dm", 0.1},    {"cm", 0.01},  {"mm", 0.001},
-                                                    {"in", 0.0254}, {"ft", 0.3048}, {"yd", 0.9144}};
-  return kUnits;
-}
-
 std::optional<Point> middle_deg(const PlacementOptions& options, FeatureCollection& collection) {
   std::vector<std::string> sentences;
   if (!is_in_degrees(options, collection, sentences)) return std::nullopt;
@@ -166,7 +161,7 @@ std::vector<std::string> place(const std::string& path, const PlacementOptions& 
     sentences.push_back(project(path, options, collection));
     return sentences;
   }
-  const double metres_per_unit = options.unit.empty() ? 1 : length_units().at(options.unit);
+  const double metres_per_unit = options.unit.empty() ? 1 : length_unit_called(options.unit)->metres;
   for (Feature& feature : collection.features)
     visit_positions(feature.shapes, [&](Point& p) { p = metres_per_unit * p - options.origin_m; });
   sentences.push_back(sentence_about_lengths(options, collection.crs));

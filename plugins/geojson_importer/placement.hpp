@@ -2,7 +2,6 @@
 
 #include "geojson_reader.hpp"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +14,8 @@ struct PlacementOptions {
   std::optional<Point> origin_deg;    ///< none: the middle of everything
   std::string origin_file = {};       ///< from which `origin_deg` came; empty: from none
   Point origin_m = Point::Zero();     ///< of a plan that is not in degrees
-  std::string unit = {};              ///< of such a plan: one of length_units(); empty: metres
+  std::string unit = {};              ///< of such a plan: one that length_unit_called() knows; empty: metres
 };
-
-/// "m", "dm", "cm", "mm", "in", "ft", "yd", and their lengths in metres.
-const std::map<std::string, double>& length_units();
 
 /// The middle of a plan; none: it is in metres. Coordinates of web maps become degrees.
 std::optional<Point> middle_deg(const PlacementOptions& options, FeatureCollection& collection);

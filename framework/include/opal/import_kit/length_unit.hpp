@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace opal {
+
+/// A unit of length in which plans are drawn.
+struct LengthUnit {
+  std::string name;   ///< "mm"
+  double metres = 1;  ///< its length [m]
+};
+
+/// @param name  "m", "dm", "cm", "mm", "in", "ft", "yd". None for other names.
+std::optional<LengthUnit> length_unit_called(const std::string& name);
+/// All names, for messages: "m, dm, ...".
+std::string length_unit_names();
+
+}  // namespace opal
