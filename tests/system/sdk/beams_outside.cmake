@@ -7,6 +7,7 @@ file(WRITE ${copy}/CMakeLists.txt "cmake_minimum_required(VERSION 3.22)
 project(score_beams LANGUAGES CXX)
 enable_testing()
 find_package(opal 0.1 REQUIRED)
+find_package(fmt REQUIRED)
 ${add_plugin}")
 build_outside(${copy})
 
