@@ -33,7 +33,7 @@ class Page(unittest.TestCase):
         sums = judge.Kidnappings(1, 1, 1, 0.0, 1, 1, 1)
         summary = {**dict.fromkeys(("cpu_ms_median", "cpu_ms_mean", "cpu_ms_p99", "hypotheses_mean", "peak_rss_mb",
                                     "localizer_mb", "import_s", "updates"), 1.0),
-                   "stage_ms_mean": dict.fromkeys(sum(make_results.STAGES.values(), []), 1.0)}
+                   "stage_ms_mean": dict.fromkeys(make_results.STAGES, 1.0)}
         verdict = judge.Verdict("q", True, True, True, 0.0, 0.0, True, 1, 0)
         bench = types.SimpleNamespace(
             sites=make_results.SITES, complete=True, verdicts=lambda *_: [verdict], all_verdicts=lambda *_: [verdict],
