@@ -52,8 +52,8 @@ TEST_CASE("what a deployment tells a detector itself holds, whatever the laser i
 
 TEST_CASE("of several lasers the one with the most noise counts") {
   const auto lasers = [](double first_m, double second_m) {
-    return R"("sensor": [{"range_sigma_m": )" + std::to_string(first_m) + R"(}, {"range_sigma_m": )" +
-           std::to_string(second_m) + "}]";
+    return R"("sensor": [{"frame": "front", "range_sigma_m": )" + std::to_string(first_m) +
+           R"(}, {"frame": "rear", "range_sigma_m": )" + std::to_string(second_m) + "}]";
   };
   CHECK(sigma_of_wall_m(lasers(0.001, 0.1)) == sigma_of_wall_m(lasers(0.1, 0.1)));
 }
