@@ -34,18 +34,18 @@ using Factory = std::function<std::unique_ptr<T>(const nlohmann::json& options)>
 
 /// Declared only, to find the interface of a class by overload resolution.
 namespace interface_of {
-std::type_identity<FeatureDetector> find(const FeatureDetector&);    ///< finds features in scans
-std::type_identity<PatternTemplate> find(const PatternTemplate&);    ///< relates features to each other
-std::type_identity<HypothesisScorer> find(const HypothesisScorer&);  ///< judges hypotheses
-std::type_identity<LogSource> find(const LogSource&);                ///< reads recorded logs
-std::type_identity<MapImporter> find(const MapImporter&);            ///< makes maps of other sources
-std::type_identity<ScanMatcher> find(const ScanMatcher&);            ///< lays scans over each other
-std::type_identity<MapStore> find(const MapStore&);                  ///< keeps maps in versions
+FeatureDetector* find(const FeatureDetector&);    ///< finds features in scans
+PatternTemplate* find(const PatternTemplate&);    ///< relates features to each other
+HypothesisScorer* find(const HypothesisScorer&);  ///< judges hypotheses
+LogSource* find(const LogSource&);                ///< reads recorded logs
+MapImporter* find(const MapImporter&);            ///< makes maps of other sources
+ScanMatcher* find(const ScanMatcher&);            ///< lays scans over each other
+MapStore* find(const MapStore&);                  ///< keeps maps in versions
 }  // namespace interface_of
 
 /// The interface that a class of a plugin implements.
 template <class T>
-using InterfaceOf = typename decltype(interface_of::find(std::declval<const T&>()))::type;
+using InterfaceOf = std::remove_pointer_t<decltype(interface_of::find(std::declval<const T&>()))>;
 
 /// Makes T(first..., options). No member of Registrar: all of an exported class leaves the plugin, and a plugin exports
 /// one symbol.
