@@ -138,8 +138,8 @@ OPAL_EXPORT double distance_m(const Segment& segment, const Point& point);
 /// Whether a ray from a point along the x axis crosses a segment. The lower end belongs to the segment, the upper one
 /// does not, so that a ring is entered and left once each where the ray meets two of its edges.
 OPAL_EXPORT bool is_crossed_by_ray(const Segment& segment, const Point& from);
-/// Whether a point is within closed rings, by the even-odd rule: a ring within a ring is a hole. @param edges  of all
-/// rings, in any order and direction.
+/// Whether a point is within closed rings, by the even-odd rule: a ring within a ring is a hole.
+/// @param edges  of all rings, in any order and direction. @param point  in their frame.
 OPAL_EXPORT bool is_within(std::span<const Segment> edges, const Point& point);
 
 }  // namespace opal
