@@ -111,13 +111,17 @@ std::optional<double> thickness_of_giants_m(const PlanAssembly& assembly, const 
   for (const Segment& face : faces) {
     all_m += face.length_m();
     const double away_m = beside_m(face, faces, options.max_wall_thickness_m, kMaxTooLarge * kThickestWall_m);
-    if (std::isfinite(away_m)) paired_m += face.length_m(), beside.emplace_back(away_m, face.length_m());
+    if (!std::isfinite(away_m)) continue;
+    paired_m += face.length_m();
+    beside.emplace_back(away_m, face.length_m());
   }
   if (beside.empty() || paired_m < kPairedShare * all_m) return std::nullopt;
   std::sort(beside.begin(), beside.end());
   double so_far_m = 0;
-  for (const auto& [away_m, face_m] : beside)
-    if ((so_far_m += face_m) >= paired_m / 2) return away_m;
+  for (const auto& [away_m, face_m] : beside) {
+    so_far_m += face_m;
+    if (so_far_m >= paired_m / 2) return away_m;
+  }
   return std::nullopt;
 }
 
