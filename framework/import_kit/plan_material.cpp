@@ -54,14 +54,4 @@ unsigned PlanMaterial::at(const Point& p, int except_element) const {
   return reasons;
 }
 
-double mean_thickness_m(const std::vector<Point>& ring) {
-  double twice_area = 0, perimeter = 0;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point& next = ring[(k + 1) % ring.size()];
-    twice_area += cross(ring[k] - ring.front(), next - ring.front());
-    perimeter += (next - ring[k]).norm();
-  }
-  return perimeter > 0 ? std::abs(twice_area) / perimeter : 0;
-}
-
 }  // namespace opal

@@ -37,7 +37,4 @@ class PlanMaterial {
   std::optional<PlanBoxes> index_;
 };
 
-/// Twice the area by the perimeter: of something long with a constant thickness, that thickness.
-double mean_thickness_m(const std::vector<Point>& ring);
-
 }  // namespace opal

@@ -1,5 +1,7 @@
 #include "import_kit/plan_sides.hpp"
 
+#include <opal/import_kit/mean_thickness.hpp>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -118,7 +120,7 @@ PlanMaterial material_of(const PlanStrokes& strokes, const std::vector<PlanEleme
     std::vector<Point> ring = ring_of(strokes, path);
     if (path.sides == PlanSides::solid)
       solids[{path.element, path.solid}].push_back(std::move(ring));
-    else if (path.sides == PlanSides::to_find && mean_thickness_m(ring) <= options.max_wall_thickness_m)
+    else if (path.sides == PlanSides::to_find && mean_thickness_m({&ring, 1}) <= options.max_wall_thickness_m)
       material.add({std::move(ring)}, PlanMaterial::outline, path.element);
   }
   for (auto& [solid, rings] : solids) material.add(std::move(rings), PlanMaterial::outline, solid.first);

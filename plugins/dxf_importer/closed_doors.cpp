@@ -1,5 +1,7 @@
 #include "closed_doors.hpp"
 
+#include <opal/map/perceivable_faces.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -68,11 +70,7 @@ class Leaves {
 
 class Walls {
  public:
-  explicit Walls(const SemanticMap& map) {
-    for (const MapFeature& feature : map.features())
-      if (const auto* face = std::get_if<Segment>(&feature.geometry); face != nullptr && !feature.sensor.empty())
-        faces_.push_back(*face);
-  }
+  explicit Walls(const SemanticMap& map) : faces_(perceivable_faces(map)) {}
 
   /// Whether a wall runs along all of the way from a to b.
   /// @param beyond  and past both ends: a wall that only begins or ends there has an opening beside it.

@@ -1,5 +1,8 @@
 #include "doubts.hpp"
 
+#include <opal/import_kit/first_ids.hpp>
+#include <opal/map/perceivable_faces.hpp>
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -12,7 +15,6 @@
 namespace opal::dxf_importer {
 namespace {
 
-constexpr std::size_t kShownIds = 5;
 constexpr double kLongestColumn_m = 3;
 constexpr double kWidestDoor_m = 5;
 // A plan of single lines that is no larger has its corridors two metres wide, not its walls.
@@ -25,12 +27,6 @@ constexpr double kThickestWall_m = 0.4;
 constexpr std::size_t kMaxFaces = 1000;
 constexpr double kParallelSine = 0.02;
 constexpr double kOneSidedShare = 0.01, kPairedShare = 0.5;
-
-std::string listed(const std::vector<std::string>& ids) {
-  std::string text;
-  for (std::size_t k = 0; k < std::min(kShownIds, ids.size()); ++k) text += (k > 0 ? ", " : "") + ids[k];
-  return text + (ids.size() > kShownIds ? ", ..." : "");
-}
 
 double length_m(const PlanLine& line) {
   double length = 0;
@@ -71,10 +67,7 @@ double usual_door_m(const std::vector<PlanElement>& elements) {
 }
 
 std::vector<Segment> longest_faces(const SemanticMap& map) {
-  std::vector<Segment> faces;
-  for (const MapFeature& feature : map.features())
-    if (const auto* face = std::get_if<Segment>(&feature.geometry); face != nullptr && !feature.sensor.empty())
-      faces.push_back(*face);
+  std::vector<Segment> faces = perceivable_faces(map);
   std::stable_sort(faces.begin(), faces.end(),
                    [](const Segment& a, const Segment& b) { return a.length_m() > b.length_m(); });
   faces.resize(std::min(faces.size(), kMaxFaces));
@@ -139,10 +132,10 @@ std::vector<std::string> doubts_about(const std::vector<PlanElement>& elements, 
   if (const auto ids = closed_doors(strokes, *assembly.map); !ids.empty())
     doubts.push_back(
         fmt::format("doubtful: doors on a wall that goes on under them, so that the wall closes them: {} ({})",
-                    ids.size(), listed(ids)));
+                    ids.size(), first_of(ids)));
   if (const auto ids = long_columns(elements); !ids.empty())
     doubts.push_back(fmt::format("doubtful: open lines of columns that are longer than {:.0f} m, as axes are: {} ({})",
-                                 kLongestColumn_m, ids.size(), listed(ids)));
+                                 kLongestColumn_m, ids.size(), first_of(ids)));
   return doubts;
 }
 

@@ -1,9 +1,10 @@
 #include "file_kind.hpp"
 
+#include "geojson_reader.hpp"
+
 #include <opal/common/error.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
@@ -15,11 +16,7 @@ namespace fs = std::filesystem;
 constexpr std::streamoff kEnd_bytes = 4096;
 
 /// ".geojson" of "Plan.GEOJSON".
-std::string ending_of(const std::string& path) {
-  std::string ending = fs::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
-}
+std::string ending_of(const std::string& path) { return lower_case(fs::path(path).extension().string()); }
 
 std::string read_at(std::ifstream& file, std::streamoff from) {
   std::string text(static_cast<std::size_t>(kEnd_bytes), '\0');

@@ -222,6 +222,11 @@ class Reader {
 
 }  // namespace
 
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
 nlohmann::json::const_iterator find_property(const Feature& feature, const std::string& name) {
   const nlohmann::json& properties = feature.properties;
   const auto exact = properties.find(name);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -88,8 +87,8 @@ std::vector<std::string> properties_of(const FeatureCollection& collection) {
   return other == kOthers.end() ? std::vector<std::string>{} : std::vector<std::string>{*other};
 }
 
-bool is_like_level(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+bool is_like_level(const std::string& property) {
+  const std::string name = lower_case(property);
   return std::any_of(kLikeLevels.begin(), kLikeLevels.end(),
                      [&](const char* word) { return name.find(word) != std::string::npos; });
 }

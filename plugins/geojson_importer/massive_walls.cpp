@@ -11,21 +11,6 @@ constexpr double kAtBorder_m = 0.01;
 
 }  // namespace
 
-double mean_thickness_m(const std::vector<std::vector<Point>>& rings) {
-  double area_m2 = 0, perimeter_m = 0;
-  for (std::size_t k = 0; k < rings.size(); ++k) {
-    const std::vector<Point>& ring = rings[k];
-    double twice_m2 = 0;
-    for (std::size_t p = 0; p < ring.size(); ++p) {
-      const Point a = ring[p] - ring.front(), b = ring[(p + 1) % ring.size()] - ring.front();
-      twice_m2 += cross(a, b);
-      perimeter_m += (b - a).norm();
-    }
-    area_m2 += (k == 0 ? 1 : -1) * std::abs(twice_m2) / 2;
-  }
-  return perimeter_m > 0 ? 2 * area_m2 / perimeter_m : 0;
-}
-
 MassiveWalls::MassiveWalls(const std::vector<PlanElement>& elements) {
   for (const PlanElement& element : elements) {
     if (element.type != "opal:Wall" || element.sensor.empty()) continue;

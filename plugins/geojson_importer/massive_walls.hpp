@@ -7,10 +7,6 @@
 
 namespace opal::geojson_importer {
 
-/// Twice the area of a polygon by its perimeter: about the thickness of a wall of this outline [m].
-/// @param rings  outer ring, holes.
-double mean_thickness_m(const std::vector<std::vector<Point>>& rings);
-
 /// The massive walls of a plan that a sensor sees, to be asked what lies in them. In the `map` frame.
 class MassiveWalls {
  public:

@@ -1,6 +1,8 @@
 #include "plan_elements.hpp"
 
 #include <opal/common/error.hpp>
+#include <opal/import_kit/first_ids.hpp>
+#include <opal/import_kit/mean_thickness.hpp>
 
 #include <fmt/format.h>
 
@@ -49,17 +51,6 @@ Segment line_through(const Ring& ring) {
   }
   const Point begin = ring.front() + low.x() * along + (low.y() + high.y()) / 2 * across;
   return {begin, begin + (high.x() - low.x()) * along};
-}
-
-/// "d1, d2, ..." of at most five.
-template <class Texts>
-std::string first_of(const Texts& texts) {
-  constexpr std::size_t kMost = 5;
-  std::string list;
-  std::size_t count = 0;
-  for (const std::string& text : texts)
-    if (count++ < kMost) list += (list.empty() ? "" : ", ") + text;
-  return count > kMost ? list + ", ..." : list;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "map_tools/test_maps/plan_strokes.hpp"
 
+#include <opal/map/perceivable_faces.hpp>
 #include "map_tools/building_ground.hpp"
 
 #include <algorithm>
@@ -14,14 +15,6 @@ namespace {
 using Strokes = std::vector<Stroke>;
 
 constexpr double kThickest_m = 0.6;  ///< of walls
-
-std::vector<Segment> perceived_faces(const SemanticMap& map) {
-  std::vector<Segment> faces;
-  for (const MapFeature& feature : map.features())
-    if (const auto* face = std::get_if<Segment>(&feature.geometry); face && !feature.sensor.empty())
-      faces.push_back(*face);
-  return faces;
-}
 
 /// How thick the wall is behind the middle of a face, if `other` is its other face.
 std::optional<double> thickness_between(const Segment& face, const Segment& other) {
@@ -98,7 +91,7 @@ constexpr std::array<std::array<double, 4>, 7> kBars{
 }  // namespace
 
 std::vector<Stroke> wall_strokes(const SemanticMap& map, bool single_lines) {
-  const std::vector<Segment> faces = perceived_faces(map);
+  const std::vector<Segment> faces = perceivable_faces(map);
   Strokes strokes;
   for (const Segment& face : faces) {
     const Point behind =
@@ -118,7 +111,7 @@ std::vector<Stroke> column_strokes(const SemanticMap& map) {
 
 std::vector<Stroke> door_strokes(const SemanticMap& map, Random& random) {
   std::vector<Segment> openings = mapped_leaves(map);
-  if (openings.empty()) openings = gaps_like_doors(perceived_faces(map));
+  if (openings.empty()) openings = gaps_like_doors(perceivable_faces(map));
   Strokes strokes;
   for (const Segment& opening : openings) add_leaf(strokes, opening, random);
   return strokes;
