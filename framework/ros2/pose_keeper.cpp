@@ -1,28 +1,24 @@
 #include "ros2/pose_keeper.hpp"
 
+#include <chrono>
 #include <utility>
 
 namespace opal::ros2 {
+namespace {
+
+constexpr double kForEver_s = 1e6;
+constexpr std::chrono::milliseconds kLookAgain{1000};
+
+}  // namespace
 
 PoseKeeper::PoseKeeper(Keep keep)
     : keep_(std::move(keep)), thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
-void PoseKeeper::give(const Pose2& T_map_base) {
-  {
-    const std::lock_guard lock(mutex_);
-    newest_ = T_map_base;
-  }
-  given_.notify_one();
-}
+PoseKeeper::~PoseKeeper() { poses_.drain(kForEver_s); }
 
 void PoseKeeper::work(const std::stop_token& stop) {
-  while (true) {
-    std::unique_lock lock(mutex_);
-    if (!given_.wait(lock, stop, [this] { return newest_.has_value(); })) return;
-    const Pose2 pose = *std::exchange(newest_, std::nullopt);
-    lock.unlock();
-    keep_(pose);
-  }
+  while (!stop.stop_requested())
+    if (const auto T_map_base = poses_.next(stop, kLookAgain)) keep_(*T_map_base);
 }
 
 }  // namespace opal::ros2

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "common/task_queue.hpp"
+
 #include <opal/common/geometry.hpp>
 
-#include <condition_variable>
 #include <functional>
-#include <mutex>
-#include <optional>
 #include <thread>
 
 namespace opal::ros2 {
@@ -17,21 +16,19 @@ class PoseKeeper {
 
   /// @param keep  called in the thread of this; it must not throw.
   explicit PoseKeeper(Keep keep);
-  /// Waits for the pose that is being kept.
-  ~PoseKeeper() = default;
+  /// Waits until the last pose is kept.
+  ~PoseKeeper();
   PoseKeeper(const PoseKeeper&) = delete;
   PoseKeeper& operator=(const PoseKeeper&) = delete;
 
   /// Returns at once. If poses come faster than they are kept, the newest one counts.
-  void give(const Pose2& T_map_base);
+  void give(const Pose2& T_map_base) { poses_.give(T_map_base); }
 
  private:
   void work(const std::stop_token& stop);
 
   Keep keep_;
-  std::mutex mutex_;
-  std::condition_variable_any given_;
-  std::optional<Pose2> newest_;
+  TaskQueue<Pose2> poses_{1};
   std::jthread thread_;  // last: it ends before what it uses
 };
 
