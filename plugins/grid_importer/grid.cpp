@@ -18,6 +18,28 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMaxImageBytes = (std::uint64_t{1} << 28) + 4096;
 constexpr std::uint64_t kMaxYamlBytes = std::uint64_t{1} << 20;
 
+// What map_saver writes, whatever its thresholds are: occupied, unknown and free cells; 255 comes from retouching.
+constexpr int kOccupiedGrey = 0, kUnknownGrey = 205, kFreeGrey = 254, kWhite = 255;
+
+int grey_of(float brightness) { return static_cast<int>(std::lround(brightness * 255)); }
+
+/// Whether map_saver wrote the picture, and a threshold that makes its grey of unknown cells free, as map_saver of
+/// ROS 2 did up to 2025. Whoever wanted those cells free would have painted them so.
+bool means_grey_unknown(const GreyImage& image, const GridDescription& description) {
+  const double occupancy = 1 - kUnknownGrey / 255.0;
+  if (description.mode != GridMode::trinary || description.negate || !image.opacity.empty() ||
+      description.free_threshold <= occupancy || description.free_threshold >= description.occupied_threshold)
+    return false;
+  bool has_unknown = false, has_free = false;
+  for (const float brightness : image.brightness) {
+    const int grey = grey_of(brightness);
+    if (grey != kOccupiedGrey && grey != kUnknownGrey && grey != kFreeGrey && grey != kWhite) return false;
+    has_unknown |= grey == kUnknownGrey;
+    has_free |= grey == kFreeGrey;
+  }
+  return has_unknown && has_free;
+}
+
 /// Pixel values as map_server reads them, one object per grid (map_io of nav2_map_server documents the rules).
 class PixelRules {
  public:
@@ -27,6 +49,7 @@ class PixelRules {
     const double opacity = image_.opacity.empty() ? 1.0 : image_.opacity[pixel];
     if (opacity == 0) return Occupancy::unknown;  // whatever colour nobody sees
     const double brightness = image_.brightness[pixel];
+    if (description_.keeps_grey_unknown && grey_of(image_.brightness[pixel]) == kUnknownGrey) return Occupancy::unknown;
     switch (description_.mode) {
       case GridMode::raw: return raw(brightness);
       case GridMode::scale: return opacity < 1 ? Occupancy::unknown : thresholded(brightness);
@@ -111,7 +134,9 @@ std::string read_bytes(const std::string& path, std::uint64_t max_bytes) {
 OccupancyGrid read_grid(const std::string& yaml_path, GridDescription& description) {
   description = parse_description(read_bytes(yaml_path, kMaxYamlBytes), yaml_path);
   const std::string image = image_path(yaml_path, description.image);
-  return classify(decode_image(read_bytes(image, kMaxImageBytes), image), description);
+  const GreyImage pixels = decode_image(read_bytes(image, kMaxImageBytes), image);
+  description.keeps_grey_unknown = means_grey_unknown(pixels, description);
+  return classify(pixels, description);
 }
 
 }  // namespace opal::grid_importer

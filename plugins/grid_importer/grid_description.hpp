@@ -19,6 +19,7 @@ struct GridDescription {
   bool negate = false;
   double occupied_threshold = 0.65;
   double free_threshold = 0.196;  ///< above the other one: what is not occupied is free, and nothing is unknown between
+  bool keeps_grey_unknown = false;  ///< the grey of unknown cells stays so, although free_threshold makes it free
   std::vector<std::string> ignored_keys;
 };
 

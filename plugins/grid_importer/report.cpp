@@ -157,6 +157,10 @@ std::vector<std::string> report(const GridDescription& description, const Bounda
         sentence("doubtful: free_thresh %g lies above occupied_thresh %g: cells up to occupied_thresh are free, all "
                  "others occupied",
                  description.free_threshold, description.occupied_threshold));
+  if (description.keeps_grey_unknown)
+    sentences.push_back(sentence(
+        "free_thresh %g would make the cells free that map_saver wrote as unknown (grey 205): they stay unknown",
+        description.free_threshold));
   for (const std::string& key : description.ignored_keys)
     sentences.push_back("ignored in the yaml file: \"" + key + "\", which map_server does not define");
   return sentences;

@@ -155,6 +155,20 @@ TEST_CASE("thresholds that are exchanged leave nothing unknown, which is told") 
   CHECK_THAT(usual.report.back(), !Contains("doubtful"));
 }
 
+TEST_CASE("what map_saver wrote as unknown stays unknown when its threshold would make it free, which is told") {
+  const std::string start =
+      "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nmode: trinary\noccupied_thresh: 0.65\n";
+  const MapImport usual = import_yaml(start + "free_thresh: 0.196\n");
+  const MapImport saved = import_yaml(start + "free_thresh: 0.25\n");
+  CHECK(same_geometry(*saved.map, *usual.map));
+  CHECK_THAT(saved.report.back(),
+             Contains("free_thresh 0.25 would make the cells free that map_saver wrote as unknown"));
+  CHECK_THAT(usual.report.back(), !Contains("map_saver"));
+  const std::string retouched =
+      pgm_with(room(), [](std::uint8_t grey) -> std::uint8_t { return grey == 0 ? 40 : grey; });
+  CHECK_THAT(import_yaml(start + "free_thresh: 0.25\n", retouched).report.back(), !Contains("map_saver"));
+}
+
 TEST_CASE("negate takes the booleans of YAML") {
   const std::string start = "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: ";
   const auto with = [&](const char* word) { return import_yaml(start + word).map; };
