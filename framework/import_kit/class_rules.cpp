@@ -1,4 +1,5 @@
 #include <opal/import_kit/class_rules.hpp>
+#include <opal/import_kit/letter_case.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -12,6 +13,17 @@ std::ptrdiff_t own_characters(const std::string& pattern) {
 
 bool same(char a, char b) {
   return std::toupper(static_cast<unsigned char>(a)) == std::toupper(static_cast<unsigned char>(b));
+}
+
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
+}
+
+/// fits_pattern() knows upper and lower case of ASCII by itself, and there may be many names.
+std::vector<std::string> comparable(std::vector<std::string> names) {
+  for (std::string& name : names)
+    if (!is_ascii(name)) name = upper_case_letters(name);
+  return names;
 }
 
 std::string type_of(const std::string& text) {
@@ -45,16 +57,19 @@ bool fits_pattern(const std::string& name, const std::string& pattern) {
 }
 
 ClassRules::ClassRules(const nlohmann::json& given, const std::map<std::string, std::string>& defaults) {
-  for (const auto& [pattern, type] : given.items()) rules_.push_back({pattern, type_of(type.get<std::string>()), true});
-  for (const auto& [pattern, type] : defaults) rules_.push_back({pattern, type_of(type), false});
+  for (const auto& [pattern, type] : given.items())
+    rules_.push_back({pattern, upper_case_letters(pattern), type_of(type.get<std::string>()), true});
+  for (const auto& [pattern, type] : defaults)
+    rules_.push_back({pattern, upper_case_letters(pattern), type_of(type), false});
   std::stable_sort(rules_.begin(), rules_.end(), [](const Rule& a, const Rule& b) {
     return a.is_given != b.is_given ? a.is_given : own_characters(a.pattern) > own_characters(b.pattern);
   });
 }
 
 const ClassRules::Rule* ClassRules::rule_for(const std::vector<std::string>& names) const {
+  const std::vector<std::string> compared = comparable(names);
   const auto found =
-      std::find_if(rules_.begin(), rules_.end(), [&](const Rule& rule) { return fits_any(names, rule.pattern); });
+      std::find_if(rules_.begin(), rules_.end(), [&](const Rule& rule) { return fits_any(compared, rule.compared); });
   return found == rules_.end() ? nullptr : &*found;
 }
 
@@ -64,9 +79,10 @@ std::optional<std::string> ClassRules::class_of(const std::vector<std::string>& 
 }
 
 std::vector<std::string> ClassRules::unused(const std::vector<std::string>& names) const {
+  const std::vector<std::string> compared = comparable(names);
   std::vector<std::string> patterns;
   for (const Rule& rule : rules_)
-    if (rule.is_given && !fits_any(names, rule.pattern)) patterns.push_back(rule.pattern);
+    if (rule.is_given && !fits_any(compared, rule.compared)) patterns.push_back(rule.pattern);
   return patterns;
 }
 

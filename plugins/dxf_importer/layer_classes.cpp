@@ -1,5 +1,7 @@
 #include "layer_classes.hpp"
 
+#include "layer_words.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -13,10 +15,10 @@ namespace {
 constexpr std::array kWalls{"*-WALL*", "WALL*",     "*_WALL*",    "*WALLS",  "*MUREN*", "*WAND",   "*WAENDE*", "A-21*",
                             "A-22*",   "*MAUER*",   "*WÄNDE*",    "*Wände*", "MURS*",   "MURO*",   "MURI*",    "MUR",
                             "PARED*",  "*CLOISON*", "PARTITION*", "WAND*",   "*_WAND*", "*-WAND*", "*.WALL*"};
-constexpr std::array kColumns{"*-COLS*",  "*COLUMN*", "*KOLOM*", "*STUETZE*", "*STÜTZE*",
-                              "*Stütze*", "*POTEAU*", "PILLAR*", "A-28*"};
-constexpr std::array kDoors{"*-DOOR*", "*DOORS",  "DOOR*",   "*DEUREN*", "*TUEREN*",
-                            "*TÜREN*", "*Türen*", "PORTES*", "PUERTAS*", "A-32*"};
+constexpr std::array kColumns{"*-COLS*",  "*COLUMN*", "*KOLOM*", "*STUETZE*",
+                              "*STÜTZE*", "*POTEAU*", "PILLAR*", "A-28*"};
+constexpr std::array kDoors{"*-DOOR*", "*DOORS",  "DOOR*",    "*DEUREN*", "*TUEREN*",
+                            "*TÜREN*", "PORTES*", "PUERTAS*", "A-32*"};
 constexpr std::array kWindows{"*-GLAZ*",  "*WINDOW*",  "GLAZ*",     "*FENSTER*",
                               "*KOZIJN*", "*FENETRE*", "VENTANAS*", "A-31*"};
 // What is written beside walls, lies above the cut or below the floor.
@@ -66,7 +68,8 @@ bool is_no_part(const std::string& layer) {
   const std::string name = capitals(layer);
   return is_of_other_discipline(name) ||
          std::any_of(kNoParts.begin(), kNoParts.end(), [&](const char* word) { return fits_pattern(name, word); }) ||
-         std::any_of(kNoPartWords.begin(), kNoPartWords.end(), [&](auto word) { return has_word(name, word); });
+         std::any_of(kNoPartWords.begin(), kNoPartWords.end(), [&](auto word) { return has_word(name, word); }) ||
+         has_word_of_no_part(layer);
 }
 
 }  // namespace
@@ -83,7 +86,8 @@ std::map<std::string, std::string> classes_of_layers() {
 
 std::optional<std::string> LayerClasses::class_of(const std::string& layer) const {
   if (const std::optional<std::string> type = given_.class_of(layer)) return type;
-  const std::optional<std::string> type = built_in_.class_of(layer);
+  std::optional<std::string> type = built_in_.class_of(layer);
+  if (!type) type = class_by_words(layer);
   return type && is_no_part(layer) ? ClassRules::kLeaveOut : type;
 }
 

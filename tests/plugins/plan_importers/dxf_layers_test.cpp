@@ -41,6 +41,42 @@ TEST_CASE("words of walls stand anywhere in the names of layers, and other words
   }
 }
 
+TEST_CASE("words for walls, columns, doors and windows are known in many languages, in any case and alphabet") {
+  const auto becomes = [](const std::vector<std::string>& layers, const std::string& type) {
+    for (const std::string& layer : layers) {
+      CAPTURE(layer);
+      CHECK(says(layered_dxf(layer), "layer " + layer + " as opal:" + type));
+    }
+  };
+  becomes(
+      {"0_MURATURE", "PARETI_INT", "Muri_Portanti", "A-MURO", "ALVENARIA", "code_mur", "MuroNuevo", "Tragende Wände",
+       "ściany nośne", "VÄGG", "DUVAR", "Стены", "внутренние стены", "קירות", "A原建筑墙体", "外壁", "벽체"},
+      "Wall");
+  becomes({"PILASTRI", "Pilares", "stützen", "SŁUPY", "Колонны", "框架柱", "기둥"}, "Column");
+  becomes({"1 Porte", "puerta", "türen", "Двери", "建具", "문"}, "Door");
+  becomes({"2 Finestre", "JANELAS", "code_fenêtre", "Окна", "A原建筑外幕墙，门，窗", "창호"}, "Window");
+}
+
+TEST_CASE("dimensions, axes, elevations and furniture are no walls in other languages either") {
+  for (const char* layer : {"A-WALL-DIMS", "WALL_TEXT", "EIXO PAREDE", "12 Prospetto Parete Attrezzata",
+                            "Sezione A-A Muri", "壁芯", "墙体尺寸", "벽 중심선", "Оси стен"}) {
+    CAPTURE(layer);
+    CHECK(thing(layered_dxf(layer), "101").reason == "a rule for its layer says so");
+  }
+}
+
+TEST_CASE("words that only hold the letters of a wall are none") {
+  for (const char* layer : {"MURALS", "FEMUR", "SUPPORTE", "PORTANTI", "ECOLONNE2D", "核心筒", "문서"}) {
+    CAPTURE(layer);
+    CHECK(thing(layered_dxf(layer), "101").reason == "no class for its layer");
+  }
+}
+
+TEST_CASE("a rule of the deployment is the same in upper and lower case of any alphabet") {
+  const MapImport plan = layered_dxf("Стяжка Ö", {{"classes", {{"СТЯЖКА ö", "Wall"}}}});
+  CHECK(says(plan, "layer Стяжка Ö as opal:Wall"));
+}
+
 TEST_CASE("a rule of the deployment goes before those that leave out") {
   const MapImport plan = layered_dxf("COLUMN GRID", {{"classes", {{"COLUMN*", "Column"}}}});
   CHECK(says(plan, "layer COLUMN GRID as opal:Column"));

@@ -35,6 +35,7 @@ class ClassRules {
  private:
   struct Rule {
     std::string pattern;
+    std::string compared;  ///< in upper case, also beyond ASCII
     std::string type;
     bool is_given = false;
   };
@@ -43,8 +44,8 @@ class ClassRules {
   std::vector<Rule> rules_;  ///< the first that fits decides
 };
 
-/// Whether a name fits a pattern with `*` and `?`, in upper or lower case. Time grows with the product of the lengths
-/// at most.
+/// Whether a name fits a pattern with `*` and `?`, in upper or lower case of ASCII letters. Time grows with the product
+/// of the lengths at most.
 bool fits_pattern(const std::string& name, const std::string& pattern);
 
 }  // namespace opal
