@@ -91,6 +91,7 @@ struct DxfDrawing {
   std::map<std::string, DxfBlock> blocks;  ///< by name in upper case
   std::vector<DxfEntity> entities;
   std::vector<std::string> repeated_blocks;  ///< "CHAIR (line 184)": the first block of this name counts
+  int clips = 0;                             ///< that show a part of a block; the block is here whole
   int lines_after_end = 0;
 };
 

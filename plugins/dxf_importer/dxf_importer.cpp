@@ -185,6 +185,16 @@ void expect_perceivable(const std::string& path, const Sorting& sorting) {
                              sorting.tally.overview()));
 }
 
+/// @throws MapError if nothing that a sensor perceives is as long as a face: sections of profiles, symbols.
+void expect_features(const std::string& path, const Sorting& sorting, const SemanticMap& map, double min_face_m) {
+  const std::vector<MapFeature>& features = map.features();
+  if (std::any_of(features.begin(), features.end(), [](const MapFeature& f) { return !f.sensor.empty(); })) return;
+  throw MapError(
+      fmt::format("{}: no line of walls and columns is {} m long or longer, expected a plan: the option unit "
+                  "says what it is drawn in, and the option classes what of it is a wall: {}",
+                  path, min_face_m, sorting.tally.overview()));
+}
+
 /// What is not in the map and is no entity, and what was made of curves.
 std::vector<std::string> about_drawing(const Sorting& sorting, const DxfDrawing& drawing) {
   std::vector<std::string> sentences;
@@ -197,6 +207,7 @@ std::vector<std::string> about_drawing(const Sorting& sorting, const DxfDrawing&
   add(sorting.open_loops, "left out: loops of hatches whose edges do not meet");
   for (const std::string& block : drawing.repeated_blocks)
     sentences.push_back("left out: a second block of the same name: " + block);
+  add(drawing.clips, "doubtful: clips that show a part of a block (XCLIP), and the block came in whole");
   add(drawing.lines_after_end, "left out: lines of text after EOF, where the drawing ends");
   return sentences;
 }
@@ -236,8 +247,8 @@ LengthUnit DxfImporter::unit_of(const std::string& path, const DxfDrawing& drawi
 void DxfImporter::expect_building(const std::string& path, const LengthUnit& unit, double size_m) {
   if (size_m >= kSmallestBuilding_m) return;
   throw MapError(fmt::format(
-      "{}: is {:.2f} m large in {}, as $INSUNITS says, expected a building of at least {:.0f} m; the option unit says "
-      "what it is drawn in: one of {}",
+      "{}: what has a class is {:.2f} m large in {}, as $INSUNITS says, expected a building of at least {:.0f} m; the "
+      "option unit says what it is drawn in: one of {}",
       path, size_m, unit.name, kSmallestBuilding_m, length_unit_names()));
 }
 
@@ -252,6 +263,7 @@ MapImport DxfImporter::import(const std::string& path) const {
   if (!unit_) expect_building(path, unit, extent_m(sorting.elements));
 
   const PlanAssembly assembly = assemble_plan(path, name_of(path), sorting.elements, plan_.plan);
+  expect_features(path, sorting, *assembly.map, plan_.plan.min_face_m);
   MapImport imported{assembly.map, {}, std::move(sorting.things), {}};
   report_outcomes(sorting.elements, assembly, imported.elements);
   sort_by_id(imported.elements);

@@ -56,6 +56,7 @@ class Reader {
   DxfDrawing run() {
     drawing_.insunits = scan_.insunits;
     drawing_.layers = scan_.layers;
+    drawing_.clips = scan_.clips;
     drawing_.lines_after_end = scan_.lines_after_end;
     drawing_.entities = entities(scan_.entities);
     read_blocks();

@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = 256u << 20;
 constexpr std::size_t kShownCharacters = 40;
+// Of a SPATIAL_FILTER, which shows a part of a block.
+constexpr int kClipIsOn = 71;
 // Zero bytes and control-Z at the end, as old programs fill a file up.
 constexpr std::string_view kPadding{"\0\x1A \t\r\n", 6};
 
@@ -115,7 +117,7 @@ class Scanner {
 
   DxfScan run() {
     advance();
-    while (!is_record("EOF")) section();
+    while (!is_record("EOF")) pair_.code == 9 ? rest_of_header() : section();
     if (!has_entities_) pairs_.fail("the file has no section ENTITIES, expected a drawing");
     scan_.lines_after_end = pairs_.lines_left();
     return std::move(scan_);
@@ -154,7 +156,12 @@ class Scanner {
 
   /// Over a section that is no part of the plan: objects, the picture of the drawing, what later releases add.
   void skip(const std::string& name) {
-    for (; !is_record("ENDSEC"); advance()) expect_inside(name);
+    bool is_clip = false;
+    for (; !is_record("ENDSEC"); advance()) {
+      expect_inside(name);
+      if (pair_.code == 0) is_clip = name == "OBJECTS" && pair_.value == "SPATIAL_FILTER";
+      scan_.clips += is_clip && pair_.code == kClipIsOn && pair_.value == "1";
+    }
     advance();
   }
 
@@ -185,6 +192,13 @@ class Scanner {
         pairs_.fail(shown(pair_.value) + " for $INSUNITS, expected an integer");
       scan_.insunits = unit;
     }
+  }
+
+  /// Some programs end the header, and go on with its variables up to a second end.
+  void rest_of_header() {
+    header();
+    if (!is_record("ENDSEC")) pairs_.fail(shown(pair_.value) + ", expected 0 ENDSEC after variables of the header");
+    advance();
   }
 
   void layers(const std::vector<DxfRecord>& records) {

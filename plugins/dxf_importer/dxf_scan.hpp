@@ -40,6 +40,7 @@ struct DxfScan {
   std::map<std::string, DxfLayer> layers;
   std::vector<DxfRecord> blocks;    ///< of the section BLOCKS: BLOCK, entities, ENDBLK, ...
   std::vector<DxfRecord> entities;  ///< of the section ENTITIES
+  int clips = 0;                    ///< by which parts of blocks are shown (XCLIP)
   int lines_after_end = 0;          ///< lines after EOF, where the drawing ends: nobody reads them
 };
 

@@ -102,7 +102,7 @@ TEST_CASE("names of layers are read in the code page of the drawing, in UTF-8 an
 
 TEST_CASE("a drawing whose unit makes a doll's house of it is refused, unless the option says so") {
   const std::string text = DxfText(4).box("A-WALL", 0, 0, 700, 500).text();
-  CHECK_THROWS_WITH(tolerated_dxf(text), Contains("is 0.70 m large in mm, as $INSUNITS says"));
+  CHECK_THROWS_WITH(tolerated_dxf(text), Contains("what has a class is 0.70 m large in mm, as $INSUNITS says"));
   CHECK_NOTHROW(tolerated_dxf(text, {{"unit", "in"}}));
   CHECK_NOTHROW(tolerated_dxf(text, {{"unit", "mm"}}));
 }
@@ -159,4 +159,36 @@ TEST_CASE("a polyline without its end is no matter on a layer without a class") 
   CHECK(all<Segment>(*imported.map).size() == 4);
   CHECK(thing(imported, "100").reason == "no class for its layer");
   CHECK_THROWS_WITH(tolerated_dxf(drawing("A-WALL")), Contains("POLYLINE without SEQEND"));
+}
+
+TEST_CASE("a drawing of which no line of a wall is long enough gives no map") {
+  DxfText dxf(4);
+  dxf.box("WALL-FIN", 0, 0, 40, 30).box("WALL-FIN", 5000, 0, 5040, 30).line("Fenster", {0, 500}, {5000, 500});
+  CHECK_THROWS_WITH(tolerated_dxf(dxf.text()),
+                    Contains("no line of walls and columns is 0.05 m long or longer, expected a plan") &&
+                        Contains("'WALL-FIN' (2 LWPOLYLINE)"));
+}
+
+TEST_CASE("clips of blocks are told, since the blocks come in whole") {
+  DxfText dxf(6);
+  dxf.box("A-WALL", 0, 0, 5, 0.2);
+  const auto with_filter = [&](const char* on) {
+    const std::string filter = std::string("0\nSPATIAL_FILTER\n5\n2A\n70\n2\n10\n0\n20\n0\n71\n") + on + "\n";
+    std::string text = dxf.text();
+    return text.insert(text.rfind("0\nEOF"), "0\nSECTION\n2\nOBJECTS\n" + filter + "0\nENDSEC\n");
+  };
+  CHECK(says(tolerated_dxf(with_filter("1")),
+             "doubtful: clips that show a part of a block (XCLIP), and the block came in whole: 1"));
+  CHECK_FALSE(says(tolerated_dxf(with_filter("0")), "XCLIP"));
+}
+
+TEST_CASE("variables of the header may follow its end") {
+  DxfText dxf(-1);
+  dxf.box("A-WALL", 0, 0, 5, 0.2);
+  std::string text = dxf.text();
+  const std::size_t after = text.find("0\nSECTION\n2\nTABLES");
+  CHECK(says(tolerated_dxf(std::string(text).insert(after, "9\n$DIMASZ\n40\n3.0\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n")),
+             "drawing in m, as $INSUNITS says"));
+  CHECK_THROWS_WITH(tolerated_dxf(text.insert(after, "9\n$INSUNITS\n70\n6\n")),
+                    Contains("expected 0 ENDSEC after variables of the header"));
 }
