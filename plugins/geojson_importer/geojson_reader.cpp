@@ -122,6 +122,7 @@ class Reader {
     const json of_archive = std::move(feature.properties);
     feature.properties = properties;
     add_tags(feature.properties);
+    add_level_of_relations(feature.properties);
     feature.properties.update(of_archive);
   }
 
@@ -138,6 +139,22 @@ class Reader {
     const json tags = properties.at("tags");
     for (const auto& [key, value] : tags.items())
       if (!properties.contains(key)) properties[key] = value;
+  }
+
+  /// What osmtogeojson knows of the relations that an object is a member of: where a relation is a level, it says the
+  /// level of its members, which do not.
+  static void add_level_of_relations(json& properties) {
+    for (const char* key : {"@relations", "relations"}) {
+      if (properties.contains("level") || !properties.contains(key) || !properties.at(key).is_array()) continue;
+      std::string levels;
+      for (const json& relation : properties.at(key)) {
+        const json& tags = relation.is_object() && relation.contains("reltags") ? relation.at("reltags") : json();
+        if (!tags.is_object() || tags.value("type", json()) != "level" || !tags.value("level", json()).is_string())
+          continue;
+        levels += (levels.empty() ? "" : ";") + tags.at("level").get<std::string>();
+      }
+      if (!levels.empty()) properties["level"] = levels;
+    }
   }
 
   std::optional<std::string> given_id(const json& object, const std::string& where) const {
