@@ -1,14 +1,16 @@
 #include "feature_classes.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 
 namespace opal::geojson_importer {
 namespace {
 
 // Which say what a thing is, the one that says most first.
-constexpr const char* kClassKeys[] = {"class", "indoor",  "element",      "type",  "category",
-                                      "kind",  "barrier", "feature_type", "layer", "ifc_class"};
+constexpr const char* kClassKeys[] = {"class",       "indoor",     "element",      "type",        "category",
+                                      "kind",        "barrier",    "feature_type", "layer",       "ifc_class",
+                                      "object_type", "objectType", "element_type", "elementType", "featureType"};
 
 constexpr std::pair<const char*, const char*> kWords[] = {
     {"wall", "Wall"},        {"walls", "Wall"},        {"column", "Column"},     {"columns", "Column"},
@@ -51,6 +53,27 @@ bool is_metadata(const std::string& name) {
                      [&](const char* key) { return name.starts_with(key); });
 }
 
+/// What an object is in the data model of OpenStreetMap, and nothing about what it stands for.
+bool is_osm_type(const std::string& name) {
+  return name == "type=node" || name == "type=way" || name == "type=relation";
+}
+
+bool has_any_of(const std::string& text, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return text.find(word) != std::string::npos; });
+}
+
+/// How much a property that no rule knows may say about what a thing is: its name may be one of a kind, or its value
+/// may be a word for a part of a building. Colours, levels and heights say nothing.
+int weight_of(const std::string& key, const nlohmann::json& value) {
+  if (!value.is_string() || is_metadata(key + "=")) return 0;
+  const std::string name = lower_case(key), text = lower_case(value.get<std::string>());
+  if (has_any_of(text, {"wall", "column", "door", "room", "window", "corridor"})) return 4;
+  if (has_any_of(name, {"type", "class", "kind", "category", "group"})) return 3;
+  const bool is_style = text.starts_with("#") || text.starts_with("rgb");
+  return is_style || has_any_of(name, {"fill", "stroke", "color", "colour", "level", "floor", "storey"}) ? 1 : 2;
+}
+
 /// Texts say more than numbers, which are often another one for each feature.
 std::string shown_class(const Feature& feature, const std::vector<std::string>& names) {
   const auto said = [&](const char* key) {
@@ -58,11 +81,17 @@ std::string shown_class(const Feature& feature, const std::vector<std::string>& 
     return found == feature.properties.end() ? "" : found.key() + "=" + text_of(*found);
   };
   for (const char* key : kClassKeys)
-    if (const std::string text = said(key); !text.empty()) return text;
+    if (const std::string text = said(key); !text.empty() && !is_osm_type(text)) return text;
   for (const char* key : kTagKeys)
     if (const std::string text = said(key); !text.empty()) return text;
+  std::string best;
+  int best_weight = 0;
   for (const auto& [key, value] : feature.properties.items())
-    if (value.is_string() && !is_metadata(key + "=")) return key + "=" + value.get<std::string>();
+    if (const int weight = weight_of(key, value); weight > best_weight) {
+      best_weight = weight;
+      best = key + "=" + value.get<std::string>();
+    }
+  if (best_weight > 0) return best;
   for (const std::string& name : names)
     if (!is_metadata(name)) return name;
   return names.empty() ? "without properties" : "without tags";

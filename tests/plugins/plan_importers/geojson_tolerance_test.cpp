@@ -172,3 +172,21 @@ TEST_CASE("properties say classes whatever their case, and the report shows one 
   CHECK(thing(plan, "a").status == ImportStatus::imported);
   CHECK(thing(plan, "b").source_class == "group=objects");
 }
+
+TEST_CASE("where nothing is known of a feature, the report shows what may say most, and no colour or level") {
+  const auto shown = [](json properties) {
+    return thing(import_drawn(with_wall({drawn("LineString", {{0, 2}, {10, 2}}, std::move(properties), "x")}).dump()),
+                 "x")
+        .source_class;
+  };
+  CHECK(shown({{"color", "#eeeeee"}, {"name", "wall_1"}}) == "name=wall_1");
+  CHECK(shown({{"a", "some words"}, {"wtype", "exterior"}}) == "wtype=exterior");
+  CHECK(shown({{"fill", "#8442f5"}, {"name", "shop 4"}}) == "name=shop 4");
+  CHECK(shown({{"building", "yes"}, {"id", "94551277"}, {"type", "way"}}) == "building=yes");
+}
+
+TEST_CASE("the kind of an object may be called its type") {
+  const MapImport plan = import_drawn(
+      with_wall({drawn("LineString", {{0, 2}, {10, 2}}, {{"objectType", "wall"}, {"level", "0"}}, "x")}).dump());
+  CHECK(thing(plan, "x").status == ImportStatus::imported);
+}
