@@ -50,20 +50,47 @@ bool cut(const AreaWall& wall, const Segment& opening, double thickness_m, std::
   return true;
 }
 
+/// "0.9", "90 cm", 0.9; none if the property says no length.
+std::optional<double> length_m_at(const Feature& feature, const char* key) {
+  const std::string text = text_or_number(feature, key);
+  double length = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
+  if (error != std::errc()) return std::nullopt;
+  const std::string unit(end, text.data() + text.size());
+  if (unit.find("cm") != std::string::npos) length /= 100;
+  if (unit.find("mm") != std::string::npos) length /= 1000;
+  return length;
+}
+
 }  // namespace
 
 std::optional<double> width_m_of(const Feature& feature) {
-  for (const char* key : {"width", "door:width", "width_m", "est_width"}) {
-    const std::string text = text_or_number(feature, key);
-    double width = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), width);
-    if (error != std::errc()) continue;
-    const std::string unit(end, text.data() + text.size());
-    if (unit.find("cm") != std::string::npos) width /= 100;
-    if (unit.find("mm") != std::string::npos) width /= 1000;
-    if (width >= kNarrowest_m && width <= kWidest_m) return width;
-  }
+  for (const char* key : {"width", "door:width", "width_m", "est_width"})
+    if (const auto width = length_m_at(feature, key); width && *width >= kNarrowest_m && *width <= kWidest_m)
+      return width;
   return std::nullopt;
+}
+
+std::optional<double> wall_width_m_of(const Feature& feature) {
+  for (const char* key : {"width", "width_m", "thickness"})
+    if (const auto width = length_m_at(feature, key); width && *width > 0) return width;
+  return std::nullopt;
+}
+
+Segment line_through(const Ring& ring) {
+  Segment longest{ring.front(), ring.front()};
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    if (const Segment edge{ring[k], ring[(k + 1) % ring.size()]}; edge.length_m() > longest.length_m()) longest = edge;
+  if (longest.length_m() == 0) return longest;
+  const Point along = longest.direction(), across = left_of(along);
+  Point low = Point::Zero(), high = Point::Zero();
+  for (const Point& p : ring) {
+    const Point place(along.dot(p - ring.front()), across.dot(p - ring.front()));
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  const Point begin = ring.front() + low.x() * along + (low.y() + high.y()) / 2 * across;
+  return {begin, begin + (high.x() - low.x()) * along};
 }
 
 std::vector<std::optional<Segment>> cut_openings(const std::vector<Opening>& openings, double thickness_m,

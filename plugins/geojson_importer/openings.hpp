@@ -20,6 +20,12 @@ struct Opening {
 /// Width of an opening as tags have it ("width", "door:width": "0.9", "90 cm"); none if they do not.
 std::optional<double> width_m_of(const Feature& feature);
 
+/// Through the middle of a ring, along its longest edge, as long as the ring is in that direction.
+Segment line_through(const Ring& ring);
+
+/// Thickness of a wall that is drawn as a line, as its tag `width` has it ("0.3", "30 cm"); none if it has none.
+std::optional<double> wall_width_m_of(const Feature& feature);
+
 /// Takes out of the walls what lies at openings: along a drawn line, or as wide as a door about a point. Walls count
 /// that run the same way and are at most `thickness_m` away: a wall may be drawn by its two faces.
 /// @return where each opening is in its wall; none if no wall is near it.

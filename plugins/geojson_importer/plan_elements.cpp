@@ -1,5 +1,7 @@
 #include "plan_elements.hpp"
 
+#include "wide_walls.hpp"
+
 #include <opal/common/error.hpp>
 #include <opal/import_kit/first_ids.hpp>
 #include <opal/import_kit/mean_thickness.hpp>
@@ -14,6 +16,8 @@ namespace {
 
 constexpr double kFarthest_m = 1e6;
 constexpr std::size_t kMostEdges = 200'000;
+// A pane is thicker.
+constexpr double kThinnestWall_m = 0.02;
 
 const std::map<std::string, Area::Kind>& kinds_of_areas() {
   static const std::map<std::string, Area::Kind> kKinds{
@@ -33,25 +37,11 @@ bool is_seen_wall(const PlanElement& element) { return element.type == "opal:Wal
 
 bool is_thin(const PlanLine& line) { return line.sides == PlanSides::both && !line.closed; }
 
+// Numbers of the outlines of pieces: polygons of the same element have lower ones.
+constexpr int kFirstPiece = 1'000'000;
+
 // Of a door that is an area: it cuts walls, and is an object already.
 constexpr const char* kAreaOfDoor = "";
-
-/// Through the middle of a ring, along its longest edge, as long as the ring is in that direction.
-Segment line_through(const Ring& ring) {
-  Segment longest{ring.front(), ring.front()};
-  for (std::size_t k = 0; k < ring.size(); ++k)
-    if (const Segment edge{ring[k], ring[(k + 1) % ring.size()]}; edge.length_m() > longest.length_m()) longest = edge;
-  if (longest.length_m() == 0) return longest;
-  const Point along = longest.direction(), across = left_of(along);
-  Point low = Point::Zero(), high = Point::Zero();
-  for (const Point& p : ring) {
-    const Point place(along.dot(p - ring.front()), across.dot(p - ring.front()));
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
-  }
-  const Point begin = ring.front() + low.x() * along + (low.y() + high.y()) / 2 * across;
-  return {begin, begin + (high.x() - low.x()) * along};
-}
 
 }  // namespace
 
@@ -99,6 +89,7 @@ std::string PlanElements::use(const Feature& feature, const std::string& type) {
     for (const Point& p : shapes.points) element.circles.push_back({p, *radius_m});
   }
   for (const auto& line : shapes.lines) element.lines.push_back({line, false, PlanSides::both});
+  if (type == "opal:Wall" && !shapes.lines.empty()) note_width(feature);
   int solid = 0;
   for (const auto& polygon : shapes.polygons) add_polygon(polygon, ++solid, element);
   if (type == "opal:Door")
@@ -108,6 +99,15 @@ std::string PlanElements::use(const Feature& feature, const std::string& type) {
     }
   elements.push_back(std::move(element));
   return "";
+}
+
+void PlanElements::note_width(const Feature& feature) {
+  const std::optional<double> width_m = wall_width_m_of(feature);
+  if (!width_m) return;
+  if (*width_m >= kThinnestWall_m && *width_m <= plan_.plan.max_wall_thickness_m)
+    width_m_[elements.size()] = *width_m;
+  else
+    odd_widths_.push_back(feature.id);
 }
 
 std::string PlanElements::use_area(const Feature& feature, Area::Kind kind) {
@@ -183,6 +183,24 @@ void PlanElements::put_back(const std::vector<AreaWall>& walls) {
   }
 }
 
+void PlanElements::widen() {
+  std::vector<WidePiece> pieces;
+  std::vector<std::size_t> element_of_piece;
+  for (const auto& [element, width_m] : width_m_) {
+    for (const PlanLine& line : elements[element].lines)
+      for (std::size_t p = 0; is_thin(line) && p + 1 < line.points.size(); ++p) {
+        if (line.points[p] == line.points[p + 1]) continue;
+        pieces.push_back({{line.points[p], line.points[p + 1]}, width_m});
+        element_of_piece.push_back(element);
+      }
+    std::erase_if(elements[element].lines, is_thin);
+  }
+  int solid = 0;
+  const auto outlines = widened(pieces);
+  for (std::size_t k = 0; k < outlines.size(); ++k)
+    elements[element_of_piece[k]].lines.push_back({outlines[k], true, PlanSides::solid, kFirstPiece + ++solid});
+}
+
 void PlanElements::finish() {
   std::vector<AreaWall> walls = thin_walls();
   for (const AreaWall& wall : walls) std::erase_if(elements[static_cast<std::size_t>(wall.element)].lines, is_thin);
@@ -192,6 +210,7 @@ void PlanElements::finish() {
   }
   const auto places = cut_openings(openings_, plan_.plan.max_wall_thickness_m, walls);
   put_back(walls);
+  widen();
   find_closed(places);
   put_in_doors(places);
   std::erase_if(elements, [](const PlanElement& element) { return element.lines.empty() && element.circles.empty(); });
@@ -242,6 +261,13 @@ std::vector<std::string> PlanElements::sentences() const {
         fmt::format("walls that enclose more than a wall (mean thickness over {} m), taken as thin walls "
                     "along their outlines: {} ({})",
                     plan_.plan.max_wall_thickness_m, ringed_.size(), first_of(ringed_)));
+  if (!width_m_.empty())
+    sentences.push_back(fmt::format("walls drawn as lines that are as thick as their width says: {}", width_m_.size()));
+  if (!odd_widths_.empty())
+    sentences.push_back(
+        fmt::format("doubtful: walls drawn as lines whose width is no thickness of a wall, taken as "
+                    "thin walls: {} ({})",
+                    odd_widths_.size(), first_of(odd_widths_)));
   if (!areas_.empty()) sentences.push_back(fmt::format("walls were put around {} areas", areas_.size()));
   if (cut_ + wall_less_ > 0)
     sentences.push_back(fmt::format("doors and openings: {} cut into walls, {} where no wall is{}", cut_,

@@ -58,6 +58,10 @@ class PlanElements {
   void add_polygon(const std::vector<Ring>& polygon, int solid, PlanElement& element);
   std::vector<AreaWall> thin_walls() const;
   void put_back(const std::vector<AreaWall>& walls);
+  /// Of a wall that is drawn as lines; what is no thickness of a wall is told, and the wall stays thin.
+  void note_width(const Feature& feature);
+  /// Gives walls that were drawn as lines the thickness that they say.
+  void widen();
   void put_in_doors(const std::vector<std::optional<Segment>>& places);
   /// Doors that lie in massive walls, out of which nothing is cut.
   void find_closed(const std::vector<std::optional<Segment>>& places);
@@ -73,6 +77,8 @@ class PlanElements {
   std::size_t area_edges_ = 0;
   int cut_ = 0, wall_less_ = 0, in_massive_ = 0;
   std::map<std::string, std::string> closed_;  ///< ids of doors, and of the massive walls that close them
+  std::map<std::size_t, double> width_m_;      ///< of elements that are walls, drawn as lines
+  std::vector<std::string> odd_widths_;        ///< ids of walls whose width is none
   std::vector<std::string> ringed_;            ///< ids of walls that were drawn as closed lines around rooms
 };
 
