@@ -118,10 +118,16 @@ std::optional<double> thickness_of_giants_m(const PlanAssembly& assembly, const 
   return std::nullopt;
 }
 
+/// Whether anything in the plan has a size that people know.
+bool shows_its_size(const std::vector<PlanElement>& elements, const PlanTally& tally) {
+  return tally.pairs_m + tally.outlines_m > 0 || usual_door_m(elements) > 0;
+}
+
 }  // namespace
 
 std::vector<std::string> doubts_about(const std::vector<PlanElement>& elements, const std::vector<DoorStroke>& strokes,
-                                      const PlanAssembly& assembly, const PlanOptions& options) {
+                                      const PlanAssembly& assembly, const PlanOptions& options,
+                                      const std::string& unit_of_file) {
   std::vector<std::string> doubts;
   if (const double width_m = usual_door_m(elements); width_m > kWidestDoor_m)
     doubts.push_back(fmt::format("doubtful: doors are {:.1f} m wide, is the unit right?", width_m));
@@ -129,6 +135,11 @@ std::vector<std::string> doubts_about(const std::vector<PlanElement>& elements, 
     doubts.push_back(fmt::format(
         "doubtful: no wall has its other face within {} m, and most have one at {:.1f} m, is the unit right?",
         options.max_wall_thickness_m, *thickness_m));
+  if (!unit_of_file.empty() && !shows_its_size(elements, assembly.tally))
+    doubts.push_back(
+        fmt::format("doubtful: no door and no wall with two faces shows whether {} is the right unit; many programs "
+                    "write one unasked",
+                    unit_of_file));
   if (const auto ids = closed_doors(strokes, *assembly.map); !ids.empty())
     doubts.push_back(
         fmt::format("doubtful: doors on a wall that goes on under them, so that the wall closes them: {} ({})",

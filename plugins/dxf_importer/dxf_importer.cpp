@@ -278,7 +278,8 @@ MapImport DxfImporter::import(const std::string& path) const {
     imported.report.push_back("doubtful: no layer is called '" + pattern + "', as a rule of the option classes has it");
   for (const std::string& sentence : about_drawing(sorting, drawing)) imported.report.push_back(sentence);
   for (const std::string& sentence : assembly.tally.sentences(plan_.plan)) imported.report.push_back(sentence);
-  for (const std::string& doubt : doubts_about(sorting.elements, door_strokes(sorting), assembly, plan_.plan))
+  for (const std::string& doubt :
+       doubts_about(sorting.elements, door_strokes(sorting), assembly, plan_.plan, unit_ ? "" : unit.name))
     imported.report.push_back(doubt);
   return imported;
 }

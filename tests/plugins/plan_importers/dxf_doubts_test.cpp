@@ -108,6 +108,20 @@ TEST_CASE("a large plan of single lines has rooms and corridors, and its unit is
   CHECK_FALSE(says(doubted_dxf(dxf), kUnit));
 }
 
+TEST_CASE("a unit that the file says and nothing in the plan shows is doubtful") {
+  const std::string doubt = "doubtful: no door and no wall with two faces shows whether m is the right unit";
+  const auto rooms = [] {
+    DxfText dxf(6);
+    dxf.polyline("WALLS", {{10, 15}, {60, 15}, {60, 45}, {10, 45}}, true).line("WALLS", {10, 31}, {60, 31});
+    return dxf;
+  };
+  CHECK(says(doubted_dxf(rooms()), doubt));
+  CHECK_FALSE(says(doubted_dxf(rooms().line("WALLS", {10, 31.2}, {60, 31.2})), doubt));
+  CHECK_FALSE(says(doubted_dxf(rooms().arc("A-DOOR", {20, 31}, 0.9, 0, 90)), doubt));
+  CHECK_FALSE(
+      says(import_text("dxf_importer", "opal:DxfImporter", "plan.dxf", rooms().text(), {{"unit", "ft"}}), doubt));
+}
+
 TEST_CASE("an open line of a column that is as long as an axis is told") {
   const auto with_line = [](double length) {
     DxfText dxf(6);
