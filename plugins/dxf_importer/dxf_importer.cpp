@@ -231,6 +231,16 @@ bool DxfImporter::recognizes(const std::string& path) const {
   return (extension == ".DXF" || extension == ".DWG") && std::filesystem::is_regular_file(path, error);
 }
 
+void DxfImporter::expect_classes(const std::string& path, const DxfDrawing& drawing,
+                                 const std::vector<PlacedEntity>& entities) const {
+  if (unit_ || (drawing.insunits && *drawing.insunits != 0)) return;
+  ShapeOptions shape = shape_;
+  shape.metres_per_unit = 0.001;  // any will do, and a small one makes few chords
+  Sorting sorting(plan_, classes_, shape, drawing);
+  for (const PlacedEntity& placed : entities) sorting.add(placed);
+  expect_perceivable(path, sorting);
+}
+
 LengthUnit DxfImporter::unit_of(const std::string& path, const DxfDrawing& drawing) const {
   if (unit_) return *unit_;
   if (!drawing.insunits || *drawing.insunits == 0)
@@ -254,11 +264,13 @@ void DxfImporter::expect_building(const std::string& path, const LengthUnit& uni
 
 MapImport DxfImporter::import(const std::string& path) const {
   const DxfDrawing drawing = read_dxf(path);
+  const std::vector<PlacedEntity> entities = expand_blocks(path, drawing);
+  expect_classes(path, drawing, entities);
   const LengthUnit unit = unit_of(path, drawing);
   ShapeOptions shape = shape_;
   shape.metres_per_unit = unit.metres;
   Sorting sorting(plan_, classes_, shape, drawing);
-  for (const PlacedEntity& placed : expand_blocks(path, drawing)) sorting.add(placed);
+  for (const PlacedEntity& placed : entities) sorting.add(placed);
   expect_perceivable(path, sorting);
   if (!unit_) expect_building(path, unit, extent_m(sorting.elements));
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "block_expansion.hpp"
 #include "layer_classes.hpp"
 #include "shapes.hpp"
 #include "unit.hpp"
@@ -19,6 +20,10 @@ class DxfImporter final : public MapImporter {
  private:
   /// @throws MapError if the unit that the drawing says makes it smaller than any building.
   static void expect_building(const std::string& path, const LengthUnit& unit, double size_m);
+  /// A unit is not worth asking for if nothing becomes of the drawing anyhow.
+  /// @throws MapError if the drawing says no unit, and no layer of it gives anything.
+  void expect_classes(const std::string& path, const DxfDrawing& drawing,
+                      const std::vector<PlacedEntity>& entities) const;
   LengthUnit unit_of(const std::string& path, const DxfDrawing& drawing) const;
 
   PlanImportOptions plan_;

@@ -74,6 +74,8 @@ GreyImage decode_image(const std::string& bytes, const std::string& name) {
   if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') return read_netpbm(bytes, name);
   if (bytes.starts_with("\x89PNG")) return read_png(bytes, name);
   if (bytes.starts_with("BM")) return read_bmp(bytes, name);
+  if (bytes.starts_with("\xFF\xD8"))
+    throw MapError(name + ": is a JPEG, which blurs the borders of cells, expected a PNG, PGM, PPM or BMP image");
   throw MapError(
       name + ": byte 0: neither \"P1\" to \"P6\", \"BM\" nor a PNG signature, expected a PNG, PGM, PPM or BMP image");
 }

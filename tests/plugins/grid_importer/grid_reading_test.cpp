@@ -233,6 +233,7 @@ TEST_CASE("a bad image is refused with its name, the place, what was found and w
   CHECK_THAT(message_of(yaml, "P6 2 2 255\n"), Contains("0 bytes of pixels until the end of the file, expected 12"));
   CHECK_THAT(message_of(yaml, "P7 2 2 255\n"), Contains("room.pgm: byte 0: neither"));
   CHECK_THAT(message_of(yaml, "\xFF\xD8\xFF\xE0 JFIF"), Contains("expected a PNG, PGM, PPM or BMP image"));
+  CHECK_THAT(message_of(yaml, "\xFF\xD8\xFF\xE0"), Contains("room.pgm: is a JPEG, which blurs the borders of cells"));
   CHECK_THAT(message_of(yaml, ""), Contains("room.pgm: byte 0: neither"));
   CHECK_THAT(message_of(yaml, "\x89PNG\r\n\x1a\n"), Contains("room.pgm: header: libpng"));
   CHECK_THAT(message_of(yaml, room().png().substr(0, 60)), Contains("room.pgm: pixels: libpng"));

@@ -94,3 +94,12 @@ TEST_CASE("where no sensor perceives anything the layers are named, and no unit 
                              "of: 'Fenster' (1 LINE)") &&
                         Contains("'Waende' (1 LWPOLYLINE)"));
 }
+
+TEST_CASE("a drawing without a unit of which no layer gives anything is refused for its layers") {
+  DxfText dxf(-1);
+  dxf.line("0", {0, 0}, {5, 0});
+  const auto refused = [&] { import_text("dxf_importer", "opal:DxfImporter", "plan.dxf", dxf.text()); };
+  CHECK_THROWS_WITH(refused(), Contains("no layer gives anything for a map") && Contains("'0' (1 LINE)"));
+  dxf.line("WALLS", {0, 3}, {5, 3});
+  CHECK_THROWS_WITH(refused(), Contains("expected the option unit"));
+}
