@@ -60,8 +60,11 @@ class Rasterization {
   MapRaster run() {
     for (const MapFeature& feature : map_.features())
       if (stands(feature)) draw(feature.geometry);
+    views_.assign(raster_.cells.size(), 0);
     for (const MapFeature& feature : map_.features())
       if (stands(feature)) look_from(feature.geometry);
+    for (std::size_t cell = 0; cell < views_.size(); ++cell)
+      if (views_[cell] > 0 && raster_.cells[cell] == Cell::unknown) raster_.cells[cell] = Cell::free;
     return std::move(raster_);
   }
 
@@ -88,30 +91,36 @@ class Rasterization {
         if (std::hypot(x, y) <= column.radius_m) occupy(column.center + Point(x, y));
   }
 
-  /// What lies in view of a surface, in front of it, is free.
+  // A third of fronts is enough: a room may have walls of which the map holds only the other side.
+  static constexpr std::int32_t kFront = 2, kBack = -1;
+
+  /// Tells all cells in view of a surface that they see its front, or its back.
   void look_from(const Geometry& geometry) {
     constexpr double kEvery_m = 0.5;
     if (const auto* face = std::get_if<Segment>(&geometry)) {
       const int looks = static_cast<int>(std::ceil(face->length_m() / kEvery_m));
-      for (int k = 0; k < looks; ++k)
-        look_ahead(face->begin + (k + 0.5) / looks * (face->end - face->begin), face->normal());
+      for (int k = 0; k < looks; ++k) {
+        const Point from = face->begin + (k + 0.5) / looks * (face->end - face->begin);
+        look_ahead(from, face->normal(), kFront);
+        look_ahead(from, -face->normal(), kBack);
+      }
       return;
     }
     const auto& column = std::get<Circle>(geometry);
     for (int turn = 0; turn < 12; ++turn) {
       const Point away = unit_vector(turn * std::numbers::pi / 6);
-      look_ahead(column.center + (column.radius_m + raster_.resolution_m) * away, away);
+      look_ahead(column.center + (column.radius_m + raster_.resolution_m) * away, away, kFront);
     }
   }
 
-  void look_ahead(const Point& from, const Point& ahead) {
+  void look_ahead(const Point& from, const Point& ahead, std::int32_t counts) {
     constexpr double kStep_rad = 0.01;
     const double straight_rad = std::atan2(ahead.y(), ahead.x());
     for (double off_rad = -1.55; off_rad <= 1.55; off_rad += kStep_rad)
-      look_along(from, unit_vector(straight_rad + off_rad));
+      look_along(from, unit_vector(straight_rad + off_rad), counts);
   }
 
-  void look_along(const Point& from, const Point& direction) {
+  void look_along(const Point& from, const Point& direction, std::int32_t counts) {
     constexpr double kView_m = 15;
     const double step_m = raster_.resolution_m / 2;
     bool leaves_line = true;  // a wall that is drawn as one line stands in the cells on both sides of it
@@ -122,7 +131,7 @@ class Rasterization {
       if (occupied && leaves_line && range_m < 2 * raster_.resolution_m) continue;
       if (occupied) return;
       leaves_line = false;
-      raster_.cells[*index] = Cell::free;
+      views_[*index] += counts;
     }
   }
 
@@ -136,6 +145,7 @@ class Rasterization {
   const SemanticMap& map_;
   bool doors_open_;
   MapRaster raster_;
+  std::vector<std::int32_t> views_;  ///< by cell: what is seen from there, summed up
 };
 
 /// The brightness by which map_server knows them.

@@ -32,8 +32,9 @@ struct RasterOptions {
 /// Whether a feature is of a door's leaf: a door's frame can be perceived, its leaf cannot.
 OPAL_EXPORT bool is_door_leaf(const SemanticMap& map, const MapFeature& feature);
 
-/// Cells just behind a face, and those of a round column, are occupied. Others are free if some surface can be seen
-/// from there, within 15 m, and unknown if not.
+/// Cells just behind a face, and those of a round column, are occupied. Others are free if, of the surfaces that can be
+/// seen from there, within 15 m, more than a third show their front, and unknown if not: what walls enclose that show
+/// their backs is solid, also if it is seen through a gap.
 /// @throws MapError if nothing on the map has a surface, or the grid would have more than 10^8 cells.
 /// @throws ConfigError if a number makes no sense.
 OPAL_EXPORT MapRaster rasterized(const SemanticMap& map, const RasterOptions& options = {});

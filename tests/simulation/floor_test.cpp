@@ -21,6 +21,11 @@ class Plan {
     add("opal:Door", "", leaf);
     return *this;
   }
+  Plan& face(const Segment& seen_from_its_left) {
+    objects_.push_back({"wall-" + std::to_string(objects_.size()), "opal:Wall"});
+    add("opal:Wall", "PlanarLidar2D", seen_from_its_left);
+    return *this;
+  }
   std::shared_ptr<const SemanticMap> map() const { return SemanticMap::make("plan", objects_, features_); }
 
  private:
@@ -52,6 +57,22 @@ SimulationOptions empty_world(double doors_open_share) {
 const Point kFirst(1, 1), kSecond(11, 4), kBefore(13, 2.6);  ///< before the outer door
 
 }  // namespace
+
+TEST_CASE(
+    "a corridor around a block is floor, and what the block's walls enclose is none, though a piece of them is "
+    "missing") {
+  Plan plan;
+  plan.wall({-0.2, -0.2}, {14.2, 0}).wall({-0.2, 14}, {14.2, 14.2}).wall({-0.2, 0}, {0, 14}).wall({14, 0}, {14.2, 14});
+  plan.face({{1.5, 1.5}, {1.5, 12.5}}).face({{1.5, 12.5}, {12.5, 12.5}}).face({{12.5, 1.5}, {1.5, 1.5}});
+  plan.face({{12.5, 12.5}, {12.5, 8}}).face({{12.5, 6.8}, {12.5, 1.5}});
+  const Simulation simulation(plan.map(), empty_world(1), 1);
+  CHECK(simulation.floor().holds({1, 0.75}, {13, 0.75}));
+  CHECK(simulation.floor().holds({13.25, 1}, {13.25, 13}));
+  for (const Point& inside : {Point(7, 7), Point(3, 3), Point(3, 11), Point(11, 11)}) {
+    CAPTURE(inside.transpose());
+    CHECK_FALSE(simulation.floor().holds(inside));
+  }
+}
 
 TEST_CASE("an open door is floor that leads into the next room, a shut one is not") {
   const std::uint64_t seed = GENERATE(range(1, 7));
