@@ -1,5 +1,5 @@
+#include <opal/common/letter_case.hpp>
 #include <opal/import_kit/class_rules.hpp>
-#include <opal/import_kit/letter_case.hpp>
 
 #include <algorithm>
 #include <cctype>

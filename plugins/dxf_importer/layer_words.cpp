@@ -1,6 +1,6 @@
 #include "layer_words.hpp"
 
-#include <opal/import_kit/letter_case.hpp>
+#include <opal/common/letter_case.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -40,7 +40,7 @@ constexpr std::string_view kWindowSigns[] = {"窗", "窓", "幕墙", "幕牆", "
 constexpr std::string_view kWordsOfNoPart[] = {
     "TEXT",     "TEXTS",      "TXT",      "TEXTE",     "TEXTES",     "TEXTO",   "TEXTOS",  "TESTI",
     "DIM",      "DIMS",       "QUOTE",    "QUOTA",     "COTA",       "COTAS",   "COTE",    "COTES",
-    "COTATION", "BEMASSUNG",  "BEMAßUNG", "PROSPETTO", "PROSPETTI",  "SEZIONE", "SEZIONI", "ARREDO",
+    "COTATION", "BEMASSUNG",  "BEMAẞUNG", "PROSPETTO", "PROSPETTI",  "SEZIONE", "SEZIONI", "ARREDO",
     "ARREDI",   "ATTREZZATA", "MOBILIER", "MUEBLES",   "MOBILIARIO", "MÖBEL",   "MOEBEL",  "EJE",
     "EJES",     "EIXO",       "EIXOS",    "ASSE",      "ASSI",       "OSIE",    "OSY",     "ОСЬ",
     "ОСИ",      "ОСІ",        "РАЗМЕРЫ",  "ТЕКСТ",     "МЕБЕЛЬ",     "МЕБЛІ",   "ДЕМОНТАЖ"};
