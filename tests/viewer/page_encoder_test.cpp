@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <optional>
 
 using namespace opal;
 using namespace opal::synthetic;
@@ -23,7 +24,7 @@ class RecordReader {
       : unit_m_(run["unit_m"]), unit_rad_(run["unit_rad"]), unit_nat_(run["unit_nat"]) {}
 
   void read(const Event& frame) {
-    if (frame.contains("start")) rows_.clear();
+    if (frame.contains("start") || frame.contains("restated")) rows_.clear();
     const Pose2 local = pose(frame["local"]);
     for (const Event& place : frame.value("leave", Event::array())) rows_.erase(rows_.begin() + place.get<int>());
     REQUIRE(frame.contains("rows") == !rows_.empty());
@@ -116,6 +117,37 @@ TEST_CASE("a record holds what the frame holds") {
     if (frame.truth) CHECK(record["truth"][0].get<double>() == Approx(frame.truth->x()).margin(6e-4));
     CHECK(record["cpu"].contains("total"));
     CHECK_FALSE(record.contains("alive"));
+  }
+}
+
+TEST_CASE("a reader who begins with a record that restates knows what one knows who has read everything") {
+  const ReadRun run = frames_of({300, 20, 12});
+  PageEncoder encoder;
+  const Event header = Event::parse(encoder.run_record(*run.header));
+  RecordReader all(header);
+  std::optional<RecordReader> late;
+  RunState state;
+  const ThinnedPath path;
+  for (std::size_t k = 0; k < run.frames.size(); ++k) {
+    state.apply(run.frames[k]);
+    const Restatement restated{state, path};
+    const Event record = Event::parse(encoder.frame_record(run.frames[k], {}, k == 200 ? &restated : nullptr));
+    all.read(record);
+    CHECK(record.contains("restated") == (k == 200));
+    if (k == 200) {
+      late.emplace(header);
+      CHECK(record["restated"]["start"] == state.time_line());
+      CHECK(record["restated"]["hypotheses"].size() == state.alive().size());
+      CHECK(record["features"].size() == state.local_features().size());
+      CHECK(record.contains("words"));
+    }
+    if (!late) continue;
+    late->read(record);
+    REQUIRE(late->rows().size() == all.rows().size());
+    for (std::size_t row = 0; row < all.rows().size(); ++row) {
+      CHECK(late->rows()[row].id == all.rows()[row].id);
+      CHECK(distance_m(late->rows()[row].T_map_base, all.rows()[row].T_map_base) < 1e-9);
+    }
   }
 }
 

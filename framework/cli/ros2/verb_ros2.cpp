@@ -24,6 +24,9 @@
 
 namespace {
 
+/// What a page of a robot shows: it may run for months.
+constexpr opal::RecordWindow kPageWindow{.seconds = 600, .bytes = 32 << 20};
+
 std::string environment_value(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -84,7 +87,7 @@ int localize_robot(const opal::Ros2Options& options) {
   const opal::PluginRegistry plugins = opal::session::load_plugins(deployment);
   const StopSignals signals;  // before other threads
   std::optional<LiveView> page;
-  if (options.serve) page.emplace(options.port, signals.token());
+  if (options.serve) page.emplace(options.port, signals.token(), kPageWindow);
   opal::EventSink* const events = page ? &page->events() : nullptr;
   RobotParts parts(plugins, deployment, options.config, events, options.learning);
   opal::ros2::ServiceNotice notice(environment_value("NOTIFY_SOCKET"));

@@ -6,8 +6,8 @@
 #include <iostream>
 #include <mutex>
 
-LiveView::LiveView(int port, std::stop_token stop)
-    : stop_(std::move(stop)), server_(opal::live_page("/events"), records_, port) {
+LiveView::LiveView(int port, std::stop_token stop, opal::RecordWindow window)
+    : stop_(std::move(stop)), records_(window), server_(opal::live_page("/events"), records_, port) {
   std::cout << "watch it at " << url() << " (on this machine only; Ctrl-C ends the run)" << std::endl;
 }
 

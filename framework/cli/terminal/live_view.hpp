@@ -11,7 +11,8 @@ class LiveView {
  public:
   /// Serves at once. @param stop  Ctrl-C; whoever waits for it was made first, so that threads leave signals to it.
   /// @throws opal::Error if the port cannot be had.
-  LiveView(int port, std::stop_token stop);
+  /// @param window  of the run that is kept for those who watch.
+  LiveView(int port, std::stop_token stop, opal::RecordWindow window = {});
 
   opal::EventSink& events() { return feed_; }
   std::string url() const { return server_.url(); }

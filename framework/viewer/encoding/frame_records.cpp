@@ -6,7 +6,7 @@ namespace opal {
 namespace {
 
 constexpr int kMetreDecimals = 3, kPoseDecimals = 3, kAngleDecimals = 4, kNatDecimals = 2, kProbabilityDecimals = 4,
-              kCpuDecimals = 3;
+              kCpuDecimals = 3, kPathDecimals = 2;
 constexpr double kShownProbability = 0.0005;
 
 /// Kind and numbers, as elements or as one member.
@@ -94,12 +94,37 @@ void write_mapped_feature(const RunHeader::Feature& feature, RecordText& record)
   record.close('}');
 }
 
-void write_local_features(const RunFrame& frame, RecordText& record) {
-  write_list("features", frame.changed, record, [&](const RecordedLocalFeature& feature) {
+void write_local_features(const std::vector<RecordedLocalFeature>& changed, const std::vector<LocalFeatureId>& gone,
+                          RecordText& record) {
+  write_list("features", changed, record, [&](const RecordedLocalFeature& feature) {
     record.id(feature.id).text(feature.type).integer(feature.stable ? 1 : 0).integer(feature.measurements);
     std::visit(WriteGeometry{record, false}, feature.geometry);
   });
-  if (!frame.gone.empty()) record.key("gone").ids(frame.gone);
+  if (!gone.empty()) record.key("gone").ids(gone);
+}
+
+std::vector<RecordedLocalFeature> features_of(const RunState& state) {
+  std::vector<RecordedLocalFeature> features;
+  for (const auto& [id, feature] : state.local_features()) features.push_back(feature);
+  return features;
+}
+
+void write_restatement(const RunState& state, const ThinnedPath& path, RecordText& record) {
+  record.key("restated").open('{').key("start").text(state.time_line()).key("hypotheses").open('[');
+  for (const auto& [id, hypothesis] : state.alive()) {
+    const bool has_parent = state.alive().contains(hypothesis.parent);
+    record.open('[').id(id).id(has_parent ? hypothesis.parent : HypothesisId{}).text(hypothesis.origin);
+    record.pose(hypothesis.T_map_base, kPoseDecimals).number(hypothesis.log_likelihood, kNatDecimals);
+    write_pairs(hypothesis.pairs, record);
+    record.close(']');
+  }
+  record.close(']').key("path").open('[');
+  for (const std::vector<Point>& line : path.lines()) {
+    record.open('[');
+    for (const Point& p : line) record.number(p.x(), kPathDecimals).number(p.y(), kPathDecimals);
+    record.close(']');
+  }
+  record.close(']').close('}');
 }
 
 void write_tree(const RunFrame& frame, RecordText& record) {

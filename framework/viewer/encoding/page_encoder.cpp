@@ -29,6 +29,13 @@ void write_scan(const RunFrame& frame, const PageDetail& detail, RecordText& rec
   record.key("free").points(frame.free_space, detail.scan_unit_m, detail.scan_stride);
 }
 
+void write_window(const KeptWindow& window, RecordText& record) {
+  record.key("window").open('{');
+  if (window.seconds) record.key("seconds").number(*window.seconds, 3);
+  if (window.characters) record.key("characters").integer(static_cast<long long>(*window.characters));
+  record.close('}');
+}
+
 void write_storeys(const RunHeader& header, RecordText& record) {
   record.key("storeys").open('[');
   for (const RunHeader::Storey& storey : header.storeys) {
@@ -41,7 +48,7 @@ void write_storeys(const RunHeader& header, RecordText& record) {
 
 }  // namespace
 
-std::string PageEncoder::run_record(const RunHeader& header) const {
+std::string PageEncoder::run_record(const RunHeader& header, const KeptWindow* window) const {
   RecordText record;
   record.open('{').key("r").text("run").key("format").integer(3).key("opal").text(header.opal);
   record.key("log").text(header.log).key("config").text(header.config).key("map").text(header.map_file);
@@ -52,7 +59,9 @@ std::string PageEncoder::run_record(const RunHeader& header) const {
   record.key("unit_nat").number(detail_.unit_nat, 6).key("scan_unit_m").number(detail_.scan_unit_m, 6);
   record.key("reduced").open('[');
   for (const std::string& sentence : detail_.reduced) record.text(sentence);
-  return record.close(']').close('}').take();
+  record.close(']');
+  if (window) write_window(*window, record);
+  return record.close('}').take();
 }
 
 std::string PageEncoder::map_record(const RunHeader& header) const {
@@ -78,22 +87,23 @@ std::string PageEncoder::map_record(const RunHeader& header) const {
   return record.close('}').take();
 }
 
-std::string PageEncoder::frame_record(const RunFrame& frame, const Words& words) {
-  if (frame.starts) rows_.clear();
+std::string PageEncoder::frame_record(const RunFrame& frame, const Words& words, const Restatement* restated) {
+  if (frame.starts || restated) rows_.clear();
   const std::size_t shown = std::min(frame.hypotheses.size(), static_cast<std::size_t>(detail_.most_hypotheses));
   const std::span<const RecordedHypothesis> hypotheses(frame.hypotheses.data(), shown);
   RecordText record;
   record.open('{');
   write_moment(frame, record);
   write_scan(frame, detail_, record);
-  write_local_features(frame, record);
+  if (restated) write_restatement(restated->state, restated->path, record);
+  write_local_features(restated ? features_of(restated->state) : frame.changed, frame.gone, record);
   write_tree(frame, record);
   if (frame.search) write_search(*frame.search, record);
   rows_.write(hypotheses, as_written(frame.T_local_base), record);
   if (shown < frame.hypotheses.size()) record.key("alive").integer(static_cast<long long>(frame.hypotheses.size()));
   write_beliefs(hypotheses, static_cast<std::size_t>(detail_.most_scores), record);
   write_answer(frame, record);
-  write_words(words, frame.starts.has_value(), record);
+  write_words(words, frame.starts || restated, record);
   return record.close('}').take();
 }
 

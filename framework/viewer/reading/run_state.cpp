@@ -13,7 +13,7 @@ bool contains(const std::vector<LocalFeatureId>& ids, LocalFeatureId id) {
 }  // namespace
 
 void RunState::apply(const RunFrame& frame) {
-  if (frame.starts) *this = {};
+  if (frame.starts) *this = RunState(paths_);
   if (frame.starts) time_line_ = *frame.starts;
   frame_ = frame;
   ++frames_;
@@ -95,6 +95,7 @@ void RunState::take_estimate() {
     hypothesis.highest_s = frame_.time_s;
   }
   if (alive_.size() > frame_.hypotheses.size()) keep_alive_only_listed();
+  if (paths_ == Paths::left_out) return;
   if (const TracedHypothesis* winner = best()) trajectory_.push_back(winner->T_map_base.position());
   if (frame_.truth) truth_.push_back(frame_.truth->position());
 }

@@ -39,6 +39,10 @@ struct EndedHypothesis {
 /// clears it.
 class RunState {
  public:
+  /// Whether the points where the robot was are kept. They are what grows with the run.
+  enum class Paths { kept, left_out };
+  explicit RunState(Paths paths = Paths::kept) : paths_(paths) {}
+
   void apply(const RunFrame& frame);
 
   /// The newest frame; everything about it alone is there. @pre a frame was applied
@@ -79,6 +83,7 @@ class RunState {
   std::map<LocalFeatureId, RecordedLocalFeature> local_features_;
   std::map<HypothesisId, TracedHypothesis> alive_;
   std::vector<EndedHypothesis> ended_;
+  Paths paths_;
   std::vector<Point> trajectory_, truth_;
 };
 

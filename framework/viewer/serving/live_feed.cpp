@@ -23,6 +23,9 @@ Event as_written(const nlohmann::ordered_json& event) {
   return parse_event(line.view());
 }
 
+/// How often a window has a record that a reader can begin with.
+constexpr std::size_t kBeginnings = 8;
+
 /// Events in, records out.
 class RecordMaker {
  public:
@@ -33,17 +36,45 @@ class RecordMaker {
     if (!explainer_ && builder_.header()) begin(*builder_.header());
     if (!frame) return;
     explainer_->take(*frame);
-    records_.append(encoder_.frame_record(*frame, words_of(explainer_->explanation())));
+    if (records_.window().is_bounded())
+      append_to_window(*frame);
+    else
+      records_.append(encoder_.frame_record(*frame, words_of(explainer_->explanation())));
   }
 
  private:
   void begin(const RunHeader& header) {
     explainer_.emplace(header);
-    records_.append(encoder_.run_record(header));
-    records_.append(encoder_.map_record(header));
+    const RecordWindow& window = records_.window();
+    KeptWindow kept;
+    if (window.bounds_seconds()) kept.seconds = window.seconds;
+    if (window.bounds_bytes()) kept.characters = window.bytes;
+    records_.append(encoder_.run_record(header, window.is_bounded() ? &kept : nullptr), RecordLog::Kind::first);
+    records_.append(encoder_.map_record(header), RecordLog::Kind::first);
+  }
+
+  /// A part of the window begins with a record that says all.
+  void append_to_window(const RunFrame& frame) {
+    if (frame.starts) path_.clear();
+    run_s_ += frame.starts ? 0 : frame.time_s - last_time_s_;
+    last_time_s_ = frame.time_s;
+    const bool is_part_full =
+        records_.window().is_filled_by((run_s_ - part_run_s_) * kBeginnings, part_bytes_ * kBeginnings);
+    const bool begins = frame.starts || is_part_full;
+    const Restatement restatement{explainer_->state(), path_};
+    std::string record = encoder_.frame_record(frame, words_of(explainer_->explanation()),
+                                               begins && !frame.starts ? &restatement : nullptr);
+    if (begins) part_run_s_ = run_s_;
+    part_bytes_ = record.size() + (begins ? 0 : part_bytes_);
+    records_.append(std::move(record), begins ? RecordLog::Kind::begins : RecordLog::Kind::follows, run_s_);
+    if (const TracedHypothesis* best = explainer_->state().best()) path_.add(best->T_map_base.position());
   }
 
   RecordLog& records_;
+  ThinnedPath path_;
+  double run_s_ = 0, part_run_s_ = 0;  ///< of the run so far; when the newest part began
+  double last_time_s_ = 0;             ///< of the time line
+  std::size_t part_bytes_ = 0;         ///< of the newest part
   FrameBuilder builder_;
   PageEncoder encoder_;
   std::optional<Explainer> explainer_;
@@ -73,6 +104,11 @@ void LiveFeed::Implementation::make_records() {
     while (const auto event = next_event()) maker.take(*event);
   } catch (...) {
     failure = std::current_exception();
+  }
+  {
+    std::lock_guard lock(mutex);
+    closed = true;  // nobody takes events any more
+    queue.clear();
   }
   records.end();
 }
@@ -107,6 +143,7 @@ void LiveFeed::write(const nlohmann::ordered_json& event) {
   nlohmann::ordered_json copy = event;
   {
     std::lock_guard lock(implementation_->mutex);
+    if (implementation_->closed) return;
     implementation_->queue.push_back(std::move(copy));
   }
   implementation_->changed.notify_one();

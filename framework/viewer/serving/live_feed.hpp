@@ -9,7 +9,8 @@
 namespace opal {
 
 /// Turns the events of a run that goes on into records, with explanations, in a thread of its own. Whoever writes
-/// events never waits for that: `write` appends a copy to a queue without an end, whatever becomes of it afterwards.
+/// events never waits for that: `write` appends a copy to a queue without an end, whatever becomes of it afterwards. If
+/// the log has a window, some records say all that a reader has to know who begins with them.
 class LiveFeed final : public EventSink {
  public:
   /// @param records  gets what comes out; must outlive the feed.

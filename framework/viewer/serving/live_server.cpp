@@ -94,7 +94,8 @@ bool LiveServer::Implementation::write_next(std::size_t& position, httplib::Data
   const RecordLog::Reading reading = records.wait(position, stopping.get_token(), kHeartbeat);
   switch (reading.outcome) {
     case Outcome::record:
-      return write("id: " + token + "." + std::to_string(position++) + "\ndata: " + *reading.record + "\n\n");
+      position = reading.position + 1;
+      return write("id: " + token + "." + std::to_string(reading.position) + "\ndata: " + *reading.record + "\n\n");
     case Outcome::timeout: return write(":\n\n");
     case Outcome::stopped: return false;
     case Outcome::end: break;

@@ -12,7 +12,8 @@ namespace opal {
 /// another host, as those of a web page elsewhere would that has its own name point here (DNS rebinding).
 ///
 /// Every connection reads the log at its own pace. One that takes nothing for seconds is closed; a browser then comes
-/// back by itself and goes on where it was (`Last-Event-ID`).
+/// back by itself and goes on where it was (`Last-Event-ID`). If the log has dropped what comes next, the connection is
+/// given the run from its first records on.
 class LiveServer {
  public:
   static constexpr int kUsualPort = 8713;

@@ -13,7 +13,7 @@ struct ExplainedMoment {
   void take(const RunFrame& frame);
 
   const RunHeader& header;
-  RunState state;
+  RunState state{RunState::Paths::left_out};
   std::optional<RecordedSearch> search;  ///< the last one of the time line
   double searched_s = 0;
   double status_since_s = 0;

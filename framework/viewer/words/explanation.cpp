@@ -30,6 +30,8 @@ Explainer& Explainer::operator=(Explainer&&) noexcept = default;
 
 void Explainer::take(const RunFrame& frame) { moment_->take(frame); }
 
+const RunState& Explainer::state() const { return moment_->state; }
+
 std::vector<Sentence> Explainer::explanation() const {
   std::vector<Sentence> sentences;
   if (moment_->state.empty()) return sentences;

@@ -10,6 +10,7 @@
 namespace opal {
 
 struct ExplainedMoment;
+class RunState;
 
 enum class SentenceKind { answer, support, against, alternative, fell, note };
 const char* name_of(SentenceKind kind);
@@ -39,6 +40,8 @@ class Explainer {
   /// The newest frame in words: the answer first, then what speaks for and against it, its alternatives, those that
   /// fell. Empty before the first frame. Deterministic, and independent of the order of a frame's unordered events.
   std::vector<Sentence> explanation() const;
+  /// What holds after the newest frame; without the points where the robot was.
+  const RunState& state() const;
 
  private:
   std::unique_ptr<ExplainedMoment> moment_;

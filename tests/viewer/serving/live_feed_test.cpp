@@ -13,6 +13,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -94,6 +95,52 @@ TEST_CASE("a number that is none, which the event file writes as null, does not 
   synthetic::write_run(kRun, spoiling);
   CHECK_NOTHROW(feed.end());
   CHECK(log.size() == 62);
+}
+
+TEST_CASE("over hours a feed with a window keeps as much as after minutes, and who comes late can read it") {
+  constexpr double kUpdatesASecond = 4;
+  RecordLog log({.seconds = 60});
+  LiveFeed feed(log);
+  std::size_t most_early = 0, most_late = 0, updates = 0;
+  class Watching final : public EventSink {
+   public:
+    Watching(EventSink& to, std::function<void()> updated) : to_(to), updated_(std::move(updated)) {}
+    bool listening() const override { return true; }
+    void write(const nlohmann::ordered_json& event) override {
+      to_.write(event);
+      if (event["event"] == "cost") updated_();
+    }
+
+   private:
+    EventSink& to_;
+    std::function<void()> updated_;
+  } watching(feed, [&] {
+    log.wait(2 + updates++, {}, std::chrono::seconds(10));  // in step: nothing waits in the queue
+    std::size_t& most = updates < 600 * kUpdatesASecond ? most_early : most_late;
+    most = std::max(most, log.bytes());
+  });
+  synthetic::write_run({.updates = 2 * 3600 * 4, .hypotheses = 4, .points = 10}, watching);
+  feed.end();
+  CHECK(log.size() == 2 + 2 * 3600 * 4);
+  CHECK(static_cast<double>(most_late) < 1.2 * static_cast<double>(most_early));
+  const auto map = log.wait(1, {}, std::chrono::milliseconds(0));
+  const auto oldest = log.wait(map.position + 1, {}, std::chrono::milliseconds(0));
+  const double kept_s = static_cast<double>(log.size() - oldest.position) / kUpdatesASecond;
+  CHECK(kept_s >= 60);
+  CHECK(kept_s <= 60 + 2 * 60. / 8 + 1);
+  const auto record = nlohmann::json::parse(*oldest.record);
+  CHECK(record["restated"]["path"][0].size() > 100);
+  CHECK(nlohmann::json::parse(*log.wait(0, {}, std::chrono::milliseconds(0)).record)["window"]["seconds"] == 60);
+}
+
+TEST_CASE("events after one that is not understood are not kept") {
+  RecordLog log;
+  LiveFeed feed(log);
+  feed.write({{"event", "keyframe"}});
+  log.wait(0, {}, std::chrono::seconds(10));  // the log has ended
+  synthetic::write_run(kRun, feed);
+  CHECK(log.size() == 0);
+  CHECK_THROWS_AS(feed.end(), EventError);
 }
 
 TEST_CASE("an event that is not understood ends the log and is told at the end") {

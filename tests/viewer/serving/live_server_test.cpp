@@ -85,6 +85,24 @@ TEST_CASE("a browser that comes back goes on where it was") {
   CHECK(rest.back().kind == "end");
 }
 
+TEST_CASE("a browser that comes back after what it lacks was dropped begins anew, with what is left") {
+  RecordLog log({.seconds = 10});
+  log.append("run", RecordLog::Kind::first);
+  const auto append_second = [&](int s) {
+    log.append(record(static_cast<std::size_t>(s)), s % 5 == 0 ? RecordLog::Kind::begins : RecordLog::Kind::follows, s);
+  };
+  for (int s = 0; s < 5; ++s) append_second(s);
+  const LiveServer server("page", log, 0);
+  const std::string seen = EventStreamClient(server.port()).wait_for(6).at(3).id;
+  for (int s = 5; s < 100; ++s) append_second(s);
+  log.end();
+  const auto rest = EventStreamClient(server.port(), {{"Last-Event-ID", seen}}).wait_for_end();
+  CHECK(rest.front().data == "run");
+  check_records({rest.begin() + 1, rest.end()}, 85, 100);
+  const auto at_once = EventStreamClient(server.port(), {{"Last-Event-ID", rest[4].id}}).wait_for_end();
+  check_records(at_once, 89, 100);
+}
+
 TEST_CASE("a browser that comes back to another run begins anew") {
   RecordLog log, other;
   append(log, 0, 30);
