@@ -109,6 +109,20 @@ export class App {
     this.dataChanged();
   }
 
+  /// A younger recording of the same run: what is older than it is gone. The moment stays, if it is still there.
+  replaceRecording(recording) {
+    const [view] = this.views;
+    const dropped = view.recording.windows.length - recording.windows.length;
+    view.recording = recording;
+    this.timeLine.recordings = [recording];
+    this.header.setRecordings([recording], this.timeLine);
+    const isGone = this.state.window < dropped;
+    this.timeLine.select(Math.max(0, this.state.window - dropped));
+    const { window, begin } = this.timeLine;
+    const selected = recording.hypotheses.byId.has(this.state.selected) ? this.state.selected : -1;
+    this.state.set({ window, selected, time: isGone ? begin : Math.max(begin, this.state.time) });
+  }
+
   /// The first look, once data is there: what the address asks for, else the whole map at the start.
   start() {
     this.visit(this.link.read());

@@ -1,5 +1,5 @@
 import { findingsOf } from './hypothesis_log.js';
-import { integer, list, number, object, optionalList, pose, refuse, text } from './record_error.js';
+import { coordinate, integer, list, number, object, optionalList, pose, refuse, text } from './record_error.js';
 
 export const kStatuses = ['searching', 'ambiguous', 'localized', 'lost'];
 
@@ -15,6 +15,7 @@ export function checkedFrame(record, first, before, features) {
   if (record.cpu !== undefined) object(record.cpu, 'cpu');
   if (record.search !== undefined) checkSearch(record.search);
   if (record.words !== undefined) checkWords(record.words);
+  if (record.restated !== undefined) checkRestated(record.restated);
   findingsOf(record.findings, features, 'findings');
   return {
     starts,
@@ -40,6 +41,15 @@ function checkSearch(search) {
     pose([x, y, heading], 'search.rejected');
     list(pairs, 'search.rejected').forEach((pair) => list(pair, 'search.rejected'));
     text(reason, 'search.rejected');
+  }
+}
+
+function checkRestated(restated) {
+  object(restated, 'restated');
+  text(restated.start, 'restated.start');
+  for (const line of optionalList(restated.path, 'restated.path')) {
+    if (list(line, 'restated.path').length % 2 !== 0) refuse('restated.path', 'pairs of x and y', line.length);
+    for (const value of line) coordinate(value, 'restated.path');
   }
 }
 

@@ -44,6 +44,7 @@ function follow(url) {
       feed.shown = false;
       feed.fresh = recording;
     },
+    younger: (recording) => feed.shown && app.replaceRecording(recording),
     appended: (recording) => {
       if (!feed.shown) show(recording);
       else app.dataChanged();

@@ -22,6 +22,10 @@ export class Recording {
     this.header = null;
     this.map = null;
     this.records = 0;
+    this.characters = 0; ///< of frame records
+    this.newestBegins = false; ///< a recording can begin with the newest frame record, after those of run and map
+    this.lasts_s = 0; ///< from the first frame to the newest, time lines added up
+    this.earlierPath = []; ///< where the robot was before the first frame: lines [x, y, x, y, ...] [m]
     this.windows = []; ///< {name, begin, end}: time lines, by frames
     this.hypotheses = new HypothesisLog();
     this.features = new FeatureLog();
@@ -90,6 +94,7 @@ export class Recording {
       nat: number(record.unit_nat, 'unit_nat'),
     };
     const scan_m = number(record.scan_unit_m, 'scan_unit_m');
+    if (record.window !== undefined) checkWindow(record.window);
     const reduced = optionalList(record.reduced, 'reduced').map((sentence) => text(sentence, 'reduced'));
     this.rows = new RowLog(units);
     this.scan = new PointLog(scan_m);
@@ -108,15 +113,26 @@ export class Recording {
     const frame = this.frames,
       first = frame === 0;
     const now = checkedFrame(record, first, first ? 0 : this.time.values[frame - 1], this.map.features.length);
-    if (now.starts) this.startWindow(text(record.start ?? '', 'start'), frame);
+    const { restated } = record;
+    if (now.starts) this.startWindow(text(record.start ?? restated?.start ?? '', 'start'), frame);
+    else this.lasts_s += now.time - this.time.values[frame - 1];
+    if (restated) this.rows.restart();
     this.rows.append(record, now.local);
-    this.features.append(record, now.starts);
-    this.takeHistory(record, frame);
+    this.features.append(record, now.starts || restated !== undefined);
+    this.takeHistory(restated && first ? this.beginWith(record) : record, frame);
     this.scan.append(record.scan, 'scan');
     this.free.append(record.free, 'free');
     this.takeMoment(record, now, frame);
     this.written.lines.push(line);
+    this.characters += line.length;
+    this.newestBegins = now.starts || restated !== undefined;
     this.windows[this.windows.length - 1].end = frame + 1;
+  }
+
+  /// A recording that begins in the middle of a run is told what holds, instead of how it came about.
+  beginWith(record) {
+    this.earlierPath = record.restated.path ?? [];
+    return { ...record, spawned: record.restated.hypotheses, lost: undefined, grown: undefined };
   }
 
   startWindow(name, frame) {
@@ -125,6 +141,7 @@ export class Recording {
   }
 
   takeHistory(record, frame) {
+    const first = frame === 0;
     const each = (name) => {
       const entries = optionalList(record[name], name);
       entries.forEach((entry, k) => this.hypotheses[name](entry, frame, `${name}[${k}]`));
@@ -147,7 +164,7 @@ export class Recording {
         frame,
         record.search.rejected.map(([, x, y]) => [x, y]),
       );
-    if (spawned) this.mark(frame, 'spawned');
+    if (spawned && !(first && record.restated)) this.mark(frame, 'spawned');
     if (ended) this.mark(frame, 'ended');
     if (record.search) this.mark(frame, 'search');
   }
@@ -240,6 +257,11 @@ export class Recording {
       if (kind < 0 || this.eventKind.values[k] === kind) return frames[k];
     return -1;
   }
+}
+
+function checkWindow(window) {
+  for (const name of ['seconds', 'characters'])
+    if (object(window, 'window')[name] !== undefined) number(window[name], `window.${name}`);
 }
 
 /// The first position whose value is not less.

@@ -38,6 +38,15 @@ function paintTrack({ context, view, marks, scene }, kind, placeOf) {
   if (drawn) marks.add(kind, -1, mapX, mapY);
 }
 
+/// The way before the first frame of the recording, which is all that is left of it.
+function paintEarlierPath({ context, view, scene: { recording, frame } }) {
+  if (recording.window.values[frame] !== 0) return;
+  context.beginPath();
+  for (const line of recording.earlierPath)
+    for (let k = 0; k < line.length; k += 2) context[k === 0 ? 'moveTo' : 'lineTo'](view.x(line[k]), view.y(line[k + 1]));
+  context.stroke();
+}
+
 export function paintTrajectory(painter) {
   const {
     context,
@@ -49,6 +58,7 @@ export function paintTrajectory(painter) {
     ys = recording.rows.y.values;
   context.strokeStyle = palette.trajectory;
   context.lineWidth = 1.8;
+  paintEarlierPath(painter);
   paintTrack(painter, kMark.trajectory, (f, out) => {
     const row = rows[f];
     if (row < 0) return false;

@@ -1,11 +1,14 @@
 /// A page that follows a run while it happens, from a tiny server of events.
 import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
 import { launch, open } from './browser.js';
+import { kMaker, recordsOfWindow } from './long_run.js';
 import { pageWith } from './page_file.js';
 import { syntheticRun } from './synthetic_run.js';
 
+const skip = existsSync(kMaker) ? false : 'OPAL_SYNTHETIC_RUN does not name the built program';
 const run = syntheticRun({ frames: 200, hypotheses: 8 });
 let browser, server, address;
 let streams = [];
@@ -88,6 +91,34 @@ test('a connection that is lost is found again, and the run told anew', async ()
   while (streams.length < 2) await page.waitForTimeout(20);
   send(0, 62);
   await reached(page, 59);
+  assert.deepEqual(troubles, []);
+  await context.close();
+});
+
+test('a page of a run that never ends drops what is older than its window, and stays where the reader is', { skip }, async () => {
+  const lines = recordsOfWindow({ seconds: 120, window_s: 20 });
+  const sendLines = (from, to) => streams.at(-1).write(lines.slice(from, to).map((line) => `data: ${line}\n\n`).join(''));
+  const { page, context, troubles } = await openLive();
+  const state = () => page.evaluate(() => window.opal.settled().then(() => window.opal.state()));
+  const newest = async (keyframe) => {
+    await page.waitForFunction((k) => window.opal.settled().then(() => window.opal.state()?.keyframe === k), keyframe);
+    return state();
+  };
+  sendLines(0, 202);
+  await newest(199);
+  await page.getByRole('button', { name: 'Step back' }).click();
+  const seen = (await state()).time;
+  sendLines(202, 242);
+  await page.waitForFunction(() => window.opal.settled().then(() => window.opal.frames() < 200));
+  assert.equal((await state()).time, seen);
+  sendLines(242, 482);
+  await page.waitForFunction((t) => window.opal.settled().then(() => window.opal.state().time > t), seen);
+  await page.getByRole('button', { name: 'Newest' }).click();
+  await newest(479);
+  const drawn = await page.evaluate(() => window.opal.drawn());
+  assert.ok(drawn.some(({ kind }) => kind === 'trajectory') && drawn.some(({ kind }) => kind === 'hypothesis'));
+  const kept = await page.evaluate(() => window.opal.frames());
+  assert.ok(kept >= 80 && kept < 200, `${kept} updates are kept`);
   assert.deepEqual(troubles, []);
   await context.close();
 });
