@@ -35,7 +35,9 @@ bool RosStream::take_odometry_from_transforms(const std::string& base_frame) {
 void RosStream::take(ReceivedMessage message) {
   newest_s_ = seconds_of(message.received_ns);
   if (!first_s_) first_s_ = newest_s_;
-  if (!is_open_) look_at(message);
+  const bool lacks_lasers = !is_open_ || admitted_.size() < scan_topics_of(decoder_.topics()).size();
+  if (lacks_lasers) look_at(message);
+  if (is_open_ && lacks_lasers) admit_late_lasers();
   held_bytes_ += message.data.size();
   held_.push_back(std::move(message));
   if (!is_open_) try_to_open();
@@ -46,7 +48,11 @@ void RosStream::look_at(const ReceivedMessage& message) {
   const Topic& topic = message.topic;
   if (reads_scans_of(decoder_.topics(), topic.name)) {
     if (laser_by_topic_.contains(topic.name)) return;
-    if (const auto frame = frame_of(topic, message.bytes())) laser_by_topic_[topic.name] = *frame;
+    const auto frame = frame_of(topic, message.bytes());
+    if (!frame) return;
+    laser_by_topic_[topic.name] = *frame;
+    laser_since_s_[topic.name] = newest_s_;
+    lasers_since_s_ = lasers_since_s_.value_or(newest_s_);
   } else if (has_odometry(topic) && topic.name == decoder_.topics().odometry && !odom_frame_) {
     if (const auto odometry = decode_odometry(message.bytes(), topic.wire)) meet_odometry(*odometry);
   } else if (has_transforms(topic, true)) {
@@ -118,23 +124,49 @@ FixedFrames RosStream::frames() const {
 }
 
 void RosStream::try_to_open() {
-  if (!hears_odometry() || laser_by_topic_.size() < scan_topics_of(decoder_.topics()).size()) return;
+  const bool has_all_lasers = laser_by_topic_.size() >= scan_topics_of(decoder_.topics()).size();
+  if (!hears_odometry() || !(has_all_lasers || is_over(lasers_since_s_, kLaserPatience_s))) return;
   const FixedFrames known = frames();
-  std::map<std::string, std::optional<LaserMount>> mounts;  // by frame
-  bool has_all = true;
-  for (const auto& [topic, laser] : laser_by_topic_) {
-    if (!base_frame_.empty()) mounts[laser] = find_laser_mount(known, base_frame_, laser);
-    has_all = has_all && mounts[laser];
-  }
-  if (!has_all && newest_s_ - *first_s_ < mount_patience_s_) return;
-  for (const auto& [laser, mount] : mounts) {
-    if (!mount) ++defects_["no static transform from " + base_words() + " to " + laser];
-    if (!mount) continue;
-    decoder_.add_mount(*mount);
-    mounts_.push_back(mount->record);
-  }
+  const bool has_all_mounts = std::all_of(laser_by_topic_.begin(), laser_by_topic_.end(), [&](const auto& laser) {
+    return !base_frame_.empty() && find_laser_mount(known, base_frame_, laser.second);
+  });
+  if (!has_all_mounts && !is_over(first_s_, mount_patience_s_)) return;
+  for (const auto& [topic, laser] : laser_by_topic_) admit(topic);
   drop_other_odometry();
   is_open_ = true;
+}
+
+/// With its mount, if it is known.
+void RosStream::admit(const std::string& topic) {
+  admitted_.insert(topic);
+  const std::string& laser = laser_by_topic_.at(topic);
+  const auto is_of_laser = [&](const MountRecord& mount) { return mount.child == laser; };
+  if (std::any_of(mounts_.begin(), mounts_.end(), is_of_laser)) return;
+  const auto mount = base_frame_.empty() ? std::nullopt : find_laser_mount(frames(), base_frame_, laser);
+  if (!mount) ++defects_["no static transform from " + base_words() + " to " + laser];
+  if (!mount) return;
+  decoder_.add_mount(*mount);
+  mounts_.push_back(mount->record);
+}
+
+void RosStream::admit_late_lasers() {
+  for (const auto& [topic, laser] : laser_by_topic_) {
+    if (admitted_.contains(topic)) continue;
+    const bool has_mount = !base_frame_.empty() && find_laser_mount(frames(), base_frame_, laser);
+    if (has_mount || is_over(laser_since_s_.at(topic), mount_patience_s_)) admit(topic);
+  }
+}
+
+std::vector<std::string> RosStream::absent_lasers() const {
+  std::vector<std::string> absent;
+  if (!is_open_) return absent;
+  for (const std::string& topic : scan_topics_of(decoder_.topics()))
+    if (!admitted_.contains(topic)) absent.push_back(topic);
+  return absent;
+}
+
+bool RosStream::is_of_absent_laser(const Topic& topic) const {
+  return reads_scans_of(decoder_.topics(), topic.name) && !admitted_.contains(topic.name);
 }
 
 std::optional<StreamedMessage> RosStream::next() {
@@ -142,6 +174,7 @@ std::optional<StreamedMessage> RosStream::next() {
   StreamedMessage streamed{std::move(held_.front()), std::nullopt};
   held_.pop_front();
   held_bytes_ -= streamed.message.data.size();
+  if (is_of_absent_laser(streamed.message.topic)) return streamed;
   streamed.record =
       decoder_.decode(streamed.message.topic, streamed.message.bytes(), seconds_of(streamed.message.received_ns));
   return streamed;

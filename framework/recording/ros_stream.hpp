@@ -23,9 +23,13 @@ struct StreamedMessage {
 };
 
 /// The messages of a running robot, one at a time, as the records that a recording of them would give. Messages are
-/// held until it is known where the lasers are mounted; memory is bounded, the oldest go first.
+/// held until it is known where the lasers are mounted; memory is bounded, the oldest go first. A laser that says
+/// nothing is not waited for without end: the others go on, and it joins when its first scan and its mount have come.
 class RosStream {
  public:
+  /// From the first scan of another laser on, a laser is waited for so long.
+  static constexpr double kLaserPatience_s = 3;
+
   /// @param topics  the scans have to be named; without a topic of odometry transforms are it.
   /// @param mount_patience_s  how long to wait for mounts, from the first message; infinite: as long as it takes.
   explicit RosStream(TopicChoice topics, double mount_patience_s = std::numeric_limits<double>::infinity());
@@ -47,7 +51,9 @@ class RosStream {
   bool knows_the_robot() const { return !base_frame_.empty(); }
   /// The frame that messages of odometry give poses in; empty: transforms are the odometry, or no message has come.
   std::string odom_frame() const { return odom_frame_.value_or(""); }
-  /// Where the lasers are mounted, as far as frames lead there; of an open stream.
+  /// Topics of lasers that an open stream goes on without: no scan has come yet, or the mount is not known.
+  std::vector<std::string> absent_lasers() const;
+  /// Where the lasers are mounted, as far as frames lead there; of an open stream. Those of late lasers come last.
   const std::vector<MountRecord>& mounts() const { return mounts_; }
   /// What messages are held for, in words; empty if it is open.
   std::string waits_for() const;
@@ -64,7 +70,13 @@ class RosStream {
   void drop_other_odometry();
   void bound_memory();
   FixedFrames frames() const;
+  bool is_over(const std::optional<double>& since_s, double patience_s) const {
+    return since_s && newest_s_ - *since_s >= patience_s;
+  }
   void try_to_open();
+  void admit(const std::string& topic);
+  void admit_late_lasers();
+  bool is_of_absent_laser(const Topic& topic) const;
 
   RecordDecoder decoder_;
   double mount_patience_s_;
@@ -75,6 +87,9 @@ class RosStream {
   std::string base_frame_;                             // empty: not known yet, or not named
   std::optional<std::string> odom_frame_;              // of messages of odometry, once one has come
   std::map<std::string, std::string> laser_by_topic_;  // frames
+  std::map<std::string, double> laser_since_s_;        // by topic: when its first scan was received
+  std::optional<double> lasers_since_s_;               // when the first scan of any laser was
+  std::set<std::string> admitted_;                     // topics of lasers that are used, of an open stream
   SeenTransforms static_, moving_, unstamped_;         // of the last, the time of receipt is the stamp
   double newest_stamp_s_ = 0;                          // of transforms that move
   std::vector<MountRecord> mounts_;

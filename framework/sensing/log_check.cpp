@@ -44,6 +44,17 @@ std::string frames_in(std::span<const LogRecord> records) {
   return listed(frames);
 }
 
+bool has_scan_of(std::span<const LogRecord> records, const LaserModel& laser) {
+  return usual_beams(records, laser) > 0;
+}
+
+bool are_all_described(std::span<const LogRecord> records, const std::vector<LaserModel>& described) {
+  return std::all_of(records.begin(), records.end(), [&](const LogRecord& record) {
+    const auto is_its = [&](const LaserModel& laser) { return scan_of(record, laser) != nullptr; };
+    return !std::holds_alternative<RawScan>(record) || std::any_of(described.begin(), described.end(), is_its);
+  });
+}
+
 }  // namespace
 
 const RawScan* first_with_geometry(std::span<const LogRecord> records, const LaserModel& laser) {
@@ -81,13 +92,31 @@ std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::v
   for (std::size_t k = 0; k < described.size(); ++k) {
     const std::string place = described_in + (are_several ? "/" + std::to_string(k) : "");
     const bool is_named = are_several || !described[k].frame.empty();
-    if (is_named && usual_beams(records, described[k]) == 0)
+    if (is_named && !has_scan_of(records, described[k]))
       throw ConfigError(sentence("%s: %s has no scan of frame \"%s\"; its scans have: %s", place.c_str(), log.c_str(),
                                  described[k].frame.c_str(), frames_in(records).c_str()));
     check_log(records, described[k], log, place);
     described[k] = with_log_geometry(described[k], records);
   }
   return described;
+}
+
+std::vector<LaserModel> lasers_of_robot(std::span<const LogRecord> records, std::vector<LaserModel> described,
+                                        const std::string& described_in) {
+  const std::string robot = "the robot";
+  if (described.size() < 2 || !are_all_described(records, described))
+    return lasers_of_log(records, std::move(described), robot, described_in);
+  std::vector<LaserModel> lasers;
+  for (std::size_t k = 0; k < described.size(); ++k) {
+    if (has_scan_of(records, described[k])) {
+      check_log(records, described[k], robot, described_in + "/" + std::to_string(k));
+      lasers.push_back(with_log_geometry(described[k], records));
+    } else if (!described[k].geometry_from_log) {
+      lasers.push_back(described[k]);
+    }
+  }
+  if (lasers.empty()) return lasers_of_log(records, std::move(described), robot, described_in);
+  return lasers;
 }
 
 }  // namespace opal

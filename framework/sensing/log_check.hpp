@@ -24,4 +24,10 @@ OPAL_EXPORT void check_log(std::span<const LogRecord> records, const LaserModel&
 OPAL_EXPORT std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::vector<LaserModel> described,
                                                   const std::string& log, const std::string& described_in);
 
+/// The same for a robot that runs, of which some lasers may not have begun yet. One without a scan stays as it is
+/// described, or is left out if its geometry comes from its scans. @throws ConfigError likewise, also if there is a
+/// scan that none of the lasers is described for, while one of them has none.
+OPAL_EXPORT std::vector<LaserModel> lasers_of_robot(std::span<const LogRecord> records,
+                                                    std::vector<LaserModel> described, const std::string& described_in);
+
 }  // namespace opal

@@ -1,6 +1,6 @@
 #include "recording/ros_stream.hpp"
 #include "mcap_file.hpp"
-#include "tests/plugins/logs/bag_writer.hpp"
+#include "robot_messages.hpp"
 
 #include "recording/ros_contents.hpp"
 #include "recording/ros_log_reader.hpp"
@@ -11,29 +11,7 @@ namespace {
 
 using namespace opal;
 using namespace opal::recording;
-
-const Topic kScan{"/scan", "sensor_msgs/msg/LaserScan", Wire::cdr};
-const Topic kTf{"/tf", "tf2_msgs/msg/TFMessage", Wire::cdr};
-const Topic kStatic{"/tf_static", "tf2_msgs/msg/TFMessage", Wire::cdr};
-
-ReceivedMessage received(const Topic& topic, double at_s, const std::string& data) {
-  const auto* bytes = reinterpret_cast<const std::byte*>(data.data());
-  return {topic, static_cast<std::int64_t>(at_s * 1e9), {bytes, bytes + data.size()}};
-}
-
-std::string scan_of(double stamp_s) {
-  log_tests::LaserScanMessage scan;
-  scan.stamp_s = stamp_s;
-  return scan.bytes();
-}
-
-std::string odometry_link(double stamp_s, double x_m) {
-  return log_tests::transforms_bytes({{"odom", "base", {x_m, 0, 0, 0, 0, 0, 1}}}, stamp_s);
-}
-
-std::string laser_link(double x_m) {
-  return log_tests::transforms_bytes({{"base", "laser", {x_m, 0, 0, 1, 0, 0, 0}}});  // upside down
-}
+using namespace robot_messages;
 
 /// Scans come first, the mount last.
 std::vector<ReceivedMessage> late_mount() {
@@ -44,16 +22,6 @@ std::vector<ReceivedMessage> late_mount() {
   }
   messages.insert(messages.begin() + 14, received(kStatic, 1.71, laser_link(0.3)));
   return messages;
-}
-
-std::vector<LogRecord> streamed(RosStream& stream, const std::vector<ReceivedMessage>& messages) {
-  std::vector<LogRecord> records;
-  for (const ReceivedMessage& message : messages) {
-    stream.take(message);
-    while (const auto next = stream.next())
-      if (next->record) records.push_back(*next->record);
-  }
-  return records;
 }
 
 Parts parts_of(const std::vector<ReceivedMessage>& messages) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "recording/ros_stream.hpp"
+#include "tests/plugins/logs/bag_writer.hpp"
+
+#include <string>
+#include <vector>
+
+/// What a robot with a laser sends, as tests make it.
+namespace robot_messages {
+
+using namespace opal;
+using namespace opal::recording;
+
+inline const Topic kScan{"/scan", "sensor_msgs/msg/LaserScan", Wire::cdr};
+inline const Topic kTf{"/tf", "tf2_msgs/msg/TFMessage", Wire::cdr};
+inline const Topic kStatic{"/tf_static", "tf2_msgs/msg/TFMessage", Wire::cdr};
+
+inline ReceivedMessage received(const Topic& topic, double at_s, const std::string& data) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(data.data());
+  return {topic, static_cast<std::int64_t>(at_s * 1e9), {bytes, bytes + data.size()}};
+}
+
+inline std::string scan_of(double stamp_s) {
+  log_tests::LaserScanMessage scan;
+  scan.stamp_s = stamp_s;
+  return scan.bytes();
+}
+
+inline std::string odometry_link(double stamp_s, double x_m) {
+  return log_tests::transforms_bytes({{"odom", "base", {x_m, 0, 0, 0, 0, 0, 1}}}, stamp_s);
+}
+
+inline std::string laser_link(double x_m) {
+  return log_tests::transforms_bytes({{"base", "laser", {x_m, 0, 0, 1, 0, 0, 0}}});  // upside down
+}
+
+inline std::vector<LogRecord> streamed(RosStream& stream, const std::vector<ReceivedMessage>& messages) {
+  std::vector<LogRecord> records;
+  for (const ReceivedMessage& message : messages) {
+    stream.take(message);
+    while (const auto next = stream.next())
+      if (next->record) records.push_back(*next->record);
+  }
+  return records;
+}
+
+}  // namespace robot_messages
