@@ -2,6 +2,7 @@
 
 #include "recording/ros_contents.hpp"
 #include "ros2/message_recorder.hpp"
+#include "ros2/odometry/odometry_agreement.hpp"
 
 #include <opal/common/sentence.hpp>
 #include <opal/recording/mcap_recording.hpp>
@@ -70,6 +71,38 @@ std::vector<std::string> missing_in(const LogContents& contents, const std::vect
   return missing;
 }
 
+OdometrySource source_of(const recording::Recording& recorded, const LogOdometry& odometry) {
+  using namespace recording;
+  const auto topics = topics_where(recorded, is_named(odometry.topic));
+  OdometrySource source{odometry.topic, odometry.odom_frame, odometry.base_frame, {}};
+  const auto walk = recorded.walk(topics);
+  while (const auto message = walk->next()) {
+    const Topic& topic = recorded.topics()[message->topic];
+    if (has_odometry(topic)) {
+      if (const auto decoded = decode_odometry(message->data, topic.wire))
+        source.T_odom_base.push_back({decoded->odometry.stamp_s, decoded->odometry.T_odom_base});
+      continue;
+    }
+    source.name = "the transform on " + odometry.topic;
+    for (const Transform& link : decode_transforms(message->data, topic.wire).value_or(std::vector<Transform>{}))
+      if (without_slash(link.parent) == odometry.odom_frame && without_slash(link.child) == odometry.base_frame)
+        source.T_odom_base.push_back({link.stamp_s, projected(link.T_parent_child)});
+  }
+  return source;
+}
+
+/// The odometry that is read against all others.
+std::vector<std::string> odometry_doubts(const recording::Recording& recorded, const LogContents& contents) {
+  std::vector<std::string> doubts;
+  for (const LogOdometry& used : contents.odometries)
+    for (const LogOdometry& other : contents.odometries) {
+      if (!used.is_read || other.is_read) continue;
+      const auto words = disagreements(source_of(recorded, used), source_of(recorded, other));
+      doubts.insert(doubts.end(), words.begin(), words.end());
+    }
+  return doubts;
+}
+
 }  // namespace
 
 bool is_chosen(const recording::TopicChoice& choice, const std::string& topic) {
@@ -88,6 +121,7 @@ RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicC
   parts.push_back(recording::read_mcap(std::make_unique<std::istringstream>(recorded), "the robot"));
   seen.contents = recording::ros_contents("the robot", parts, choice, first);
   seen.contents.format = "Robot in " + words_of(range);
+  seen.doubts = odometry_doubts(*parts.front(), seen.contents);
   seen.offers = incoming.offers();
   seen.missing = missing_in(seen.contents, seen.offers);
   for (const std::string& complaint : incoming.complaints()) seen.missing.push_back(complaint);

@@ -14,6 +14,7 @@ struct RobotContents {
   LogContents contents;              ///< as of a recording of the same time
   std::vector<Offer> offers;         ///< all topics with their quality of service
   std::vector<std::string> missing;  ///< what localization needs and is not there
+  std::vector<std::string> doubts;   ///< what it can do without, and a user should know
 };
 
 /// Whether this topic has to speak: scans or odometry that are named are read from it.

@@ -1,5 +1,5 @@
-#include "ros2/odometry_comparison.hpp"
-#include "ros2/odometry_patience.hpp"
+#include "ros2/odometry/odometry_comparison.hpp"
+#include "ros2/odometry/odometry_patience.hpp"
 
 #include <catch2/catch.hpp>
 

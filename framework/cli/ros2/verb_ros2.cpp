@@ -116,6 +116,8 @@ int check_robot(const opal::Ros2Options& options) {
   const nlohmann::ordered_json lines = opal::deployment_lines(seen.contents, "opal:McapLog");
   if (!seen.missing.empty()) std::cout << "\nmissing\n";
   for (const std::string& missing : seen.missing) std::cout << "  " << missing << '\n';
+  if (!seen.doubts.empty()) std::cout << "\nto look at\n";
+  for (const std::string& doubt : seen.doubts) std::cout << "  " << doubt << '\n';
   if (!lines.empty()) std::cout << "\nfor the deployment (-o FILE writes one)\n" << lines.dump(2) << '\n';
   if (!options.out.empty() && lines.empty())
     std::cerr << "ros2: no laser was heard, expected one for a deployment: " << options.out << " is not written\n";

@@ -1,7 +1,7 @@
 // A robot with another middleware: it plays a CARMEN log to topics of ROS 2 by Fast DDS, and prints what it hears.
 // Nothing of Opal is in it: CDR, DDS and types are those of Fast DDS and fastddsgen.
 //
-//   fastdds_robot DOMAIN SPEED (tf|odometry) (reliable|best_effort) LASER... < LOG
+//   fastdds_robot DOMAIN SPEED (tf|odometry|both) (reliable|best_effort) LASER... < LOG
 //
 // LASER is MESSAGE,FRAME,TOPIC,(scan|cloud),ANGLE_MIN,ANGLE_INCREMENT,RANGE_MAX,SWEEP,X,Y,HEADING: what the log calls
 // the laser's scans, how it is called and sends here, its beams, and where it is mounted. A laser that sends clouds is
@@ -107,11 +107,13 @@ class Ears {
 /// Publishes what is in a log.
 class Mouth {
  public:
-  Mouth(Robot& robot, bool by_transforms, bool reliable, std::vector<Laser> lasers)
-      : by_transforms_(by_transforms), hears_itself_(by_transforms && reliable), lasers_(std::move(lasers)) {
+  /// @param motion  "tf", "odometry", or "both": then the messages of odometry say a tenth more way.
+  Mouth(Robot& robot, const std::string& motion, bool reliable, std::vector<Laser> lasers)
+      : by_transforms_(motion != "odometry"), hears_itself_(by_transforms_ && reliable), lasers_(std::move(lasers)) {
     auto* const fixed = robot.writer("rt/tf_static", new tf2_msgs::msg::dds_::TFMessage_PubSubType, true, true);
-    motion_ = by_transforms ? robot.writer("rt/tf", new tf2_msgs::msg::dds_::TFMessage_PubSubType, reliable)
-                            : robot.writer("rt/odom", new nav_msgs::msg::dds_::Odometry_PubSubType, reliable);
+    motion_ = by_transforms_ ? robot.writer("rt/tf", new tf2_msgs::msg::dds_::TFMessage_PubSubType, reliable)
+                             : robot.writer("rt/odom", new nav_msgs::msg::dds_::Odometry_PubSubType, reliable);
+    if (motion == "both") wheels_ = robot.writer("rt/odom", new nav_msgs::msg::dds_::Odometry_PubSubType, reliable);
     Transforms mounts;
     for (const Laser& laser : lasers_) {
       TopicDataType* const type = laser.sends_clouds
@@ -142,6 +144,13 @@ class Mouth {
       nav_msgs::msg::dds_::Odometry_ pose = odometry_of(record);
       motion_->write(&pose);
     }
+    if (wheels_) {
+      Record longer = record;
+      longer.x *= 1.1;
+      longer.y *= 1.1;
+      nav_msgs::msg::dds_::Odometry_ pose = odometry_of(longer);
+      wheels_->write(&pose);
+    }
     print("moved " + words(time_at(record.stamp_s)));
   }
   void say_scan(const Record& record, std::size_t k) {
@@ -158,6 +167,7 @@ class Mouth {
   bool hears_itself_;  // its own ears ask for reliable transforms
   std::vector<Laser> lasers_;
   DataWriter* motion_ = nullptr;
+  DataWriter* wheels_ = nullptr;
   std::vector<DataWriter*> scans_;  // by laser
 };
 
@@ -171,7 +181,7 @@ int main(int argc, char** argv) {
   const Ears ears(robot);
   std::vector<Laser> lasers;
   for (int i = 5; i < argc; ++i) lasers.push_back(laser_of(argv[i]));
-  Mouth mouth(robot, std::string(argv[3]) == "tf", std::string(argv[4]) == "reliable", lasers);
+  Mouth mouth(robot, argv[3], std::string(argv[4]) == "reliable", lasers);
   mouth.wait_for_listeners();
   const Clock::time_point begin = Clock::now();
   for (const Record& record : records) {

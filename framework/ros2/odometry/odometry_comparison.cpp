@@ -1,4 +1,4 @@
-#include "ros2/odometry_comparison.hpp"
+#include "ros2/odometry/odometry_comparison.hpp"
 
 #include <opal/common/sentence.hpp>
 

@@ -1,4 +1,4 @@
-#include "ros2/odom_frame.hpp"
+#include "ros2/odometry/odom_frame.hpp"
 
 #include "common/phrases.hpp"
 
