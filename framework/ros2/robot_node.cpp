@@ -17,8 +17,6 @@ constexpr double kLookAroundS = 0.1;
 constexpr double kHealthS = 1;
 // Another transform from the map is there as long as one was seen in this time.
 constexpr double kOthersS = 5;
-// How far a robot may have been moved while the program was off, one sigma.
-constexpr double kMemorySigmaM = 0.5, kMemorySigmaRad = 0.3;
 constexpr double kMountPatienceS = 10;
 
 double steady_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -140,11 +138,6 @@ void RobotNode::drain() {
   if (!live_ && stream_.is_open()) begin();
 }
 
-void RobotNode::localize(LogRecord record, double now_s) {
-  if (heard_) heard_(record);
-  live_->take(std::move(record), now_s);
-}
-
 void RobotNode::record(const recording::ReceivedMessage& message) {
   if (!recorder_) return;
   try {
@@ -163,29 +156,6 @@ void RobotNode::publish_map() {
   } catch (const MapError& error) {
     std::cerr << "ros2: the map is not published as a grid: " << error.what() << '\n';
   }
-}
-
-void RobotNode::begin() {
-  const OdomFrame odom = odom_frame_of(options_.frames.odom, options_.is_odom_frame_stated, stream_.odom_frame());
-  if (!odom.words.empty()) std::cerr << "ros2: " << odom.words << '\n';
-  if (odom.frame != options_.read.odom_frame) fell_back_ = false;  // transforms of another frame are no odometry here
-  options_.frames.odom = options_.read.odom_frame = odom.frame;
-  const std::vector<MountRecord>& mounts = stream_.mounts();
-  before_.insert(before_.begin(), mounts.begin(), mounts.end());
-  {
-    std::optional<AliveMeanwhile> alive;  // a large map takes longer than a watchdog waits
-    if (notice_ != nullptr) alive.emplace(*notice_);
-    live_ = std::make_unique<LiveLocalizer>(make_parts_(before_), LiveOptions{}, events_);
-  }
-  if (const auto pose = memory_.recall()) {
-    live_->hint({*pose, kMemorySigmaM, kMemorySigmaRad});
-    std::cerr << "ros2: the pose of the last run is taken as a hint\n";
-  }
-  if (early_hint_) live_->hint(*early_hint_);
-  for (LogRecord& record : before_) localize(std::move(record), std::numeric_limits<double>::quiet_NaN());
-  before_.clear();
-  announcer_ = std::jthread([this](const std::stop_token& stop) { announce(stop); });
-  std::cerr << "ros2: localizing\n";
 }
 
 void RobotNode::announce(const std::stop_token& stop) {
@@ -269,6 +239,8 @@ NodeState RobotNode::state() {
     state.complaints.push_back(options_.read.odometry + " and the transform from " + options_.read.odom_frame +
                                " to the robot on " + options_.incoming.tf + " differ by " + apart +
                                ": leave --odometry-topic out, or frames of others are wrong in " + options_.frames.map);
+  for (const std::string& topic : stream_.absent_lasers())
+    state.complaints.push_back("localization goes on without the laser of " + topic);
   if (live_)
     for (const auto& [cause, times] : live_->counts()) state.odd_counts[cause] += times;
   return state;

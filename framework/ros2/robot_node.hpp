@@ -2,6 +2,7 @@
 
 #include "ros2/health_report.hpp"
 #include "ros2/incoming.hpp"
+#include "ros2/late_lasers.hpp"
 #include "ros2/message_recorder.hpp"
 #include "ros2/messages/outgoing.hpp"
 #include "ros2/network/discovery_range.hpp"
@@ -42,7 +43,8 @@ struct NodeOptions {
   std::string state_file;                   ///< empty: the last pose is not kept
 };
 
-/// What is localized with, once it is known what the lasers are.
+/// What is localized with, once it is known what the lasers are; again where a laser begins later whose geometry only
+/// its scans tell.
 using MakeParts = std::function<LocalizerParts(std::span<const LogRecord>)>;
 
 /// Gets every record that is localized with, from the thread that runs the node; whoever listens must not take long.
@@ -72,6 +74,9 @@ class RobotNode {
   void begin_recording();
   void publish_map();
   void begin();
+  void make_localizer(std::vector<LogRecord> records);
+  bool begin_anew_with(const std::string& frame);
+  bool may_use(const LogRecord& record);
   void localize(LogRecord record, double now_s);
   void fall_back_to_odometry_topic();
   void return_to_transforms(const std::string& base_frame);
@@ -93,6 +98,7 @@ class RobotNode {
   std::mutex publishing_;
   Outgoing outgoing_;
   recording::RosStream stream_;
+  LateLasers late_lasers_;
   OdometryPatience odometry_patience_;
   OdometryComparison odometry_comparison_;
   bool fell_back_ = false;         // odometry is read from its topic, because no transform was it

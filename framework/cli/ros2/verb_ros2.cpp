@@ -56,22 +56,27 @@ class RobotParts {
   }
   opal::LocalizerParts make(std::span<const opal::LogRecord> records) {
     opal::Deployment fitted = deployment_;
-    fitted.lasers = opal::lasers_of_log(records, deployment_.lasers, "the robot", config_ + ": /sensor");
+    fitted.lasers = opal::lasers_of_robot(records, deployment_.lasers, config_ + ": /sensor");
     opal::LocalizerParts parts = opal::build_parts(fitted, plugins_, map_);
-    if (events_ != nullptr) {
-      events_->write(opal::run_event({"a robot", config_, deployment_.map}, parts.lasers.front()));
-      events_->write(opal::map_event(*parts.map));
-      events_->write(opal::start_event("robot"));
-    }
+    if (events_ != nullptr) begin_events(parts);
     if (learning_) learning_->begin(parts);
     return parts;
   }
 
  private:
+  void begin_events(const opal::LocalizerParts& parts) {
+    if (!has_begun_) {
+      events_->write(opal::run_event({"a robot", config_, deployment_.map}, parts.lasers.front()));
+      events_->write(opal::map_event(*parts.map));
+    }
+    events_->write(opal::start_event(std::exchange(has_begun_, true) ? "robot, with another laser" : "robot"));
+  }
+
   const opal::PluginRegistry& plugins_;
   opal::Deployment deployment_;
   std::string config_;
   opal::EventSink* events_;
+  bool has_begun_ = false;
   std::shared_ptr<const opal::SemanticMap> map_;
   std::optional<LearningRobot> learning_;
 };

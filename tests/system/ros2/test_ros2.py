@@ -1,6 +1,7 @@
 """A robot that speaks by Fast DDS, with its own types and its own CDR, beside `opal ros2`. Loopback only, a domain for each test."""
 
 import collections
+import gzip
 import json
 import math
 import os
@@ -145,6 +146,31 @@ class TwoLasers(ADriveChecks):
         self.check_replay(poses, "robot.jsonld", map)
         moved = len(numbers(heard, "moved"))
         self.assertGreater(self.check_every_stamp_has_a_transform(heard), moved / 2)
+
+    def drive_without(self, is_missing):
+        """A drive in which some scans of the rear laser are missing. @return poses, what was said, when it began"""
+        subprocess.run([PROGRAM, "simulate", MALAGA / "malaga-demo.map.yaml", "-o", "runs/two", "--config", "two_lasers",
+                        "--drives", "1", "--distance", "20", "--seed", "3"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
+        lines = gzip.decompress((self.folder / "runs/two.log.gz").read_bytes()).splitlines(keepends=True)
+        begun_s = next(float(line.split()[-3]) for line in lines if line.startswith(b"FLASER"))
+        kept = [line for line in lines if not (line.startswith(b"RLASER") and is_missing(float(line.split()[-3]) - begun_s))]
+        (self.folder / "runs/two.log.gz").write_bytes(gzip.compress(b"".join(kept)))
+        lasers = self.write_deployment()
+        heard, errors = self.drive(1, "tf", "reliable", "--record", "drive.mcap", config="robot.jsonld",
+                                   map=self.folder / "runs/two.map.jsonld", lasers=lasers, log=self.folder / "runs/two.log.gz")
+        return numbers(heard, "pose"), errors, begun_s + EPOCH_S
+
+    def test_a_laser_that_never_sends_is_named_and_the_other_one_goes_on_alone(self):
+        poses, errors, _ = self.drive_without(lambda since_s: True)
+        self.assertGreater(len(poses), 20, errors)
+        self.assertIn("localization goes on without the laser of /scan_rear", errors)
+
+    def test_a_laser_that_appears_after_ten_seconds_is_used_and_the_robot_is_localized_again(self):
+        poses, errors, begun_s = self.drive_without(lambda since_s: since_s < 10)
+        self.assertIn("localization goes on without the laser of /scan_rear", errors)
+        self.assertIn("scans of RLASER have come: localization begins anew with this laser", errors)
+        self.assertTrue(any(float(pose[0]) < begun_s + 10 for pose in poses), errors)
+        self.assertGreater(sum(float(pose[0]) > begun_s + 11 for pose in poses), 20, errors)
 
     def write_deployment(self):
         """Beams and mounts come from the robot. @return the robot's lasers"""
