@@ -102,7 +102,7 @@ std::optional<MotionPair> MotionPairs::add(const Scan& scan, const Pose2& T_odom
       moved_m >= kStep_m || turned_rad >= kStep_rad || scan.stamp_s - reference_stamp_s_ >= kStanding_s;
   if (!is_over) return std::nullopt;
   std::optional<MotionPair> pair;
-  if (skipped_ > 0)
+  if (skipped_ > 0 && !is_standstill(T_odometry))
     --skipped_;
   else if (moved_m <= kTooFar_m && turned_rad <= kTooFar_rad)
     pair = laid_over(positions_of(scan), T_odometry);

@@ -28,7 +28,8 @@ class OPAL_EXPORT MotionPairs {
   /// @param scan  sensor frame. @param T_odom_base  odometry at its stamp.
   /// @return a motion that ends with this scan, if one does and the scans tell it.
   std::optional<MotionPair> add(const Scan& scan, const Pose2& T_odom_base);
-  /// Passes by so many motions before the next one is looked at; they cost nothing.
+  /// Passes by so many motions before the next one is looked at; they cost nothing. A robot that stands by its odometry
+  /// is looked at all the same: nothing else tells as soon that the odometry has frozen.
   void skip(int motions) { skipped_ = motions; }
   void clear();
 

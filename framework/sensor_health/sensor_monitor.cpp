@@ -82,7 +82,11 @@ bool SensorMonitor::add(const Scan& scan, const Pose2& T_odom_base) {
 }
 
 void SensorMonitor::take(const MotionPair& pair) {
-  if (is_standstill(pair.T_odometry)) return keep(standing_, pair, kStandingMotions);
+  if (is_standstill(pair.T_odometry)) {
+    keep(standing_, pair, kStandingMotions);
+    if (!judge_standing(standing_).empty()) motions_->skip(0);  // the next motion refutes it
+    return;
+  }
   standing_.clear();
   keep(newest_, pair, kMotions);
   const auto is_fine = [](const SensorFinding& f) { return f.verdict == SensorFinding::Verdict::fine; };

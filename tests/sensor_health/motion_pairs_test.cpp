@@ -219,3 +219,14 @@ TEST_CASE("both ways that lead to one place are one way") {
   CHECK(pair->as_described);
   CHECK(pair->covariance(0, 0) == Approx(1e-4));
 }
+
+TEST_CASE("a robot that stands by its odometry is looked at, though motions are passed by") {
+  Drive drive;
+  drive.pairs.skip(2);
+  drive.pairs.add(scan_at(10), Pose2());
+  CHECK(drive.pairs.add(scan_at(10.6), Pose2()));
+  CHECK(drive.pairs.add(scan_at(11.2), Pose2()));
+  CHECK_FALSE(drive.pairs.add(scan_at(11.3), Pose2(0.3, 0, 0)));
+  CHECK_FALSE(drive.pairs.add(scan_at(11.4), Pose2(0.6, 0, 0)));
+  CHECK(drive.pairs.add(scan_at(11.5), Pose2(0.9, 0, 0)));
+}
