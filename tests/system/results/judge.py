@@ -103,7 +103,7 @@ class Verdict:
     """What became of one query. Distances are None where the query did not succeed."""
 
     query: str
-    honest: bool  # no scan of the query is in the map
+    independent: bool  # no scan of the query is in the map
     success: bool = False
     strict: bool = False
     distance_m: float = None

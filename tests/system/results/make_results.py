@@ -143,14 +143,14 @@ def full_table(bench):
         verdicts, summary = bench.verdicts("full", 1, site), bench.summary("full", 1, site)
         everything += verdicts
         total = judge.totals(verdicts)
-        made[site] = {"queries": str(total.queries), "honest": str(sum(v.honest for v in verdicts)), **judged_cells(total),
+        made[site] = {"queries": str(total.queries), "independent": str(sum(v.independent for v in verdicts)), **judged_cells(total),
                       "error after m": number(total.error_m, 2), "CPU ms median": number(summary["cpu_ms_median"], 2),
                       "CPU ms mean": number(summary["cpu_ms_mean"], 2), "CPU ms p99": number(summary["cpu_ms_p99"], 1),
                       "hypotheses": number(summary["hypotheses_mean"], 1), "peak MB": number(summary["peak_rss_mb"], 0),
                       "localizer MB": number(summary["localizer_mb"], 0), "import s": number(summary["import_s"], 2)}
     if bench.complete:
-        for label, honest in (("all honest", True), ("all map overlaps", False)):
-            part = [verdict for verdict in everything if verdict.honest == honest]
+        for label, independent in (("all independent", True), ("all map overlaps", False)):
+            part = [verdict for verdict in everything if verdict.independent == independent]
             made[label] = {"queries": str(len(part)), **judged_cells(judge.totals(part))}
     return made
 

@@ -34,7 +34,7 @@ class JudgeQuery(unittest.TestCase):
 
     def test_right_from_the_first_scan_is_success_after_no_driving(self):
         verdict = self.judged([row(k, 0.2) for k in range(21)])
-        self.assertTrue(verdict.success and verdict.strict and verdict.honest)
+        self.assertTrue(verdict.success and verdict.strict and verdict.independent)
         self.assertEqual(verdict.distance_m, 0)
         self.assertAlmostEqual(verdict.error_m, 0.2)
 
@@ -114,7 +114,7 @@ class JudgeFiles(unittest.TestCase):
         rows += [f"q2,{k},{k},4,0,1,0.9,0,localized\n" for k in range(21)]
         self.results.write_text(HEADER + "".join(rows))
         verdicts = judge.judge_site(self.folder / "site", self.results)
-        self.assertEqual([verdict.honest for verdict in verdicts], [True, False])
+        self.assertEqual([verdict.independent for verdict in verdicts], [True, False])
         total = judge.totals(verdicts)
         self.assertEqual((total.queries, total.success, total.strict, total.localized), (2, 1, 1, 1))
         self.assertEqual((total.localized_rows, total.false_rows, total.false_queries), (37, 21, 1))
