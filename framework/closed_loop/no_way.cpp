@@ -1,7 +1,8 @@
 #include "closed_loop/no_way.hpp"
 
-#include <opal/common/sentence.hpp>
 #include "map_tools/building_ground.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -57,13 +58,14 @@ class Barrier {
       const double wide_m = width_m(map_, *door.object);
       if (simulation_.ground().is_shut_outer_door(map_, *door.object)) return name + ", an outer one, is shut";
       if (wide_m < needed_m)
-        return name + sentence(", %.2f m wide, is narrower than the robot with its margin, %.2f m", wide_m, needed_m);
+        return name +
+               fmt::format(", {:.2f} m wide, is narrower than the robot with its margin, {:.2f} m", wide_m, needed_m);
       return name + " is shut (--doors-open 1 opens all)";
     }
     if (any.object && any.distance_m < simulation_.clearance_m())
-      return sentence("at (%.1f, %.1f) ", at.x(), at.y()) + name_of(*any.object) +
-             sentence(" leaves less room than the robot needs with its margin, %.2f m", needed_m);
-    return sentence("what stands at (%.1f, %.1f) and is not on the map bars the way", at.x(), at.y());
+      return fmt::format("at ({:.1f}, {:.1f}) ", at.x(), at.y()) + name_of(*any.object) +
+             fmt::format(" leaves less room than the robot needs with its margin, {:.2f} m", needed_m);
+    return fmt::format("what stands at ({:.1f}, {:.1f}) and is not on the map bars the way", at.x(), at.y());
   }
 
  private:
@@ -138,16 +140,17 @@ std::string why_not_at(const simulation::Simulation& simulation, const Point& pl
   if (simulation.floor().holds(place)) return "";
   const auto [low, high] = simulation.solids().bounds();
   if (!((place - low).minCoeff() >= 0 && (high - place).minCoeff() >= 0))
-    return sentence("it lies beyond the building, which reaches from (%.1f, %.1f) to (%.1f, %.1f)", low.x(), low.y(),
-                    high.x(), high.y());
+    return fmt::format("it lies beyond the building, which reaches from ({:.1f}, {:.1f}) to ({:.1f}, {:.1f})", low.x(),
+                       low.y(), high.x(), high.y());
   if (simulation.ground().is_outside(place)) return "it lies outdoors, and robots stay inside without --outdoors";
   if (simulation.solids().touches(place, simulation.clearance_m())) {
     const NearObject near = nearest_object(simulation.building(), place);
     const double needed_m = simulation.clearance_m();
     if (near.object && near.distance_m <= needed_m)
       return name_of(*near.object) +
-             sentence(" is %.2f m away, and the robot needs %.2f m with its margin", near.distance_m, needed_m);
-    return sentence("something that is not on the map stands nearer than the %.2f m that the robot needs", needed_m);
+             fmt::format(" is {:.2f} m away, and the robot needs {:.2f} m with its margin", near.distance_m, needed_m);
+    return fmt::format("something that is not on the map stands nearer than the {:.2f} m that the robot needs",
+                       needed_m);
   }
   return Barrier(simulation).between_floor_and(place);
 }

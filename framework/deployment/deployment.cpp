@@ -3,11 +3,12 @@
 #include "common/json/config_object.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
 #include <opal/common/strict_json.hpp>
 #include "deployment/localizer_options.hpp"
 #include "deployment/store_source.hpp"
 #include "deployment/trusted_list.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
@@ -76,9 +77,10 @@ LaserModel read_sensor(ConfigObject sensor) {
   if (laser.range_max_m <= laser.range_min_m) sensor.refuse("range_max_m", "more than range_min_m");
   const double widest_rad = 2 * kPi / std::max(1, laser.beams - 1);
   if (laser.angle_increment_rad > 1.001 * widest_rad && !laser.geometry_from_log)
-    sensor.refuse("angle_increment_rad", sentence("at most %.4g: %d beams then cover a full turn, and one of half a "
-                                                  "degree is 0.00873",
-                                                  widest_rad, laser.beams));
+    sensor.refuse("angle_increment_rad",
+                  fmt::format("at most {:.4g}: {} beams then cover a full turn, and one of half a "
+                              "degree is 0.00873",
+                              widest_rad, laser.beams));
   return laser;
 }
 

@@ -5,6 +5,8 @@
 #include "report/plot.hpp"
 #include "report/quantity_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

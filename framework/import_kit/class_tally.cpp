@@ -2,6 +2,8 @@
 
 #include "common/phrases.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
 
 namespace opal {

@@ -2,10 +2,11 @@
 
 #include "map/check/map_check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdio>
 #include <sstream>
 #include <unordered_map>
 
@@ -106,11 +107,9 @@ void sort_by_id(std::vector<ImportedElement>& elements) {
 std::string extent_sentence(const SemanticMap& map) {
   const MapCheck check = check_map(map);
   const Point size = check.bounds[1] - check.bounds[0];
-  std::array<char, 160> text{};
   const bool is_doubtful = size.maxCoeff() < kSmallestBuilding_m || size.maxCoeff() > kLargestBuilding_m;
-  std::snprintf(text.data(), text.size(), "extent %.2f m x %.2f m%s", size.x(), size.y(),
-                is_doubtful ? ": doubtful for a building, is the unit right?" : "");
-  return text.data();
+  return fmt::format("extent {:.2f} m x {:.2f} m{}", size.x(), size.y(),
+                     is_doubtful ? ": doubtful for a building, is the unit right?" : "");
 }
 
 }  // namespace opal

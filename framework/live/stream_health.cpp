@@ -1,6 +1,6 @@
 #include "live/stream_health.hpp"
 
-#include <opal/common/sentence.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,23 +92,23 @@ void StreamHealth::judge(const Stream& stream, double received_s, std::vector<He
     if (received_s - *begun_s_ > options_.missing_after_s)
       findings.push_back(
           {Level::bad, stream.subject,
-           name + sentence("no %s has come yet, for %.1f s", stream.record.c_str(), received_s - *begun_s_)});
+           name + fmt::format("no {} has come yet, for {:.1f} s", stream.record, received_s - *begun_s_)});
     return;
   }
   if (is_silent(stream, received_s))
     findings.push_back({Level::bad, stream.subject,
-                        name + sentence("no %s for %.1f s", stream.record.c_str(), received_s - *stream.received_s)});
+                        name + fmt::format("no {} for {:.1f} s", stream.record, received_s - *stream.received_s)});
   if (stream.records > kKnown && stream.interval_s > kSlower * stream.usual_s && !is_silent(stream, received_s))
     findings.push_back(
         {Level::doubtful, stream.subject,
-         name + sentence("%.1f records a second, %.1f before", 1 / stream.interval_s, 1 / stream.usual_s)});
+         name + fmt::format("{:.1f} records a second, {:.1f} before", 1 / stream.interval_s, 1 / stream.usual_s)});
   if (stream.age_s > options_.late_s)
     findings.push_back(
-        {Level::doubtful, stream.subject, name + sentence("arrives %.2f s after its stamps", stream.age_s)});
+        {Level::doubtful, stream.subject, name + fmt::format("arrives {:.2f} s after its stamps", stream.age_s)});
   if (stream.age_s < -options_.early_s)
     findings.push_back(
         {Level::doubtful, stream.subject,
-         name + sentence("stamps lie %.2f s in the future; do two computers' clocks differ?", -stream.age_s)});
+         name + fmt::format("stamps lie {:.2f} s in the future; do two computers' clocks differ?", -stream.age_s)});
 }
 
 /// Stamps of scans and of odometry that arrive at one time are compared: both clocks may differ from this one.
@@ -118,9 +118,9 @@ void StreamHealth::compare_clocks(const Stream& scans, std::vector<HealthFinding
   if (!(std::abs(later_s) > options_.pairing.odometry_wait_s)) return;
   findings.push_back(
       {Level::bad, "clock",
-       sentence("%s: scans are stamped %.1f s %s than odometry that arrives with them; are the clocks of "
-                "two computers apart?",
-                scans.subject.c_str(), std::abs(later_s), later_s > 0 ? "later" : "earlier")});
+       fmt::format("{}: scans are stamped {:.1f} s {} than odometry that arrives with them; are the clocks of "
+                   "two computers apart?",
+                   scans.subject, std::abs(later_s), later_s > 0 ? "later" : "earlier")});
 }
 
 std::vector<HealthFinding> StreamHealth::findings(double received_s) const {
@@ -137,7 +137,7 @@ std::vector<HealthFinding> StreamHealth::findings(double received_s) const {
   for (const auto& [cause, oddity] : oddities_)
     if (received_s - oddity.newest_s <= options_.told_for_s)
       findings.push_back({Level::doubtful, subject_of(cause),
-                          sentence("%s: %d times of late", cause.c_str(), oddity.times - oddity.before)});
+                          fmt::format("{}: {} times of late", cause, oddity.times - oddity.before)});
   return findings;
 }
 

@@ -1,9 +1,10 @@
 #include "ros2/incoming.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
 #include "common/phrases.hpp"
 #include "ros2/messages/wire_types.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -139,7 +140,7 @@ std::vector<std::string> Incoming::complaints() const {
         words = topic + ": somebody publishes it with another quality of service: " + *policy;
     if (words.empty() && subscription.wanted.is_needed && silent_s > kSilentS && !subscription.wanted.transient_local)
       words = topic + (subscription.newest_ns == 0 ? ": somebody publishes it, but no message has come"
-                                                   : sentence(": no message for %.0f s", silent_s));
+                                                   : fmt::format(": no message for {:.0f} s", silent_s));
     if (!words.empty()) complaints.push_back(words);
   }
   return complaints;

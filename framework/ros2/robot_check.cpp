@@ -4,8 +4,9 @@
 #include "ros2/message_recorder.hpp"
 #include "ros2/odometry/odometry_agreement.hpp"
 
-#include <opal/common/sentence.hpp>
 #include <opal/recording/mcap_recording.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -131,8 +132,7 @@ RobotContents look_at_robot(const DiscoveryRange& range, const recording::TopicC
 std::string offers_text(const std::vector<Offer>& offers) {
   std::set<std::string> lines;
   for (const Offer& offer : offers)
-    lines.insert(
-        sentence("  %-28s %-44s %s\n", offer.topic.c_str(), offer.type.c_str(), words_of(offer.quality).c_str()));
+    lines.insert(fmt::format("  {:<28} {:<44} {}\n", offer.topic, offer.type, words_of(offer.quality)));
   std::string text = "on the network\n";
   for (const std::string& line : lines) text += line;
   return text;

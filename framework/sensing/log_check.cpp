@@ -3,8 +3,9 @@
 #include "common/phrases.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
 #include <opal/sensing/replay.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -70,9 +71,9 @@ void check_log(std::span<const LogRecord> records, const LaserModel& laser, cons
   const int beams = usual_beams(records, laser);
   if (beams > 0 && beams != laser.beams)
     throw ConfigError(
-        sentence("%s: the laser has %d beams, but the scans of %s have %d; describe the laser that recorded "
-                 "the log (beams, angle_min_rad, angle_increment_rad)%s",
-                 described_in.c_str(), laser.beams, log.c_str(), beams, description_beside(log).c_str()));
+        fmt::format("{}: the laser has {} beams, but the scans of {} have {}; describe the laser that recorded "
+                    "the log (beams, angle_min_rad, angle_increment_rad){}",
+                    described_in, laser.beams, log, beams, description_beside(log)));
   if (!stated) return;
   // Half a beam at either end: what is more turns the scan, or bends it.
   const double off_first_rad = std::abs(wrap_angle(*stated->angle_min_rad - laser.angle_min_rad));
@@ -80,10 +81,10 @@ void check_log(std::span<const LogRecord> records, const LaserModel& laser, cons
   const double half_a_beam_rad = std::abs(laser.angle_increment_rad) / 2;
   if (off_first_rad <= half_a_beam_rad && off_span_rad <= 2 * half_a_beam_rad) return;
   throw ConfigError(
-      sentence("%s: beams begin at %.3f degrees and are %.4f degrees apart, but %s states %.3f and %.4f; "
-               "correct them, or set geometry_from_log",
-               described_in.c_str(), degrees(laser.angle_min_rad), degrees(laser.angle_increment_rad), log.c_str(),
-               degrees(*stated->angle_min_rad), degrees(*stated->angle_increment_rad)));
+      fmt::format("{}: beams begin at {:.3f} degrees and are {:.4f} degrees apart, but {} states {:.3f} and {:.4f}; "
+                  "correct them, or set geometry_from_log",
+                  described_in, degrees(laser.angle_min_rad), degrees(laser.angle_increment_rad), log,
+                  degrees(*stated->angle_min_rad), degrees(*stated->angle_increment_rad)));
 }
 
 std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::vector<LaserModel> described,
@@ -93,8 +94,8 @@ std::vector<LaserModel> lasers_of_log(std::span<const LogRecord> records, std::v
     const std::string place = described_in + (are_several ? "/" + std::to_string(k) : "");
     const bool is_named = are_several || !described[k].frame.empty();
     if (is_named && !has_scan_of(records, described[k]))
-      throw ConfigError(sentence("%s: %s has no scan of frame \"%s\"; its scans have: %s", place.c_str(), log.c_str(),
-                                 described[k].frame.c_str(), frames_in(records).c_str()));
+      throw ConfigError(fmt::format("{}: {} has no scan of frame \"{}\"; its scans have: {}", place, log,
+                                    described[k].frame, frames_in(records)));
     check_log(records, described[k], log, place);
     described[k] = with_log_geometry(described[k], records);
   }

@@ -1,6 +1,6 @@
 #include "sensor_health/sensor_judgement.hpp"
 
-#include <opal/common/sentence.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
@@ -48,7 +48,8 @@ const char* ending_of(Verdict verdict) { return verdict == Verdict::fine ? ": fi
 std::optional<SensorFinding> turn_finding(const MotionCalibration& drive) {
   const Estimated& scale = drive.turn_scale;
   const double by_odometry = drive.turned_rad, by_scans = scale.value * by_odometry;
-  const std::string turned = sentence("scans turn by %.2f rad where odometry turns by %.2f", by_scans, by_odometry);
+  const std::string turned =
+      fmt::format("scans turn by {:.2f} rad where odometry turns by {:.2f}", by_scans, by_odometry);
   const double off = scale.value < 0 ? 2 : std::abs(std::log(scale.value));
   const auto verdict = verdict_of(off, scale.sigma, kScale, drive.turns_better);
   if (!verdict) return std::nullopt;
@@ -66,8 +67,8 @@ std::optional<SensorFinding> turn_finding(const MotionCalibration& drive) {
 std::string guess_of_heading(double off_rad, double heading_rad) {
   const double off_deg = degrees(std::abs(off_rad)), quarters = std::round(degrees(heading_rad) / 90);
   if (off_deg > 150)
-    return sentence(": scans move backwards when odometry moves forwards: is the laser mounted at %.0f degrees?",
-                    quarters == -2 ? 180 : 90 * quarters + 0.0);
+    return fmt::format(": scans move backwards when odometry moves forwards: is the laser mounted at {:.0f} degrees?",
+                       quarters == -2 ? 180 : 90 * quarters + 0.0);
   if (std::abs(off_deg - 90) < 20) return ": is the laser mounted sideways, or are the axes swapped?";
   return ": is the laser's heading on the robot, or its first angle, described wrongly?";
 }
@@ -77,9 +78,9 @@ std::optional<SensorFinding> heading_finding(const MotionCalibration& drive, con
   const double off_rad = wrap_angle(heading.value - T_base_laser.heading_rad());
   const auto verdict = verdict_of(std::abs(off_rad), heading.sigma, kHeading_rad, drive.distances_better);
   if (!verdict) return std::nullopt;
-  std::string words =
-      sentence("the laser looks %.1f +- %.1f degrees to the left of the driving direction, and is described at %.1f",
-               degrees(heading.value), degrees(heading.sigma), degrees(T_base_laser.heading_rad()));
+  std::string words = fmt::format(
+      "the laser looks {:.1f} +- {:.1f} degrees to the left of the driving direction, and is described at {:.1f}",
+      degrees(heading.value), degrees(heading.sigma), degrees(T_base_laser.heading_rad()));
   words += *verdict == Verdict::fine ? ending_of(*verdict) : guess_of_heading(off_rad, heading.value);
   return SensorFinding{Subject::mount_heading,     *verdict,      heading.value,
                        T_base_laser.heading_rad(), heading.sigma, words};
@@ -89,8 +90,8 @@ std::optional<SensorFinding> distance_finding(const MotionCalibration& drive) {
   const Estimated& scale = drive.distance_scale;
   const auto verdict = verdict_of(std::abs(std::log(scale.value)), scale.sigma, kScale, drive.distances_better);
   if (!verdict) return std::nullopt;
-  std::string words =
-      sentence("scans move by %.2f m where odometry moves by %.2f", scale.value * drive.driven_m, drive.driven_m);
+  std::string words = fmt::format("scans move by {:.2f} m where odometry moves by {:.2f}", scale.value * drive.driven_m,
+                                  drive.driven_m);
   words += *verdict == Verdict::fine
                ? ending_of(*verdict)
                : ": is the wheel radius wrong, do wheels slip, or are ranges or odometry in other units?";
@@ -101,9 +102,9 @@ std::optional<SensorFinding> position_finding(const MotionCalibration& drive, co
   const double off_m = (drive.mount_position_m - T_base_laser.position()).norm(), sigma = drive.mount_position_sigma_m;
   const auto verdict = verdict_of(off_m, sigma, kPosition_m, drive.distances_better);
   if (!verdict) return std::nullopt;
-  std::string words =
-      sentence("in turns the laser moves as if it sat at (%.2f, %.2f) m on the robot, and is described at (%.2f, %.2f)",
-               drive.mount_position_m.x(), drive.mount_position_m.y(), T_base_laser.x(), T_base_laser.y());
+  std::string words = fmt::format(
+      "in turns the laser moves as if it sat at ({:.2f}, {:.2f}) m on the robot, and is described at ({:.2f}, {:.2f})",
+      drive.mount_position_m.x(), drive.mount_position_m.y(), T_base_laser.x(), T_base_laser.y());
   return SensorFinding{Subject::mount_position, *verdict, off_m, 0, sigma, words + ending_of(*verdict)};
 }
 
@@ -138,8 +139,8 @@ std::vector<SensorFinding> judge_standing(std::span<const MotionPair> standing) 
   }
   if (moving < kMovingMotions) return {};
   return {{Subject::standing_odometry, Verdict::contradicted, moved_m, 0, 0,
-           sentence("scans move by %.2f m and turn by %.2f rad where odometry stands: does the odometry arrive?",
-                    moved_m, turned_rad)}};
+           fmt::format("scans move by {:.2f} m and turn by {:.2f} rad where odometry stands: does the odometry arrive?",
+                       moved_m, turned_rad)}};
 }
 
 SensorFinding frozen_odometry(double changed_share) {
@@ -148,8 +149,8 @@ SensorFinding frozen_odometry(double changed_share) {
           changed_share,
           0,
           0,
-          sentence("odometry stands still, but %.0f %% of the beams have changed: do the wheels' counts arrive?",
-                   100 * changed_share)};
+          fmt::format("odometry stands still, but {:.0f} % of the beams have changed: do the wheels' counts arrive?",
+                      100 * changed_share)};
 }
 
 std::vector<SensorFinding> judge_ranges(const RangeHabits& habits, const LaserModel& described) {
@@ -159,16 +160,17 @@ std::vector<SensorFinding> judge_ranges(const RangeHabits& habits, const LaserMo
   if (usable < kFewestUsable)
     findings.push_back(
         {Subject::usable_beams, Verdict::contradicted, usable, 1, 0,
-         sentence("%.1f of 100 beams hit something between %.2f and %.2f m: are the ranges in metres, and "
-                  "the limits those of this laser?",
-                  100 * usable, described.range_min_m, std::min(described.range_max_m, described.no_return_m))});
+         fmt::format("{:.1f} of 100 beams hit something between {:.2f} and {:.2f} m: are the ranges in metres, and "
+                     "the limits those of this laser?",
+                     100 * usable, described.range_min_m, std::min(described.range_max_m, described.no_return_m))});
   const auto repeated = habits.repeated_farthest();
   if (repeated && repeated->scan_share > kRepeatedScans && repeated->farther_share < kFartherScans)
     findings.push_back(
         {Subject::no_return, Verdict::contradicted, repeated->range_m, described.no_return_m, 0,
-         sentence("%.1f of 100 beams have exactly the range %.4g m, in %.0f of 100 scans: that is no hit, but "
-                  "no_return_m is described as %.4g",
-                  100 * repeated->beam_share, repeated->range_m, 100 * repeated->scan_share, described.no_return_m)});
+         fmt::format("{:.1f} of 100 beams have exactly the range {:.4g} m, in {:.0f} of 100 scans: that is no hit, but "
+                     "no_return_m is described as {:.4g}",
+                     100 * repeated->beam_share, repeated->range_m, 100 * repeated->scan_share,
+                     described.no_return_m)});
   return findings;
 }
 

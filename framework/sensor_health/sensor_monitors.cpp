@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <opal/common/sentence.hpp>
-
 namespace opal {
 
 SensorMonitors::SensorMonitors(const std::vector<LaserModel>& lasers, const std::shared_ptr<const ScanMatcher>& matcher)

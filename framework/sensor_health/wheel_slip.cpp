@@ -1,6 +1,6 @@
 #include "sensor_health/wheel_slip.hpp"
 
-#include <opal/common/sentence.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ std::optional<SensorFinding> WheelSlip::finding() const {
       odometry_m > 0 ? scans_m / odometry_m : 0,
       1,
       0,
-      sentence("odometry counts %.1f m where scans move by %.1f m: do the wheels slip?", odometry_m, scans_m)};
+      fmt::format("odometry counts {:.1f} m where scans move by {:.1f} m: do the wheels slip?", odometry_m, scans_m)};
 }
 
 }  // namespace opal

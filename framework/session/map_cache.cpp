@@ -7,6 +7,8 @@
 #include "common/whole_file.hpp"
 #include "deployment/cache_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <cctype>
 
 namespace opal::session {

@@ -1,7 +1,8 @@
 #include "simulation/beam_statistics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace opal::simulation {
 
@@ -41,19 +42,14 @@ std::string side_by_side(const std::string& name_a, const BeamStatistics& a, con
                            {"through it", &BeamStatistics::through},
                            {"lost, though something is mapped", &BeamStatistics::missing},
                            {"free", &BeamStatistics::free}};
-  char line[200];
-  std::snprintf(line, sizeof line, "%-34s %12s %12s\n", "beams [%]", name_a.c_str(), name_b.c_str());
-  std::string text = line;
+  std::string text = fmt::format("{:<34} {:>12} {:>12}\n", "beams [%]", name_a, name_b);
   const auto percent = [](long count, long of) {
     return of == 0 ? 0 : 100 * static_cast<double>(count) / static_cast<double>(of);
   };
-  for (const Row& row : kRows) {
-    std::snprintf(line, sizeof line, "%-34s %12.1f %12.1f\n", row.name, percent(a.*row.count, a.beams()),
-                  percent(b.*row.count, b.beams()));
-    text += line;
-  }
-  std::snprintf(line, sizeof line, "%-34s %12ld %12ld\n", "beams", a.beams(), b.beams());
-  return text + line;
+  for (const Row& row : kRows)
+    text += fmt::format("{:<34} {:12.1f} {:12.1f}\n", row.name, percent(a.*row.count, a.beams()),
+                        percent(b.*row.count, b.beams()));
+  return text + fmt::format("{:<34} {:12} {:12}\n", "beams", a.beams(), b.beams());
 }
 
 }  // namespace opal::simulation

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace opal::grid_importer {
@@ -79,14 +78,8 @@ class Assembly {
   }
 
  private:
-  static std::string numbered(const char* pattern, int number) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), pattern, number);
-    return text.data();
-  }
-
   MapObjectNumber add_object(bool is_column) {
-    const std::string id = is_column ? numbered("column-%03d", ++columns_) : numbered("wall-%04d", ++walls_);
+    const std::string id = is_column ? fmt::format("column-{:03}", ++columns_) : fmt::format("wall-{:04}", ++walls_);
     objects_.push_back({id, is_column ? "opal:Column" : "opal:Wall"});
     return MapObjectNumber(objects_.size() - 1);
   }
@@ -127,7 +120,7 @@ class Assembly {
     const MapObjectNumber object = add_object(is_pillar(chain));
     std::vector<std::string> corner_ids;
     for (const int number : chain.corners) {
-      corner_ids.push_back(numbered("corner-%04d", ++corners_));
+      corner_ids.push_back(fmt::format("corner-{:04}", ++corners_));
       const Corner& c = vectors_.corners[static_cast<std::size_t>(number)];
       add_feature(object, corner_ids.back(), "opal:Corner", corner(number), std::hypot(rms(c.before), rms(c.after)),
                   {corner_ids.back() + "/point"});

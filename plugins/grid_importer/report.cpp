@@ -3,7 +3,8 @@
 #include "map_assembly.hpp"
 
 #include <opal/common/quantile.hpp>
-#include <opal/common/sentence.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +26,9 @@ long count(const OccupancyGrid& grid, Occupancy occupancy) {
 
 std::string about_grid(const OccupancyGrid& grid) {
   const double res = grid.resolution_m();
-  return sentence("grid of %d x %d cells of %g m: %ld occupied, %ld free (%.0f m2)", grid.columns(), grid.rows(), res,
-                  count(grid, Occupancy::occupied), count(grid, Occupancy::free),
-                  static_cast<double>(count(grid, Occupancy::free)) * res * res);
+  return fmt::format("grid of {} x {} cells of {:g} m: {} occupied, {} free ({:.0f} m2)", grid.columns(), grid.rows(),
+                     res, count(grid, Occupancy::occupied), count(grid, Occupancy::free),
+                     static_cast<double>(count(grid, Occupancy::free)) * res * res);
 }
 
 std::string about_faces(const std::vector<Face>& faces, double res) {
@@ -39,8 +40,8 @@ std::string about_faces(const std::vector<Face>& faces, double res) {
     at_least_1_m += face.length() * res >= 1;
     length_m += face.length() * res;
   }
-  return sentence("%zu wall faces, %.0f m: %d of at least 5 m, %d of 1 to 5 m, %zu shorter", faces.size(), length_m,
-                  at_least_5_m, at_least_1_m - at_least_5_m, faces.size() - static_cast<std::size_t>(at_least_1_m));
+  return fmt::format("{} wall faces, {:.0f} m: {} of at least 5 m, {} of 1 to 5 m, {} shorter", faces.size(), length_m,
+                     at_least_5_m, at_least_1_m - at_least_5_m, faces.size() - static_cast<std::size_t>(at_least_1_m));
 }
 
 std::string about_corners(const VectorMap& vectors) {
@@ -49,8 +50,8 @@ std::string about_corners(const VectorMap& vectors) {
     const CellPoint before = vectors.faces[static_cast<std::size_t>(corner.before)].line().tangent;
     convex += cross(before, vectors.faces[static_cast<std::size_t>(corner.after)].line().tangent) < 0;
   }
-  return sentence("%zu corners: %zu convex, %zu concave; %zu round columns", vectors.corners.size(), convex,
-                  vectors.corners.size() - convex, vectors.columns.size());
+  return fmt::format("{} corners: {} convex, {} concave; {} round columns", vectors.corners.size(), convex,
+                     vectors.corners.size() - convex, vectors.columns.size());
 }
 
 /// Distance from each boundary cell to the nearest feature, in cells, infinite beyond `reach`.
@@ -98,14 +99,14 @@ std::string about_fit(const std::vector<double>& distances, double res) {
   std::copy_if(distances.begin(), distances.end(), std::back_inserter(found),
                [](double d) { return std::isfinite(d); });
   std::sort(found.begin(), found.end());
-  return sentence("boundary cells lie %.3f m from the nearest feature (median; p90 %.3f m)",
-                  quantile_of(found, 0.5).value_or(0) * res, quantile_of(found, 0.9).value_or(0) * res);
+  return fmt::format("boundary cells lie {:.3f} m from the nearest feature (median; p90 {:.3f} m)",
+                     quantile_of(found, 0.5).value_or(0) * res, quantile_of(found, 0.9).value_or(0) * res);
 }
 
 std::string about_left_out(const std::vector<double>& distances) {
   const long left_out = std::count_if(distances.begin(), distances.end(), [](double d) { return !std::isfinite(d); });
-  return sentence("left out: %ld of %zu boundary cells are farther than %.2f m from every feature", left_out,
-                  distances.size(), kExplained_m);
+  return fmt::format("left out: {} of {} boundary cells are farther than {:.2f} m from every feature", left_out,
+                     distances.size(), kExplained_m);
 }
 
 /// From the face backwards, how far cells are occupied; a single other cell does not end it.
@@ -129,8 +130,8 @@ std::string about_smear(const OccupancyGrid& grid, const std::vector<Face>& face
   }
   std::sort(depths.begin(), depths.end());
   const double res = grid.resolution_m();
-  return sentence("walls are %.2f m of occupied cells thick behind their faces (median; p90 %.2f m)",
-                  quantile_of(depths, 0.5).value_or(0) * res, quantile_of(depths, 0.9).value_or(0) * res);
+  return fmt::format("walls are {:.2f} m of occupied cells thick behind their faces (median; p90 {:.2f} m)",
+                     quantile_of(depths, 0.5).value_or(0) * res, quantile_of(depths, 0.9).value_or(0) * res);
 }
 
 }  // namespace
@@ -147,19 +148,19 @@ std::vector<std::string> report(const GridDescription& description, const Bounda
                                      about_fit(distances.values(), res),
                                      about_smear(grid, vectors.faces)};
   if (smear_m > 0)
-    sentences.push_back(
-        sentence("walls stood %.2f m thicker in the grid than they are: faces were moved back by half of it", smear_m));
+    sentences.push_back(fmt::format(
+        "walls stood {:.2f} m thicker in the grid than they are: faces were moved back by half of it", smear_m));
   if (vectors.drawn_faces > 0)
     sentences.push_back(
-        sentence("a drawn plan: %d faces run along its rows and columns as they are drawn", vectors.drawn_faces));
+        fmt::format("a drawn plan: {} faces run along its rows and columns as they are drawn", vectors.drawn_faces));
   if (description.free_threshold > description.occupied_threshold)
-    sentences.push_back(
-        sentence("doubtful: free_thresh %g lies above occupied_thresh %g: cells up to occupied_thresh are free, all "
-                 "others occupied",
-                 description.free_threshold, description.occupied_threshold));
+    sentences.push_back(fmt::format(
+        "doubtful: free_thresh {:g} lies above occupied_thresh {:g}: cells up to occupied_thresh are free, all "
+        "others occupied",
+        description.free_threshold, description.occupied_threshold));
   if (description.keeps_grey_unknown)
-    sentences.push_back(sentence(
-        "free_thresh %g would make the cells free that map_saver wrote as unknown (grey 205): they stay unknown",
+    sentences.push_back(fmt::format(
+        "free_thresh {:g} would make the cells free that map_saver wrote as unknown (grey 205): they stay unknown",
         description.free_threshold));
   for (const std::string& key : description.ignored_keys)
     sentences.push_back("ignored in the yaml file: \"" + key + "\", which map_server does not define");

@@ -3,7 +3,8 @@
 #include "body_cut.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,11 +72,11 @@ LevelChoice named_level(const Building& building, const ImportOptions& options, 
   const double height_m = found->elevation_m + options.sensor_height_m;
   return {
       height_m, found->name,
-      sentence("cut at %.3f m, %.2f m above the storey '%s'", height_m, options.sensor_height_m, found->name.c_str())};
+      fmt::format("cut at {:.3f} m, {:.2f} m above the storey '{}'", height_m, options.sensor_height_m, found->name)};
 }
 
 LevelChoice given_height(const Building& building, double height_m) {
-  LevelChoice choice{height_m, "", sentence("cut at %.3f m, as asked for", height_m)};
+  LevelChoice choice{height_m, "", fmt::format("cut at {:.3f} m, as asked for", height_m)};
   for (const Level& level : building.levels)
     if (level.elevation_m <= height_m) choice.storey = level.name;
   return choice;
@@ -121,12 +122,13 @@ LevelChoice lowest_level(const Building& building, const Classes& classes, const
       if (!any_meets(one, height_m) || !any_meets(other, height_m)) continue;
       return {
           height_m, level.name,
-          sentence("cut at %.3f m, %.2f m above '%s', the lowest storey with %s there (--storey or --z choose another)",
-                   height_m, options.sensor_height_m, level.name.c_str(), what)};
+          fmt::format(
+              "cut at {:.3f} m, {:.2f} m above '{}', the lowest storey with {} there (--storey or --z choose another)",
+              height_m, options.sensor_height_m, level.name, what)};
     }
-  throw MapError(file + ": no storey has anything solid " + sentence("%.2f", options.sensor_height_m) + " m above it" +
-                 left_out_above(building, classes, options.sensor_height_m) + ", expected a storey (--storey) of " +
-                 names_of(building) + ", or a height (--z)");
+  throw MapError(file + ": no storey has anything solid " + fmt::format("{:.2f}", options.sensor_height_m) +
+                 " m above it" + left_out_above(building, classes, options.sensor_height_m) +
+                 ", expected a storey (--storey) of " + names_of(building) + ", or a height (--z)");
 }
 
 /// Height of the lowest point of things; infinite if none has any.
@@ -151,8 +153,9 @@ LevelChoice lowest_wall(const Building& building, const Classes& classes, const 
                    ", expected a height (--z)");
   const double height_m = lowest_m + options.sensor_height_m;
   return {height_m, "",
-          sentence("cut at %.3f m, %.2f m above the lowest %s: the model has no storeys (--z chooses another height)",
-                   height_m, options.sensor_height_m, what)};
+          fmt::format(
+              "cut at {:.3f} m, {:.2f} m above the lowest {}: the model has no storeys (--z chooses another height)",
+              height_m, options.sensor_height_m, what)};
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "report.hpp"
 
-#include <opal/common/sentence.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,8 +85,8 @@ std::string listed(const std::vector<std::string>& ids) {
 /// "16 posts of less than 35 cm around are no features"
 std::string none_made_of(int count, const char* thing, const char* which, const char* made) {
   const bool is_one = count == 1;
-  return sentence("%d %s%s %s %s %s%s", count, thing, is_one ? "" : "s", which, is_one ? "is no" : "are no", made,
-                  is_one ? "" : "s");
+  return fmt::format("{} {}{} {} {} {}{}", count, thing, is_one ? "" : "s", which, is_one ? "is no" : "are no", made,
+                     is_one ? "" : "s");
 }
 
 /// "IfcColumn: 46 came in, 85 merged with others at the same place, 126 not at this height".
@@ -150,11 +148,11 @@ std::vector<std::string> about_doors(const std::vector<ElementCut>& cuts) {
   if (!filling_nothing.empty())
     sentences.push_back("fill no opening, so that a wall may close them:" + listed(filling_nothing));
   if (const double width_m = widest_door_m(cuts); width_m > 0)
-    sentences.push_back(
-        sentence("widest door %.2f m: straight things up to that length may be open doors, walls should be detected "
-                 "from there on "
-                 "(opal:LineDetector, min_length_m)",
-                 width_m));
+    sentences.push_back(fmt::format(
+        "widest door {:.2f} m: straight things up to that length may be open doors, walls should be detected "
+        "from there on "
+        "(opal:LineDetector, min_length_m)",
+        width_m));
   return sentences;
 }
 
@@ -190,12 +188,12 @@ std::vector<std::string> report(const Building& building, const LevelChoice& lev
   const auto append = [&sentences](const std::vector<std::string>& more) {
     sentences.insert(sentences.end(), more.begin(), more.end());
   };
-  sentences.push_back(sentence("%s in %s: %zu storeys, %zu things", building.schema.c_str(), building.unit_name.c_str(),
-                               building.levels.size(), building.elements.size()));
+  sentences.push_back(fmt::format("{} in {}: {} storeys, {} things", building.schema, building.unit_name,
+                                  building.levels.size(), building.elements.size()));
   sentences.push_back(level.sentence);
   append(per_class(elements));
-  sentences.push_back(sentence("%d wall faces, %.0f m; %d corners; %d round columns", assembled.faces,
-                               assembled.length_m, assembled.corners, assembled.circles));
+  sentences.push_back(fmt::format("{} wall faces, {:.0f} m; {} corners; {} round columns", assembled.faces,
+                                  assembled.length_m, assembled.corners, assembled.circles));
   if (assembled.specks > 0) sentences.push_back(none_made_of(assembled.specks, "face", "shorter than 2 cm", "feature"));
   if (assembled.posts > 0)
     sentences.push_back(none_made_of(assembled.posts, "post", "of less than 35 cm around", "feature"));
@@ -205,7 +203,7 @@ std::vector<std::string> report(const Building& building, const LevelChoice& lev
   append(about_doors(cuts));
   append(what_is_missing(elements));
   if (building.north_rad)
-    sentences.push_back(sentence("true north is at %.1f degrees from the x axis", degrees(*building.north_rad)));
+    sentences.push_back(fmt::format("true north is at {:.1f} degrees from the x axis", degrees(*building.north_rad)));
   sentences.push_back(building.georeference ? "georeferenced in " + building.georeference->crs : "not georeferenced");
   append(building.notes);
   return sentences;

@@ -9,7 +9,6 @@
 #include "common/digest/sha256.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
 #include "common/whole_file.hpp"
 #include "deployment/class_files.hpp"
 #include "evaluation/query_verdict.hpp"
@@ -104,7 +103,7 @@ void LocalizingRunner::enter(const ab::Task& task) {
 std::string LocalizingRunner::input(const ab::Task& task) const {
   constexpr std::size_t kDigits = 16;
   const opal::Query& query = world_->query(task.query);
-  return opal::sha256_of(world_->digest + opal::sentence(" %.9f %.9f", query.start_s, query.end_s)).substr(0, kDigits);
+  return opal::sha256_of(world_->digest + fmt::format(" {:.9f} {:.9f}", query.start_s, query.end_s)).substr(0, kDigits);
 }
 
 void LocalizingRunner::set_up(std::size_t arm) {

@@ -5,7 +5,6 @@
 #include "benchmark/ab/execution/child_process.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
 
 #include <fmt/format.h>
 
@@ -97,7 +96,7 @@ ViewLinks write_views(const ab::Experiment& experiment, const ab::CellPlan& plan
     const std::string name = file_name(plan.name({task, contrast.arm})) + ".html";
     if (runs.size() == 2) {
       write_view_page(runs, (views / name).string());
-      const std::string link = "views/" + name + opal::sentence("#t=%.1f", contrast.deciding_s);
+      const std::string link = "views/" + name + fmt::format("#t={:.1f}", contrast.deciding_s);
       links[plan.name({task, contrast.arm})] = link + "&run=1";
       links.emplace(plan.name({task, experiment.baseline}), link);
     }

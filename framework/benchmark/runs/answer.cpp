@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace opal::benchmark {
 namespace {
@@ -66,26 +65,26 @@ std::string skipped_text(const std::map<std::string, int>& plugin_failures) {
 
 void print_answer(const opal::Localizer& localizer, const opal::PoseEstimate& answer, const std::string& why) {
   const double probability = answer.has_pose ? answer.probability : 0;
-  std::printf("at the end: %s", opal::status_text(name_of(answer.status), probability).c_str());
+  fmt::print("at the end: {}", opal::status_text(name_of(answer.status), probability));
   if (answer.has_pose) {
-    std::printf(", probability %.3f, %d %s\n", answer.probability, answer.hypotheses,
-                answer.hypotheses == 1 ? "hypothesis" : "hypotheses");
-    std::printf("pose: %s\n", place_words(localizer, answer.T_map_base).c_str());
+    fmt::print(", probability {:.3f}, {} {}\n", answer.probability, answer.hypotheses,
+               answer.hypotheses == 1 ? "hypothesis" : "hypotheses");
+    fmt::print("pose: {}\n", place_words(localizer, answer.T_map_base));
   } else {
-    std::printf("\nno pose\n");
+    fmt::print("\nno pose\n");
   }
   if (const std::string reason = opal::reason_text(name_of(answer.status), why, words_of(localizer.sensor_findings()));
       !reason.empty())
-    std::printf("%s\n", reason.c_str());
+    fmt::print("{}\n", reason);
   for (const auto& alternative : answer.alternatives)
-    std::printf("alternative:  %s, probability %.3f\n", place_words(localizer, alternative.T_map_base).c_str(),
-                alternative.probability);
+    fmt::print("alternative:  {}, probability {:.3f}\n", place_words(localizer, alternative.T_map_base),
+               alternative.probability);
   const auto associations = associations_of(localizer);
-  if (!associations.empty()) std::printf("it rests on:\n");
+  if (!associations.empty()) fmt::print("it rests on:\n");
   for (const NamedAssociation& named : associations)
-    std::printf("  %s (%.2f m off): local feature %d is %s\n", named.object.c_str(), named.off_m,
-                named.local_feature.number(), named.feature.c_str());
-  std::printf("%s", skipped_text(localizer.plugin_failures()).c_str());
+    fmt::print("  {} ({:.2f} m off): local feature {} is {}\n", named.object, named.off_m, named.local_feature.number(),
+               named.feature);
+  fmt::print("{}", skipped_text(localizer.plugin_failures()));
 }
 
 }  // namespace opal::benchmark

@@ -8,8 +8,9 @@
 #include "common/text_file.hpp"
 #include "localization/events/run_events.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 namespace opal::benchmark {
 namespace {
@@ -24,8 +25,8 @@ void print_errors(const RunRecord& record, const opal::GroundTruth& truth) {
   if (errors.empty()) return;
   const double last = errors.back();
   std::sort(errors.begin(), errors.end());
-  std::printf("error against the recorded truth: %.3f m now, median %.3f m, worst %.3f m over %zu scans\n", last,
-              errors[errors.size() / 2], errors.back(), errors.size());
+  fmt::print("error against the recorded truth: {:.3f} m now, median {:.3f} m, worst {:.3f} m over {} scans\n", last,
+             errors[errors.size() / 2], errors.back(), errors.size());
 }
 
 /// Scans and odometry were compared, but not in turns.
@@ -98,20 +99,19 @@ void LocalizeRun::write(const fs::path& out) const {
 
 void LocalizeRun::print() const {
   if (answers_.size() > 1) {
-    std::printf("%s\n", summary_of(answers_).c_str());
-    for (const WindowAnswer& answer : answers_) std::printf("%s\n", line_of(answer).c_str());
+    fmt::print("{}\n", summary_of(answers_));
+    for (const WindowAnswer& answer : answers_) fmt::print("{}\n", line_of(answer));
   } else if (!answers_.empty()) {
-    std::printf("%s\n", localized_text(answers_.front()).c_str());
+    fmt::print("{}\n", localized_text(answers_.front()));
     print_answer(localizer_, all_.last, answers_.front().why);
     if (doubts_map(answers_.front()))
-      std::printf("hint: is this the map of this building, and of the storey that was driven on?\n");
+      fmt::print("hint: is this the map of this building, and of the storey that was driven on?\n");
   }
-  for (const opal::SensorFinding& finding : localizer_.sensor_findings())
-    std::printf("sensor: %s\n", finding.words.c_str());
+  for (const opal::SensorFinding& finding : localizer_.sensor_findings()) fmt::print("sensor: {}\n", finding.words);
   if (tells_distances_only(localizer_.sensor_findings()))
-    std::printf("sensor: the drive turns too little to tell whether the beams turn counter-clockwise as described\n");
-  for (const std::string& words : contradictions_) std::printf("the sensor description is wrong: %s\n", words.c_str());
-  for (const auto& [cause, count] : oddities_) std::printf("log: %s: %d times\n", cause.c_str(), count);
+    fmt::print("sensor: the drive turns too little to tell whether the beams turn counter-clockwise as described\n");
+  for (const std::string& words : contradictions_) fmt::print("the sensor description is wrong: {}\n", words);
+  for (const auto& [cause, count] : oddities_) fmt::print("log: {}: {} times\n", cause, count);
   if (truth_) print_errors(all_, *truth_);
 }
 

@@ -3,8 +3,9 @@
 #include "session/session.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
 #include <opal/sensing/replay.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@
 
 namespace opal::benchmark {
 namespace {
-
-using opal::sentence;
 
 template <class Take>
 void for_each_scan(const RecordedLog& log, const Take& take) {
@@ -30,7 +29,7 @@ bool holds_scan(const RecordedLog& log) {
 struct Span {
   double begin_s = 0, end_s = 0;
   std::size_t scans = 0;
-  std::string text() const { return sentence("%.1f to %.1f s", begin_s, end_s); }
+  std::string text() const { return fmt::format("{:.1f} to {:.1f} s", begin_s, end_s); }
 };
 
 Span span_of(const RecordedLog& log) {
@@ -98,8 +97,8 @@ std::string doubt_of_limits(const RecordedLog& log, const opal::LaserModel& lase
   const double limit_m = ends_before ? laser.range_max_m : laser.no_return_m;
   const Beyond far = beyond(log, limit_m);
   if (far.share < least_share || far.different_cm.size() < kManyDifferent) return "";
-  return sentence(
-      "%.0f of 100 readings are %s, %g m, or farther, and they have %zu different ranges up to %.2f m: "
+  return fmt::format(
+      "{:.0f} of 100 readings are {}, {:g} m, or farther, and they have {} different ranges up to {:.2f} m: "
       "they look like returns",
       100 * far.share, ends_before ? "range_max_m" : "no_return_m", limit_m, far.different_cm.size(),
       0.01 * *far.different_cm.rbegin());
@@ -112,8 +111,8 @@ RecordedLog read_recorded_log(const opal::PluginRegistry& registry, const std::s
   const auto reader = session::open_log(registry, file, deployment, words);
   RecordedLog log{file, opal::read_all(*reader), reader->defects()};
   if (holds_scan(log)) return log;
-  std::string found = sentence("%zu records of odometry or mounts", log.records.size());
-  for (const auto& [cause, count] : log.defects) found += sentence(", %d times '%s'", count, cause.c_str());
+  std::string found = fmt::format("{} records of odometry or mounts", log.records.size());
+  for (const auto& [cause, count] : log.defects) found += fmt::format(", {} times '{}'", count, cause);
   throw opal::LogError(file + ": no scan that can be read; found " + found + ", expected scans of a planar laser");
 }
 
@@ -126,11 +125,11 @@ std::vector<std::string> doubts_of(const RecordedLog& log, const opal::LaserMode
   if (odometry.empty())
     doubts.emplace_back("holds no odometry, expected poses of the wheels' odometry");
   else if (stands_still(odometry))
-    doubts.push_back(sentence("odometry never moves in %zu scans, expected a robot that drives", span.scans));
+    doubts.push_back(fmt::format("odometry never moves in {} scans, expected a robot that drives", span.scans));
   if (returns_in(log, laser.no_return_m) == 0)
     doubts.push_back(
-        sentence("no beam of %zu scans returns from nearer than no_return_m, %g m; expected ranges in metres",
-                 span.scans, laser.no_return_m));
+        fmt::format("no beam of {} scans returns from nearer than no_return_m, {:g} m; expected ranges in metres",
+                    span.scans, laser.no_return_m));
   else if (std::string doubt = doubt_of_limits(log, laser); !doubt.empty())
     doubts.push_back(std::move(doubt));
   return doubts;
@@ -144,7 +143,7 @@ void expect_scans(const std::vector<opal::Query>& queries, const RecordedLog& lo
     });
     if (!is_covered)
       throw opal::ConfigError(file + ": query '" + query.id + "' " +
-                              sentence("from %.1f to %.1f s", query.start_s, query.end_s) + " has no scan of " +
+                              fmt::format("from {:.1f} to {:.1f} s", query.start_s, query.end_s) + " has no scan of " +
                               log.file + ", expected times from " + span_of(log).text());
   }
 }

@@ -4,6 +4,8 @@
 #include "common/phrases.hpp"
 #include "report/quantity_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -7,7 +7,7 @@
 
 #include "benchmark/ab/execution/workers.hpp"
 
-#include <opal/common/sentence.hpp>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <iostream>
@@ -24,8 +24,8 @@ std::string out_of(const AbOptions& options) {
 
 std::string duration_text(double s) {
   const long all_s = std::lround(s);
-  return all_s < 3600 ? opal::sentence("%ld:%02ld", all_s / 60, all_s % 60)
-                      : opal::sentence("%ld:%02ld h", all_s / 3600, all_s / 60 % 60);
+  return all_s < 3600 ? fmt::format("{}:{:02}", all_s / 60, all_s % 60)
+                      : fmt::format("{}:{:02} h", all_s / 3600, all_s / 60 % 60);
 }
 
 /// @return whether tasks of the job have not ended.
@@ -60,8 +60,8 @@ void AbSession::work(const ab::Shard& shard, std::size_t jobs) {
   opal::benchmark::LocalizingRunner runner(experiment_, plugins_, worlds_);
   opal::benchmark::ProgressBar bar;
   compute(runner, plan_, folder_, experiment_.limits, shard, jobs, [&](const ab::WorkProgress& progress) {
-    bar.show(progress.share(), opal::sentence("%zu of %zu cells, %s left", progress.before + progress.done,
-                                              progress.all, duration_text(progress.left_s()).c_str()));
+    bar.show(progress.share(), fmt::format("{} of {} cells, {} left", progress.before + progress.done, progress.all,
+                                           duration_text(progress.left_s())));
   });
 }
 

@@ -2,10 +2,10 @@
 
 #include <opal/common/quantile.hpp>
 
+#include <fmt/format.h>
 #include <malloc.h>
 #include <sys/resource.h>
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 
 namespace {
@@ -52,10 +52,7 @@ nlohmann::ordered_json summarize(const opal::benchmark::RunRecord& all, const Be
 
 /// The costs for people.
 std::string cost_text(const nlohmann::ordered_json& summary) {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "CPU per update %.2f ms (median), 99 %% below %.1f ms; memory %.0f MB; map import %.1f s\n",
-                summary["cpu_ms_median"].get<double>(), summary["cpu_ms_p99"].get<double>(),
-                summary["peak_rss_mb"].get<double>(), summary["import_s"].get<double>());
-  return text;
+  return fmt::format("CPU per update {:.2f} ms (median), 99 % below {:.1f} ms; memory {:.0f} MB; map import {:.1f} s\n",
+                     summary["cpu_ms_median"].get<double>(), summary["cpu_ms_p99"].get<double>(),
+                     summary["peak_rss_mb"].get<double>(), summary["import_s"].get<double>());
 }

@@ -12,12 +12,12 @@
 #include "session/shipped_files.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
 #include <opal/common/strict_json.hpp>
 #include <opal/deployment/deployment.hpp>
 #include <opal/sensing/replay.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <fstream>
 
 namespace {
@@ -52,14 +52,14 @@ std::vector<Timed> motions_of(const std::vector<opal::LogRecord>& records, const
 }
 
 void print(const opal::MotionCalibration& drive, const opal::Pose2& T_base_laser) {
-  std::printf("%d motions, %.1f m and %.1f rad by odometry\n\n%-28s %10s %10s %10s\n", drive.pairs, drive.driven_m,
-              drive.turned_rad, "", "estimate", "+-", "described");
+  fmt::print("{} motions, {:.1f} m and {:.1f} rad by odometry\n\n{:<28} {:>10} {:>10} {:>10}\n", drive.pairs,
+             drive.driven_m, drive.turned_rad, "", "estimate", "+-", "described");
   const auto row = [](const char* name, double value, double sigma, double described) {
     constexpr double kSaysNothing = 1000;
     if (sigma < kSaysNothing)
-      std::printf("%-28s %10.4f %10.4f %10.4f\n", name, value, sigma, described);
+      fmt::print("{:<28} {:10.4f} {:10.4f} {:10.4f}\n", name, value, sigma, described);
     else
-      std::printf("%-28s %10s %10s %10.4f\n", name, "not told", "", described);
+      fmt::print("{:<28} {:>10} {:>10} {:10.4f}\n", name, "not told", "", described);
   };
   row("mount heading [deg]", opal::degrees(drive.mount_heading_rad.value), opal::degrees(drive.mount_heading_rad.sigma),
       opal::degrees(T_base_laser.heading_rad()));
@@ -67,17 +67,16 @@ void print(const opal::MotionCalibration& drive, const opal::Pose2& T_base_laser
   row("mount y [m]", drive.mount_position_m.y(), drive.mount_position_sigma_m, T_base_laser.y());
   row("odometry, distance scale", drive.distance_scale.value, drive.distance_scale.sigma, 1);
   row("odometry, turn scale", drive.turn_scale.value, drive.turn_scale.sigma, 1);
-  std::printf("\n");
-  for (const opal::SensorFinding& finding : judge_motion(drive, T_base_laser))
-    std::printf("%s\n", finding.words.c_str());
+  fmt::print("\n");
+  for (const opal::SensorFinding& finding : judge_motion(drive, T_base_laser)) fmt::print("{}\n", finding.words);
 }
 
 void write_motions(const std::vector<Timed>& motions, const std::string& path) {
   std::string text = "end_s,odometry_x_m,odometry_y_m,odometry_heading_rad,scans_x_m,scans_y_m,scans_heading_rad\n";
   for (const Timed& motion : motions) {
     const opal::Pose2 &a = motion.pair.T_odometry, &b = motion.pair.T_scans;
-    text += opal::sentence("%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", motion.end_s, a.x(), a.y(), a.heading_rad(), b.x(),
-                           b.y(), b.heading_rad());
+    text += fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", motion.end_s, a.x(), a.y(),
+                        a.heading_rad(), b.x(), b.y(), b.heading_rad());
   }
   opal::write_text(path, text);
 }
@@ -114,22 +113,21 @@ int write_deployment(const opal::MotionCalibration& drive, const CalibrateOption
                      const opal::LaserModel& described, const opal::LaserModel& used) {
   const Learned learned = learned_of(drive);
   if (drive.turn_scale.value < 0) {
-    std::printf("not written: a deployment cannot say that scans are mirrored\n");
+    fmt::print("not written: a deployment cannot say that scans are mirrored\n");
     return kNo;
   }
   if (learned.odometry.empty() && learned.mount.empty()) {
-    std::printf("not written: the drive tells too little, expected one of some metres with turns\n");
+    fmt::print("not written: the drive tells too little, expected one of some metres with turns\n");
     return kNo;
   }
   auto document = nlohmann::ordered_json::parse(std::ifstream(options.config));
   const std::string objection = learned.mount.empty() ? "" : write_mount(document, described, used, learned.mount);
   if (!learned.odometry.empty()) document["odometry"].merge_patch(learned.odometry);
   opal::write_text(options.out, document.dump(2) + '\n');
-  std::printf("written: %s\n", options.out.c_str());
-  if (!objection.empty()) std::printf("the mount is not written: %s\n", objection.c_str());
+  fmt::print("written: {}\n", options.out);
+  if (!objection.empty()) fmt::print("the mount is not written: {}\n", objection);
   if (!learned.left.empty())
-    std::printf("left as described, because the drive tells too little of it: %s\n",
-                opal::listed(learned.left).c_str());
+    fmt::print("left as described, because the drive tells too little of it: {}\n", opal::listed(learned.left));
   return kDone;
 }
 

@@ -8,6 +8,8 @@
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdio>
 
@@ -66,16 +68,14 @@ void DriveReport::add(const DriveTask& task, const opal::DriveRecord& record) {
   localized_ += record.localized_after_m.has_value();
   localized_after_m_.push_back(record.localized_after_m.value_or(kNever));
   if (record.reached) times_s_.push_back(record.time_s);
-  std::printf("seed %llu: %s after %.0f s and %.1f m, %.2f m from the goal; ",
-              static_cast<unsigned long long>(task.seed), opal::drive_ending(record.reached, record.said_so),
-              record.time_s, record.driven_m, record.off_goal_m);
+  fmt::print("seed {}: {} after {:.0f} s and {:.1f} m, {:.2f} m from the goal; ", task.seed,
+             opal::drive_ending(record.reached, record.said_so), record.time_s, record.driven_m, record.off_goal_m);
   if (record.localized_after_m)
-    std::printf("localized after %.1f m", *record.localized_after_m);
+    fmt::print("localized after {:.1f} m", *record.localized_after_m);
   else
-    std::printf("never localized");
-  std::printf("; %s, %d of %d scans falsely localized%s%s\n",
-              opal::count_of(record.collisions.size(), "collision").c_str(), record.falsely_localized_scans,
-              record.scans, record.why.empty() ? "" : ": ", record.why.c_str());
+    fmt::print("never localized");
+  fmt::print("; {}, {} of {} scans falsely localized{}{}\n", opal::count_of(record.collisions.size(), "collision"),
+             record.falsely_localized_scans, record.scans, record.why.empty() ? "" : ": ", record.why);
   std::fflush(stdout);
   if (runs_.size() <= kPictures || !record.reached) draw(task, record);
 }
@@ -93,10 +93,9 @@ void DriveReport::draw(const DriveTask& task, const opal::DriveRecord& record) c
   if (!record.moments.empty() && record.moments.back().has_pose)
     scene.hypotheses.push_back({record.moments.back().estimate, 1});
   scene.places = {{task.goal, "goal"}};
-  char note[120];
-  std::snprintf(note, sizeof note, "From (%.1f, %.1f) to the goal (%.1f, %.1f): %.0f s, %.1f m.", task.start.x(),
-                task.start.y(), task.goal.x(), task.goal.y(), record.time_s, record.driven_m);
-  scene.notes.emplace_back(note);
+  scene.notes.push_back(fmt::format("From ({:.1f}, {:.1f}) to the goal ({:.1f}, {:.1f}): {:.0f} s, {:.1f} m.",
+                                    task.start.x(), task.start.y(), task.goal.x(), task.goal.y(), record.time_s,
+                                    record.driven_m));
   if (!record.why.empty()) scene.notes.emplace_back("Not reached: " + record.why + ".");
   scene.notes.emplace_back("The estimated trajectory is drawn where it was called localized.");
   const std::string name = (out_ / ("drive_" + std::to_string(task.seed))).string();
@@ -121,7 +120,7 @@ void DriveReport::write() const {
   nlohmann::ordered_json told = summary;
   for (auto& value : told)
     if (value.is_number_float()) value = std::round(1e3 * value.get<double>()) / 1e3;
-  std::printf("%s\n", told.dump().c_str());
+  fmt::print("{}\n", told.dump());
   summary["runs"] = runs_;
   opal::write_text((out_ / "summary.json").string(), summary.dump(1) + '\n');
 }

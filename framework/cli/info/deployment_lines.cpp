@@ -3,8 +3,9 @@
 #include "common/text_file.hpp"
 #include "session/shipped_files.hpp"
 
-#include <opal/common/sentence.hpp>
 #include <opal/deployment/deployment.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,8 +127,8 @@ nlohmann::ordered_json deployment_lines(const LogContents& contents, const std::
 std::string doubt_of_lines(const LogContents& contents) {
   const LogLaser* laser = laser_that_is_read(contents);
   if (laser == nullptr || !takes_half_a_turn(*laser)) return "";
-  return sentence(
-      "the log does not state the angles of its %d beams; half a turn to the front is taken: correct "
+  return fmt::format(
+      "the log does not state the angles of its {} beams; half a turn to the front is taken: correct "
       "angle_min_rad and angle_increment_rad if the laser is another one",
       laser->beams);
 }

@@ -9,6 +9,8 @@
 
 #include <opal/deployment/deployment.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -50,9 +52,9 @@ void draw(const std::shared_ptr<const opal::SemanticMap>& map, const opal::Learn
 
 void print(const opal::Learned& learned, double least_probability) {
   for (const opal::Proposal& proposal : learned.proposals)
-    std::printf("%s %s %s: %s\n", proposal.probability >= least_probability ? " " : "?", name_of(proposal.change),
-                proposal.id.c_str(), sentence_of(proposal).c_str());
-  std::printf("%zu objects stand where the map says; of %zu nothing is known\n", learned.sound, learned.unseen);
+    fmt::print("{} {} {}: {}\n", proposal.probability >= least_probability ? " " : "?", name_of(proposal.change),
+               proposal.id, sentence_of(proposal));
+  fmt::print("{} objects stand where the map says; of {} nothing is known\n", learned.sound, learned.unseen);
 }
 
 void write_overlay(const opal::SemanticMap& map, const opal::Learned& learned, const std::string& sensor,
@@ -79,7 +81,7 @@ bool push(const opal::PluginRegistry& registry, const opal::StoreSource& version
     if (!drive.visits.empty()) outbox.keep(store->where(), version, opal::to_json(drive).dump());
   try {
     const opal::SentEvidence sent = opal::send_waiting(*store, outbox);
-    std::printf("pushed: %zu drives, of which %d are new, to %s\n", sent.confirmed, sent.added, store->where().c_str());
+    fmt::print("pushed: {} drives, of which {} are new, to {}\n", sent.confirmed, sent.added, store->where());
     for (const std::string& refusal : sent.refused) std::cerr << "opal: not pushed: " << refusal << '\n';
     return sent.refused.empty();
   } catch (const opal::StoreUnreachable& error) {

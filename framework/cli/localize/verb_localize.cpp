@@ -13,6 +13,8 @@
 #include <opal/deployment/deployment.hpp>
 #include "localization/events/run_events.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <optional>
 
@@ -54,14 +56,14 @@ LocalizeSetup set_up(const LocalizeOptions& options) {
 
 void tell(const opal::benchmark::LocalizeRun& run, const LocalizeSetup& setup, const std::string& out) {
   run.print();
-  if (!setup.mount_doubt.empty()) std::printf("sensor: %s\n", setup.mount_doubt.c_str());
-  for (const auto& [cause, count] : setup.log.defects) std::printf("log: %s: %d times\n", cause.c_str(), count);
+  if (!setup.mount_doubt.empty()) fmt::print("sensor: {}\n", setup.mount_doubt);
+  for (const auto& [cause, count] : setup.log.defects) fmt::print("log: {}: {} times\n", cause, count);
   for (const std::string& doubt : opal::benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
-    std::printf("log: %s\n", doubt.c_str());
-  std::printf("written to %s: trajectory.tum, results.csv, events.jsonl, first_scan and picture as .svg and .png\n",
-              out.c_str());
+    fmt::print("log: {}\n", doubt);
+  fmt::print("written to {}: trajectory.tum, results.csv, events.jsonl, first_scan and picture as .svg and .png\n",
+             out);
   if (!run.complete() && setup.windows.size() > 1)
-    std::printf("%zu of %zu queries were finished; results.csv holds these\n", run.finished(), setup.windows.size());
+    fmt::print("{} of {} queries were finished; results.csv holds these\n", run.finished(), setup.windows.size());
 }
 
 int localize(const LocalizeOptions& options) {

@@ -12,6 +12,8 @@
 #include "drawing/drawing.hpp"
 #include "map/map_file.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iostream>
 
@@ -117,10 +119,9 @@ int import(const ImportOptions& options) {
 }
 
 void print(const opal::Storey& storey) {
-  std::printf("%-24s  level %8.3f m  cut %8.3f m  ", ("'" + storey.name + "'").c_str(), storey.elevation_m,
-              storey.height_m);
+  fmt::print("{:<24}  level {:8.3f} m  cut {:8.3f} m  ", "'" + storey.name + "'", storey.elevation_m, storey.height_m);
   const auto text_of = [](const auto& gives) { return fmt::format("{} {}", gives.second, gives.first); };
-  std::printf("%s\n", storey.gives.empty() ? "nothing" : opal::listed_by(storey.gives, text_of).c_str());
+  fmt::print("{}\n", storey.gives.empty() ? "nothing" : opal::listed_by(storey.gives, text_of));
 }
 
 int storeys(const std::string& source, const ImportOptions& options) {

@@ -24,6 +24,8 @@
 #include "map/map_file.hpp"
 #include "map_tools/map_raster.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -105,10 +107,10 @@ void tell_places(const std::vector<opal::MapPlacement>& placements) {
   constexpr std::size_t kMost = 30;
   for (std::size_t k = 0; k < std::min(kMost, placements.size()); ++k) {
     const opal::MapPlacement& placement = placements[k];
-    std::printf("%s: moved by %.0f m, %.0f m; scale %.3f, %.3f\n", placement.id.c_str(), placement.T_map_source.x(),
-                placement.T_map_source.y(), placement.scale.x(), placement.scale.y());
+    fmt::print("{}: moved by {:.0f} m, {:.0f} m; scale {:.3f}, {:.3f}\n", placement.id, placement.T_map_source.x(),
+               placement.T_map_source.y(), placement.scale.x(), placement.scale.y());
   }
-  if (placements.size() > kMost) std::printf("and %zu more\n", placements.size() - kMost);
+  if (placements.size() > kMost) fmt::print("and {} more\n", placements.size() - kMost);
 }
 
 int join(const JoinVerbOptions& options) {
@@ -121,8 +123,8 @@ int join(const JoinVerbOptions& options) {
   tell_places(joined->origin().placements);
   for (const opal::MapSourcePart& source : sources)
     if (!source.map->unused().empty())
-      std::printf("left out of %s: what other vocabularies say about %zu things\n", source.prefix.c_str(),
-                  source.map->unused().size());
+      fmt::print("left out of {}: what other vocabularies say about {} things\n", source.prefix,
+                 source.map->unused().size());
   std::cout << "written: " << options.out << ", " << joined->features().size() << " features\n";
   return kDone;
 }

@@ -8,7 +8,8 @@
 #include <opal/common/strict_json.hpp>
 #include <opal/sensing/replay.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iostream>
 
@@ -36,8 +37,8 @@ std::vector<opal::DriveEvidence> watched(const LogRunOptions& options, const opa
     const std::string name = fs::path(log_file).filename().string();
     drives.push_back(observed_drive(parts, replay, run.queries.empty() ? name : name + " " + window.id));
     const opal::DriveEvidence& drive = drives.back();
-    std::printf("%s: learned along %.0f m in %s; %.0f m left out\n", drive.drive.c_str(), drive.learned_m,
-                opal::count_of(drive.visits.size(), "visit").c_str(), drive.left_out_m);
+    fmt::print("{}: learned along {:.0f} m in {}; {:.0f} m left out\n", drive.drive, drive.learned_m,
+               opal::count_of(drive.visits.size(), "visit"), drive.left_out_m);
   }
   return drives;
 }
@@ -49,8 +50,7 @@ std::vector<opal::DriveEvidence> pushed_by_robots(const opal::PluginRegistry& re
   const auto store = opal::session::map_store(registry);
   opal::FleetEvidence evidence = opal::evidence_in(*store, *map.version, map.map->name());
   for (const std::string& refusal : evidence.refused) std::cerr << "opal: left out: " << refusal << '\n';
-  std::printf("%zu drives about %s, from %s\n", evidence.drives.size(), opal::text_of(*map.version).c_str(),
-              store->where().c_str());
+  fmt::print("{} drives about {}, from {}\n", evidence.drives.size(), opal::text_of(*map.version), store->where());
   return std::move(evidence.drives);
 }
 

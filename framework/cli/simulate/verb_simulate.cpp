@@ -17,6 +17,8 @@
 #include "drawing/drawing.hpp"
 #include "evaluation/ground_truth.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -98,8 +100,8 @@ int simulate_storeys(const SimulateOptions& options, const opal::SemanticMap& ma
   const sim::Recording recording = sim::record_on_storeys(building, options.world, options.drives, options.damage.seed);
   const StopSignals all_or_none;
   sim::write_recorded_place(recording, map, options.out);
-  std::printf("%zu drives on %zu storeys, %zu scans\n", recording.queries.size(), map.origin().storeys.size(),
-              recording.scans.size());
+  fmt::print("{} drives on {} storeys, {} scans\n", recording.queries.size(), map.origin().storeys.size(),
+             recording.scans.size());
   tell_written(options.out);
   return kDone;
 }
@@ -129,12 +131,12 @@ int simulate(SimulateOptions options) {
   sim::write_recorded_place(recording, *map, options.out);
   double driven_m = 0;
   for (double distance_m : recording.distances_m) driven_m += distance_m;
-  std::printf("%.0f m2 of floor, %zu things that a beam can meet, %d people\n", simulation.floor().area_m2(),
-              simulation.solids().solids().size(), options.world.people);
-  std::printf("%zu drives, %.0f m, %zu scans; %d steps in which somebody or something was in the way\n",
-              recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
-  std::printf("%.0f %% of the beams end before the first mapped surface\n", 100.0 * beams.early / beams.beams());
-  std::printf("CPU %.2f s to furnish, %.2f s to drive\n", ready_s - start_s, recorded_s - ready_s);
+  fmt::print("{:.0f} m2 of floor, {} things that a beam can meet, {} people\n", simulation.floor().area_m2(),
+             simulation.solids().solids().size(), options.world.people);
+  fmt::print("{} drives, {:.0f} m, {} scans; {} steps in which somebody or something was in the way\n",
+             recording.queries.size(), driven_m, recording.scans.size(), recording.stops);
+  fmt::print("{:.0f} % of the beams end before the first mapped surface\n", 100.0 * beams.early / beams.beams());
+  fmt::print("CPU {:.2f} s to furnish, {:.2f} s to drive\n", ready_s - start_s, recorded_s - ready_s);
   tell_written(options.out);
   return kDone;
 }

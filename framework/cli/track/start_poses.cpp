@@ -1,7 +1,8 @@
 #include "cli/track/start_poses.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
@@ -34,8 +35,8 @@ opal::Pose2 read_pose(const std::string& text) {
   if (n.size() != 3) throw opal::ConfigError("--pose: '" + text + "', expected X,Y,THETA in metres and radians");
   if (std::abs(n[2]) > kMostHeading_rad)
     throw opal::ConfigError(
-        opal::sentence("--pose: heading %g, expected radians from -2 pi to 2 pi; %g degrees are %.3f", n[2], n[2],
-                       opal::radians(n[2])));
+        fmt::format("--pose: heading {:g}, expected radians from -2 pi to 2 pi; {:g} degrees are {:.3f}", n[2], n[2],
+                    opal::radians(n[2])));
   return {n[0], n[1], n[2]};
 }
 

@@ -7,8 +7,9 @@
 #include "common/text_file.hpp"
 #include "drawing/drawing.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <numeric>
 
@@ -21,8 +22,8 @@ nlohmann::ordered_json to_json(const TrackErrors& errors) {
 }
 
 void print(const std::string& what, const TrackErrors& errors) {
-  std::printf("%-26s %5zu scans: median %.3f m, 95 %% %.3f m, worst %.3f m\n", what.c_str(), errors.scans,
-              errors.median_m, errors.p95_m, errors.max_m);
+  fmt::print("{:<26} {:5} scans: median {:.3f} m, 95 % {:.3f} m, worst {:.3f} m\n", what, errors.scans, errors.median_m,
+             errors.p95_m, errors.max_m);
 }
 
 std::vector<opal::ResultRow> laser_rows(const std::string& id, const std::vector<opal::StampedPose>& T_map_base,
@@ -99,7 +100,7 @@ void TrackOutput::write() const {
                                           {"cpu_ms_max", cpu.empty() ? 0 : cpu.back()},
                                           {"windows", windows_}};
   opal::write_text(file("summary.json"), summary.dump(2) + '\n');
-  std::printf("CPU per update: mean %.2f ms, 99 %% %.2f ms over %zu updates\n", mean, p99_ms, cpu.size());
+  fmt::print("CPU per update: mean {:.2f} ms, 99 % {:.2f} ms over {} updates\n", mean, p99_ms, cpu.size());
   opal::DrawingScene scene;
   scene.title = worst_.id + (truth_ ? ", the window tracked worst" : "");
   scene.map = map_;
@@ -128,12 +129,9 @@ void TrackOutput::write_smoothed(const TrackedWindow& window, const opal::Smooth
   const auto trajectory = opal::corrected_trajectory(window.trajectory, window.track, smoothed);
   std::string csv = "timestamp,x,y,theta,is_scan\n";
   const auto rows = laser_rows(window.id, trajectory, laser_.T_base_laser);
-  for (const opal::ResultRow& row : rows) {
-    char line[128];
-    std::snprintf(line, sizeof line, "%.6f,%.5f,%.5f,%.6f,1\n", row.stamp_s, row.T_map_laser.x(), row.T_map_laser.y(),
-                  row.T_map_laser.heading_rad());
-    csv += line;
-  }
+  for (const opal::ResultRow& row : rows)
+    csv += fmt::format("{:.6f},{:.5f},{:.5f},{:.6f},1\n", row.stamp_s, row.T_map_laser.x(), row.T_map_laser.y(),
+                       row.T_map_laser.heading_rad());
   opal::write_text(file("truth.csv"), csv);
   if (truth_) print("smoothed", errors_of(rows, *truth_));
 }

@@ -15,6 +15,8 @@
 #include <opal/common/error.hpp>
 #include <opal/deployment/deployment.hpp>
 
+#include <fmt/format.h>
+
 namespace {
 
 struct TrackOptions : LogRunOptions {
@@ -118,9 +120,9 @@ opal::MapBelief smooth(const opal::PoseTracker& tracker, const TrackedWindow& wi
 }
 
 void tell_doubts(const TrackSetup& setup) {
-  if (!setup.mount_doubt.empty()) std::printf("sensor: %s\n", setup.mount_doubt.c_str());
+  if (!setup.mount_doubt.empty()) fmt::print("sensor: {}\n", setup.mount_doubt);
   for (const std::string& doubt : opal::benchmark::doubts_of(setup.log, setup.deployment.lasers.front()))
-    std::printf("log: %s\n", doubt.c_str());
+    fmt::print("log: {}\n", doubt);
 }
 
 int track(const TrackOptions& options) {
@@ -138,7 +140,7 @@ int track(const TrackOptions& options) {
     throw opal::LogError(options.log + ": no scan with odometry to track" +
                          (setup.truth ? " that the truth covers" : ""));
   tell_doubts(setup);
-  if (window.last.lost) std::printf("lost: at the end the scans do not fit the map where the track is\n");
+  if (window.last.lost) fmt::print("lost: at the end the scans do not fit the map where the track is\n");
   return end_run(folder, signals.signal(), window.last.lost ? kNo : kDone);
 }
 

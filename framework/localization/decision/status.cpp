@@ -1,7 +1,8 @@
 #include "localization/decision/status.hpp"
 
-#include <opal/common/sentence.hpp>
 #include "localization/decision/same_place.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,24 +110,25 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
     return {while_contradicted(estimate), contradiction_};
   }
   if (was_localized_ && mean_scan_nat_ < options_.lost_scan_nat)
-    return {Status::lost,
-            sentence("the newest scans score %.2f nat on average, below %.2f", mean_scan_nat_, options_.lost_scan_nat)};
+    return {Status::lost, fmt::format("the newest scans score {:.2f} nat on average, below {:.2f}", mean_scan_nat_,
+                                      options_.lost_scan_nat)};
   const bool doubt = estimate.probability * (1 - now.kidnapped) <= options_.localized_probability;
   if (was_localized_ && same && doubt && sure_ > 0)
-    return {Status::lost, sentence("the newest scans do not fit here: kidnapped with probability %.3f, not below %.3f",
-                                   now.kidnapped, 1 - options_.localized_probability)};
+    return {Status::lost,
+            fmt::format("the newest scans do not fit here: kidnapped with probability {:.3f}, not below {:.3f}",
+                        now.kidnapped, 1 - options_.localized_probability)};
   if (!doubt && sure_ > 0 && unbroken_ < options_.localized_weight)
     return {unproven(estimate),
-            sentence("%.2f of %.2f pieces of new evidence ago a scan broke off from those before: the robot may "
-                     "have been kidnapped",
-                     unbroken_, options_.localized_weight)};
+            fmt::format("{:.2f} of {:.2f} pieces of new evidence ago a scan broke off from those before: the robot may "
+                        "have been kidnapped",
+                        unbroken_, options_.localized_weight)};
   const double asked = weight_asked(now.unmapped_walls_m);
   const bool is_other_place = agreement_.share() < options_.localized_least_agreement;
   const Status status = sure_ >= asked && !doubt && !is_other_place ? Status::localized : unproven(estimate);
   if (sure_ > 0 && is_other_place)
-    return {status, sentence("%.0f %% of the beams that the map speaks about pass through what it has: is it the "
-                             "map of this building?",
-                             100 * (1 - agreement_.share()))};
+    return {status, fmt::format("{:.0f} % of the beams that the map speaks about pass through what it has: is it the "
+                                "map of this building?",
+                                100 * (1 - agreement_.share()))};
   if (sure_ > 0) return {status, why_held(asked, now.unmapped_walls_m)};
   return {status, why_unsure(same, estimate.probability * (1 - now.kidnapped))};
 }
@@ -134,25 +136,25 @@ StatusEstimator::Judgement StatusEstimator::judge(const Live& best, const Pose2&
 std::string StatusEstimator::why_unsure(bool same, double probability) const {
   const bool probable = probability > options_.localized_probability;
   if (!probable)
-    return sentence("the probability is %.3f, not above %.3f", rounded_down(probability),
-                    options_.localized_probability);
+    return fmt::format("the probability is {:.3f}, not above {:.3f}", rounded_down(probability),
+                       options_.localized_probability);
   if (!same) return "the best place has just changed";
-  return sentence(
-      "another place explains what was seen nearly as well: its evidence is %.1f nat less "
-      "of %.1f, and should be %.1f less",
+  return fmt::format(
+      "another place explains what was seen nearly as well: its evidence is {:.1f} nat less "
+      "of {:.1f}, and should be {:.1f} less",
       lead_.nat, lead_.own_nat, lead_asked_nat());
 }
 
 std::string StatusEstimator::why_held(double asked, double unmapped_walls_m) const {
-  const std::string held =
-      sentence("the probability that is asked for has held here for %.2f of %.2f pieces of new evidence", sure_, asked);
+  const std::string held = fmt::format(
+      "the probability that is asked for has held here for {:.2f} of {:.2f} pieces of new evidence", sure_, asked);
   if (asked <= options_.localized_weight) return held;
   std::string why;
   if (unmapped_walls_m > options_.localized_unmapped_m)
-    why = sentence(", so many since %.1f m of straight walls that were seen are not on the map", unmapped_walls_m);
+    why = fmt::format(", so many since {:.1f} m of straight walls that were seen are not on the map", unmapped_walls_m);
   if (agreement_.share() < options_.localized_agreement)
-    why += sentence(", %s %.0f %% of the beams that the map speaks about pass through what it has",
-                    why.empty() ? "so many since" : "and", 100 * (1 - agreement_.share()));
+    why += fmt::format(", {} {:.0f} % of the beams that the map speaks about pass through what it has",
+                       why.empty() ? "so many since" : "and", 100 * (1 - agreement_.share()));
   return held + why;
 }
 

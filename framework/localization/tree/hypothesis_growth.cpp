@@ -1,7 +1,8 @@
 #include "localization/tree/hypothesis_set.hpp"
 
-#include <opal/common/sentence.hpp>
 #include "localization/alignment/registration.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ const LocalFeature* find_local(const LocalMap& map, LocalFeatureId id) {
 }
 
 std::string outlier_words(double off_m, double most_m) {
-  return sentence("an association would be %.2f m off, more than %.2f m", off_m, most_m);
+  return fmt::format("an association would be {:.2f} m off, more than {:.2f} m", off_m, most_m);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "localization/tree/hypothesis_set.hpp"
 
-#include <opal/common/sentence.hpp>
 #include "common/place_tolerance.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -237,8 +238,8 @@ void HypothesisSet::prune() {
   for (std::size_t k = 0; k < alive_.size(); ++k) {
     Live& live = alive_[k];
     if (live.hypothesis.log_likelihood < best - options_.prune_nat)
-      end(live, sentence("worse than the best by %.1f nat, more than %.1f", best - live.hypothesis.log_likelihood,
-                         options_.prune_nat));
+      end(live, fmt::format("worse than the best by {:.1f} nat, more than {:.1f}",
+                            best - live.hypothesis.log_likelihood, options_.prune_nat));
     else if (growth_.max_consecutive_not_on_map > 0 && live.consecutive_not_on_map > growth_.max_consecutive_not_on_map)
       end(live, "too many features in a row that are not on the map");
   }

@@ -1,9 +1,9 @@
 #include <opal/plugin/testing/detector_contract.hpp>
 
-#include <opal/common/sentence.hpp>
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/violations.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -166,8 +166,8 @@ class Detection {
       if (std::none_of(found.begin(), found.end(), is_this))
         violations_.add("turn",
                         "finds " + described(feature.geometry) + " in " + name + ", but not its like in " + occasion +
-                            sentence(" (within %g m, %g rad and 1 %% of the covariance)", trial_.position_tolerance_m,
-                                     trial_.angle_tolerance_rad),
+                            fmt::format(" (within {:g} m, {:g} rad and 1 % of the covariance)",
+                                        trial_.position_tolerance_m, trial_.angle_tolerance_rad),
                         kTurnCause);
     }
   }

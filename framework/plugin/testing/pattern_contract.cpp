@@ -1,9 +1,10 @@
 #include <opal/plugin/testing/pattern_contract.hpp>
 
-#include <opal/common/sentence.hpp>
 #include "common/phrases.hpp"
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/violations.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <future>
@@ -192,7 +193,7 @@ class Matching {
         violations_.add("invariant",
                         "has an invariant " + std::to_string(k) + " that a rigid motion changes from " +
                             std::to_string(before) + " to " + std::to_string(after) + ", for " + of +
-                            sentence(" (allowed: %g of its size)", trial_.tolerance),
+                            fmt::format(" (allowed: {:g} of its size)", trial_.tolerance),
                         "it is made of coordinates, not of distances and angles between the features");
     }
     check_frame(*instance, *image, motion, of);
@@ -207,7 +208,7 @@ class Matching {
     if (distance_m(expected, image.frame) > tolerance || error_rad > tolerance)
       violations_.add("rigid",
                       "has a frame that does not move rigidly with its features, for " + of +
-                          sentence(" (allowed: %g m and rad)", tolerance),
+                          fmt::format(" (allowed: {:g} m and rad)", tolerance),
                       "its heading comes from the axes of the map, or from an order of the features that changes");
   }
 

@@ -1,10 +1,11 @@
 #include <opal/plugin/testing/scorer_contract.hpp>
 
-#include <opal/common/sentence.hpp>
 #include "plugin/testing/scene.hpp"
 #include "plugin/testing/scorer_memory_laws.hpp"
 #include "plugin/testing/violations.hpp"
 #include "plugin/testing/visit.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +177,7 @@ class Judging {
                         "gives " + name + " " + std::to_string(here->log_likelihood) + " nat, but " +
                             std::to_string(there->log_likelihood) +
                             " nat after map and hypothesis were moved together" +
-                            sentence(", expected the same within %g nat", trial_.rigid_tolerance_nat),
+                            fmt::format(", expected the same within {:g} nat", trial_.rigid_tolerance_nat),
                         "coordinates of the map frame count by themselves: a grid at its origin, or its axes");
       if (here->veto.empty() != there->veto.empty())
         violations_.add("veto", "vetoes " + name + " or not, depending on where the map's origin is");

@@ -1,7 +1,8 @@
 #include "ros2/messages/diagnosis.hpp"
 
-#include <opal/common/sentence.hpp>
 #include "common/phrases.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -27,19 +28,19 @@ Diagnosis localization(const LiveAnswer& answer, const NodeState& state) {
   diagnosis.level = level_of(estimate.status);
   diagnosis.message = std::string(name_of(estimate.status)) + (answer.why.empty() ? "" : ": " + answer.why);
   diagnosis.values = {{"status", name_of(estimate.status)},
-                      {"probability", sentence("%.3f", estimate.probability)},
+                      {"probability", fmt::format("{:.3f}", estimate.probability)},
                       {"hypotheses", std::to_string(estimate.hypotheses)},
-                      {"stamp", sentence("%.3f", answer.stamp_s)},
-                      {"latency_ms", sentence("%.1f", 1e3 * answer.latency_s)}};
+                      {"stamp", fmt::format("{:.3f}", answer.stamp_s)},
+                      {"latency_ms", fmt::format("{:.1f}", 1e3 * answer.latency_s)}};
   if (!estimate.has_pose) return diagnosis;
-  diagnosis.values.emplace_back("x_m", sentence("%.3f", estimate.T_map_base.x()));
-  diagnosis.values.emplace_back("y_m", sentence("%.3f", estimate.T_map_base.y()));
-  diagnosis.values.emplace_back("heading_rad", sentence("%.4f", estimate.T_map_base.heading_rad()));
+  diagnosis.values.emplace_back("x_m", fmt::format("{:.3f}", estimate.T_map_base.x()));
+  diagnosis.values.emplace_back("y_m", fmt::format("{:.3f}", estimate.T_map_base.y()));
+  diagnosis.values.emplace_back("heading_rad", fmt::format("{:.4f}", estimate.T_map_base.heading_rad()));
   if (estimate.place.storey.empty()) return diagnosis;
   diagnosis.values.emplace_back("building", estimate.place.building);
   diagnosis.values.emplace_back("storey", estimate.place.storey);
-  diagnosis.values.emplace_back("storey_x_m", sentence("%.3f", estimate.place.T_storey_base.x()));
-  diagnosis.values.emplace_back("storey_y_m", sentence("%.3f", estimate.place.T_storey_base.y()));
+  diagnosis.values.emplace_back("storey_x_m", fmt::format("{:.3f}", estimate.place.T_storey_base.x()));
+  diagnosis.values.emplace_back("storey_y_m", fmt::format("{:.3f}", estimate.place.T_storey_base.y()));
   return diagnosis;
 }
 
@@ -50,7 +51,7 @@ Diagnosis connections(const NodeState& state) {
     diagnosis.message = state.complaints.empty() ? "waits for " + state.waits_for : listed(state.complaints);
   }
   for (const auto& [topic, rate_hz] : state.rates_hz)
-    diagnosis.values.emplace_back(topic, sentence("%.1f Hz", rate_hz));
+    diagnosis.values.emplace_back(topic, fmt::format("{:.1f} Hz", rate_hz));
   for (const auto& [cause, times] : state.odd_counts) diagnosis.values.emplace_back(cause, std::to_string(times));
   return diagnosis;
 }
@@ -58,7 +59,7 @@ Diagnosis connections(const NodeState& state) {
 Diagnosis clock(const LiveAnswer& answer, double now_s) {
   Diagnosis diagnosis{DiagnosisLevel::ok, "opal: clock", "scans are stamped by this clock", {}};
   const double age_s = now_s - answer.stamp_s;
-  diagnosis.values = {{"newest_scan_age_s", sentence("%.3f", age_s)}};
+  diagnosis.values = {{"newest_scan_age_s", fmt::format("{:.3f}", age_s)}};
   const std::string complaint = clock_complaint(answer, now_s);
   if (complaint.empty()) return diagnosis;
   diagnosis.level = age_s < 0 ? DiagnosisLevel::error : DiagnosisLevel::warn;
@@ -77,9 +78,11 @@ std::string clock_complaint(const LiveAnswer& answer, double now_s) {
   const double age_s = now_s - answer.stamp_s;
   if (answer.number == 0 || !std::isfinite(age_s)) return "";
   if (age_s < -kClockDifferenceS)
-    return sentence("the newest scan is stamped %.1f s in the future: are the clocks of two computers apart?", -age_s);
+    return fmt::format("the newest scan is stamped {:.1f} s in the future: are the clocks of two computers apart?",
+                       -age_s);
   if (age_s > kSilenceS)
-    return sentence("the newest scan is %.1f s old: the laser is silent, or clocks of two computers are apart", age_s);
+    return fmt::format("the newest scan is {:.1f} s old: the laser is silent, or clocks of two computers are apart",
+                       age_s);
   return "";
 }
 
@@ -96,7 +99,8 @@ std::string status_words(const LiveAnswer& answer) {
   const std::string name = name_of(estimate.status);
   if (estimate.status != Status::localized) return name + (answer.why.empty() ? "" : ": " + answer.why);
   const Pose2& pose = estimate.T_map_base;
-  return name + sentence(" at x %.2f m, y %.2f m, heading %.1f deg", pose.x(), pose.y(), degrees(pose.heading_rad()));
+  return name +
+         fmt::format(" at x {:.2f} m, y {:.2f} m, heading {:.1f} deg", pose.x(), pose.y(), degrees(pose.heading_rad()));
 }
 
 std::vector<Diagnosis> diagnoses_of(const LiveAnswer& answer, const NodeState& state, double now_s) {

@@ -2,7 +2,7 @@
 
 #include "ros2/messages/wire_types.hpp"
 
-#include <opal/common/sentence.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -90,7 +90,8 @@ void Outgoing::publish(const Announcement& announcement) {
   std::vector<WireMarker> markers{wire_marker(header, kPlacesKind, 0, kArrow)};
   markers.front().action = kDeleteAll;
   std::vector<std::string> texts;
-  for (const PossiblePlace& place : announcement.places) texts.push_back(sentence("%.0f %%", 100 * place.probability));
+  for (const PossiblePlace& place : announcement.places)
+    texts.push_back(fmt::format("{:.0f} %", 100 * place.probability));
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const PossiblePlace& place = announcement.places[i];
     poses.push_back(wire_pose(place.T_map_base));

@@ -3,6 +3,8 @@
 #include <opal/common/error.hpp>
 #include "common/phrases.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <sstream>
 

@@ -1,6 +1,6 @@
 #include "ros2/odometry/odometry_agreement.hpp"
 
-#include <opal/common/sentence.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ bool differs(double a, double b, double enough) {
 }
 
 std::string words_of(const OdometrySource& source, const Motion& motion) {
-  return source.name + sentence(" says %.2f m and %.0f degrees", motion.driven_m, degrees(motion.turned_rad));
+  return source.name + fmt::format(" says {:.2f} m and {:.0f} degrees", motion.driven_m, degrees(motion.turned_rad));
 }
 
 std::string frames_of(const OdometrySource& source) {
@@ -73,7 +73,7 @@ std::vector<std::string> disagreements(OdometrySource used, OdometrySource other
   const Motion one = motion_of(used, begin_s, end_s), two = motion_of(other, begin_s, end_s);
   if (differs(one.driven_m, two.driven_m, kEnough_m) || differs(one.turned_rad, two.turned_rad, kEnough_rad))
     words.push_back("odometry differs by more than 5 %: " + words_of(used, one) + ", " + words_of(other, two) +
-                    sentence(" in the same %.1f s", end_s - begin_s) + choice);
+                    fmt::format(" in the same {:.1f} s", end_s - begin_s) + choice);
   else if (std::max(one.driven_m, two.driven_m) <= kEnough_m && std::max(one.turned_rad, two.turned_rad) <= kEnough_rad)
     words.push_back("odometry comes from " + used.name + " and from " + other.name +
                     ", and the robot hardly moved: drive it during the check to see whether both agree" + choice);

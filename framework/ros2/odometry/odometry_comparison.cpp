@@ -1,6 +1,6 @@
 #include "ros2/odometry/odometry_comparison.hpp"
 
-#include <opal/common/sentence.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -19,7 +19,7 @@ void OdometryComparison::hear_transform(const OdometryRecord& odometry) {
   const double apart_m = distance_m(odometry.T_odom_base, message_->T_odom_base);
   const double apart_rad = std::abs(angle_between_rad(odometry.T_odom_base, message_->T_odom_base));
   const bool is_same = apart_m < kSameM && apart_rad < kSameRad;
-  difference_ = is_same ? "" : sentence("%.2f m and %.2f rad", apart_m, apart_rad);
+  difference_ = is_same ? "" : fmt::format("{:.2f} m and {:.2f} rad", apart_m, apart_rad);
 }
 
 }  // namespace opal::ros2

@@ -6,8 +6,9 @@
 
 #include <opal/common/error.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <functional>
 
 namespace opal::simulation {
@@ -34,11 +35,7 @@ const std::vector<Architect>& architects() {
   return all;
 }
 
-std::string text_of(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
+std::string text_of(double number) { return fmt::format("{:g}", number); }
 
 const Architect& architect_of(const std::string& kind) {
   for (const Architect& architect : architects())

@@ -2,8 +2,9 @@
 
 #include "simulation/buildings/outline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <numbers>
 
@@ -15,11 +16,7 @@ constexpr const char* kSensor = "PlanarLidar2D";
 constexpr int kMaxPillarPerimeter_cm = 600;
 constexpr int kMinPillarSide_cm = 25;
 
-std::string numbered(const std::string& what, int number) {
-  char digits[16];
-  std::snprintf(digits, sizeof digits, "-%04d", number);
-  return what + digits;
-}
+std::string numbered(const std::string& what, int number) { return fmt::format("{}-{:04}", what, number); }
 
 /// "opal:Rack" gives "rack".
 std::string stem_of(const std::string& type) {

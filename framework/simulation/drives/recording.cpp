@@ -1,7 +1,8 @@
 #include "simulation/drives/recording.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -107,11 +108,7 @@ void carry_on(RawScan& scan, double later_s, const Pose2& T_odom_odom) {
   if (scan.T_odom_base) scan.T_odom_base = T_odom_odom * *scan.T_odom_base;
 }
 
-std::string query_name(int number) {
-  char name[16];
-  std::snprintf(name, sizeof name, "q%02d", number);
-  return name;
-}
+std::string query_name(int number) { return fmt::format("q{:02}", number); }
 
 Recording record(Simulation& simulation, const DriveOptions& options, Random random) {
   Recording recording = recording_by(simulation);

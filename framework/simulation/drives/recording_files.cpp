@@ -10,7 +10,6 @@
 #include <unistd.h>
 #include <zlib.h>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -62,10 +61,8 @@ std::string truth_of(const Recording& recording) {
   std::string text = "timestamp,x,y,theta,is_scan\n";
   for (const RecordedScan& recorded : recording.scans) {
     const Pose2 pose = recorded.T_map_base * recording.laser.T_base_laser;
-    char row[120];
-    std::snprintf(row, sizeof row, "%.4f,%.4f,%.4f,%.5f,1\n", recorded.scan.stamp_s, pose.x(), pose.y(),
-                  pose.heading_rad());
-    text += row;
+    text +=
+        fmt::format("{:.4f},{:.4f},{:.4f},{:.5f},1\n", recorded.scan.stamp_s, pose.x(), pose.y(), pose.heading_rad());
   }
   return text;
 }

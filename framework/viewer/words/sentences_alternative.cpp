@@ -5,6 +5,8 @@
 #include "viewer/words/score_comparison.hpp"
 #include "viewer/words/sentences.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 

@@ -7,6 +7,8 @@
 #include <opal/map/object_words.hpp>
 #include "localization/alignment/registration.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>

@@ -2,6 +2,8 @@
 #include "report/quantity_text.hpp"
 #include "viewer/words/sentences.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <tuple>

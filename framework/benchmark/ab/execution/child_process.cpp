@@ -1,7 +1,6 @@
 #include "benchmark/ab/execution/child_process.hpp"
 
 #include <opal/common/error.hpp>
-#include <opal/common/sentence.hpp>
 
 #include <fmt/format.h>
 
@@ -144,9 +143,9 @@ Answer next_answer(ChildProcess& child, double wall_s, double memory_mb) {
   constexpr double kWatch_s = 0.05;
   const auto start = Clock::now();
   Answer answer;
-  const auto give_up = [&](const char* format, double limit) {
+  const auto give_up = [&](std::string why) {
     child.end();
-    answer.failure = sentence(format, limit);
+    answer.failure = std::move(why);
     return answer;
   };
   for (;;) {
@@ -155,8 +154,9 @@ Answer next_answer(ChildProcess& child, double wall_s, double memory_mb) {
       case ChildProcess::Heard::end: answer.failure = child.failure(); return answer;
       case ChildProcess::Heard::nothing: break;
     }
-    if (child.memory_mb() > memory_mb) return give_up("out of memory: over %g MB", memory_mb);
-    if (std::chrono::duration<double>(Clock::now() - start).count() > wall_s) return give_up("hung: over %g s", wall_s);
+    if (child.memory_mb() > memory_mb) return give_up(fmt::format("out of memory: over {:g} MB", memory_mb));
+    if (std::chrono::duration<double>(Clock::now() - start).count() > wall_s)
+      return give_up(fmt::format("hung: over {:g} s", wall_s));
   }
 }
 

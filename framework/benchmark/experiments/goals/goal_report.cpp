@@ -5,6 +5,8 @@
 #include "benchmark/experiments/kit/summary_json.hpp"
 #include "common/phrases.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <map>
